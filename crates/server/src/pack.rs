@@ -10,7 +10,9 @@ use hyper::header::{
 };
 use hyper::{Response, StatusCode};
 use page::Reply;
+use std::collections::BTreeMap;
 use std::io::Write;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 /// Smallest number of bytes that is compressed.
 const LEAST: usize = 1400;
@@ -26,14 +28,20 @@ pub(crate) fn sent(
     always: &[(&'static str, &'static str)],
 ) -> Response<Full<Bytes>> {
     let is_asset = path.starts_with(ASSETS) && reply.status == 200;
-    let tag = is_asset.then(|| format!("\"{}\"", blake3::hash(&reply.body).to_hex()));
+    // What is the same for everyone is packed once: it is asked for without the token too.
+    let kept = (page::is_open_to_all(path) && reply.status == 200).then(|| blake3::hash(&reply.body));
+    let tag = kept.filter(|_| is_asset).map(|hash| format!("\"{}\"", hash.to_hex()));
     let is_known = tag.as_deref().is_some_and(|tag| has(asked, &IF_NONE_MATCH, tag));
     let is_text = reply.media.starts_with("text/") || reply.media.contains("json") || reply.media.contains("svg");
-    let packed =
-        (is_text && !is_known && reply.body.len() >= LEAST && reads_gzip(asked)).then(|| packed(&reply.body)).flatten();
+    let is_packable = is_text && !is_known && reply.body.len() >= LEAST && reads_gzip(asked);
+    let packed = match kept {
+        _ if !is_packable => None,
+        Some(hash) => packed_once(hash, &reply.body),
+        None => packed(&reply.body).map(Bytes::from),
+    };
     let is_packed = packed.is_some();
-    let body = if is_known { Vec::new() } else { packed.unwrap_or(reply.body) };
-    let mut response = Response::new(Full::new(Bytes::from(body)));
+    let body = if is_known { Bytes::new() } else { packed.unwrap_or_else(|| Bytes::from(reply.body)) };
+    let mut response = Response::new(Full::new(body));
     let status = if is_known { 304 } else { reply.status };
     *response.status_mut() = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
     let headers = response.headers_mut();
@@ -41,8 +49,8 @@ pub(crate) fn sent(
     for (name, value) in always {
         headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
     }
-    let kept = if is_asset { "private, no-cache" } else { "no-store" };
-    headers.insert(CACHE_CONTROL, HeaderValue::from_static(kept));
+    let caching = if is_asset { "private, no-cache" } else { "no-store" };
+    headers.insert(CACHE_CONTROL, HeaderValue::from_static(caching));
     if is_text {
         headers.insert(VARY, HeaderValue::from_static("accept-encoding"));
     }
@@ -77,6 +85,23 @@ fn reads_gzip(headers: &HeaderMap) -> bool {
             parts.any(|part| part.strip_prefix("q=").is_some_and(|weight| weight.trim().parse() == Ok(0.0_f64)));
         is_gzip && !is_refused
     })
+}
+
+/// Most packed files that are kept: more than are open to all.
+const KEPT_MOST: usize = 256;
+
+/// Compresses a file that is the same for everyone, the first time that it is sent.
+fn packed_once(hash: blake3::Hash, body: &[u8]) -> Option<Bytes> {
+    static KEPT: LazyLock<Mutex<BTreeMap<[u8; 32], Bytes>>> = LazyLock::new(Mutex::default);
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(found) = kept.get(hash.as_bytes()) {
+        return Some(found.clone());
+    }
+    let found = Bytes::from(packed(body)?);
+    if kept.len() < KEPT_MOST {
+        drop(kept.insert(*hash.as_bytes(), found.clone()));
+    }
+    Some(found)
 }
 
 /// Compresses a body, quickly rather than strongly: the distance is short.
@@ -119,6 +144,19 @@ mod tests {
         let mut read = String::new();
         assert!(GzDecoder::new(bytes.as_slice()).read_to_string(&mut read).is_ok());
         assert_eq!(read, text);
+    }
+
+    /// Files that are open to all are packed when they are first sent, and are the same bytes each time.
+    #[tokio::test]
+    async fn what_is_the_same_for_everyone_is_packed_once() {
+        let text = "a rule of the style\n".repeat(1 << 16);
+        let asked = asked(&[(ACCEPT_ENCODING, "gzip")]);
+        let reply = || sent(Reply::text(200, &text), "/assets/page.css", &asked, &[]);
+        let first = body(reply()).await;
+        assert_eq!(body(reply()).await, first);
+        let hash = blake3::hash(text.as_bytes());
+        let [one, other] = [(); 2].map(|()| packed_once(hash, text.as_bytes()).map(|bytes| bytes.as_ptr() as usize));
+        assert!(one.is_some() && one == other, "it is kept");
     }
 
     #[tokio::test]

@@ -98,12 +98,8 @@ impl Course {
     /// Returns an upper bound of the number of instants of [`Course::of`], without evaluating them.
     #[must_use]
     pub fn instants_most(axis: &Axis) -> usize {
-        let of_piece = |piece: &motion::Piece| {
-            // A rest has two ends, and the brake closes and opens in it; elsewhere a reversal has two instants.
-            if piece.is_rest() { 6 } else { PER_PIECE as usize + 1 + 2 * piece.reversals().len() }
-        };
-        let pieces = axis.motion.pieces().iter().map(of_piece).sum::<usize>();
-        pieces + axis.motion.recordings().iter().map(|placed| 2 * placed.intervals()).sum::<usize>()
+        instants_of_laws(axis, PER_PIECE)
+            + axis.motion.recordings().iter().map(|placed| 2 * placed.intervals()).sum::<usize>()
     }
 
     /// Samples the cycle; `parts`: number of parts of a piece by its beginning and its duration \[s\]; `group`: number
@@ -224,6 +220,15 @@ fn kept(group: &[(Sample, Rates)]) -> Vec<usize> {
     places.sort_unstable();
     places.dedup();
     places
+}
+
+/// Returns an upper bound of the number of instants of the pieces of the laws, each in so many parts.
+pub(crate) fn instants_of_laws(axis: &Axis, parts: u32) -> usize {
+    let of_piece = |piece: &motion::Piece| {
+        // A rest has two ends, and the brake closes and opens in it; elsewhere a reversal has two instants.
+        if piece.is_rest() { 6 } else { parts as usize + 1 + 2 * piece.reversals().len() }
+    };
+    axis.motion.pieces().iter().map(of_piece).sum()
 }
 
 /// Visits the samples of the pieces of the laws and of the recordings, in order of time: index of the segment, position

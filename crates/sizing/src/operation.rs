@@ -2,7 +2,7 @@
 //! duty type. Nothing here is judged.
 
 use crate::axis::Axis;
-use crate::course::instants;
+use crate::course::{instants, instants_of_laws};
 use crate::currents::Currents;
 use crate::electrics::Electrics;
 use crate::energy::CyclePower;
@@ -148,7 +148,20 @@ fn square(a: f64, b: f64, duration: f64) -> f64 {
     duration * (a * a + a * b + b * b) / 3.0
 }
 
+/// Returns the number of parts in which each piece of a law is looked at.
+fn parts(axis: &Axis) -> u32 {
+    let parts = (INSTANTS / axis.motion.pieces().len().max(1)).clamp(PARTS_LEAST, PARTS_MOST);
+    u32::try_from(parts).unwrap_or(1)
+}
+
 impl Operation {
+    /// Returns an upper bound of the number of instants of the laws at which [`Operation::of`] looks, beside two of each interval of
+    /// the recordings.
+    #[must_use]
+    pub fn instants_of_laws(axis: &Axis) -> usize {
+        instants_of_laws(axis, parts(axis))
+    }
+
     /// The cycle of an axis on an actuator; `None` if J_out is not known.
     #[must_use]
     pub fn of(axis: &Axis, actuator: &Parameters) -> Option<Self> {
@@ -217,8 +230,7 @@ impl Walk<'_> {
     fn sums(&self, axis: &Axis) -> Vec<Sums> {
         let stretches = axis.motion.stretches();
         let mut sums = vec![Sums::default(); stretches.len()];
-        let parts = (INSTANTS / axis.motion.pieces().len().max(1)).clamp(PARTS_LEAST, PARTS_MOST);
-        let parts = u32::try_from(parts).unwrap_or(1);
+        let parts = parts(axis);
         let mut before: Option<(usize, Node)> = None;
         instants(axis, (&|_, _| parts, &|_| 1), &mut |segment, _, node, _| {
             if let Some(sums) = sums.get_mut(segment) {

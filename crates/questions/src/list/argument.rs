@@ -204,7 +204,10 @@ fn is_whole(text: &str) -> bool {
 /// The word that was probably meant, or all of them.
 pub(super) fn near(written: &str, words: &[&str]) -> Hint {
     let distance = |word: &&str| strsim::damerau_levenshtein(word, written);
-    match words.iter().copied().min_by_key(distance).filter(|word| distance(word) * 2 <= word.len()) {
+    // A text much longer than every word is near none.
+    let is_long = words.iter().all(|word| written.len() > 3 * word.len());
+    let nearest = if is_long { None } else { words.iter().copied().min_by_key(distance) };
+    match nearest.filter(|word| distance(word) * 2 <= word.len()) {
         Some(word) => Hint::DidYouMean(word.to_owned()),
         None => Hint::ValidAre(words.iter().map(|word| (*word).to_owned()).collect()),
     }

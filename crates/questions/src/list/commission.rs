@@ -8,9 +8,11 @@ pub use crate::commission::{Commissioning, DriveForm, commission, usual_ambient}
 use crate::sizing_use::Refusal;
 use answers::CommissionAnswer;
 use order_code::OrderCode;
-use quantities::ThermodynamicTemperature;
+use quantities::unit::DEGREE_CELSIUS;
+use quantities::{Language, Measure, ThermodynamicTemperature};
 use words::help;
 use words::help::values;
+use words::{commission as texts, simulation};
 
 pub(super) const FORM: Argument = Argument::option("for", values::drive, help::commission_for);
 pub(super) const AMBIENT: Argument =
@@ -25,8 +27,28 @@ arguments! {
         form: Option<DriveForm> = FORM.of(ArgumentKind::Word(|| DriveForm::ALL.map(DriveForm::id).to_vec()))
             => word(by_id(&DriveForm::ALL, DriveForm::id)),
         /// Temperature of winding and sensors.
-        ambient: Option<ThermodynamicTemperature> = AMBIENT => some(read_quantity),
+        ambient: Option<ThermodynamicTemperature> = AMBIENT => some(read_ambient),
     }
+}
+
+/// Temperatures at which a winding is measured \[°C\]: a choice, wider than any place where an actuator is permitted, and within the
+/// range in which the resistance of copper is linear.
+const AMBIENT_C: std::ops::RangeInclusive<f64> = -50.0..=150.0;
+
+/// Reads the temperature at which winding and sensors are measured.
+///
+/// # Errors
+/// A text that is no temperature; one at which nobody measures.
+pub(super) fn read_ambient(
+    text: &str,
+    language: Language,
+) -> Result<ThermodynamicTemperature, (String, Option<String>)> {
+    let found: ThermodynamicTemperature = read_quantity(text, language)?;
+    if AMBIENT_C.contains(&found.in_unit(&DEGREE_CELSIUS)) {
+        return Ok(found);
+    }
+    let [low, high] = [AMBIENT_C.start(), AMBIENT_C.end()].map(|end| format!("{end} °C"));
+    Err((simulation::refused_range(&"ambient", language), Some(texts::between(&low, &high, language))))
 }
 
 /// The question.
@@ -68,4 +90,21 @@ pub fn found(asked: &Asked<'_>) -> Result<(answers::Commissioning, Vec<answers::
 /// No printed data.
 pub fn about(code: &OrderCode) -> Result<Commissioning, Unanswered> {
     Ok(commission(code).ok_or(Refusal::NoData)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_ambient_at_which_nobody_measures_is_refused() {
+        let read = |text: &str| read_ambient(text, Language::En);
+        for text in ["-50 degC", "20 degC", "150 degC"] {
+            assert!(read(text).is_ok(), "{text}");
+        }
+        for text in ["-51 degC", "-300 degC", "151 degC", "1e300 degC", "-1 K"] {
+            let (message, hint) = read(text).unwrap_err();
+            assert!(message.contains("out of range") && hint.unwrap() == "-50 °C to 150 °C", "{text}: {message}");
+        }
+    }
 }

@@ -3,7 +3,6 @@
 use super::given::{arguments, code, some};
 use super::{Asked, CODE, Entry, Gives, OutputFile, Reads, Unanswered, commission, media};
 use crate::answer;
-use crate::chapters::read_quantity;
 use crate::commission::{DriveForm, usual_ambient};
 use order_code::OrderCode;
 use quantities::ThermodynamicTemperature;
@@ -15,7 +14,7 @@ arguments! {
         /// Its code.
         code: OrderCode = CODE => code,
         /// Temperature of winding and sensors.
-        ambient: Option<ThermodynamicTemperature> = commission::AMBIENT => some(read_quantity),
+        ambient: Option<ThermodynamicTemperature> = commission::AMBIENT => some(commission::read_ambient),
     }
 }
 

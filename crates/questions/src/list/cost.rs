@@ -4,7 +4,7 @@ use super::size::ASSESSED_MOST;
 use crate::sizing_use::Refusal;
 use crate::tolerance::{Draw, work};
 use project::Project;
-use sizing::INSTANTS_MOST;
+use sizing::{INSTANTS_MOST, Operation};
 
 /// What is asked about the axes of a project, as far as its cost depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,17 +64,22 @@ impl Cost {
     /// The share of that time which an axis takes.
     #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     fn share(self, project: &Project) -> f64 {
+        /// Instants of the walk by segments in a report that take its time: below a microsecond each, for one actuator.
+        const WALKED: f64 = 1e7;
         let [_, samples] = project.axis.samples();
         let nodes = instants_of(project);
-        let (instants, tolerances) = match self {
+        let (instants, besides) = match self {
             Self::Ranking { complete, draw } => {
                 (INSTANTS_MOST, work::share(project, complete.min(ASSESSED_MOST), draw))
             }
             Self::Check { draw } => (INSTANTS_MOST, work::share(project, 1, draw)),
-            Self::Report => (INSTANTS_MOST, work::share(project, 1, Draw::default())),
+            Self::Report => {
+                let walked = Operation::instants_of_laws(&project.axis) as f64 / WALKED;
+                (INSTANTS_MOST, walked + work::share(project, 1, Draw::default()))
+            }
             Self::Workbook | Self::Course | Self::Other => (2.0 * INSTANTS_MOST, 0.0),
         };
-        1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes / instants + tolerances
+        1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes / instants + besides
     }
 
     /// What an answer about an axis takes at most, about, on one core: seconds, and bytes of the process.

@@ -1,6 +1,6 @@
 //! `errata`: what is wrong or in doubt in the print, and what is used.
 
-use super::given::{arguments, text};
+use super::given::{arguments, label};
 use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::errata::ErrataFound;
@@ -14,7 +14,7 @@ arguments! {
     pub struct Args {
         /// A code, the number of a table, the id of an erratum; all errata without it.
         about: Option<String> = Argument::option("about", values::code_table_or_id, help::errata_about)
-            .form(Form::Words) => text,
+            .form(Form::Words) => label,
     }
 }
 

@@ -1,6 +1,6 @@
 //! `glossary`: words and symbols with their meaning.
 
-use super::given::{arguments, text};
+use super::given::{arguments, label};
 use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
 use crate::answer::not_in_glossary;
 pub use crate::glossary::{glossary, meaning_of_symbol, meaning_of_word};
@@ -12,7 +12,7 @@ arguments! {
     /// Which term.
     pub struct Args {
         /// A symbol, a name or a word; all terms without it.
-        term: Option<String> = Argument::option("term", values::term, help::glossary_term).form(Form::Bare) => text,
+        term: Option<String> = Argument::option("term", values::term, help::glossary_term).form(Form::Bare) => label,
     }
 }
 
