@@ -98,6 +98,13 @@ pub(crate) fn battery(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unan
     Ok(Answer::lines(&battery_lines(&battery::found(asked)?, call.language)))
 }
 
+/// Returns `true` if there is something at a path other than a file with these bytes.
+fn is_of_the_user(path: &Path, bytes: &[u8]) -> bool {
+    let Ok(about) = std::fs::symlink_metadata(path) else { return false };
+    let is_alike = about.is_file() && about.len() == bytes.len() as u64;
+    !is_alike || std::fs::read(path).map_or(true, |found| found != bytes)
+}
+
 /// `antrieb new KIND`
 pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
@@ -114,6 +121,11 @@ pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
         return Ok(answer);
     };
     let beside = template.recording.map(|(name, text)| (out.with_file_name(name), text));
+    // `--force` is about the file that is named: a recording of the user with the name of the example's is not replaced.
+    if let Some((path, _)) = beside.as_ref().filter(|(path, text)| is_of_the_user(path, text.as_bytes())) {
+        let message = words::file_trouble(&std::io::ErrorKind::AlreadyExists.into(), language);
+        return Err(Unanswered::File { name: path_text(path), message, is_too_large: false });
+    }
     let mut files: Vec<(&Path, &[u8])> = vec![(out, template.text.as_bytes())];
     files.extend(beside.iter().map(|(path, text)| (path.as_path(), text.as_bytes())));
     call.desk(&[]).save(&files)?;

@@ -547,3 +547,20 @@ fn a_packed_run_is_held_to_the_memory() {
     assert!(id("notes.csv.gz", packed(b"# x\n")).contains("few samples"));
     assert!(id("run.xlsx", b"PK\x03\x04".repeat(100)).contains("zip"), "a workbook is named");
 }
+
+/// `--force` replaces the file that is named, not a recording beside it that the user has made.
+#[test]
+fn a_recording_beside_a_new_project_is_not_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let new = ["new", "recording", "--out", "axis.toml", "--force"];
+    let code = |more: &[&str]| antrieb(folder.path(), &[&new[..], more].concat()).status.code();
+    assert_eq!((code(&[]), code(&[])), (Some(0), Some(0)), "the example's own is written again");
+    let beside = folder.path().join("axis.csv");
+    assert!(beside.is_file());
+    let own = "t [s],q [deg]\n0,1\n1,2\n2,1\n";
+    fs::write(&beside, own).unwrap();
+    let errors = faults(folder.path(), &new);
+    assert!(errors[0]["file"].as_str().unwrap().ends_with("axis.csv"), "{errors}");
+    assert_eq!(errors[0]["message"], "the file already exists");
+    assert_eq!(fs::read_to_string(&beside).unwrap(), own);
+}

@@ -28,7 +28,7 @@ pub(crate) fn sent(
     always: &[(&'static str, &'static str)],
 ) -> Response<Full<Bytes>> {
     let is_asset = path.starts_with(ASSETS) && reply.status == 200;
-    // What is the same for everyone is packed once: it is asked for without the token too.
+    // What is the same for everyone is packed once: it is requested without the token too.
     let kept = (page::is_open_to_all(path) && reply.status == 200).then(|| blake3::hash(&reply.body));
     let tag = kept.filter(|_| is_asset).map(|hash| format!("\"{}\"", hash.to_hex()));
     let is_known = tag.as_deref().is_some_and(|tag| has(asked, &IF_NONE_MATCH, tag));

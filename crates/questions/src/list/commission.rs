@@ -38,7 +38,7 @@ const AMBIENT_C: std::ops::RangeInclusive<f64> = -50.0..=150.0;
 /// Reads the temperature at which winding and sensors are measured.
 ///
 /// # Errors
-/// A text that is no temperature; one at which nobody measures.
+/// A text that is no temperature; one at which no measurement is made.
 pub(super) fn read_ambient(
     text: &str,
     language: Language,
