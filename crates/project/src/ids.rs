@@ -105,6 +105,8 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::ValueImplausible { .. } => "recording_value_implausible",
         Fault::DecimalMixed { .. } => "recording_decimal_mixed",
         Fault::ThousandsGrouped { .. } => "recording_thousands_grouped",
+        Fault::ThousandsPossible { .. } => "recording_thousands_possible",
+        Fault::PositionJumps { .. } => "recording_position_jumps",
         Fault::ColumnType { .. } => "recording_column_type",
         Fault::Backwards { .. } => "recording_time_backwards",
         Fault::SameTime { .. } => "recording_same_time",

@@ -181,6 +181,8 @@ pub enum Assumption {
     RecordedTorqueAdds,
     /// Speed and acceleration are differences of a recorded position, not smoothed.
     RecordedPositionDifferentiated,
+    /// The recorded position is that of a modulo axis; its jumps of one revolution are removed.
+    RecordedModulo,
     /// Noise of a recorded speed at rest is treated as zero.
     RecordedRest(RestNoise),
     /// The resolution of a recording causes an apparent acceleration, with the torque that the load would need for it
@@ -202,7 +204,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 46] = [
+    pub const ALL: [Self; 47] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::CoolingPlate,
@@ -243,6 +245,7 @@ impl Assumption {
         Self::NoPayloadInDwell,
         Self::RecordedTorqueAdds,
         Self::RecordedPositionDifferentiated,
+        Self::RecordedModulo,
         Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0 }),
         Self::RecordedSteps(STEPS, 0.5),
         Self::RecordedSteps(MadeUp { smoothing_s: None, ..STEPS }, 0.5),

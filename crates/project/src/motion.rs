@@ -585,9 +585,8 @@ pub(crate) fn assumptions(axis: &AxisSection, driven: Option<&dyn Driven>, found
     let differences = |segment: &Segment| {
         segment.recording().is_some_and(|read| read.recording.course.speed.is_none()) && !segment.smoothing.is_given()
     };
-    if segments.iter().any(differences) {
-        found.push(Assumption::RecordedPositionDifferentiated);
-    }
+    found.extend(segments.iter().any(differences).then_some(Assumption::RecordedPositionDifferentiated));
+    found.extend(segments.iter().any(crate::recorded::is_modulo).then_some(Assumption::RecordedModulo));
     let rests = |segment: &&Segment| segment.law.value() == Some(SegmentLaw::Dwell);
     found.extend(segments.iter().filter(rests).find_map(|segment| segment.hold.note()));
     let carries = |one: &Segment| one.payload.or_zero().si() > 0.0 || one.payload_inertia.or_zero().si() > 0.0;

@@ -320,6 +320,11 @@ pub(crate) fn samples(segment: &Segment) -> usize {
     segment.recording().map_or(0, |read| read.recording.time_s.len())
 }
 
+/// Returns `true` if the recorded position is that of a modulo axis.
+pub(crate) fn is_modulo(segment: &Segment) -> bool {
+    segment.recording().is_some_and(|read| read.recording.revolutions_removed > 0)
+}
+
 /// Returns the recorded motion of a segment at the output; `None` after a fault.
 ///
 /// `travel`: linear travel per angle \[m/rad\] of a linear mechanism.

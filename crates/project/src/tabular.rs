@@ -37,6 +37,13 @@ pub enum TabularFault {
         /// Path of the key.
         path: String,
     },
+    /// A column of a table in which every separator may be decimal or separate thousands.
+    ThousandsPossible {
+        /// Path of the key.
+        path: String,
+        /// First such value as written.
+        written: String,
+    },
     /// A cell of a table whose value is not a number.
     NotANumber {
         /// Path of the key.
@@ -111,6 +118,7 @@ impl TabularFault {
             Self::Ragged { .. } => "ragged",
             Self::OpenQuote { .. } => "open_quote",
             Self::DecimalMixed { .. } => "decimal_mixed",
+            Self::ThousandsPossible { .. } => "thousands_possible",
             Self::LongLine { .. } => "long_line",
             Self::NoRows => "no_rows",
             Self::NoColumns => "no_columns",

@@ -138,9 +138,10 @@ impl Sweep {
     /// Adds every fault of some rows: cells that are empty, are no numbers, or name nothing that there is.
     pub fn check(&self, cells: &[Cells<'_>], first_row: u64, faults: &mut TableFaults) {
         let mut decimals = Decimals::of(&self.options);
-        for (column, cells) in self.columns.iter().zip(cells) {
-            cells.check(column, first_row, self.options.language, &mut decimals, faults);
+        for (place, (column, cells)) in self.columns.iter().zip(cells).enumerate() {
+            cells.check((place, column), first_row, self.options.language, &mut decimals, faults);
         }
+        decimals.check(|place| self.columns.get(place), self.options.language, faults);
     }
 
     /// The answers of some rows, in their order.

@@ -183,8 +183,10 @@ fn ambiguous(role: Role, headings: &[Heading], picks: &[Pick]) -> Fault {
 /// Returns the columns without a role whose name or unit indicates a quantity; a reader could assume that they are
 /// used.
 pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> Vec<String> {
-    let is_quantity = |text: &String| {
-        Unit::of(text).is_some_and(|unit| !matches!(unit.dimension, Dimension::Ratio | Dimension::Information))
+    let is_quantity = |text: &String| match Unit::of(text) {
+        Some(unit) if unit.dimension == Dimension::Ratio => text.contains(['%', '‰']),
+        Some(unit) => unit.dimension != Dimension::Information,
+        None => false,
     };
     let looks = |heading: &Heading| {
         let is_wanted = |role: &Role| !layout.column(*role).unused;
@@ -198,7 +200,7 @@ pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> V
             usual = roles;
         }
         let states_unit = || [&heading.named.unit, &heading.below].into_iter().flatten().any(is_quantity);
-        if usual.is_empty() { states_unit() } else { usual.iter().any(is_wanted) }
+        if usual.is_empty() { states_unit() || heading.named.holds_quantity() } else { usual.iter().any(is_wanted) }
     };
     let free = headings.iter().enumerate().filter(|(index, _)| !used.contains(index)).map(|(_, heading)| heading);
     free.take(PROPOSED_FROM)

@@ -12,6 +12,7 @@ use crate::lines::Lines;
 use crate::number::{Bad, Decimals, Tick, finite, is_grouped, plain};
 use crate::plain::{Rows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
+use crate::thousands::Thousands;
 use csv_core::{ReadRecordResult, ReaderBuilder};
 use memchr::{memchr, memchr2_iter};
 use quantities::unit::SECOND;
@@ -166,34 +167,64 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         return None;
     }
     let mut gather = Gather::new(columns, layout, false, memory, faults)?;
+    if !more {
+        return gather.finish(faults);
+    }
     // In a comma-separated file a decimal comma must be quoted.
     let is_plain = cells.delimiter == b',' && memchr(b'"', lines.line()).is_none();
     let mut decimals = if is_plain { Decimals::PointAlways } else { Decimals::Undecided };
-    let mut rows = <[Rows; 2]>::default();
-    while more {
-        if let Err(fault) = gather.go_on() {
-            *faults = Faults::default();
-            faults.push(fault);
-            return None;
-        }
-        let going_on = row(lines.line(), lines.number(), &mut wanted, &mut cells, &mut decimals, &mut gather, faults);
-        if !going_on || faults.enough() {
-            return None;
-        }
-        if let Some(sign) = decimals.sign()
-            && wanted.is_plain()
-            && let Some(lines) = lines.unread()
-        {
-            plain_rows(lines, sign, &wanted, &mut cells, &mut rows, &mut gather, faults)?;
-        }
-        more = advance(&mut lines, faults)?;
+    let is_read = read_rows(&mut lines, &mut wanted, &mut cells, &mut decimals, &mut gather, faults);
+    if decimals != Decimals::PointAlways
+        && let Some(found) = wanted.thousands.mixed().next()
+    {
+        // Numbers that may be a thousand times larger make every other fault of a cell doubtful.
+        *faults = Faults::default();
+        let column = wanted.names.get(found.column).cloned().unwrap_or_default();
+        faults.push(Fault::ThousandsPossible { line: found.place, column, text: found.text.clone() });
+        return None;
     }
+    is_read?;
     let encoding = Some(if is_utf8 { lines.encoding() } else { Encoding::Windows1252Guessed });
     gather.finish(faults).map(|recording| Recording { encoding, unused, ..recording })
 }
 
+/// Reads all rows, of which the first is the current line; returns `None` after a fault that ends the reading.
+fn read_rows(
+    lines: &mut Ahead<impl Read>,
+    wanted: &mut Wanted,
+    cells: &mut Cells,
+    decimals: &mut Decimals,
+    gather: &mut Gather<'_>,
+    faults: &mut Faults,
+) -> Option<()> {
+    let mut rows = <[Rows; 2]>::default();
+    let mut more = true;
+    while more {
+        if let Err(fault) = gather.go_on() {
+            *faults = Faults::default();
+            faults.push(fault);
+            wanted.thousands = Thousands::default();
+            return None;
+        }
+        let going_on = row(lines.line(), lines.number(), wanted, cells, decimals, gather, faults);
+        if !going_on || faults.enough() {
+            return None;
+        }
+        let is_certain = *decimals == Decimals::PointAlways || wanted.thousands.is_decimal();
+        if let Some(sign) = decimals.sign()
+            && is_certain
+            && wanted.is_plain()
+            && let Some(lines) = lines.unread()
+        {
+            plain_rows(lines, sign, wanted, cells, &mut rows, gather, faults)?;
+        }
+        more = advance(lines, faults)?;
+    }
+    Some(())
+}
+
 /// Advances to the next line; reports a read error.
-fn advance(lines: &mut Ahead<impl Read>, faults: &mut Faults) -> Option<bool> {
+pub(crate) fn advance(lines: &mut Ahead<impl Read>, faults: &mut Faults) -> Option<bool> {
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
@@ -231,6 +262,8 @@ struct Wanted {
     channels: usize,
     /// Additional columns of time, which come last.
     beside: Vec<(usize, String)>,
+    /// Notation of the numbers read so far.
+    thousands: Thousands,
 }
 
 /// Notation of the times.
@@ -340,6 +373,11 @@ fn row(
         });
         gather.time_failed();
         return true;
+    }
+    if *decimals != Decimals::PointAlways && !wanted.thousands.is_decimal() {
+        for (column, cell) in cells.found(line).enumerate() {
+            wanted.thousands.note(column, &encoding::text(cell), number);
+        }
     }
     let mut read = wanted.names.iter().zip(cells.found(line));
     let Some((name, cell)) = read.next() else { return false };
@@ -478,7 +516,7 @@ impl Cells {
     }
 
     /// Returns every cell of a line; reports an open quote.
-    fn all(&mut self, line: &[u8], number: u64, faults: &mut Faults) -> Option<Vec<Vec<u8>>> {
+    pub(crate) fn all(&mut self, line: &[u8], number: u64, faults: &mut Faults) -> Option<Vec<Vec<u8>>> {
         let cells = self.try_all(line);
         if cells.is_none() {
             faults.push(Fault::QuoteOpen { line: number });
@@ -525,57 +563,4 @@ impl Cells {
 fn range_of(ends: &[usize], index: usize) -> Range<usize> {
     let start = index.checked_sub(1).and_then(|before| ends.get(before)).copied().unwrap_or(0);
     start..ends.get(index).copied().unwrap_or(start)
-}
-
-/// Beginning of a file as written, even if it cannot be read as a recording.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Preview {
-    /// Names of the columns.
-    pub headings: Vec<String>,
-    /// First rows; one of them may hold the units.
-    pub rows: Vec<Vec<String>>,
-}
-
-/// Maximum number of columns shown.
-const SHOWN_MOST: usize = 32;
-
-/// Returns the header of a CSV and up to `rows` rows below it; `None` if there is no number below its first line.
-pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
-    let mut lines = Ahead::new(source);
-    let mut faults = Faults::default();
-    let found = lines.heading().ok()??;
-    if !advance(&mut lines, &mut faults)? {
-        return None;
-    }
-    let mut cells = Cells::new(found.delimiter);
-    let mut shown = |lines: &Ahead<_>| {
-        let row = cells.all(lines.line(), lines.number(), &mut faults)?;
-        Some(row.iter().take(SHOWN_MOST).map(|cell| excerpt(encoding::text(cell).trim())).collect::<Vec<_>>())
-    };
-    let headings = shown(&lines)?;
-    let mut preview = Preview { headings, rows: Vec::new() };
-    while preview.rows.len() < rows.max(2) && lines.advance().unwrap_or(false) {
-        let Some(row) = shown(&lines) else { break };
-        preview.rows.push(row);
-    }
-    let is_table = preview.rows.iter().take(2).flatten().any(|cell| Decimals::is_number(cell));
-    preview.rows.truncate(rows);
-    is_table.then_some(preview)
-}
-
-#[cfg(test)]
-mod preview_tests {
-    use super::*;
-
-    #[test]
-    fn a_preview_shows_what_stands_there_and_no_more() {
-        let text = "# logged\nt;q [deg];mode;M\ns;;;Nm\n0,0;1,5;auto;2\n0,1;x;auto\n";
-        let found = preview_csv(text.as_bytes(), 3).unwrap();
-        assert_eq!(found.headings, ["t", "q [deg]", "mode", "M"]);
-        assert_eq!(found.rows.len(), 3);
-        assert_eq!(found.rows[1], ["0,0", "1,5", "auto", "2"]);
-        assert_eq!(found.rows[2], ["0,1", "x", "auto"], "a row that is no row is shown as it is");
-        assert_eq!(preview_csv(&b""[..], 3), None);
-        assert_eq!(preview_csv(text.as_bytes(), 0).unwrap().rows, Vec::<Vec<String>>::new());
-    }
 }

@@ -1,10 +1,11 @@
 //! Reasons why a file cannot be read as a recording.
 
 use crate::FAULTS_MAX;
+pub use crate::damage::Damage;
 use crate::layout::Role;
 use crate::limits::{Limit, SAMPLES_MAX};
 use crate::packed::Foreign;
-use crate::series::KnownBy;
+use crate::series::{Along, KnownBy};
 use quantities::{Angle, Dimension, Time, Unit, is_unseen};
 use std::fmt;
 use std::io::ErrorKind;
@@ -53,50 +54,6 @@ pub struct NearColumn {
     pub column: String,
     /// The column states a unit of the role.
     pub has_unit: bool,
-}
-
-/// Reason why a Parquet file cannot be read.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum Damage {
-    /// The magic bytes of the format are missing.
-    #[error("it is none")]
-    NoParquet,
-    /// The file is encrypted.
-    #[error("it is encrypted")]
-    Encrypted,
-    /// The pages lie in another file.
-    #[error("its pages lie in another file")]
-    Elsewhere,
-    /// The footer is damaged.
-    #[error("its footer is damaged")]
-    Footer,
-    /// A page is damaged.
-    #[error("a page is damaged")]
-    Page,
-    /// A page does not unpack to its stated size.
-    #[error("a page does not unpack to the size that it says")]
-    Packed,
-    /// The columns of a row group differ in length.
-    #[error("the columns of a row group differ in length")]
-    Lengths,
-    /// A compression that is not supported.
-    #[error("compression {name} is not read")]
-    Compression {
-        /// Name, or number if unknown.
-        name: String,
-    },
-    /// An encoding of numbers that is not supported.
-    #[error("encoding {name} of numbers is not read")]
-    Encoding {
-        /// Name, or number if unknown.
-        name: String,
-    },
-    /// The values cannot be decoded.
-    #[error("the values of a page: {text}")]
-    Values {
-        /// Message of the library.
-        text: String,
-    },
 }
 
 /// Reason why a file cannot be read as a recording. Quoted text of the file is shortened to 40 characters.
@@ -343,6 +300,33 @@ pub enum Fault {
         column: String,
         /// Cell as written.
         text: String,
+    },
+    /// The sign in a number may be decimal or separate thousands: the column holds numbers up to 999 without a sign, and
+    /// numbers with exactly three digits behind it.
+    #[error("line {line}: the sign in \"{text}\" in \"{column}\" may be decimal or separate thousands")]
+    ThousandsPossible {
+        /// Line number.
+        line: u64,
+        /// Name of the column.
+        column: String,
+        /// Cell as written.
+        text: String,
+    },
+    /// The position jumps against the motion, from one end of its range to the other.
+    #[error("{at}: the position \"{column}\" jumps by {size} against the motion")]
+    PositionJumps {
+        /// Place of the sample after the jump.
+        at: FileRow,
+        /// Name of the column.
+        column: String,
+        /// Size of the jump in SI.
+        size: f64,
+        /// Kind of the position.
+        along: Along,
+        /// A speed is recorded too.
+        has_speed: bool,
+        /// Number of such jumps.
+        count: usize,
     },
     /// A column holds other data than plain numbers.
     #[error("the column \"{column}\" holds {found}, no numbers")]

@@ -5,6 +5,7 @@ use crate::columns::check_course;
 use crate::faults::{Fault, Faults, FileRow, Stamp, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
+use crate::modulo::{first_jump, unwrap_revolutions};
 use crate::number::{Bad, Tick};
 use crate::series::{Along, ColumnRead, Course, Recording, Series};
 use quantities::{Angle, Measure, Time, Unit};
@@ -265,8 +266,12 @@ impl<'m> Gather<'m> {
         if self.sound && !self.allow_gaps {
             self.check_gaps(faults);
         }
+        let revolutions_removed = if self.sound { self.unwrap_turns() } else { 0 };
         if self.sound {
             self.check_turns(faults);
+        }
+        if self.sound && faults.none() {
+            self.check_jumps(faults);
         }
         if !faults.none() {
             return None;
@@ -293,6 +298,7 @@ impl<'m> Gather<'m> {
             columns: std::mem::take(&mut self.columns),
             encoding: None,
             unused: Vec::new(),
+            revolutions_removed,
             left_out_before: self.before,
             left_out_after: self.after,
         })
@@ -319,6 +325,24 @@ impl<'m> Gather<'m> {
                 faults.push(Fault::Gap { at, length: Time::from_si(step), median: Time::from_si(median) });
             }
         }
+    }
+
+    /// Removes the jumps of a full turn from the positions of a modulo axis and returns their number.
+    fn unwrap_turns(&mut self) -> usize {
+        let position = self.channels.iter_mut().find(|channel| channel.role == Role::Position);
+        let turning = position.filter(|channel| Along::of(channel.unit) == Along::Turning);
+        turning.map_or(0, |channel| unwrap_revolutions(&mut channel.values))
+    }
+
+    /// Reports jumps of a position against the motion: a modulo axis whose jumps were not removed.
+    fn check_jumps(&self, faults: &mut Faults) {
+        let of = |role: Role| self.channels.iter().find(|channel| channel.role == role);
+        let Some(position) = of(Role::Position) else { return };
+        let Some((index, size, count)) = first_jump(&position.values) else { return };
+        let named = self.columns.iter().find(|column| column.role == Role::Position);
+        let column = named.map_or_else(String::new, |column| excerpt(&column.name));
+        let (at, along) = (self.place(self.number_of(index)), Along::of(position.unit));
+        faults.push(Fault::PositionJumps { at, column, size, along, has_speed: of(Role::Speed).is_some(), count });
     }
 
     /// Reports a position that begins anew after a full turn, as that of an axis that counts from 0° to 360°: a jump of a turn, but for

@@ -20,22 +20,26 @@ mod ahead;
 mod clock;
 mod columns;
 mod csv;
+mod damage;
 mod encoding;
 mod faults;
 mod gather;
 mod layout;
 mod limits;
 mod lines;
+mod modulo;
 mod names;
 mod number;
 mod packed;
 mod parquet;
 mod plain;
+mod preview;
 mod records;
 mod series;
+mod thousands;
 mod tools;
 
-pub use csv::{Preview, preview_csv, read_csv, read_csv_within};
+pub use csv::{read_csv, read_csv_within};
 pub use encoding::read_text;
 pub use faults::{Damage, Fault, FileRow, NearColumn, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
@@ -47,8 +51,10 @@ pub use packed::{Content, Foreign, Packing, Sniffed, opened};
 pub use parquet::{
     Ranges, Table, TableColumn, TableValues, ValueKind, read_columns, read_parquet, read_parquet_within,
 };
+pub use preview::{Preview, preview_csv};
 pub use records::Records;
 pub use series::{Along, ColumnRead, Course, Encoding, KnownBy, Recording, Series};
+pub use thousands::{Possible, Thousands};
 
 pub use ::bytes::Bytes;
 

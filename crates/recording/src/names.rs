@@ -35,6 +35,8 @@ const OTHERS: &[&str] = &[
     "spannung",
     "temperature",
     "temperatur",
+    "jerk",
+    "ruck",
     "rpm",
 ];
 /// Words without meaning for the quantity.
@@ -101,6 +103,18 @@ impl Named {
         let is_other = OTHERS.iter().any(holds)
             || Unit::of(unit).is_some_and(|unit| !matches!(unit.dimension, Dimension::Ratio | Dimension::Information));
         (roles, is_other)
+    }
+
+    /// Returns `true` if a word of the name begins or ends with that of a quantity: `Motordrehzahl`, `speedref`.
+    pub(crate) fn holds_quantity(&self) -> bool {
+        /// Minimum length of a name that is recognised within a longer word.
+        const WITHIN_MIN: usize = 5;
+        let of_roles = || [Role::Position, Role::Speed, Role::Torque].into_iter().flat_map(Role::names);
+        let is_within = |word: &String| {
+            let mut names = of_roles().chain(OTHERS).filter(|name| name.len() >= WITHIN_MIN);
+            names.any(|name| word.starts_with(name) || word.ends_with(name))
+        };
+        self.bare.len() <= NAME_BYTES && words(&self.bare).iter().any(is_within)
     }
 
     /// Returns the certainty with which the name denotes the quantity of a role.

@@ -16,6 +16,7 @@ use crate::faults::{Damage, Fault, Faults, FileRow, excerpt};
 use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
 use crate::limits::{Limit, Memory, ROWS_MAX, SAMPLES_MAX};
+use crate::names::Named;
 use crate::number::{Bad, Tick};
 use crate::series::{KnownBy, Recording};
 use ::parquet::basic::{ConvertedType, Type};
@@ -44,8 +45,8 @@ pub fn read_parquet(file: Bytes, layout: &Layout) -> Result<Recording, Vec<Fault
 /// Reads a recording from Parquet.
 ///
 /// Columns are recognised as in CSV. They hold floats, doubles, integers or decimals. A unit stands in the name
-/// (`q [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp or a duration of
-/// Arrow states its unit itself. Row groups are read one after another, a few thousand rows at a time. The memory of the recording is taken
+/// (`q [deg]`), in the metadata of the file under `q.unit` or `unit:q`, in that of the field under `unit`, or in the layout;
+/// a timestamp or a duration of Arrow states its unit itself. Row groups are read one after another, a few thousand rows at a time. The memory of the recording is taken
 /// from `memory`; the bytes of the file belong to the caller.
 ///
 /// # Errors
@@ -57,7 +58,7 @@ pub fn read_parquet_within(file: Bytes, layout: &Layout, memory: &mut Memory) ->
 }
 
 /// Reads columns of numbers by their names as written, without units or conversion; `None` stands for a column that the
-/// file does not have. Their memory is taken from `memory`.
+/// file does not have. Only values of a type of time are converted, from the unit of the type to that of the name. Their memory is taken from `memory`.
 ///
 /// # Errors
 /// All faults of the file: columns that hold no numbers, values that are missing or not finite.
@@ -76,6 +77,10 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
         places.push(found.map(|_| used.len()));
         let Some((index, column)) = found else { continue };
         match kind(column) {
+            // Only a time has a type of time.
+            Some(Holds { time: Some(_), .. }) if unit_of_name(name).is_none() => {
+                faults.push(Fault::ColumnType { column: excerpt(name), found: type_name(column) });
+            }
             Some(kind) => used.push(Used { index, name: excerpt(name), kind, column }),
             None => faults.push(Fault::ColumnType { column: excerpt(name), found: type_name(column) }),
         }
@@ -90,14 +95,18 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
     let walked = footer.groups(&wanted, |chunks| {
         let mut streams = opened(file, &used, chunks, memory, &spent)?;
         while let count @ 1.. = filled(&mut streams)? {
-            for (stream, values) in streams.iter().zip(&mut values) {
+            for ((stream, values), used) in streams.iter().zip(&mut values).zip(&used) {
+                let converted = |value: f64| match used.kind.time.zip(unit_of_name(&used.column.path)) {
+                    Some((unit, named)) => named.from_si(unit.to_si(value)),
+                    None => value,
+                };
                 for (row, cell) in (number + 1..).zip(&stream.cells) {
                     let (at, column) = (FileRow::Row(row), stream.name.as_str());
                     match *cell {
                         Cell::Null => faults.push(Fault::ValueMissing { at, column: column.to_owned() }),
                         Cell::Float(value) if !value.is_finite() => faults.push(not_finite(at, column, value)),
-                        Cell::Float(value) => values.push(value),
-                        Cell::Integer(value) => values.push(value as f64),
+                        Cell::Float(value) => values.push(converted(value)),
+                        Cell::Integer(value) => values.push(converted(value as f64)),
                         Cell::Text(_) | Cell::Truth(_) => {}
                     }
                 }
@@ -116,6 +125,13 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
     }
     let mut values = values.into_iter();
     Some(places.into_iter().map(|place| place.and_then(|_| values.next())).collect())
+}
+
+/// Returns the unit of time that a name states, `s` of `time_s`.
+fn unit_of_name(name: &str) -> Option<&'static Unit> {
+    let named = Named::marked(name);
+    let unit = named.unit.clone().or_else(|| named.for_role(Role::Time, |_| true)?.unit)?;
+    Unit::of_dimension(Dimension::Time, &unit)
 }
 
 /// Opens the columns of a row group.
@@ -203,6 +219,7 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
             in_name.map(|text| (KnownBy::Header, Said::Text(text))),
             kind.time.map(|unit| (KnownBy::Metadata, Said::Unit(unit))),
             metadata_unit(&footer, heading).map(|text| (KnownBy::Metadata, Said::Text(text))),
+            column.unit.clone().map(|text| (KnownBy::Metadata, Said::Text(text))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
         ];
         columns.extend(decide(role, heading, said.into_iter().flatten(), faults));
@@ -314,12 +331,11 @@ fn kind(column: &Column) -> Option<Holds> {
 
 fn type_name(column: &Column) -> String {
     let repeated = if column.repeated { "LIST of " } else { "" };
-    if matches!(column.logical, Logical::Duration(_)) {
-        return format!("{repeated}DURATION");
-    }
-    match column.converted {
-        ConvertedType::NONE => format!("{repeated}{}", column.physical),
-        converted => format!("{repeated}{} ({converted})", column.physical),
+    match (column.converted, column.logical) {
+        (ConvertedType::NONE, Logical::Duration(unit)) => format!("{repeated}DURATION ({})", unit.ascii),
+        (ConvertedType::NONE, Logical::Timestamp(unit)) => format!("{repeated}TIMESTAMP ({})", unit.ascii),
+        (ConvertedType::NONE, _) => format!("{repeated}{}", column.physical),
+        (converted, _) => format!("{repeated}{} ({converted})", column.physical),
     }
 }
 

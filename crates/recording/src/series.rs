@@ -21,6 +21,8 @@ pub struct Recording {
     pub encoding: Option<Encoding>,
     /// Columns that hold a quantity by their name or unit but are not used.
     pub unused: Vec<String>,
+    /// Number of jumps of one revolution that were removed from the positions of a modulo axis.
+    pub revolutions_removed: usize,
     /// Number of samples before the window.
     pub left_out_before: u64,
     /// Number of samples after the window.

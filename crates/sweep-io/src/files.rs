@@ -11,6 +11,7 @@ use parquet::basic::Compression;
 use parquet::file::properties::WriterProperties;
 use project::TabularFault;
 use quantities::Language;
+use quantities::unit::{MICROSECOND, MILLISECOND, SECOND};
 use questions::sweep::csv::{self, Broken, Columns, Lines};
 use recording::{Bytes, Fault, Memory, Ranges, Table, TableColumn, TableValues, ValueKind};
 use std::fs::File;
@@ -189,11 +190,16 @@ fn field(column: &TableColumn) -> Field {
         ValueKind::Other(name) if name.contains("TIME") || name.contains("INT96") => {
             DataType::Timestamp(TimeUnit::Nanosecond, None)
         }
-        ValueKind::Other(name) if name.contains("DURATION") => DataType::Duration(TimeUnit::Nanosecond),
+        ValueKind::Duration(unit) => DataType::Duration(match unit {
+            unit if **unit == SECOND => TimeUnit::Second,
+            unit if **unit == MILLISECOND => TimeUnit::Millisecond,
+            unit if **unit == MICROSECOND => TimeUnit::Microsecond,
+            _ => TimeUnit::Nanosecond,
+        }),
         ValueKind::Other(name) if name.contains("DATE") => DataType::Date32,
         ValueKind::Other(_) => DataType::Binary,
     };
-    Field::new(&column.name, of, column.nullable || matches!(column.kind, ValueKind::Other(_)))
+    Field::new(&column.name, of, column.nullable || matches!(column.kind, ValueKind::Duration(_) | ValueKind::Other(_)))
 }
 
 /// Returns the cells of a column.

@@ -112,6 +112,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "speed and acceleration are difference quotients of the recorded position, without smoothing: noise in the position increases the computed torque",
             "Drehzahl und Beschleunigung sind ungeglättete Differenzenquotienten der aufgezeichneten Position: deren Rauschen erhöht das berechnete Moment",
         ),
+        Assumption::RecordedModulo => (
+            "the recorded position starts again after one revolution (modulo axis): the axis is taken to turn on, the jumps of 360° are removed",
+            "die aufgezeichnete Position beginnt nach einer Umdrehung von vorn (Moduloachse): die Achse dreht weiter, die Sprünge um 360° sind herausgerechnet",
+        ),
         Assumption::FlangeLoadsConstant => (
             "the stated loads on the flange are the complete loads, constant over the cycle, moments of radial and axial force in the same direction",
             "die angegebenen Flanschlasten sind die gesamten Lasten, über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",

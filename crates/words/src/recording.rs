@@ -3,14 +3,16 @@
 mod beyond;
 mod foreign;
 mod headings;
+mod modulo;
 
 use crate::pick;
 use crate::texts::said;
 use beyond::{beyond, damage};
 use foreign::foreign;
-use headings::{LIST_MOST, columns, columns_and_names, list, toml_text};
-use quantities::unit::{DEGREE, SECOND};
-use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
+use headings::{LIST_MOST, columns, columns_and_names, header, list, toml_text, valid_units};
+use modulo::{position_jumps, turn_begun};
+use quantities::unit::SECOND;
+use quantities::{Language, Measure, Time, format_significant};
 use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
 
 /// What is wrong with a file of a recording, in one sentence.
@@ -214,25 +216,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 None,
             )
         }
-        Fault::TurnBegun { at, jump, has_speed } => {
-            let jump = format!("{}°", format_significant(jump.in_unit(&DEGREE), 4, language));
-            (
-                said!(language =>
-                    "{}: the position begins anew after a full turn, with a jump of {jump}"
-                    | "{}: die Position beginnt nach einer vollen Umdrehung von vorn, mit einem Sprung von {jump}", place(*at, language)
-                ),
-                Some(match has_speed {
-                    true => said!(language =>
-                        "export the position beyond full turns (no modulo), or use the speed alone: columns = {{ position = \"none\" }}"
-                        | "die Position über volle Umdrehungen hinweg ausgeben (ohne Modulo) oder nur die Drehzahl verwenden: columns = {{ position = \"none\" }}"
-                    ),
-                    false => said!(language =>
-                        "export the position beyond full turns (no modulo), or record the speed"
-                        | "die Position über volle Umdrehungen hinweg ausgeben (ohne Modulo) oder die Drehzahl aufzeichnen"
-                    ),
-                }),
-            )
-        }
+        Fault::TurnBegun { at, jump, has_speed } => turn_begun(*at, *jump, *has_speed, language),
         Fault::NoTable => (
             said!(language =>
                 "this is not a table of numbers: there is no number below the first line"
@@ -332,8 +316,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 | "die Spalte {} enthält {found}, keine reinen Zahlen", q(column)
             ),
             Some(said!(language =>
-                "float, double and integers without a scale are read"
-                | "gelesen werden float, double und ganze Zahlen ohne Skalierung"
+                "float, double, integers and decimals are read, and types of time for the time"
+                | "gelesen werden float, double, ganze Zahlen und decimal, für die Zeit auch Zeittypen"
             )),
         ),
         Fault::ValueMissing { at, column } => (
@@ -403,6 +387,20 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 | "die Zahlen ohne Tausendertrennzeichen exportieren: 1234,5 oder 1234.5"
             )),
         ),
+        Fault::ThousandsPossible { line, column, text } => {
+            let (whole, decimal) = (text.replace(['.', ','], ""), format!("{text}0"));
+            (
+                said!(language =>
+                    "line {line}: {} in {} is ambiguous: {whole} with a thousands separator or {decimal} with a decimal separator; the column has numbers up to 999 without a separator and others with exactly three digits after it"
+                    | "Zeile {line}: {} in {} ist mehrdeutig: {whole} mit Tausendertrennzeichen oder {decimal} mit Dezimaltrennzeichen; die Spalte enthält Zahlen bis 999 ohne Trennzeichen und andere mit genau drei Ziffern dahinter", q(text), q(column)
+                ),
+                Some(said!(language =>
+                    "export without thousands separators: {whole}; if the separator is decimal, with another number of decimals: {decimal}"
+                    | "ohne Tausendertrennzeichen exportieren: {whole}; ist das Trennzeichen dezimal, mit anderer Stellenzahl: {decimal}"
+                )),
+            )
+        }
+        Fault::PositionJumps { .. } => position_jumps(fault, language),
         Fault::Backwards { at, time, before } => {
             let (time, before) = (stamp(*time, language), stamp(*before, language));
             (
@@ -501,22 +499,6 @@ fn known_by(by: KnownBy, language: Language) -> String {
         KnownBy::Values => said!(language => "in the values" | "in den Werten"),
         KnownBy::Layout => said!(language => "in the project file" | "in der Projektdatei"),
     }
-}
-
-/// The column with the usual unit behind its name.
-fn header(column: &str, role: Role) -> String {
-    let unit = role.dimensions().first().and_then(|dimension| dimension.units().first());
-    format!("{column} [{}]", unit.map_or("", |unit: &Unit| unit.ascii))
-}
-
-fn valid_units(role: Role, language: Language) -> String {
-    let units = |dimension: &Dimension| {
-        let names: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
-        format!("{} ({})", dimension.name_with_article(language), names.join(", "))
-    };
-    let expected: Vec<String> = role.dimensions().iter().map(units).collect();
-    let expected = expected.join(pick(language, " or ", " oder "));
-    said!(language => "expected {expected}" | "erwartet wird {expected}")
 }
 
 #[cfg(test)]

@@ -133,6 +133,13 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
             "`{path}`: \"{written}\" has a decimal point, numbers before it have a decimal comma"
             | "`{path}`: „{written}“ hat einen Dezimalpunkt, Zahlen davor haben ein Dezimalkomma"
         ),
+        TabularFault::ThousandsPossible { path, written } => {
+            let (whole, decimal) = (written.replace(['.', ','], ""), format!("{written}0"));
+            said!(language =>
+                "`{path}`: \"{written}\" is ambiguous, with a thousands separator or a decimal separator; write {whole} or {decimal}"
+                | "`{path}`: „{written}“ ist mehrdeutig, mit Tausender- oder Dezimaltrennzeichen; {whole} oder {decimal} schreiben"
+            )
+        }
         TabularFault::LongLine { line, most } => said!(language =>
             "line {line} is longer than {most} bytes" | "Zeile {line} ist länger als {most} Byte"
         ),

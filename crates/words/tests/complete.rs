@@ -261,6 +261,7 @@ fn recording_faults() -> Vec<Fault> {
         "t [s];q [deg]\n0;\"1\n1;2\n",
         "t [s];q [deg]\n0;1.234,5\n1;2\n2;3\n",
         "t [s];q [deg]\n0;x\n1;x\n2;x\n3;x\n4;x\n",
+        "t [s];q [deg]\n0;998\n1;1.002\n2;1.003\n",
     ];
     let faults = files.iter().flat_map(|file| recording::read_csv(file.as_bytes(), &layout).err().unwrap_or_default());
     let mut all: Vec<Fault> = faults.map(|fault| Fault::Recording { name: "run.csv".to_owned(), fault }).collect();
@@ -292,6 +293,10 @@ fn recording_faults() -> Vec<Fault> {
     ];
     let beyond = limits.map(|limit| recording::Fault::Beyond { limit, found: 2 << 20, most: 1 << 20 });
     let damaged = damages.map(|reason| recording::Fault::ParquetUnreadable { reason });
+    let jump = |along, has_speed| {
+        let (at, count) = (FileRow::Row(3), if has_speed { 1 } else { 2 });
+        recording::Fault::PositionJumps { at, column: name(), size: 12.5, along, has_speed, count }
+    };
     let samples = [
         recording::Fault::ValueImplausible { at: FileRow::Line(3), column: name(), text: name() },
         recording::Fault::TooClose { at: FileRow::Row(3), length: q(1e-15) },
@@ -303,6 +308,8 @@ fn recording_faults() -> Vec<Fault> {
         recording::Fault::TurnBegun { at: FileRow::Line(3), jump: q(-6.2), has_speed: true },
         recording::Fault::TurnBegun { at: FileRow::Line(3), jump: q(-6.2), has_speed: false },
         recording::Fault::CommasTwice { line: 3, found: 4, expected: 2 },
+        jump(recording::Along::Turning, true),
+        jump(recording::Along::Line, false),
     ];
     let foreign = recording::Foreign::ALL.map(|format| recording::Fault::Foreign { format });
     let made = beyond.into_iter().chain(damaged).chain(samples).chain(foreign);

@@ -5,6 +5,7 @@ use super::{Column, Holds, Options, Value};
 use crate::codes::read_code;
 use project::{Fault, Hint, Kind, TabularFault};
 use quantities::{Language, seen};
+use recording::Thousands;
 use std::borrow::Cow;
 use words::{fault_text, hint_text};
 
@@ -104,10 +105,10 @@ impl Cells<'_> {
         self.len() == 0
     }
 
-    /// Adds what is wrong with them under a heading, until there are enough faults.
+    /// Adds what is wrong with them under the heading at a place, until there are enough faults.
     pub(super) fn check(
         &self,
-        column: &Column,
+        (place, column): (usize, &Column),
         first_row: u64,
         language: Language,
         decimals: &mut Decimals,
@@ -126,7 +127,10 @@ impl Cells<'_> {
             let found = match column.cell(self, row, decimals.may_be_commas) {
                 Err(fault) => wrong(fault),
                 Ok(Value::Text(text)) => column.wrong_word(text, at, language),
-                Ok(Value::Number(_)) => decimals.mixed(column, self, row).and_then(wrong),
+                Ok(Value::Number(_)) => {
+                    decimals.note(place, self, row, at);
+                    decimals.mixed(column, self, row).and_then(wrong)
+                }
             };
             found.into_iter().for_each(|fault| faults.add(fault));
         }
@@ -134,15 +138,41 @@ impl Cells<'_> {
 }
 
 /// The decimal sign of a table: the first number with either sign decides, because `1.234` beside `5,6` may be a thousand.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Decimals {
     may_be_commas: bool,
     has_comma: Option<bool>,
+    thousands: Thousands,
 }
 
 impl Decimals {
-    pub(super) const fn of(options: &Options) -> Self {
-        Self { may_be_commas: options.decimal_commas, has_comma: None }
+    pub(super) fn of(options: &Options) -> Self {
+        Self { may_be_commas: options.decimal_commas, has_comma: None, thousands: Thousands::default() }
+    }
+
+    /// Adds the faults of columns in which every sign may separate thousands.
+    pub(super) fn check<'c>(
+        &self,
+        columns: impl Fn(usize) -> Option<&'c Column>,
+        language: Language,
+        faults: &mut TableFaults,
+    ) {
+        for found in self.thousands.possible() {
+            let Some(column) = columns(found.column) else { continue };
+            let (path, written) = (column.key().to_owned(), found.text.clone());
+            let fault = Fault::Tabular(TabularFault::ThousandsPossible { path, written });
+            faults.add(CellFault::of(&column.written, Some(found.place), &(fault, None), language));
+        }
+    }
+
+    /// Adds a number as evidence of the sign.
+    fn note(&mut self, place: usize, cells: &Cells<'_>, row: usize, at: u64) {
+        if let Cells::Texts(texts) = cells
+            && self.may_be_commas
+            && let Some(Some(text)) = texts.get(row)
+        {
+            self.thousands.note(place, text, at);
+        }
     }
 
     /// The fault of a number whose sign is the other one.

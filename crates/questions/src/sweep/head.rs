@@ -98,7 +98,7 @@ impl Head {
     /// Looks for faults of some rows, of which the first has this number, in every column whose heading is read: cells that are
     /// empty, are no numbers, or name nothing that there is.
     pub fn check(&mut self, cells: &[Cells<'_>], first_row: u64) {
-        for (column, cells) in self.columns.iter().zip(cells) {
+        for (place, (column, cells)) in self.columns.iter().zip(cells).enumerate() {
             if self.faults.is_enough() {
                 return;
             }
@@ -112,7 +112,8 @@ impl Head {
                         }
                     }
                 }
-                cells.check(column, first_row, self.options.language, &mut self.decimals, &mut self.faults);
+                let language = self.options.language;
+                cells.check((place, column), first_row, language, &mut self.decimals, &mut self.faults);
             }
         }
     }
@@ -140,7 +141,9 @@ impl Head {
     ///
     /// # Errors
     /// Every fault of the project, of the headings and of the cells that were checked; `table` is what the table is called.
-    pub fn ready(self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<Sweep, Unanswered> {
+    pub fn ready(mut self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<Sweep, Unanswered> {
+        let column = |place: usize| self.columns.get(place).and_then(Option::as_ref);
+        self.decimals.check(column, self.options.language, &mut self.faults);
         let mut why: Vec<Unanswered> = self.refused.into_iter().collect();
         if !self.faults.is_empty() {
             why.push(Unanswered::Table { name: table.to_owned(), faults: self.faults });

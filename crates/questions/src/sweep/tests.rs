@@ -161,3 +161,39 @@ fn heading(input: &project::Input) -> String {
         format!("{} [{}]", input.path, unit.ascii)
     }
 }
+
+/// Numbers in which a point may separate thousands are refused, unless another cell shows that it is decimal.
+#[test]
+fn thousands_in_a_table_are_refused() {
+    let found = |rows: &[[&'static str; 2]], decimal_commas: bool| {
+        let options = Options { decimal_commas, ..Options::default() };
+        let headings = ["load.inertia [kg cm^2]", "motion[1].time [ms]"];
+        let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &headings, options);
+        let column = |place: usize| Cells::Texts(rows.iter().map(|row| Some(row[place].into())).collect());
+        head.check(&[column(0), column(1)], 0);
+        match head.ready("t.csv", Box::new(NoFiles)) {
+            Ok(_) => Vec::new(),
+            Err(Unanswered::Table { faults, .. }) => faults.listed,
+            Err(other) => panic!("{other:?}"),
+        }
+    };
+    for rows in
+        [[["5.000", "500"], ["10.000", "500"]], [["998", "500"], ["1.002", "500"]], [["998", "500"], ["1,002", "500"]]]
+    {
+        let faults = found(&rows, true);
+        let row = u64::from(rows[0][0] == "998");
+        assert!(
+            matches!(faults.as_slice(), [fault] if fault.id == "thousands_possible" && fault.row == Some(row)),
+            "{faults:?}"
+        );
+    }
+    for rows in [
+        [["5.000", "500.5"], ["10.000", "500"]],
+        [["0.998", "500"], ["1.002", "500"]],
+        [["1,125", "500"], ["1,375", "500"]],
+    ] {
+        assert_eq!(found(&rows, true), []);
+    }
+    // Where commas separate cells a point is decimal.
+    assert_eq!(found(&[["998", "500"], ["1.002", "500"]], false), []);
+}

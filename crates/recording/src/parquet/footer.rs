@@ -1,13 +1,13 @@
 //! Footer of a Parquet file: schema, metadata and the position of the pages.
 
+use super::arrow::{self, Noted, TimeType};
+use super::damaged;
 use super::thrift::{Broken, Stop, Thrift, ThriftType};
-use super::{arrow, damaged};
 use crate::faults::{Damage, Fault};
 use crate::limits::{COLUMNS_MAX, Limit, NESTING_MAX, PATH_BYTES_MAX, ROW_GROUPS_MAX, ROWS_MAX};
 use ::parquet::basic::{ConvertedType, Type};
 use quantities::Unit;
 use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND};
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Magic bytes at the end of a file, and those of a file with an encrypted footer.
@@ -53,14 +53,8 @@ pub(super) struct Column {
     pub(super) width: u64,
     /// Number of decimal places of a decimal.
     pub(super) scale: i64,
-}
-
-impl Column {
-    /// Returns `true` if the values are integers of which the types of Parquet say no more.
-    fn is_plain_integer(&self) -> bool {
-        let is_plain = matches!(self.logical, Logical::Plain | Logical::Integer { signed: true });
-        self.physical == Type::INT64 && is_plain && !self.repeated
-    }
+    /// Unit in the metadata of the field.
+    pub(super) unit: Option<String>,
 }
 
 /// Meaning of the values of a column.
@@ -77,7 +71,7 @@ pub(super) enum Logical {
     Text,
     /// Times in this unit.
     Timestamp(&'static Unit),
-    /// Durations in this unit, by the schema of Arrow.
+    /// Spans of time in this unit.
     Duration(&'static Unit),
     /// Other data than numbers.
     Other,
@@ -121,7 +115,7 @@ impl<'b> Footer<'b> {
     /// Parses a footer that follows `data` bytes of pages, with at most `rows_most` rows.
     pub(super) fn of(footer: &'b [u8], data: u64, rows_most: u64) -> Result<Self, Fault> {
         let mut read = Self { columns: Vec::new(), rows: 0, units: Vec::new(), groups: None, data, rows_most };
-        let (mut has_schema, mut durations) = (false, Vec::new());
+        let (mut has_schema, mut noted) = (false, Vec::new());
         let footer = Thrift::new(footer).structure(|thrift, id, kind| {
             match (id, kind) {
                 (2, ThriftType::List) => {
@@ -133,7 +127,7 @@ impl<'b> Footer<'b> {
                     read.groups = Some(thrift.clone());
                     thrift.skip(kind)?;
                 }
-                (5, ThriftType::List) => metadata(thrift, &mut read.units, &mut durations)?,
+                (5, ThriftType::List) => metadata(thrift, &mut read.units, &mut noted)?,
                 (8, ThriftType::Struct) => return Err(damaged(Damage::Encrypted).into()),
                 _ => thrift.skip(kind)?,
             }
@@ -144,12 +138,8 @@ impl<'b> Footer<'b> {
             return Err(damaged(Damage::Footer));
         }
         Limit::Rows.hold(read.rows, rows_most)?;
-        // Parquet has no type for them: plain integers.
-        let durations: BTreeMap<String, &'static Unit> = durations.into_iter().collect();
-        for column in read.columns.iter_mut().filter(|column| column.is_plain_integer()) {
-            if let Some(unit) = durations.get(&column.path) {
-                column.logical = Logical::Duration(unit);
-            }
+        for (index, column) in read.columns.iter_mut().enumerate() {
+            column.complete(index, &noted);
         }
         Ok(read)
     }
@@ -252,6 +242,25 @@ impl<'b> Footer<'b> {
     }
 }
 
+impl Column {
+    /// Adds the type of time and the unit that the Arrow schema states. Where Parquet has a type of its own, that one
+    /// counts: a writer may have converted the values.
+    fn complete(&mut self, index: usize, noted: &[Noted]) {
+        let own = noted.get(index).filter(|noted| noted.path == self.path);
+        let Some(own) = own.or_else(|| noted.iter().find(|noted| noted.path == self.path)) else { return };
+        self.unit.clone_from(&own.unit);
+        // polars states that the integers have a sign.
+        let is_bare = matches!(self.physical, Type::INT32 | Type::INT64)
+            && matches!(self.converted, ConvertedType::NONE | ConvertedType::INT_32 | ConvertedType::INT_64)
+            && matches!(self.logical, Logical::Plain | Logical::Integer { signed: true });
+        match own.time {
+            Some(TimeType::Duration(unit)) if is_bare => self.logical = Logical::Duration(unit),
+            Some(TimeType::Instant(unit)) if is_bare => self.logical = Logical::Timestamp(unit),
+            _ => {}
+        }
+    }
+}
+
 /// An element of the schema: a group or a column.
 #[derive(Default)]
 struct Element<'b> {
@@ -311,6 +320,7 @@ fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
                 repeated,
                 width: u64::try_from(each.width).unwrap_or(0),
                 scale: each.scale,
+                unit: None,
             });
         } else {
             Limit::Nesting.hold(depth, NESTING_MAX as u64)?;
@@ -390,12 +400,8 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
     Ok(found)
 }
 
-/// Parses units in the metadata, keys `q.unit` and `unit:q`, and the durations of the schema of Arrow.
-fn metadata(
-    thrift: &mut Thrift<'_>,
-    units: &mut Vec<(String, String)>,
-    durations: &mut Vec<(String, &'static Unit)>,
-) -> Result<(), Stop> {
+/// Parses the metadata: units under the keys `q.unit` and `unit:q`, and the Arrow schema.
+fn metadata(thrift: &mut Thrift<'_>, units: &mut Vec<(String, String)>, noted: &mut Vec<Noted>) -> Result<(), Stop> {
     let (kind, count) = thrift.list()?;
     for _ in 0..count {
         if kind != ThriftType::Struct {
@@ -410,8 +416,8 @@ fn metadata(
             }
             Ok(())
         })?;
-        if key == b"ARROW:schema" && durations.is_empty() {
-            *durations = arrow::durations(value);
+        if key == arrow::KEY && noted.is_empty() {
+            *noted = arrow::noted(value);
         }
         let is_unit = key.ends_with(b".unit") || key.starts_with(b"unit:");
         if is_unit && key.len() <= PATH_BYTES_MAX + b".unit".len() && value.len() <= UNIT_BYTES_MAX {

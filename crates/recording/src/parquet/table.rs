@@ -9,6 +9,7 @@ use crate::faults::{Damage, Fault};
 use crate::limits::{Limit, Memory, TABLE_COLUMNS_MAX, TABLE_ROWS_FREE, TABLE_ROWS_PER_BYTE};
 use ::parquet::basic::{ConvertedType, Type};
 use bytes::Bytes;
+use quantities::Unit;
 use std::io::{ErrorKind, Result as IoResult};
 use std::ops::Range;
 use std::sync::Arc;
@@ -54,6 +55,8 @@ pub enum ValueKind {
     Text,
     /// Boolean values.
     Truth,
+    /// Spans of time in this unit; the values are not read.
+    Duration(&'static Unit),
     /// Another kind, by the name of its type.
     Other(String),
 }
@@ -266,7 +269,7 @@ impl Table {
                     let truth = |cell: &Cell| if let Cell::Truth(value) = cell { Some(*value) } else { None };
                     TableValues::Truths(cells.map(truth).collect())
                 }
-                ValueKind::Other(_) => TableValues::Other(count),
+                ValueKind::Duration(_) | ValueKind::Other(_) => TableValues::Other(count),
             };
         }
         Ok(found)
@@ -310,7 +313,10 @@ fn value_kind(column: &Column) -> (ValueKind, Option<Holds>) {
             };
             (kind, Some(holds))
         }
-        None => (ValueKind::Other(type_name(column)), None),
+        None => match column.logical {
+            Logical::Duration(unit) if !column.repeated => (ValueKind::Duration(unit), None),
+            _ => (ValueKind::Other(type_name(column)), None),
+        },
     }
 }
 

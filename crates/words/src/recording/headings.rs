@@ -1,9 +1,26 @@
-//! Lines that list the columns of a file.
+//! Names of columns, units, and lines to write.
 
 use super::{quoted, role_key};
+use crate::pick;
 use crate::texts::said;
-use quantities::Language;
+use quantities::{Dimension, Language, Unit};
 use recording::{NearColumn, Role};
+
+/// The column with the usual unit behind its name.
+pub(super) fn header(column: &str, role: Role) -> String {
+    let unit = role.dimensions().first().and_then(|dimension| dimension.units().first());
+    format!("{column} [{}]", unit.map_or("", |unit: &Unit| unit.ascii))
+}
+
+pub(super) fn valid_units(role: Role, language: Language) -> String {
+    let units = |dimension: &Dimension| {
+        let names: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
+        format!("{} ({})", dimension.name_with_article(language), names.join(", "))
+    };
+    let expected: Vec<String> = role.dimensions().iter().map(units).collect();
+    let expected = expected.join(pick(language, " or ", " oder "));
+    said!(language => "expected {expected}" | "erwartet wird {expected}")
+}
 
 /// Names of columns that are listed.
 pub(super) const LIST_MOST: usize = 20;

@@ -1,0 +1,137 @@
+//! Positions of modulo axes, which start again at one end of their range: 359.9°, 0.1°.
+
+use std::f64::consts::TAU;
+
+/// Share of the range of the position that a jump to the other end has at least.
+const JUMP_SHARE: f64 = 0.9;
+
+/// Number of times that a jump exceeds the steps before and after it.
+const JUMP_FACTOR: f64 = 20.0;
+
+/// Largest step of a continuous rotation between two samples, as a share of a revolution.
+const STEP_SHARE: f64 = 0.25;
+
+/// Difference from a steady motion that the step across the end of the range may have, as a share of a revolution, in
+/// addition to the larger of the steps before and after it.
+const STEADY_SHARE: f64 = 0.01;
+
+/// Removes the jumps of one revolution from the positions of a modulo axis \[rad\] and returns their number; zero if the
+/// positions are continuous, or no positions of a modulo axis.
+///
+/// A step beyond half a revolution is such a jump if all positions lie within one revolution, every step is at most a
+/// quarter of one once its revolution is removed, and the motion is steady across the jump.
+pub(crate) fn unwrap_revolutions(positions: &mut [f64]) -> usize {
+    let (least, most) = range(positions);
+    if most - least > TAU * (1.0 + 1e-9) {
+        return 0;
+    }
+    let revolutions = |step: f64| (step / TAU).round();
+    let bare = |step: f64| step - TAU * revolutions(step);
+    let steps: Vec<f64> = steps(positions).collect();
+    let is_steady = |index: usize, step: f64| {
+        let near = [index.checked_sub(1), index.checked_add(1)].into_iter().flatten();
+        let near: Vec<f64> = near.filter_map(|index| steps.get(index)).map(|step| bare(*step)).collect();
+        let largest = near.iter().fold(0.0_f64, |most, step| most.max(step.abs()));
+        near.iter().any(|other| (bare(step) - other).abs() <= largest + STEADY_SHARE * TAU)
+    };
+    let jumps = || steps.iter().enumerate().filter(|(_, step)| revolutions(**step) != 0.0);
+    let is_modulo = steps.iter().all(|step| bare(*step).abs() <= STEP_SHARE * TAU)
+        && jumps().all(|(index, step)| is_steady(index, *step));
+    let count = jumps().count();
+    if !is_modulo || count == 0 {
+        return 0;
+    }
+    let mut turns = 0.0;
+    for (position, step) in positions.iter_mut().skip(1).zip(&steps) {
+        turns -= revolutions(*step);
+        *position += TAU * turns;
+    }
+    count
+}
+
+/// Returns the index of the sample after the first jump from one end of the range to the other against the motion, its
+/// size, and the number of such jumps: no axis moves so, but a modulo axis of another range than one revolution logs so.
+pub(crate) fn first_jump(positions: &[f64]) -> Option<(usize, f64, usize)> {
+    let (least, most) = range(positions);
+    let range = most - least;
+    let steps: Vec<f64> = steps(positions).collect();
+    let is_jump = |triple: &[f64]| {
+        let [before, step, behind] = triple else { return false };
+        let against = |other: f64| other * step < 0.0 && step.abs() >= JUMP_FACTOR * other.abs();
+        step.abs() >= JUMP_SHARE * range && against(*before) && against(*behind)
+    };
+    let mut found = steps.windows(3).enumerate().filter(|(_, triple)| is_jump(triple));
+    let (index, triple) = found.next()?;
+    // The triple begins one step earlier, and a step ends at the sample behind it.
+    Some((index + 2, triple.get(1)?.abs(), 1 + found.count()))
+}
+
+fn range(positions: &[f64]) -> (f64, f64) {
+    positions.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), at| (least.min(*at), most.max(*at)))
+}
+
+fn steps(positions: &[f64]) -> impl Iterator<Item = f64> {
+    positions.iter().zip(positions.iter().skip(1)).map(|(before, at)| at - before)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A generated motion over several revolutions: sines of two periods, quantised.
+    fn motion(u: &mut arbtest::arbitrary::Unstructured<'_>) -> arbtest::arbitrary::Result<Vec<f64>> {
+        let turns = f64::from(u.int_in_range(-40..=40_i32)?) / 8.0;
+        let swing = f64::from(u.int_in_range(0..=30_i32)?) / 10.0;
+        let start = f64::from(u.int_in_range(-100..=100_i32)?) / 17.0;
+        let count = u.int_in_range(200..=400_usize)?;
+        let at = |k: usize| {
+            let part = k as f64 / count as f64;
+            start + TAU * turns * (part - (TAU * part).sin() / TAU) + swing * (2.0 * TAU * part).sin()
+        };
+        Ok((0..=count).map(at).collect())
+    }
+
+    #[test]
+    fn a_modulo_axis_gives_the_motion_of_the_axis() {
+        arbtest::arbtest(|u| {
+            let positions = motion(u)?;
+            let start = if u.arbitrary()? { 0.0 } else { -TAU / 2.0 };
+            let mut wrapped: Vec<f64> = positions.iter().map(|at| start + (at - start).rem_euclid(TAU)).collect();
+            let count = wrapped.iter().zip(wrapped.iter().skip(1)).filter(|(a, b)| (*a - *b).abs() > TAU / 2.0).count();
+            assert_eq!(unwrap_revolutions(&mut wrapped), count);
+            let offset = wrapped[0] - positions[0];
+            for (found, expected) in wrapped.iter().zip(&positions) {
+                assert!((found - expected - offset).abs() < 1e-9, "{found} {expected}");
+            }
+            Ok(())
+        });
+    }
+
+    #[test]
+    fn a_continuous_motion_is_left_as_it_is() {
+        arbtest::arbtest(|u| {
+            let positions = motion(u)?;
+            let mut found = positions.clone();
+            assert_eq!(unwrap_revolutions(&mut found), 0);
+            assert_eq!((found, first_jump(&positions)), (positions, None));
+            Ok(())
+        });
+        // Coarse points of a planned motion, and points that do not continue a rotation.
+        for degrees in
+            [&[0.0, 120.0, 240.0, 360.0][..], &[0.0, 10.0, 20.0, 350.0, 360.0], &[0.0, 0.0, 200.0, 200.0, 0.0]]
+        {
+            let mut positions: Vec<f64> = degrees.iter().map(|degree: &f64| degree.to_radians()).collect();
+            assert_eq!((unwrap_revolutions(&mut positions), first_jump(&positions)), (0, None), "{degrees:?}");
+        }
+    }
+
+    #[test]
+    fn a_jump_of_another_range_is_found() {
+        let wrapped: Vec<f64> = (0..500).map(|k| (0.05 * f64::from(k)).rem_euclid(2.0 * TAU)).collect();
+        let at = wrapped.windows(2).position(|pair| pair[1] < pair[0]).unwrap() + 1;
+        let (index, size, count) = first_jump(&wrapped).unwrap();
+        assert_eq!((index, count), (at, 1));
+        assert!((size - 2.0 * TAU).abs() < 0.1, "{size}");
+        assert_eq!(unwrap_revolutions(&mut wrapped.clone()), 0);
+    }
+}

@@ -1,0 +1,59 @@
+//! Positions of modulo axes.
+
+use super::{place, quoted};
+use crate::texts::said;
+use quantities::unit::{DEGREE, MILLIMETRE};
+use quantities::{Angle, Language, Measure, format_significant};
+use recording::{Along, Fault, FileRow};
+
+pub(super) fn turn_begun(at: FileRow, jump: Angle, has_speed: bool, language: Language) -> (String, Option<String>) {
+    let jump = format!("{}°", format_significant(jump.in_unit(&DEGREE), 4, language));
+    (
+        said!(language =>
+            "{}: the position begins anew after a full turn, with a jump of {jump}"
+            | "{}: die Position beginnt nach einer vollen Umdrehung von vorn, mit einem Sprung von {jump}", place(at, language)
+        ),
+        Some(match has_speed {
+            true => said!(language =>
+                "export the position beyond full turns (no modulo), or use the speed alone: columns = {{ position = \"none\" }}"
+                | "die Position über volle Umdrehungen hinweg ausgeben (ohne Modulo) oder nur die Drehzahl verwenden: columns = {{ position = \"none\" }}"
+            ),
+            false => said!(language =>
+                "export the position beyond full turns (no modulo), or record the speed"
+                | "die Position über volle Umdrehungen hinweg ausgeben (ohne Modulo) oder die Drehzahl aufzeichnen"
+            ),
+        }),
+    )
+}
+
+pub(super) fn position_jumps(fault: &Fault, language: Language) -> (String, Option<String>) {
+    let Fault::PositionJumps { at, column, size, along, has_speed, count } = fault else {
+        return (String::new(), None);
+    };
+    let unit = match along {
+        Along::Turning => &DEGREE,
+        Along::Line => &MILLIMETRE,
+    };
+    let size = format!("{} {}", format_significant(unit.from_si(*size), 4, language), unit.symbol);
+    let more = match count {
+        1 => String::new(),
+        count => said!(language => " ({count} such jumps)" | " (insgesamt {count} solche Sprünge)"),
+    };
+    (
+        said!(language =>
+            "{}: {} jumps by {size} from one end of its range to the other, against the motion{more}: a modulo axis"
+            | "{}: {} springt um {size} von einem Ende des Bereichs zum anderen, entgegen der Bewegung{more}: eine Moduloachse", place(*at, language), quoted(column, language)
+        ),
+        Some(if *has_speed {
+            said!(language =>
+                "use the recorded speed alone: columns = {{ position = \"none\" }}"
+                | "nur die aufgezeichnete Geschwindigkeit verwenden: columns = {{ position = \"none\" }}"
+            )
+        } else {
+            said!(language =>
+                "record the position without modulo, or the speed"
+                | "Position ohne Modulo aufzeichnen oder die Geschwindigkeit"
+            )
+        }),
+    )
+}
