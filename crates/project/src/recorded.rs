@@ -255,11 +255,17 @@ impl<'f> Recordings<'f> {
             Content::Parquet => {}
             Content::Foreign(format) => return Err(refused(recording::Fault::Foreign { format })),
             Content::Text | Content::Packed(_) => {
-                // A damaged file is recognised by its name.
-                if !is_parquet {
-                    let read = recording::read_csv_within(source, layout, &mut self.memory);
-                    return read.map_err(|faults| unreadable(name, faults));
-                }
+                use recording::{
+                    Damage, Fault::LineTooLong, Fault::NoHeader, Fault::NoTable, Fault::ParquetUnreadable,
+                };
+                let read = recording::read_csv_within(source, layout, &mut self.memory);
+                return read.map_err(|faults| match faults.as_slice() {
+                    // A damaged file is recognised by its name if it is no table of text either.
+                    [NoTable | NoHeader | LineTooLong { .. }, ..] if is_parquet => {
+                        refused(ParquetUnreadable { reason: Damage::NoParquet })
+                    }
+                    _ => unreadable(name, faults),
+                });
             }
         }
         // The bytes of the file are in memory while it is read, within the limit.
@@ -474,6 +480,21 @@ mod tests {
     }
 
     #[test]
+    fn the_content_decides_whatever_the_name() {
+        assert_eq!(faults(&["a.parquet"], &Shelf::of(TEXT, Grant::default())), []);
+        for text in ["", "PAR\u{1}\u{2}", "no table\nat all\n"] {
+            let found = faults(&["a.parquet"], &Shelf::of(text, Grant::default()));
+            assert!(
+                matches!(
+                    found.as_slice(),
+                    [Fault::Recording { fault: recording::Fault::ParquetUnreadable { .. }, .. }]
+                ),
+                "{found:?}"
+            );
+        }
+    }
+
+    #[test]
     fn a_file_that_is_too_large_is_not_opened() {
         for name in ["a.csv", "a.parquet"] {
             let shelf = Shelf { size: Some(FILE_BYTES_MAX + 1), ..Shelf::of(TEXT, Grant::default()) };
@@ -493,7 +514,7 @@ mod tests {
         let found = faults(&["a.parquet"], &shelf);
         assert!(matches!(found.as_slice(), [Fault::Recording { .. }]), "{found:?}");
         assert_eq!(*shelf.opened.borrow(), [""; 0]);
-        let unsized_ = Shelf::of(&"x".repeat(1000), grant);
+        let unsized_ = Shelf::of(&format!("PAR1{}", "x".repeat(1000)), grant);
         assert!(matches!(
             faults(&["a.parquet"], &unsized_).as_slice(),
             [Fault::Recording { fault: recording::Fault::Beyond { .. }, .. }]

@@ -249,11 +249,7 @@ fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -
         [one] => *one,
         _ => by_name()?,
     };
-    let shown = excerpt(&found.written);
-    // A shortened name names no column; its number does.
-    let place = headings.iter().position(|heading| std::ptr::eq(heading, found))?;
-    let column = if shown == found.written { shown } else { format!("#{}", place + 1) };
-    Some(NearColumn { role, column, has_unit: has_unit(&found) })
+    Some(NearColumn { role, column: writable(headings, found)?, has_unit: has_unit(&found) })
 }
 
 /// Number of leading columns that are searched for a proposal.
@@ -265,7 +261,7 @@ const LONGEST: usize = 64;
 
 fn chosen_names(headings: &[Heading], picks: &[Pick]) -> Vec<String> {
     let chosen = picks.iter().take(NAMES_MAX + 1).filter_map(|pick| headings.get(pick.index));
-    chosen.map(|heading| excerpt(&heading.written)).collect()
+    chosen.filter_map(|heading| writable(headings, heading)).collect()
 }
 
 /// Returns the name of a column closest to one that does not exist.
@@ -284,7 +280,17 @@ fn nearest(headings: &[Heading], name: &str) -> Option<String> {
         })
         .filter(|(distance, _)| *distance <= 1 + length / 3 && *distance < length)
         .min_by_key(|(distance, _)| *distance)
-        .map(|(_, heading)| excerpt(&heading.written))
+        .and_then(|(_, heading)| writable(headings, heading))
+}
+
+/// Returns the name of a column as it can be written in a layout: a shortened name names no column, its number does.
+fn writable(headings: &[Heading], heading: &Heading) -> Option<String> {
+    let shown = excerpt(&heading.written);
+    if shown == heading.written {
+        return Some(shown);
+    }
+    let place = headings.iter().position(|other| std::ptr::eq(other, heading))?;
+    Some(format!("#{}", place + 1))
 }
 
 /// A statement of a unit, as text or resolved.

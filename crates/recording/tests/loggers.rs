@@ -356,4 +356,16 @@ fn a_column_with_a_long_name_is_proposed_by_its_number() {
     assert_eq!(near[0].column, "#2");
     let layout = Layout { position: named(&near[0].column), ..Layout::default() };
     assert!(read_csv(text.as_bytes(), &layout).is_ok());
+    // Of a name that is almost one of the file, and of several that could be meant.
+    let long = "Antriebsachse_1.r61[0]: Drehzahlistwert des Umrichters";
+    let text = format!("t [s],{long} [1/min]\n0,0\n1,1\n2,2\n");
+    let layout = Layout { speed: named(&long.replace("Umrichters", "Umrichter")), ..Layout::default() };
+    let found = read_csv(text.as_bytes(), &layout).unwrap_err();
+    assert!(
+        matches!(found.as_slice(), [Fault::ColumnUnknown { nearest: Some(nearest), .. }] if nearest == "#2"),
+        "{found:?}"
+    );
+    let text = "t [s],Antriebsachse_1_des_ersten_Gelenks/Position [deg],Antriebsachse_2_des_ersten_Gelenks/Position [deg]\n0,0,0\n1,1,1\n2,2,2\n";
+    let found = faults(text);
+    assert!(matches!(found.as_slice(), [Fault::Ambiguous { columns, .. }] if columns == &["#2", "#3"]), "{found:?}");
 }
