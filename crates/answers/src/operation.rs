@@ -57,6 +57,8 @@ pub struct MotorSide {
     pub torque_peak: Option<Number>,
     /// Effective torque in Nm.
     pub torque_rms: Option<Number>,
+    /// Ids of the errata of the motor torque constant, on which both torques rest.
+    pub torque_errata: &'static [&'static str],
 }
 
 /// Duty type of IEC 60034-1.

@@ -10,7 +10,7 @@ use clap::ArgMatches;
 use clap::parser::ValueSource;
 use project::Project;
 use quantities::Language;
-use questions::list::{ArgumentKind, Asked, Entry, Form, Given, LIST, Reads, Unanswered, bounded};
+use questions::list::{Argument, ArgumentKind, Asked, Entry, Form, Given, LIST, Reads, Unanswered, bounded};
 use questions::read_code;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -99,8 +99,20 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
 impl Call<'_> {
     /// Converts the call to the question of its command.
     pub(crate) fn put(&self, entry: &Entry) -> Result<Asked<'_>, Unanswered> {
+        Ok(Asked {
+            given: self.given(entry.arguments)?,
+            sources: self.files.iter().map(File::source).collect(),
+            days_since_1970: days_since_1970(),
+            patience: patience(),
+            refuses_long: waited_s().is_none(),
+            language: self.language,
+        })
+    }
+
+    /// Returns the texts that the call gives for some arguments.
+    pub(crate) fn given(&self, arguments: &[Argument]) -> Result<Given, Unanswered> {
         let mut pairs: Vec<(Cow<'_, str>, Cow<'_, str>)> = Vec::new();
-        for argument in entry.arguments {
+        for argument in arguments {
             // With JSON output, the format is implied.
             let is_said = self.as_json && argument.name == "format";
             if !self.is_given(argument.name) || is_said {
@@ -119,15 +131,7 @@ impl Call<'_> {
                 }
             }
         }
-        let given = Given::of(entry.arguments, pairs, self.language)?;
-        Ok(Asked {
-            given,
-            sources: self.files.iter().map(File::source).collect(),
-            days_since_1970: days_since_1970(),
-            patience: patience(),
-            refuses_long: waited_s().is_none(),
-            language: self.language,
-        })
+        Given::of(arguments, pairs, self.language)
     }
 
     fn is_given(&self, name: &str) -> bool {
@@ -164,13 +168,6 @@ impl Call<'_> {
     /// Returns the text of an option, of limited length and without invisible characters.
     pub(crate) fn label(&self, name: &'static str) -> Result<Option<String>, Unanswered> {
         self.text(name).map(|text| bounded(name, text, self.language)).transpose()
-    }
-
-    /// Returns the texts of an option that may be repeated, each as [`Call::label`].
-    #[cfg(feature = "report")]
-    pub(crate) fn labels(&self, name: &'static str) -> Result<Vec<String>, Unanswered> {
-        let texts = self.matches.try_get_many::<String>(name).ok().flatten().unwrap_or_default();
-        texts.map(|text| bounded(name, text, self.language)).collect()
     }
 
     /// Returns `true` if an option is set.

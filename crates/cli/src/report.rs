@@ -40,12 +40,12 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
         return Err(Unanswered::message(terminal::report_is_a_pdf(&path_text(out), language)));
     }
-    let settings = settings(call)?;
+    let args = args::Args::read(&call.given(args::Args::ARGUMENTS)?)?;
+    let settings = settings(&args);
     let source = asked.source()?;
     let inputs = call.inputs(&source.projects(asked.patience, language)?);
     let desk = call.desk(&inputs);
     desk.ready(&[out])?;
-    let args = args::Args::read(&asked.given)?;
     let projects = args.axes(asked)?;
     let with_installation = args.installation;
     let delivered = call.text("delivered").map(|text| questions::list::upkeep::read_date(text, language)).transpose();
@@ -109,16 +109,15 @@ fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
     let said = |refusal: Refusal| answer::refusal_text(&refusal, None, l);
     let mut axes = Vec::new();
     for (place, project) in asked.axes {
-        let judged = content((*place, project), asked.code.as_ref(), asked.text, asked.patience, l);
+        let judged = content((*place, project), asked.args.code.as_ref(), asked.text, asked.patience, l);
         let (mut content, candidate) = judged.map_err(said)?;
-        if asked.installation {
+        if asked.args.installation {
             install(&mut content, (project, &candidate), None, l).map_err(|(what, _)| what)?;
         }
         content.chapters.extend(simulated(project, &candidate, asked.patience, l));
         axes.push(content);
     }
-    let settings = Settings { date: asked.date.map(str::to_owned), full: asked.full, ..Settings::default() };
-    report::pdf(&Content { language: l, axes }, &settings).map_err(|fault| fault.message(l))
+    report::pdf(&Content { language: l, axes }, &settings(asked.args)).map_err(|fault| fault.message(l))
 }
 
 /// Returns the checklists of a commissioning as PDF.
@@ -126,32 +125,27 @@ pub(crate) fn checklist(sheet: &Commissioning, language: Language) -> Result<Vec
     report::checklist_pdf(sheet, language).map_err(|fault| Unanswered::message(fault.message(language)))
 }
 
-fn settings(call: &Call<'_>) -> Result<Settings, Unanswered> {
-    let text = |name: &'static str| call.label(name).map(Option::unwrap_or_default);
-    Ok(Settings {
-        date: Some(text("date")?).filter(|date| !date.is_empty()),
-        revision: text("revision")?,
-        project: text("title")?,
-        number: text("number")?,
-        author: text("author")?,
-        company: text("company")?,
-        customer: text("customer")?,
-        order: text("order")?,
-        changes: call.labels("change")?.iter().map(|text| change(text, call.language)).collect::<Result<_, _>>()?,
-        pdf_a: call.flag("archive"),
-        full: call.flag("full"),
-    })
-}
-
-/// Parses a line of the list of changes: revision, day, author if stated, and content, between semicolons.
-fn change(text: &str, language: Language) -> Result<Change, Unanswered> {
-    let parts: Vec<String> = text.splitn(4, ';').map(|part| part.trim().to_owned()).collect();
-    match <[String; 4]>::try_from(parts) {
-        Ok([revision, date, author, text]) => Ok(Change { revision, date, author, text }),
-        Err(parts) => match <[String; 3]>::try_from(parts) {
-            Ok([revision, date, text]) => Ok(Change { revision, date, author: String::new(), text }),
-            Err(_) => Err(Unanswered::option("change", (terminal::not_a_change(&text, language), None))),
-        },
+/// Returns the title page and the extent of a report.
+fn settings(args: &args::Args) -> Settings {
+    let text = |value: &Option<String>| value.clone().unwrap_or_default();
+    let change = |change: &args::Change| Change {
+        revision: change.revision.clone(),
+        date: change.date.clone(),
+        author: change.author.clone(),
+        text: change.text.clone(),
+    };
+    Settings {
+        date: args.date.clone().filter(|date| !date.is_empty()),
+        revision: text(&args.revision),
+        project: text(&args.title),
+        number: text(&args.number),
+        author: text(&args.author),
+        company: text(&args.company),
+        customer: text(&args.customer),
+        order: text(&args.order),
+        changes: args.changes.iter().map(change).collect(),
+        pdf_a: args.archive,
+        full: args.full,
     }
 }
 
@@ -275,8 +269,10 @@ fn drawn_figures(
         let drawing = figures::draw(*figure, project, candidate, By::Mass, patience(), language).ok()?;
         Some(drawn((*place, id), &drawing, language))
     });
-    let map = figures::candidate_map(sizing, By::Mass, Some(&candidate.id), language);
-    figures.chain([drawn((DiagramPlace::Alternatives, "alternatives"), &map, language)]).collect()
+    // A map without a point would be a sentence in a frame.
+    let map = figures::has_points(sizing, By::Mass)
+        .then(|| figures::candidate_map(sizing, By::Mass, Some(&candidate.id), language));
+    figures.chain(map.map(|map| drawn((DiagramPlace::Alternatives, "alternatives"), &map, language))).collect()
 }
 
 fn drawn((place, id): (DiagramPlace, &str), drawing: &Drawing, language: Language) -> report::Diagram {

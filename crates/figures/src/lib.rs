@@ -21,7 +21,7 @@ pub use cycle::{CyclePanels, cycle};
 pub use drawing::{Drawing, Figure, side_mm};
 pub use face::{PinTexts, mating_face};
 pub use fault::NoFigure;
-pub use map::{By, MapPoint, candidate_map, nearest};
+pub use map::{By, MapPoint, candidate_map, has_points, nearest};
 pub use plane::{curves, torque_speed};
 pub use plot::{Picture, Size, Style, Theme};
 pub use simulation::{control_loops, of_a_run, simulation};

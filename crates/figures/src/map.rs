@@ -78,6 +78,12 @@ fn point(by: By, candidate: &Candidate<'_>) -> Option<(f64, f64)> {
     (margin >= MARGIN_MIN).then_some((by.unit().from_si(by.of(candidate)?), margin * 100.0))
 }
 
+/// Returns `true` if the map of these candidates shows any of them.
+#[must_use]
+pub fn has_points(sizing: &Sizing<'_>, by: By) -> bool {
+    sizing.candidates.iter().chain(sizing.own.as_ref()).any(|candidate| point(by, candidate).is_some())
+}
+
 /// Draws every candidate by mass or length and by the margin of its governing check; one of them may be marked.
 #[must_use]
 pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, language: Language) -> Drawing {

@@ -8,6 +8,7 @@ use quantities::{Language, Measure};
 use questions::{Candidate, CheckId, Patience};
 use roxmltree::{Document, Node};
 use std::path::PathBuf;
+use testkit::readers::letters_of;
 
 const LANGUAGES: [Language; 2] = [Language::En, Language::De];
 
@@ -40,8 +41,15 @@ fn candidates(project: &Project) -> Vec<Candidate<'_>> {
     std::iter::once(best).chain(questions::check_own(project).ok()).collect()
 }
 
+/// Smallest letter of a picture at its own size \[pt\].
+const LEAST_PT: f64 = 7.0;
+
+/// Draws a picture at its own size and asserts that its letters can be read.
 fn picture(drawing: &Drawing, language: Language) -> Picture {
-    drawing.render(&Style::new(drawing.size()).language(language).id(drawing.figure.id()))
+    let picture = drawing.render(&Style::new(drawing.size()).language(language).id(drawing.figure.id()));
+    let small: Vec<_> = letters_of(picture.svg()).into_iter().filter(|(size, _)| *size < LEAST_PT - 0.01).collect();
+    assert!(small.is_empty(), "{}: {small:?}", drawing.figure.id());
+    picture
 }
 
 fn example(name: &str) -> Project {
@@ -264,6 +272,36 @@ fn the_limits_of_a_code_need_no_project() {
             assert_eq!(picture.dropped(), 0);
             assert!(Document::parse(picture.svg()).is_ok());
             assert_eq!(picture.svg().contains("120 V"), terminal.is_some());
+        }
+    }
+}
+
+#[test]
+fn mating_faces_have_letters_to_read() {
+    for text in ["CHA-14A-50-E-M128S", "CHA-25A-100-H-M512P-B-EC", "CHA-58A-100-H-C1024-B-EC"] {
+        let code = questions::read_code(text, Language::En).unwrap().parsed.code;
+        let found = questions::list::wiring::wiring(&code).unwrap();
+        for connector in found.connectors.iter().filter(|connector| !connector.pins.is_empty()) {
+            for language in LANGUAGES {
+                let drawing = figures::mating_face(&code, connector, figures::PinTexts::Signals, language);
+                assert!(!picture(&drawing, language).texts().is_empty(), "{text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_simulation_and_its_control_loops_have_letters_to_read() {
+    let text = std::fs::read_to_string(folder().join("slewing-arm.toml")).unwrap();
+    let text = if text.contains("[twin]") { text } else { text + "\n[twin]\nscenario = \"cycle\"\n" };
+    let project = questions::read_all(&text, &ExampleFiles).unwrap().swap_remove(0);
+    let candidate = candidates(&project).swap_remove(0);
+    let questions::CandidateId::Code(code) = candidate.id else { panic!("a code") };
+    for language in LANGUAGES {
+        let run = questions::list::simulate::of_the_project(&project, Some(&code), &Patience::endless(), language);
+        let run = run.unwrap().unwrap();
+        for drawing in [figures::simulation(&run, None, language), figures::control_loops(&run, language)] {
+            assert!(!picture(&drawing, language).texts().is_empty());
         }
     }
 }

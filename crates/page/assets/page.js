@@ -326,7 +326,13 @@ async function download(what, usual) {
   const tab = $('.tabs [aria-current][data-axis]');
   if (tab && what !== 'report') query.set('axis', tab.dataset.axis);
   if (held('code') && what !== 'size' && (what !== 'report' || !$('.tabs'))) query.set('code', held('code'));
-  if (what === 'report') query.set('date', new Date().toISOString().slice(0, 10));
+  if (what === 'report') {
+    query.set('date', new Date().toISOString().slice(0, 10));
+    for (const field of document.querySelectorAll('#report-fields [data-report]')) {
+      const lines = field.type === 'checkbox' ? (field.checked ? ['true'] : []) : field.value.split('\n');
+      for (const line of lines) if (line.trim()) query.append(field.dataset.report, line.trim());
+    }
+  }
   tell('…');
   const reply = await fetch(`/api/v1/${what}?${query}`, { method: 'POST', headers: { 'content-type': 'application/toml' }, body: text().value });
   if (!reply.ok) {

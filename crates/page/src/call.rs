@@ -2,10 +2,10 @@
 
 use answers::Commissioning;
 use figures::Theme;
-use order_code::OrderCode;
 use project::{Files, Project};
 use quantities::Language;
 use questions::Patience;
+use questions::list::report;
 use std::borrow::Cow;
 use std::io;
 use std::time::Duration;
@@ -203,14 +203,8 @@ pub struct ReportAsked<'a> {
     pub text: &'a str,
     /// Axes of the report, each with its index in the project.
     pub axes: &'a [(usize, Project)],
-    /// The actuator; `None` for that of the project, else the best one.
-    pub code: Option<OrderCode>,
-    /// Includes the derivations.
-    pub full: bool,
-    /// Includes wiring, mounting and commissioning.
-    pub installation: bool,
-    /// Date on the report.
-    pub date: Option<&'a str>,
+    /// Actuator, extent and title page.
+    pub args: &'a report::Args,
     /// Language of the report.
     pub language: Language,
     /// Progress and cancellation of the caller.

@@ -6,7 +6,7 @@ use crate::state::{ALL_AXES, Held, State};
 use figures::Theme;
 use maud::{Markup, html};
 use quantities::Language;
-use questions::list::{export, report, size};
+use questions::list::{Argument, ArgumentKind, export, report, size};
 use words::{capitalised, page, terms};
 
 /// Default name of a project file.
@@ -113,10 +113,44 @@ fn export_items(shell: &dyn Shell, language: Language) -> Markup {
     html! {
         @if shell.report().is_some() {
             button type="button" id="report" data-api=(report::ENTRY.path) data-name="antrieb.pdf" { (page::report_pdf(l)) }
+            (title_page(l))
         } @else { p.small { (page::report_elsewhere(l)) } }
         button type="button" id="workbook" data-api=(export::ENTRY.path) data-name="antrieb.xlsx" { (page::workbook(l)) }
         button type="button" id="data" data-api=(size::ENTRY.path) data-name="antrieb.json" { (page::data_json(l)) }
         button type="button" id="picture" data-picture="" { (page::picture_shown(l)) }
+    }
+}
+
+/// Returns the fields of the title page of the report and its extent: the arguments of the report that the page does not give itself.
+fn title_page(language: Language) -> Markup {
+    let l = language;
+    // The page knows axis and actuator, and sends the day.
+    let fields = report::Args::ARGUMENTS.iter().filter(|field| !["axis", "code", "date"].contains(&field.name));
+    html! {
+        details id="report-fields" hx-morph-skip="" {
+            summary { (page::title_page(l)) }
+            @for field in fields {
+                @let id = format!("report-{}", field.name);
+                @if matches!(field.kind, ArgumentKind::Flag) {
+                    label.check for=(id) { input id=(id) type="checkbox" data-report=(field.name); " " (label(field, l)) }
+                } @else if field.repeated {
+                    label.field for=(id) { span { (label(field, l)) } textarea id=(id) data-report=(field.name) rows="2" spellcheck="false" {} }
+                } @else {
+                    label.field for=(id) { span { (label(field, l)) } input id=(id) data-report=(field.name) type="text" autocomplete="off" spellcheck="false"; }
+                }
+            }
+        }
+    }
+}
+
+/// Returns the label of an argument of the report; without the options that its help on the command line names.
+fn label(field: &Argument, language: Language) -> &'static str {
+    match field.name {
+        "change" => page::change_lines(language),
+        "full" => page::with_derivations(language),
+        "installation" => page::with_installation(language),
+        "archive" => page::as_archive(language),
+        _ => (field.about)(language),
     }
 }
 

@@ -149,3 +149,21 @@ fn errata_of_a_wiring_concern_the_code() {
     }
     assert!(seen > 100, "{seen}");
 }
+
+/// Every erratum of a cell stands in the row of the cell of the exported catalogue.
+#[test]
+fn the_exported_catalogue_marks_its_cells() {
+    let text = questions::list::catalogue::export_csv();
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let mut marked = 0;
+    for cell in catalogue::cells() {
+        for id in cell.errata {
+            let is_its = |row: &&Vec<&str>| row.contains(&cell.place.table) && row.contains(&cell.place.symbol);
+            let found =
+                rows.iter().filter(is_its).any(|row| row.iter().any(|field| field.split(';').any(|each| each == *id)));
+            assert!(found, "{id} of {} {}", cell.place.table, cell.place.symbol);
+            marked += 1;
+        }
+    }
+    assert!(marked > 50, "{marked}");
+}

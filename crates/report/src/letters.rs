@@ -14,8 +14,6 @@ pub struct Letter {
     pub size_pt: f64,
     /// The text; of a diagram the line of its SVG.
     pub text: String,
-    /// The run belongs to a formula, whose indices have indices of their own.
-    pub is_formula: bool,
 }
 
 /// Lists every run of text with the size of its letters on the page, those within diagrams included.
@@ -42,22 +40,14 @@ fn collect(frame: &Frame, scale: f64, page: usize, found: &mut Vec<Letter>) {
                 let (kx, ky) = (group.transform.kx.get(), group.transform.ky.get());
                 collect(&group.frame, scale * x.hypot(ky).min(y.hypot(kx)), page, found);
             }
-            FrameItem::Text(run) => found.push(Letter {
-                page,
-                size_pt: run.size.to_pt() * scale,
-                text: run.text.to_string(),
-                is_formula: run.font.info().family.contains("Math"),
-            }),
+            FrameItem::Text(run) => {
+                found.push(Letter { page, size_pt: run.size.to_pt() * scale, text: run.text.to_string() })
+            }
             FrameItem::Image(image, size, _) => {
                 if let ImageKind::Svg(svg) = image.kind() {
                     let text = String::from_utf8_lossy(svg.data());
                     let scale = scale * (size.x.to_pt() / viewed(&text).0).min(size.y.to_pt() / viewed(&text).1);
-                    found.extend(of_svg(&text).map(|(size, text)| Letter {
-                        page,
-                        size_pt: size * scale,
-                        text,
-                        is_formula: false,
-                    }));
+                    found.extend(of_svg(&text).map(|(size, text)| Letter { page, size_pt: size * scale, text }));
                 }
             }
             _ => {}

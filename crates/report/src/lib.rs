@@ -21,7 +21,9 @@ pub use letters::{Letter, letters};
 #[cfg(feature = "png")]
 pub use press::pages_png;
 #[cfg(feature = "pdf")]
-pub use press::{checklist_pdf, checklist_texts, overlaps, page_fills, page_texts, pdf, prepare, right_edges};
+pub use press::{
+    checklist_pdf, checklist_texts, overlaps, page_fills, page_texts, pdf, prepare, right_edges, warnings,
+};
 
 use answers::{Chapter, Dossier};
 use quantities::Language;

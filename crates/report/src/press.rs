@@ -216,7 +216,23 @@ pub(crate) fn forget() {
     typst::comemo::evict(2);
 }
 
+/// Returns the warnings of the engine; one of a layout that does not settle means page numbers of different passes.
+///
+/// # Errors
+/// As [`pdf`].
+#[doc(hidden)]
+pub fn warnings(content: &Content, settings: &Settings) -> Result<Vec<String>, Fault> {
+    let found = typst::compile::<PagedDocument>(&pressed(content, settings)?).warnings;
+    forget();
+    Ok(found.iter().map(|warning| warning.message.to_string()).collect())
+}
+
 pub(crate) fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Fault> {
+    compile(pressed(content, settings)?)
+}
+
+/// Returns the template with the data and the files of a report.
+fn pressed(content: &Content, settings: &Settings) -> Result<Press, Fault> {
     let fonts = fonts();
     let document = fonts.glyphs.printable(crate::document(content, settings)?);
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
@@ -231,7 +247,7 @@ pub(crate) fn typeset(content: &Content, settings: &Settings) -> Result<PagedDoc
             files.insert(laid_out::picture_file(axis, index), picture.svg.clone().into_bytes());
         }
     }
-    compile(Press { template: template()?, files })
+    Ok(Press { template: template()?, files })
 }
 
 fn compile(press: Press) -> Result<PagedDocument, Fault> {

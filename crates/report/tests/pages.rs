@@ -1,14 +1,38 @@
-//! Every example takes nine pages for one axis at most, in both languages.
+//! Every example in both languages: nine pages for one axis at most, letters that can be read, no identifier and no English in a
+//! German report.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test that cannot panic cannot fail")]
 
 mod samples;
 
 use quantities::Language;
-use report::Settings;
+use report::{Content, Settings};
+use samples::read::are_readable;
 
 /// Pages of one axis at most, without appendices.
 const MOST: usize = 9;
+
+fn is_in_order(name: &str, content: &Content) {
+    let language = content.language;
+    let settings = Settings { pdf_a: false, ..samples::full() };
+    let letters = report::letters(content, &settings).unwrap();
+    are_readable(name, content, &letters);
+    let warnings = report::warnings(content, &settings).unwrap();
+    assert!(warnings.is_empty(), "{name}, {language:?}: {warnings:?}");
+    let axes = content.axes.len();
+    let pages = if axes == 1 {
+        // The last sentence before the appendices.
+        let last = match language {
+            Language::En => "Identical program",
+            Language::De => "Gleiches Programm",
+        };
+        letters.iter().find(|letter| letter.text.contains(last)).unwrap().page
+    } else {
+        report::page_fills(content, &Settings { full: false, ..settings }).unwrap().len()
+    };
+    let most = if axes == 1 { MOST } else { 1 + MOST * axes };
+    assert!(pages <= most, "{name}, {language:?}: {pages} pages");
+}
 
 macro_rules! examples {
     ($($test:ident: $file:literal;)*) => {
@@ -19,12 +43,7 @@ macro_rules! examples {
             fn $test() {
                 let text = include_str!(concat!("../../../examples/", $file, ".toml"));
                 for content in samples::made_in(text, None, &Language::ALL, true) {
-                    let language = content.language;
-                    let axes = content.axes.len();
-                    let most = if axes == 1 { MOST } else { 1 + MOST * axes };
-                    let settings = Settings { full: false, pdf_a: false, ..samples::settings() };
-                    let pages = report::page_fills(&content, &settings).unwrap().len();
-                    assert!(pages <= most, "{}, {language:?}: {pages} pages", $file);
+                    is_in_order($file, &content);
                 }
             }
         )*

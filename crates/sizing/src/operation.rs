@@ -137,8 +137,8 @@ struct Sums {
     braked: f64,
     /// ∫ |T ω| dt \[J\].
     moved: f64,
-    /// Largest |T| at rest \[Nm\].
-    held_nm: f64,
+    /// Time at rest without a torque \[s\].
+    free_s: f64,
     slowest: Option<f64>,
     torque_range: Option<[f64; 2]>,
 }
@@ -171,7 +171,8 @@ impl Operation {
         let electrics = Electrics::of(axis, actuator);
         let currents = Currents::of(axis, actuator, &electrics).ok();
         let power = currents.as_ref().and_then(|currents| CyclePower::of(actuator, Ok(currents)).ok());
-        let walk = Walk { inertia, currents: currents.as_ref(), power: power.as_ref() };
+        let peak_nm = demand.torque_peak.si();
+        let walk = Walk { inertia, peak_nm, currents: currents.as_ref(), power: power.as_ref() };
         let mut sums = walk.sums(axis);
         let peak = currents.as_ref().map(|currents| currents.peak(axis));
         let cycle = walk.cycle(axis, &mut sums, peak);
@@ -217,6 +218,8 @@ impl Operation {
 /// Data of the actuator for the walk over the cycle.
 struct Walk<'w> {
     inertia: f64,
+    /// Largest |T| of the cycle \[Nm\].
+    peak_nm: f64,
     currents: Option<&'w Currents<'w>>,
     power: Option<&'w CyclePower<'w>>,
 }
@@ -269,9 +272,6 @@ impl Walk<'_> {
         sums.slowest = Some(sums.slowest.map_or(speed, |known| known.min(speed)));
         let [low, high] = sums.torque_range.unwrap_or([torque; 2]);
         sums.torque_range = Some([low.min(torque), high.max(torque)]);
-        if node.direction == 0.0 && node.speed_rad_s == 0.0 && node.acceleration_rad_s2 == 0.0 {
-            sums.held_nm = sums.held_nm.max(torque.abs());
-        }
     }
 
     fn gap(&self, sums: &mut Sums, a: &Node, b: &Node) {
@@ -281,6 +281,11 @@ impl Walk<'_> {
         sums.torque_square += of_torque;
         if (b.speed_rad_s - a.speed_rad_s).abs() > 0.0 {
             sums.changing_square += of_torque;
+        }
+        let rests = |node: &Node| node.direction == 0.0 && node.speed_rad_s == 0.0 && node.acceleration_rad_s2 == 0.0;
+        if rests(a) && rests(b) {
+            let is_free = from.abs().max(to.abs()) <= NONE * self.peak_nm;
+            sums.free_s += if is_free { duration } else { 0.0 };
         }
         let power = 0.5 * (from * a.speed_rad_s + to * b.speed_rad_s) * duration;
         sums.moved += power.abs();
@@ -342,7 +347,9 @@ fn duty(axis: &Axis, sums: &[Sums]) -> DutyType {
     let fastest = axis.moments.speed_peak.si();
     let slowest = sums.iter().filter_map(|sums| sums.slowest).fold(f64::INFINITY, f64::min);
     let has_rest = axis.moments.moving.si() < axis.moments.duration.si() * (1.0 - NONE);
-    let holds = sums.iter().any(|sums| sums.held_nm > NONE * peak);
+    // Until the brake has closed and while it opens the motor holds too: only without any rest free of torque it is never
+    // without current.
+    let holds = sum(|sums| sums.free_s) <= NONE * axis.moments.duration.si();
     let brakes = sum(|sums| sums.braked) > NONE * sum(|sums| sums.moved);
     if has_rest {
         let starting = sum(|sums| sums.changing_square) / sum(|sums| sums.torque_square);
@@ -364,54 +371,5 @@ fn duty(axis: &Axis, sums: &[Sums]) -> DutyType {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use mechanism::Mechanism;
-    use motion::{Closing, ManualMove, Motion, SegmentSpec};
-    use provenance::{CellRef, Datum, Grade, Source, Sourced};
-    use quantities::{AngularVelocity, MomentOfInertia, Time, Torque};
-
-    fn manual(run: f64, pause: f64) -> Axis {
-        let s = Time::from_si;
-        let only = SegmentSpec::Manual(ManualMove {
-            speed: AngularVelocity::from_si(4.0),
-            accelerate: s(0.1),
-            run: s(run),
-            brake: s(0.2),
-            pause: s(pause),
-        });
-        let motion = Motion::new(&[only], None, Closing::Speed).unwrap();
-        Axis::new(Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(5.0)), motion, Vec::new())
-    }
-
-    fn actuator() -> Parameters {
-        const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
-        let value = MomentOfInertia::from_si(0.5);
-        let known = Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] });
-        Parameters { inertia_out: known, ..Parameters::unknown() }
-    }
-
-    /// T = 1.5·40 + 5 = 65, 5, −1.5·20 + 5 = −25 Nm over 0.1, 0.3, 0.2 s.
-    #[test]
-    fn torques_of_a_move_by_hand() {
-        let found = Operation::of(&manual(0.3, 1.0), &actuator()).unwrap();
-        let [only] = &found.segments[..] else { panic!("{found:?}") };
-        let square = 65.0_f64.powi(2) * 0.1 + 25.0 * 0.3 + 625.0 * 0.2;
-        assert!((only.torque_peak_nm - 65.0).abs() < 1e-9);
-        assert!((only.torque_rms_nm - (square / 1.6).sqrt()).abs() < 1e-9, "{only:?}");
-        assert!((only.speed_peak_rad_s - 4.0).abs() < 1e-12);
-        assert!((found.cycle.torque_rms_nm - only.torque_rms_nm).abs() < 1e-9);
-        assert_eq!((only.current_peak_a, found.motor), (None, None));
-        assert!((found.inertia_load / found.inertia_own - 2.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn the_duty_type_follows_from_rest_and_braking() {
-        let of = |run, pause| Operation::of(&manual(run, pause), &actuator()).unwrap().duty;
-        assert_eq!(of(0.3, 1.0), DutyType::WithBraking);
-        assert_eq!(of(0.3, 0.0), DutyType::ContinuousWithBraking);
-        // 65²·0.1 + 25²·0.2 = 547.5 beside 25·t: a tenth from 197 s on.
-        assert_eq!(of(190.0, 1.0), DutyType::WithBraking);
-        assert_eq!(of(200.0, 1.0), DutyType::Intermittent);
-    }
-}
+#[path = "operation_tests.rs"]
+mod tests;

@@ -141,7 +141,9 @@ fn answered(wanted: &Wanted) -> SchemaRef {
             first.into_iter().chain(each).chain([error, verdict]).collect()
         }
         Wanted::Front => {
-            vec![row, code, share("mass [kg]"), share("length [mm]"), share("utilisation"), tightest, error, verdict]
+            let figures = [share("mass [kg]"), share("length [mm]"), share("utilisation")];
+            let errata = field("errata", DataType::Utf8);
+            [row, code].into_iter().chain(figures).chain([tightest, error, verdict, errata]).collect()
         }
     };
     Arc::new(Schema::new(fields))
@@ -221,5 +223,6 @@ fn front(answers: &[Answer], first_row: u64) -> Vec<ArrayRef> {
         texts(each().map(|line| Some(line?.tightest?.id()))),
         texts(lines.iter().map(|(_, line)| line.as_ref().err())),
         texts(each().map(|line| Some(line?.fit.id()))),
+        texts(each().map(|line| Some(line?.errata.concat().join(";")).filter(|errata| !errata.is_empty()))),
     ]
 }

@@ -59,6 +59,20 @@ fn every_code_and_the_front_stand_in_lines_of_their_own() {
     let answer = front.batch(&table, 0, &Patience::endless()).unwrap();
     assert!((2..200).contains(&answer.num_rows()), "{}", answer.num_rows());
     assert!(answer.column(2).as_primitive::<Float64Type>().iter().all(|mass| mass.is_some_and(|mass| mass > 0.5)));
+    // The errata of the mass stand beside it, and those of no other figure.
+    let (codes, errata) = (answer.column(1).as_string::<i32>(), answer.column(8).as_string::<i32>());
+    assert_eq!(answer.schema().field(8).name(), "errata");
+    let mut marked = 0;
+    for (code, errata) in codes.iter().zip(errata) {
+        let code = code.unwrap();
+        let (_, data) =
+            configurator::catalogue_actuators().iter().find(|(known, _)| known.to_string() == code).unwrap();
+        let ids =
+            [data.mass.known().unwrap().errata, data.length.known().map_or(&[][..], |length| length.errata)].concat();
+        assert_eq!(errata.unwrap_or_default(), ids.join(";"), "{code}");
+        marked += ids.len();
+    }
+    assert!(marked > 0, "no erratum on the front");
 }
 
 #[test]

@@ -160,6 +160,34 @@ pub fn text_of(markup: &str) -> String {
     unescaped(&out)
 }
 
+/// Sizes of the letters of a picture at its own width, with the text that follows \[pt\].
+///
+/// # Panics
+/// If the SVG states no width or no coordinates.
+#[must_use]
+#[allow(clippy::expect_used, reason = "a picture without a size must fail the test that measures it")]
+pub fn letters_of(svg: &str) -> Vec<(f64, String)> {
+    let attribute = |name: &str| {
+        let rest = svg.split(&format!("{name}=")).nth(1).expect("an attribute of the picture");
+        rest.get(1..).and_then(|rest| rest.split(['"', '\'']).next()).expect("a value in quotation marks").to_owned()
+    };
+    let written = attribute(" width");
+    let (number, pt) = match written.strip_suffix("mm") {
+        Some(millimetres) => (millimetres.to_owned(), 72.0 / 25.4),
+        // Pixels of CSS, 96 to an inch.
+        None => (written.trim_end_matches("px").to_owned(), 72.0 / 96.0),
+    };
+    let width: f64 = number.parse().expect("a width");
+    let drawn: f64 = attribute("viewBox").split(' ').nth(2).and_then(|width| width.parse().ok()).expect("coordinates");
+    let scale = width * pt / drawn;
+    let sizes = svg.match_indices("font-size").filter_map(|(at, key)| {
+        let rest = svg.get(at + key.len()..)?.trim_start_matches(['=', ':', '"', '\'', ' ']);
+        let digits: String = rest.chars().take_while(|sign| sign.is_ascii_digit() || *sign == '.').collect();
+        Some((digits.parse::<f64>().ok()? * scale, rest.chars().take(80).collect()))
+    });
+    sizes.collect()
+}
+
 fn unescaped(text: &str) -> String {
     text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
 }
@@ -193,6 +221,14 @@ mod tests {
     fn english_is_found_in_a_german_text() {
         assert_eq!(english("Abgleich (Calibrations of the models)").len(), 2);
         assert!(english("Wave Generator, Engineering Data, Lost Motion, in der Last").is_empty());
+    }
+
+    #[test]
+    fn letters_of_a_picture_have_their_size_on_paper() {
+        let svg = "<svg width=\"254mm\" height=\"1mm\" viewBox=\"0 0 720 9\"><text font-size=\"7.5\">a</text>\
+            <style>text{font-size:14px}</style></svg>";
+        let sizes: Vec<f64> = letters_of(svg).into_iter().map(|(size, _)| size).collect();
+        assert_eq!(sizes, [7.5, 14.0]);
     }
 
     #[test]

@@ -223,8 +223,8 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
     let (en, de) = match band {
         Band::Printed => ("tolerance stated in the manual", "Toleranz laut Anleitung"),
         Band::ServoMotors => (
-            "band of another manufacturer's servo motors (simodrive-611a); none is stated for this actuator",
-            "Toleranzband für Servomotoren eines anderen Herstellers (simodrive-611a); für diesen Antrieb ist keines angegeben",
+            "band of another manufacturer's servo motors; none is stated for this actuator",
+            "Toleranzband für Servomotoren eines anderen Herstellers; für diesen Antrieb ist keines angegeben",
         ),
         Band::KtySheet => (
             "smallest and largest value of the sensor's data sheet: ±3 % at 100 °C, wider away from it",
@@ -232,8 +232,8 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
         ),
         Band::Din44081 => ("limits of DIN 44081", "Grenzen nach DIN 44081"),
         Band::Friction => (
-            "estimate: identification of a joint with such a gear deviated by 40 % (constant part) and 15 % (speed-dependent part) from the catalogue (cjt-issue-44); docs/theory/current.md, band of the no-load current",
-            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation um 40 % (konstanter Anteil) und 15 % (drehzahlabhängiger Anteil) vom Katalog ab (cjt-issue-44); docs/theory/current.md, Abschnitt „Band of the no-load current“",
+            "estimate: identification of a joint with such a gear deviated by 40 % (constant part) and 15 % (speed-dependent part) from the catalogue; docs/theory/current.md, band of the no-load current",
+            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation um 40 % (konstanter Anteil) und 15 % (drehzahlabhängiger Anteil) vom Katalog ab; docs/theory/current.md, Abschnitt „Band of the no-load current“",
         ),
         Band::Ours => {
             ("band assumed by antrieb; no source states one", "von antrieb angenommenes Band; keine Quelle nennt eines")

@@ -69,7 +69,7 @@ pub fn found_text(what: Finding, language: Language) -> String {
         Finding::AccelerationRms => ("√(∫α² dt / t_0) over the cycle", "√(∫α² dt / t_0) im Zyklus"),
         Finding::LoadRms => ("√(∫T_L² dt / t_0) over the cycle", "√(∫T_L² dt / t_0) im Zyklus"),
         Finding::Correlation => {
-            ("∫α T_L dt / (t_0 alpha_rms T_L_rms) over the cycle", "∫α T_L dt / (t_0 alpha_rms T_L_rms) im Zyklus")
+            ("∫α T_L dt / (t_0 α_rms T_L_rms) over the cycle", "∫α T_L dt / (t_0 α_rms T_L_rms) im Zyklus")
         }
         Finding::LargestInertia => ("largest along the path", "größtes längs des Wegs"),
         Finding::LargestInertiaHeld => {
@@ -129,8 +129,8 @@ pub fn found_text(what: Finding, language: Language) -> String {
             "veröffentlichte Kennlinien bezogen auf das Modell bei dieser Betriebsart; 1, wo keine veröffentlicht ist",
         ),
         Finding::OverloadLag => (
-            "maximum of (I/I_0)² filtered by a first-order lag with tau_w in the steady-state cycle",
-            "Maximum von (I/I_0)² nach Verzögerungsglied erster Ordnung mit tau_w im eingeschwungenen Zyklus",
+            "maximum of (I/I_0)² filtered by a first-order lag with τ_w in the steady-state cycle",
+            "Maximum von (I/I_0)² nach Verzögerungsglied erster Ordnung mit τ_w im eingeschwungenen Zyklus",
         ),
         Finding::OverloadPermitted => (
             "(I/I_0)² permitted by the continuous curve at n_av, at least 1",

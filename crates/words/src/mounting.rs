@@ -118,8 +118,8 @@ texts! {
         | "die Masse dieser Ausführung ist nicht angegeben: vor dem Heben von Hand wiegen";
     joint_head(side) = "bolted joint: {side}" | "Schraubenverbindung: {side}";
     joint_screws(count, size, class, circle, tightening, transmissible, friction) =
-        "{count} × {size}, property class {class}, bolt circle {circle} mm, tightening torque {tightening} Nm; transmits {transmissible} Nm with degreased faces (µ = {friction})"
-        | "{count} × {size}, Festigkeitsklasse {class}, Lochkreis {circle} mm, Anzugsdrehmoment {tightening} Nm; überträgt {transmissible} Nm bei entfetteten Flächen (µ = {friction})";
+        "{count} × {size}, property class {class}, bolt circle {circle} mm, tightening torque {tightening} Nm; transmits {transmissible} Nm at µ = {friction}"
+        | "{count} × {size}, Festigkeitsklasse {class}, Lochkreis {circle} mm, Anzugsdrehmoment {tightening} Nm; überträgt {transmissible} Nm bei µ = {friction}";
     joint_clamp(force, grade) = "clamp force {force} kN per screw, {grade}" | "Klemmkraft {force} kN je Schraube, {grade}";
     load_head = "load" | "Belastung";
     torque_nm = "torque Nm" | "Moment Nm";

@@ -49,6 +49,8 @@ pub const fn duty_reason(duty: DutyType, language: Language) -> &'static str {
 }
 
 texts! {
+    mounting_position = "mounting position" | "Einbaulage";
+    not_stated = "not stated by the manual" | "in der Anleitung nicht angegeben";
     continuous = "continuous running duty" | "Dauerbetrieb";
     intermittent = "intermittent periodic duty" | "Aussetzbetrieb";
     intermittent_with_starting = "intermittent periodic duty with starting" | "Aussetzbetrieb mit Einfluss des Anlaufvorgangs";

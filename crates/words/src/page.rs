@@ -23,6 +23,13 @@ texts! {
     redo = "Redo" | "Wiederholen";
     project_file = "Project file (TOML)" | "Projektdatei (TOML)";
     report_pdf = "Report (PDF)" | "Bericht (PDF)";
+    title_page = "Title page and extent of the report" | "Deckblatt und Umfang des Berichts";
+    change_lines =
+        "List of changes, one per line: revision; date; name; text"
+        | "Änderungsliste, je Zeile: Revision; Datum; Name; Text";
+    with_derivations = "with derivations and all sources" | "mit Herleitungen und allen Quellen";
+    with_installation = "with wiring, mounting and commissioning" | "mit Verdrahtung, Montage und Inbetriebnahme";
+    as_archive = "PDF/A for archiving" | "PDF/A zum Archivieren";
     workbook = "Workbook (XLSX)" | "Arbeitsmappe (XLSX)";
     data_json = "Data (JSON)" | "Daten (JSON)";
     link_to_this = "Link to this version" | "Link auf diesen Stand";

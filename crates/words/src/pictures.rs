@@ -28,7 +28,8 @@ texts! {
         "Steady-state cycle on a common time axis; dashed vertical lines are segment boundaries. Torque including the inertia of the actuator. Limits far above the curve are omitted."
         | "Eingeschwungener Zyklus über gemeinsamer Zeitachse; gestrichelte senkrechte Linien sind Abschnittsgrenzen. Drehmoment einschließlich Eigenträgheit des Antriebs. Grenzen weit über dem Verlauf sind weggelassen.";
     temperature = "Temperature" | "Temperatur";
-    warning = "warning" | "Warnung";
+    limit_of_the_check = "limit" | "Grenze";
+    lower_edge = "(lower edge of the estimate)" | "(unterer Rand der Schätzung)";
     torsion_of_the_gear = "Torsion of the gear" | "Torsion des Getriebes";
     load_on_the_output_bearing = "Load on the output bearing" | "Belastung des Abtriebslagers";
     no_stiffness =

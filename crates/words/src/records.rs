@@ -19,7 +19,7 @@ texts! {
     cable_to_choose(cable, goal, lengths) = "{cable}; for {goal}; length {lengths}" | "{cable}; für {goal}; Länge {lengths}";
     length_code(letters) = "{letters} by the drive manufacturer" | "{letters} nach Angabe des Reglerherstellers";
     by_choice = "as required" | "wahlweise";
-    transmits_degreased(torque) = "transmits {torque} with degreased faces" | "überträgt {torque} bei entfetteten Flächen";
+    transmits(torque) = "transmits {torque}" | "überträgt {torque}";
     no_such_erratum(text) =
         "there is no erratum, table or ordering code `{text}`"
         | "es gibt weder einen Druckfehler noch eine Tabelle oder Bestellbezeichnung `{text}`";

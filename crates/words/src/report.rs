@@ -99,19 +99,20 @@ texts! {
     data_text =
         "Values of the manual, corrected where an erratum applies; the number in the last column is the table of the manual."
         | "Angaben des Herstellers, mit Druckfehlern berichtigt; die letzte Spalte nennt die Tabelle der Anleitung.";
-    data_errata = "* Errata" | "* Druckfehler";
+    marked_errata = "† see “Errata taken into account”, chapter" | "† siehe „Berücksichtigte Druckfehler“, Kapitel";
+    marked_masses = "† Errata of the manual for the mass:" | "† Druckfehler der Anleitung zur Masse:";
     s_operation = "Load by segment" | "Belastung je Abschnitt";
     operation_text =
-        "At the output shaft; current and power at the motor terminals, E_mot energy taken, E_reg energy returned. Deviation between the computed instants below 0.1 % of the maximum."
+        "At the output shaft; current and power at the motor terminals, E_mot energy drawn, E_reg energy regenerated. Deviation between the computed instants below 0.1 % of the maximum."
         | "An der Abtriebswelle; Strom und Leistung an den Motorklemmen, E_mot aufgenommene, E_reg zurückgespeiste Energie. Abweichung zwischen den berechneten Zeitpunkten unter 0,1 % des Höchstwerts.";
     whole_cycle = "Cycle" | "Zyklus";
     s_motor = "Motor side and duty type" | "Motorseite und Betriebsart";
-    current_rms = "Effective motor current" | "Effektiver Motorstrom";
+    current_rms = "Rms motor current" | "Effektiver Motorstrom";
     current_peak = "Peak motor current" | "Spitzenstrom des Motors";
     motor_speed_peak = "Peak motor speed" | "Spitzendrehzahl des Motors";
     motor_speed_mean = "Mean motor speed" | "Mittlere Drehzahl des Motors";
     motor_torque_peak = "Peak motor torque" | "Spitzendrehmoment des Motors";
-    motor_torque_rms = "Effective motor torque" | "Effektives Drehmoment des Motors";
+    motor_torque_rms = "Rms motor torque" | "Effektives Drehmoment des Motors";
     inertia_ratio = "Inertia ratio" | "Trägheitsverhältnis";
     motor_text =
         "Motor speed: output speed times ratio. Motor torque: motor torque constant times current, friction included."
@@ -149,6 +150,7 @@ texts! {
         | "Alle weiteren Angaben sind in der aufgezeichneten Bewegung enthalten.";
     start = "Start" | "Beginn";
     speed = "Max. speed" | "max. Drehzahl";
+    speed_on_the_line = "Max. speed" | "max. Geschwindigkeit";
     acceleration = "Max. acceleration" | "max. Beschleunigung";
     segments_text =
         "Segments of one cycle."
@@ -193,6 +195,7 @@ texts! {
     further = "also:" | "ferner:";
     count = "Count" | "Anzahl";
     s_screws = "Screws" | "Schrauben";
+    s_environment = "Place of installation" | "Aufstellort";
     item = "Item" | "Pos.";
     pieces = "Quantity" | "Menge";
     description = "Description" | "Beschreibung";
@@ -217,22 +220,26 @@ texts! {
         | "Unabhängige Berechnung ohne Verbindung zum Hersteller der Antriebe und nicht von ihm geprüft. Die Verantwortung für Eingaben und Verwendung der Ergebnisse liegt bei den Unterzeichnenden.";
     v_open = "Fits as far as checked" | "Geeignet, soweit geprüft";
     v_fits_text =
-        "All checks were made, none failed."
-        | "Alle Nachweise sind geführt und erfüllt.";
+        "All checks were performed, none failed."
+        | "Alle Nachweise sind geführt, keiner ist verletzt.";
     v_open_text =
-        "No check made has failed. The result is valid only after the open points have been settled."
-        | "Alle geführten Nachweise sind erfüllt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
+        "No check performed has failed. The result is valid only after the open points have been settled."
+        | "Kein geführter Nachweis ist verletzt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     v_if_estimate = "Fits if the estimate holds" | "Geeignet, sofern die Schätzung zutrifft";
     v_if_estimate_text =
         "No check fails. These are beyond the lower edge of an estimate and within its band: have the manufacturer confirm them, or state a curve:"
         | "Kein Nachweis ist verletzt. Diese liegen über dem unteren Rand einer Schätzung und in ihrem Band; vom Hersteller bestätigen lassen oder eine Kennlinie angeben:";
+    v_if_rating_text =
+        "No check fails. These exceed a rating that another manufacturer publishes for its gear of this kind; have the manufacturer of the actuator confirm them:"
+        | "Kein Nachweis ist verletzt. Diese liegen über einem Wert, den ein anderer Hersteller für sein Getriebe dieser Art veröffentlicht; vom Hersteller des Antriebs bestätigen lassen:";
+    v_open_points = "The result is valid only after the open points have been settled." | "Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     if_estimate = "if the estimate holds" | "sofern die Schätzung zutrifft";
     fitting_if_estimate = "more if an estimate holds" | "weitere, sofern eine Schätzung zutrifft";
     nothing_to_order =
         "Nothing is ordered: the actuator does not fit."
         | "Nichts zu bestellen: der Antrieb ist nicht geeignet.";
     segments_of_a_single_move =
-        "Segments of a single move, which ends elsewhere than it begins. Effective values and heat assume that such moves follow each other directly."
+        "Segments of a single move that does not return to its start. Rms values and heating assume that such moves follow each other directly."
         | "Abschnitte einer einzelnen Bewegung, die nicht am Anfang endet. Effektivwerte und Erwärmung nehmen an, dass solche Bewegungen unmittelbar aufeinander folgen.";
     v_does_not_fit_text =
         "At least one limit is exceeded or one requirement not met."

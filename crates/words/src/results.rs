@@ -450,7 +450,9 @@ fn row_text(cell: &CellRef, text: &mut String, language: Language) {
         text.push_str(&format!(" ({})", condition_text(cell.condition, language)));
     }
     if !cell.ratio.is_empty() {
-        text.push_str(&format!(", i = {}", cell.ratio));
+        // A row may hold for a range of ratios: `> 50`.
+        let relation = if cell.ratio.starts_with(['<', '>', '≤', '≥']) { "" } else { "= " };
+        text.push_str(&format!(", i {relation}{}", cell.ratio));
     }
 }
 

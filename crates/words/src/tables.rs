@@ -62,8 +62,8 @@ texts! {
     governing_torque_about = "of the governing move, eq. 69.1 and 69.2" | "der maßgebenden Bewegung, Gl. 69.1 und 69.2";
     mode = "mode" | "Verfahren";
     mode_about =
-        "manual: equations 69.1 to 69.4; integral: exact integral over the motion, used by the checks"
-        | "manual: Gleichungen 69.1 bis 69.4; integral: exaktes Integral über die Bewegung, Grundlage der Nachweise";
+        "equations 69.1 to 69.4 of the manual, or exact integral over the motion, which the checks use"
+        | "Gleichungen 69.1 bis 69.4 der Anleitung oder exaktes Integral über die Bewegung, das die Nachweise verwenden";
     at = "time" | "Zeitpunkt";
     peak_torque_at_about = "instant of the peak torque" | "Zeitpunkt des Spitzendrehmoments";
     mean_speed_about = "mean of |n|, including pauses" | "Mittelwert von |n| einschließlich Pausen";
@@ -83,9 +83,11 @@ texts! {
     rank_about =
         "rank; empty if the actuator does not fit"
         | "Rang; leer, wenn nicht geeignet";
-    candidate_verdict_about = "fits: no check fails and no requirement is violated; fits_if_estimate: the same, a check lies in the band of an estimate" | "fits: alle geführten Nachweise und Anforderungen erfüllt; fits_if_estimate: ebenso, ein Nachweis liegt im Band einer Schätzung";
+    candidate_verdict_about =
+        "suitable if no check fails and every requirement is met; if a check lies in the band of an estimate, only if the estimate holds"
+        | "geeignet, wenn kein Nachweis verletzt und jede Anforderung erfüllt ist; liegt ein Nachweis im Band einer Schätzung, nur sofern diese zutrifft";
     highest_utilisation_about = "utilisation of the governing check, 1 is the limit" | "Auslastung des maßgebenden Nachweises, 1 ist die Grenze";
-    tightest_check_about = "id of the governing check: the failing one exceeded most, otherwise the one with the highest utilisation" | "Kennung des maßgebenden Nachweises: des am weitesten überschrittenen, sonst dessen mit der höchsten Auslastung";
+    tightest_check_about = "governing check: the failing one exceeded most, otherwise the one with the highest utilisation" | "maßgebender Nachweis: der am weitesten überschrittene, sonst der mit der höchsten Auslastung";
     margin_about = "1 − utilisation" | "1 − Auslastung";
     open_questions = "open questions" | "offene Fragen";
     open_questions_about =
@@ -94,7 +96,7 @@ texts! {
     on_request_about = "fields of the ordering code available on request only" | "nur auf Anfrage lieferbare Felder der Bestellbezeichnung";
     errata_of_data = "errata" | "Druckfehler";
     errata_of_data_about =
-        "errata of the printed data in this row: the value shown may not be the printed one"
+        "errata of the data in this row: the value shown may differ from that stated in the manual"
         | "Druckfehler bei den Daten dieser Zeile: der angezeigte Wert kann von der Angabe der Anleitung abweichen";
     objections = "requirements not met" | "nicht erfüllt";
     objections_about = "requirements not met and rules violated" | "nicht erfüllte Anforderungen und verletzte Regeln";
@@ -104,7 +106,7 @@ texts! {
     check_id = "id" | "Kennung";
     check_id_about = "id of the check" | "Kennung des Nachweises";
     check_title_about = "title of the check" | "Titel des Nachweises";
-    check_verdict_about = "pass, fail, advice or not_checked" | "pass, fail, advice oder not_checked";
+    check_verdict_about = "result of the check" | "Ergebnis des Nachweises";
     value_of_check_about = "value required by the axis" | "von der Achse geforderter Wert";
     limit_about = "limit of the actuator, or required limit" | "Grenze des Antriebs oder geforderte Grenze";
     unit_of_check_about = "unit of value and limit" | "Einheit von Wert und Grenze";
@@ -114,14 +116,14 @@ texts! {
     at_least = "at least" | "mindestens";
     direction = "direction" | "Richtung";
     direction_about =
-        "at_most or at_least: required relation of the value to the limit"
-        | "at_most oder at_least: geforderte Beziehung des Werts zur Grenze";
+        "required relation of the value to the limit"
+        | "geforderte Beziehung des Werts zur Grenze";
     utilisation_about = "1 is the limit" | "1 ist die Grenze";
     worst_at_about = "instant of the worst case within the cycle" | "Zeitpunkt des ungünstigsten Falls im Zyklus";
     grade_about = "lowest grade of the input values" | "niedrigste Güte der Eingangswerte";
     source_about = "source of the limit; source of the value" | "Quelle der Grenze; Quelle des Werts";
     missing_about = "data missing for a check that was not made" | "fehlende Angabe eines nicht geführten Nachweises";
-    remarks_about = "remarks on the check" | "Hinweise zum Nachweis";
+    remarks_about = "remarks on the check" | "Bemerkungen zum Nachweis";
     checks_about = "all checks of the candidates shown" | "alle Nachweise der gezeigten Kandidaten";
     sheet = "sheet" | "Blatt";
     heading = "heading" | "Überschrift";

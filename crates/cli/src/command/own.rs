@@ -16,30 +16,13 @@ pub(crate) fn nothing(command: Command, _: Language) -> Command {
 
 /// Adds the fields of the title page of the report of the best actuator.
 pub(crate) fn size(command: Command, language: Language) -> Command {
-    title_page(command.arg(question::of(&report::DATE, language)), language)
+    command.args(report::TITLE_PAGE.map(|field| question::of(&field, language)))
 }
 
-/// Adds the fields of the title page, and the date of delivery from which the maintenance follows.
+/// Adds the date of delivery from which the maintenance follows.
 pub(crate) fn report(command: Command, language: Language) -> Command {
     let delivered = text("delivered", values::date(language), help::report_delivered(language));
-    title_page(command.arg(delivered.requires("installation")), language)
-}
-
-/// Adds the fields of the title page except its date.
-fn title_page(command: Command, language: Language) -> Command {
-    let l = language;
-    let fields = [
-        ("revision", help::revision(l)),
-        ("title", help::title(l)),
-        ("number", help::number(l)),
-        ("author", help::author(l)),
-        ("company", help::company(l)),
-        ("customer", help::customer(l)),
-        ("order", help::order(l)),
-    ];
-    let change = text("change", values::change(l), help::change(l)).action(ArgAction::Append);
-    let fields = fields.map(|(name, help)| text(name, values::text(l), help));
-    command.args(fields).arg(change).arg(flag("archive", help::archive(l)))
+    command.arg(delivered.requires("installation"))
 }
 
 /// Accepts any name of a table: the list itself reports the valid ones.

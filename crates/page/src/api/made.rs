@@ -83,10 +83,7 @@ fn typeset(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
     let bytes = write(&ReportAsked {
         text: asked.source()?.text(language)?,
         axes: &axes,
-        code: args.code,
-        full: args.full,
-        installation: args.installation,
-        date: args.date.as_deref(),
+        args: &args,
         language,
         patience: asked.patience,
     });

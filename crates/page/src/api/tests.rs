@@ -267,3 +267,52 @@ fn resolve(value: &Value, document: &Value, looked: &mut usize) {
         _ => {}
     }
 }
+
+/// A shell whose report is what it was asked for.
+struct Asking;
+
+impl Shell for Asking {
+    fn files(&self) -> &dyn Files {
+        &NoFiles
+    }
+
+    fn report(&self) -> Option<crate::WritesReport> {
+        Some(|asked| Ok(format!("{:?}", asked.args).into_bytes()))
+    }
+
+    fn version(&self, bytes: &[u8]) -> String {
+        bytes.len().to_string()
+    }
+}
+
+#[test]
+fn a_report_has_the_title_page_of_its_request() {
+    let query =
+        "lang=de&customer=Kunde%20AG&order=4711&change=B;2026-11-27;E;Hub&change=C;2026-11-28;Last&archive=1&full";
+    let media = Some("application/toml");
+    let (method, path, body) = (Method::Post, "/api/v1/report", PROJECT.as_bytes());
+    let call = Call { method, path, query, media, body, language: Language::default() };
+    let reply = crate::respond(&call, &Asking, &Patience::limited());
+    let told = String::from_utf8(reply.body).unwrap();
+    assert_eq!((reply.status, reply.media), (200, media::PDF), "{told}");
+    for part in ["Kunde AG", "4711", "\"Hub\"", "\"Last\"", "archive: true", "full: true", "installation: false"] {
+        assert!(told.contains(part), "{part}: {told}");
+    }
+    let call = Call { query: "change=only%20a%20text", ..call };
+    assert_eq!(crate::respond(&call, &Asking, &Patience::limited()).status, 422);
+}
+
+/// Every argument of the report but those that the page gives itself has a field in its menu.
+#[test]
+fn the_menu_has_a_field_for_every_argument_of_the_report() {
+    let body = "text=format%20%3D%201";
+    let media = Some("application/x-www-form-urlencoded");
+    let (method, path, language) = (Method::Post, "/work", Language::default());
+    let call = Call { method, path, query: "", media, body: body.as_bytes(), language };
+    let reply = crate::respond(&call, &Asking, &Patience::limited());
+    let html = String::from_utf8(reply.body).unwrap();
+    for argument in questions::list::report::Args::ARGUMENTS {
+        let is_given = ["axis", "code", "date"].contains(&argument.name);
+        assert_eq!(html.contains(&format!("data-report=\"{}\"", argument.name)), !is_given, "{}", argument.name);
+    }
+}

@@ -48,6 +48,11 @@ pub fn dossier(
     judgement.candidate.checks =
         by_importance(&chosen.judgement.checks).into_iter().map(|each| check(each, language)).collect();
     let Counts { passed, advised, failed, not_checked, without_limit, requirements_open } = chosen.counts();
+    let sheet = match &chosen.id {
+        CandidateId::Code(code) => data_sheet(code, language),
+        CandidateId::Own(_) => Vec::new(),
+    };
+    let errata_of_k_tm = chosen.parameters.torque_constant_motor.known().map_or(&[][..], |known| known.errata);
     let is_single = |input: &project::Input| input.path.ends_with("single_move") && input.written == "true";
     Dossier {
         judgement,
@@ -58,18 +63,15 @@ pub fn dossier(
         mechanism: mechanism(project, &inputs, language),
         inputs: tables(&inputs, language),
         operation: sizing::Operation::of(&project.axis, chosen.parameters)
-            .map(|found| operation(&found, &chosen.judgement.checks, language)),
-        data_sheet: match &chosen.id {
-            CandidateId::Code(code) => data_sheet(code, language),
-            CandidateId::Own(_) => Vec::new(),
-        },
+            .map(|found| operation(&found, (&chosen.judgement.checks, errata_of_k_tm), language)),
+        errata: errata(chosen, checks, &sheet, language),
+        data_sheet: sheet,
         explained: checks.iter().map(|check| explained(check, language)).collect(),
         missing: missing(chosen, language),
         // Nothing is ordered that does not fit.
         bill_of_material: if chosen.fits() { bill_of_material(chosen, language) } else { Vec::new() },
-        screws: screws(chosen, language),
+        screws: if chosen.fits() { screws(chosen, language) } else { Vec::new() },
         documents: documents(checks, language),
-        errata: errata(chosen, checks, language),
         fingerprints: Fingerprints {
             program: program.to_owned(),
             project: project_fingerprint(text, &project.recordings),
@@ -123,8 +125,13 @@ pub(crate) fn document(found: &catalogue::Document, language: Language) -> Docum
     }
 }
 
-/// Every erratum that a figure of the checks or the mass rests on, once, with the first check that does.
-fn errata(chosen: &Candidate<'_>, checks: &[Check], language: Language) -> Vec<ErratumUsed> {
+/// Every erratum that a figure of the checks, the mass or a line of the data sheet rests on, once, with the first of them that does.
+fn errata(
+    chosen: &Candidate<'_>,
+    checks: &[Check],
+    sheet: &[answers::DataLine],
+    language: Language,
+) -> Vec<ErratumUsed> {
     let of_mass = chosen.parameters.mass.known().into_iter().flat_map(|mass| mass.errata);
     let used =
         |id: &&'static str| ErratumUsed { erratum: cited(id, language), check: capitalised(terms::mass(language)) };
@@ -140,6 +147,11 @@ fn errata(chosen: &Candidate<'_>, checks: &[Check], language: Language) -> Vec<E
             }
         }
     }
+    for (line, id) in sheet.iter().flat_map(|line| line.errata.iter().map(move |id| (line, *id))) {
+        if found.iter().all(|known| known.erratum.id != id) {
+            found.push(ErratumUsed { erratum: cited(id, language), check: capitalised(&line.name) });
+        }
+    }
     found
 }
 
@@ -147,7 +159,8 @@ fn errata(chosen: &Candidate<'_>, checks: &[Check], language: Language) -> Vec<E
 fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> {
     let mut rows: Vec<Item> = Vec::new();
     let mut add = |quantity: String, code: String, text: String, source: Option<String>| {
-        let item = (rows.len() + 1).to_string();
+        // A line without a quantity is a remark and no item.
+        let item = if quantity.is_empty() { String::new() } else { (rows.len() + 1).to_string() };
         rows.push(Item { item, quantity, code, text, source });
     };
     let parts = match &candidate.id {
@@ -199,7 +212,7 @@ fn connected(
         add("1".into(), number.corrected.to_owned(), text, Some(source(number)));
     }
     if found.cables.is_empty() {
-        add("–".into(), "–".into(), capitalised(wiring::no_cables(language)), None);
+        add(String::new(), String::new(), capitalised(wiring::no_cables(language)), None);
     }
     let mut seen = Vec::new();
     for cable in &found.cables {
@@ -248,7 +261,8 @@ fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::S
         screws: format!("{count}{size}{class}"),
         circle: shown(&joint.bolt_circle, &MILLIMETRE, language),
         torque: shown(&joint.tightening_torque, &NEWTON_METRE, language),
-        text: records::transmits_degreased(&transmitted, language),
+        // The source states the condition: degreased faces.
+        text: records::transmits(&transmitted, language),
         source: joint.transmissible_torque.known().map(|known| source_text(&known.source, language)),
     }
 }

@@ -9,15 +9,19 @@ use sizing::{Check, CheckId, Note};
 use words::operation::{duty_id, duty_name, duty_reason};
 use words::{condition_text, symbol_term};
 
-/// The cycle on an actuator whose checks are these: energies of the cycle and the largest power are theirs.
-pub(super) fn operation(found: &sizing::Operation, checks: &[Check], language: Language) -> Operation {
+/// The cycle on an actuator whose checks are these, with the errata of k_TM: energies of the cycle and the largest power are theirs.
+pub(super) fn operation(
+    found: &sizing::Operation,
+    (checks, errata): (&[Check], &'static [&'static str]),
+    language: Language,
+) -> Operation {
     let energies = checks.iter().find(|check| check.id == CheckId::Regeneration).and_then(energies);
-    let mut cycle = load(&found.cycle);
+    let mut cycle = load(&found.cycle, &found.cycle);
     if let Some([taken, returned]) = energies {
         (cycle.energy_taken, cycle.energy_returned) = (Some(taken), Some(returned));
     }
     Operation {
-        segments: found.segments.iter().map(load).collect(),
+        segments: found.segments.iter().map(|segment| load(segment, &found.cycle)).collect(),
         cycle,
         motor: found.motor.map(|motor| MotorSide {
             ratio: Number(motor.ratio),
@@ -25,6 +29,7 @@ pub(super) fn operation(found: &sizing::Operation, checks: &[Check], language: L
             speed_mean: speed(motor.speed_mean_rad_s),
             torque_peak: motor.torque_peak_nm.map(Number),
             torque_rms: motor.torque_rms_nm.map(Number),
+            torque_errata: errata,
         }),
         inertia_load: Number(found.inertia_load),
         inertia_own: Number(found.inertia_own),
@@ -50,17 +55,22 @@ fn speed(rad_s: f64) -> Number {
     Number(REVOLUTION_PER_MINUTE.from_si(rad_s))
 }
 
-fn load(of: &sizing::SegmentLoad) -> SegmentLoad {
+/// Share of the value of the cycle below which that of a segment is rounding: the torque of an arm that stands upright.
+const ROUNDING: f64 = 1e-9;
+
+fn load(of: &sizing::SegmentLoad, cycle: &sizing::SegmentLoad) -> SegmentLoad {
+    let clean = |value: f64, whole: f64| if value.abs() <= ROUNDING * whole.abs() { 0.0 } else { value };
+    let known = |value: Option<f64>, whole: Option<f64>| Some(Number(clean(value?, whole.unwrap_or(0.0))));
     SegmentLoad {
         duration: Number(of.duration_s),
-        torque_peak: Number(of.torque_peak_nm),
-        torque_rms: Number(of.torque_rms_nm),
-        speed_peak: speed(of.speed_peak_rad_s),
-        current_peak: of.current_peak_a.map(Number),
-        current_rms: of.current_rms_a.map(Number),
-        power_peak: of.power_peak_w.map(Number),
-        energy_taken: of.energy_taken_j.map(Number),
-        energy_returned: of.energy_returned_j.map(Number),
+        torque_peak: Number(clean(of.torque_peak_nm, cycle.torque_peak_nm)),
+        torque_rms: Number(clean(of.torque_rms_nm, cycle.torque_peak_nm)),
+        speed_peak: speed(clean(of.speed_peak_rad_s, cycle.speed_peak_rad_s)),
+        current_peak: known(of.current_peak_a, cycle.current_peak_a),
+        current_rms: known(of.current_rms_a, cycle.current_peak_a),
+        power_peak: known(of.power_peak_w, cycle.power_peak_w),
+        energy_taken: known(of.energy_taken_j, cycle.energy_taken_j),
+        energy_returned: known(of.energy_returned_j, cycle.energy_taken_j),
     }
 }
 
@@ -114,7 +124,7 @@ const SHEET: [(&str, &str); 60] = [
     ("T_NAT", "T_NAT"),
     ("T_KTY", "T_KTY"),
     ("L", "L"),
-    ("L_brake", "L"),
+    ("L_brake", "L_1"),
     ("d_H", "d_H"),
     ("m", "m"),
     ("m_brake", "m"),
@@ -137,7 +147,19 @@ pub(super) fn data_sheet(code: &OrderCode, language: Language) -> Vec<DataLine> 
         let printed = *printed;
         found.map(move |row| line(row, printed, language)).collect::<Vec<_>>()
     };
-    SHEET.iter().flat_map(of).collect()
+    SHEET.iter().flat_map(of).chain([mounting_position(language)]).collect()
+}
+
+/// The mounting position, which no table of the manual states.
+fn mounting_position(language: Language) -> DataLine {
+    DataLine {
+        symbol: "",
+        name: words::operation::mounting_position(language).to_owned(),
+        value: words::operation::not_stated(language).to_owned(),
+        unit: String::new(),
+        table: "",
+        errata: &[],
+    }
 }
 
 fn line(row: &SheetRow, symbol: &'static str, language: Language) -> DataLine {
@@ -159,5 +181,19 @@ fn line(row: &SheetRow, symbol: &'static str, language: Language) -> DataLine {
         value: if is_none { "–".to_owned() } else { value },
         table: cell.place.table,
         errata: cell.errata,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_of_a_segment_is_none() {
+        let cycle = sizing::SegmentLoad { torque_peak_nm: 2e3, current_peak_a: Some(10.0), ..Default::default() };
+        let dwell = sizing::SegmentLoad { torque_peak_nm: 5e-15, current_peak_a: Some(1e-16), ..Default::default() };
+        let found = load(&dwell, &cycle);
+        assert_eq!((found.torque_peak, found.current_peak), (Number(0.0), Some(Number(0.0))));
+        assert_eq!(load(&sizing::SegmentLoad { torque_peak_nm: 1e-3, ..dwell }, &cycle).torque_peak, Number(1e-3));
     }
 }

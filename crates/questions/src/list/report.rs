@@ -1,13 +1,38 @@
 //! `report PROJECT`: the results as a PDF to sign; a face typesets it.
 
-use super::given::{arguments, flag, label, some_code, text};
+use super::given::{Given, arguments, bounded, flag, label, some_code, text};
 use super::{AXIS, Argument, Asked, Axis, Cost, Entry, Gives, OutputFile, Reads, Unanswered, argument, media};
 use crate::subject::names;
 use order_code::OrderCode;
 use words::{help, help::values, terminal};
 
-/// The day of the document.
-pub const DATE: Argument = Argument::option("date", values::date, help::date);
+const DATE: Argument = Argument::option("date", values::date, help::date);
+const REVISION: Argument = Argument::option("revision", values::text, help::revision);
+const TITLE: Argument = Argument::option("title", values::text, help::title);
+const NUMBER: Argument = Argument::option("number", values::text, help::number);
+const AUTHOR: Argument = Argument::option("author", values::text, help::author);
+const COMPANY: Argument = Argument::option("company", values::text, help::company);
+const CUSTOMER: Argument = Argument::option("customer", values::text, help::customer);
+const ORDER: Argument = Argument::option("order", values::text, help::order);
+const CHANGE: Argument = Argument::option("change", values::change, help::change).repeated();
+const ARCHIVE: Argument = Argument::flag("archive", help::archive);
+
+/// The fields of the title page, of every report.
+pub const TITLE_PAGE: [Argument; 10] =
+    [DATE, REVISION, TITLE, NUMBER, AUTHOR, COMPANY, CUSTOMER, ORDER, CHANGE, ARCHIVE];
+
+/// A line of the list of changes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// Revision that it led to.
+    pub revision: String,
+    /// Day, as given.
+    pub date: String,
+    /// Author of the change; empty where not stated.
+    pub author: String,
+    /// Content of the change.
+    pub text: String,
+}
 
 arguments! {
     /// Which axes, which actuator, which chapters.
@@ -22,6 +47,24 @@ arguments! {
         installation: bool = Argument::flag("installation", help::report_installation) => flag,
         /// The day of the document.
         date: Option<String> = DATE => label,
+        /// Revision of the document.
+        revision: Option<String> = REVISION => label,
+        /// Project, plant or order.
+        title: Option<String> = TITLE => label,
+        /// Number of the document.
+        number: Option<String> = NUMBER => label,
+        /// Author.
+        author: Option<String> = AUTHOR => label,
+        /// Company or office.
+        company: Option<String> = COMPANY => label,
+        /// Customer.
+        customer: Option<String> = CUSTOMER => label,
+        /// Number of the order.
+        order: Option<String> = ORDER => label,
+        /// The list of changes.
+        changes: Vec<Change> = CHANGE => changes,
+        /// As PDF/A.
+        archive: bool = ARCHIVE => flag,
     }
 }
 
@@ -50,5 +93,59 @@ impl Args {
             return Err(Unanswered::message(terminal::code_is_for_one_axis(&names, asked.language)));
         }
         Ok(axes)
+    }
+}
+
+/// Reads the lines of the list of changes: revision, day, author if stated, and content, between semicolons.
+fn changes(given: &Given, argument: &Argument) -> Result<Vec<Change>, Unanswered> {
+    given.all(argument.name).map(|line| change(&bounded(argument.name, line, given.language())?, given)).collect()
+}
+
+fn change(line: &str, given: &Given) -> Result<Change, Unanswered> {
+    let parts: Vec<String> = line.splitn(4, ';').map(|part| part.trim().to_owned()).collect();
+    match <[String; 4]>::try_from(parts) {
+        Ok([revision, date, author, text]) => Ok(Change { revision, date, author, text }),
+        Err(parts) => match <[String; 3]>::try_from(parts) {
+            Ok([revision, date, text]) => Ok(Change { revision, date, author: String::new(), text }),
+            Err(_) => Err(Unanswered::option(CHANGE.name, (terminal::not_a_change(&line, given.language()), None))),
+        },
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails loudly")]
+mod tests {
+    use super::*;
+    use quantities::Language;
+
+    fn read(pairs: &[(&'static str, &'static str)]) -> Result<Args, Unanswered> {
+        let pairs = pairs.iter().map(|(name, value)| ((*name).into(), (*value).into()));
+        Args::read(&Given::of(Args::ARGUMENTS, pairs, Language::En)?)
+    }
+
+    #[test]
+    fn the_title_page_is_read_for_every_face() {
+        let found = read(&[
+            ("customer", "Example\u{202e} Machines"),
+            ("order", "4711/26"),
+            ("change", "B; 2026-11-21; E. Example; longer stroke; see 4"),
+            ("change", "C;2026-11-22;heavier load"),
+            ("archive", "true"),
+        ])
+        .unwrap();
+        assert_eq!((found.customer.as_deref(), found.order.as_deref()), (Some("Example Machines"), Some("4711/26")));
+        let [first, second] = &found.changes[..] else { panic!("{found:?}") };
+        assert_eq!((first.author.as_str(), first.text.as_str()), ("E. Example", "longer stroke; see 4"));
+        assert_eq!((second.author.as_str(), second.text.as_str()), ("", "heavier load"));
+        assert!(found.archive && !found.full);
+        assert!(read(&[("change", "B; longer stroke")]).is_err());
+        assert!(read(&[("customer", "a"), ("customer", "b")]).is_err());
+    }
+
+    #[test]
+    fn every_field_of_the_title_page_is_an_argument_of_the_report() {
+        for field in TITLE_PAGE {
+            assert!(Args::ARGUMENTS.iter().any(|argument| argument.name == field.name), "{}", field.name);
+        }
     }
 }

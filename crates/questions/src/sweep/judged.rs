@@ -7,6 +7,7 @@ use actuator::Parameters;
 use configurator::{Requirements, availability};
 use order_code::OrderCode;
 use project::Project;
+use provenance::Datum;
 use quantities::Language;
 use sizing::{Axis, CheckId, Depth, Fit, Judgement, Ranked, Scope, Screen, Screening, Standing, Verdict};
 
@@ -74,6 +75,8 @@ pub struct OnFront {
     pub utilisation: f64,
     /// Its governing check.
     pub tightest: Option<CheckId>,
+    /// Ids of the errata of its mass and its length: the figures may not be those of the manual.
+    pub errata: [&'static [&'static str]; 2],
 }
 
 /// An actuator that is judged, with what holds of it for every row of a template.
@@ -210,12 +213,18 @@ impl<'r> Row<'r> {
                 length_m: known_si(&entrant.parameters.length),
                 utilisation: standing.utilisation,
                 tightest: judgement.governing().map(|check| check.id),
+                errata: [errata_of(&entrant.parameters.mass), errata_of(&entrant.parameters.length)],
             })
         };
         let fitting: Vec<OnFront> = entrants.iter().filter_map(of).collect();
         let beaten = |one: &OnFront| fitting.iter().any(|other| other.beats(one));
         fitting.iter().filter(|one| !beaten(one)).copied().collect()
     }
+}
+
+/// The errata of a datum.
+fn errata_of<T>(datum: &Datum<T>) -> &'static [&'static str] {
+    datum.known().map_or(&[], |known| known.errata)
 }
 
 impl OnFront {

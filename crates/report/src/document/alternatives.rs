@@ -19,6 +19,8 @@ pub(super) struct Alternatives {
     rejected: usize,
     rule: String,
     ranking: Vec<Fitting>,
+    /// Errata of the masses of the ranking.
+    mass_errata: Vec<&'static str>,
     nearest: Vec<Miss>,
     reasons: Vec<Reason>,
 }
@@ -84,6 +86,15 @@ impl Alternatives {
                 chosen: candidate.code.as_deref() == chosen,
             }
         });
+        let ranking: Vec<Fitting> = ranking.collect();
+        let shown_codes = |code: &str| ranking.iter().any(|row| row.code == code);
+        let listed = sizing.ranking.iter().map(|each| &each.of.candidate).filter(|each| shown_codes(each.called()));
+        let mut mass_errata: Vec<&'static str> = Vec::new();
+        for id in listed.flat_map(|candidate| &candidate.mass_errata) {
+            if !mass_errata.contains(id) {
+                mass_errata.push(id);
+            }
+        }
         let reasons = dossier.rejections.iter().map(|group| Reason {
             is_check: group.is_check,
             text: tied(&capitalised(&group.reason)),
@@ -102,7 +113,8 @@ impl Alternatives {
             fit_if_estimate: sizing.fit_if_estimate,
             rejected: sizing.rejected.len(),
             rule: capitalised(&sizing.rule),
-            ranking: ranking.collect(),
+            ranking,
+            mass_errata,
             nearest: near.take(most).filter_map(|each| miss(each, titles, shown)).collect(),
             reasons: reasons.collect(),
         }

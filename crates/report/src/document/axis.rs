@@ -52,6 +52,8 @@ struct Cover {
     verdict: &'static str,
     /// The checks that lie within the band of an estimate, each with its utilisation.
     inside: String,
+    /// The checks beyond a rating of another manufacturer's gear, each with its utilisation.
+    above_ratings: String,
     fails: usize,
     advised: usize,
     /// How many questions could not be answered.
@@ -206,13 +208,18 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         let beyond = check.utilisation.is_some_and(|share| share.0 > 1.0);
         *check.verdict == Verdict::Advice && check.margin && beyond
     };
-    let inside = candidate.checks.iter().filter(is_inside).map(|check| {
-        format!(
-            "{} {}",
-            capitalised(&check.title),
-            check.utilisation.map(|share| shown.share(share)).unwrap_or_default()
-        )
-    });
+    // A rating of another manufacturer's gear is no estimate and has no band.
+    let beyond = |is_rating: bool| {
+        let of = |check: &&Check| check.grade.is_some_and(|grade| *grade == answers::Grade::Published) == is_rating;
+        let named = candidate.checks.iter().filter(is_inside).filter(of).map(|check| {
+            format!(
+                "{} {}",
+                capitalised(&check.title),
+                check.utilisation.map(|share| shown.share(share)).unwrap_or_default()
+            )
+        });
+        named.collect::<Vec<_>>().join("; ")
+    };
     let reserve = &judgement.reserve;
     let reserve = [
         (Reserve::LoadFactor, "load_factor", reserve.load_factor, "1"),
@@ -248,7 +255,8 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
             (Fit::FitsIfEstimate, _) => "if_estimate",
             (Fit::DoesNotFit, _) => "does_not_fit",
         },
-        inside: inside.collect::<Vec<_>>().join(", "),
+        inside: beyond(false),
+        above_ratings: beyond(true),
         fails: counts.failed,
         advised: counts.advised,
         open: candidate.open_questions,

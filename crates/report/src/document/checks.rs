@@ -20,6 +20,8 @@ pub(super) struct Checks {
 #[derive(Serialize)]
 struct CheckRow {
     id: &'static str,
+    /// Part of the actuator, or the place of installation.
+    part: &'static str,
     title: String,
     verdict: &'static str,
     value: String,
@@ -93,7 +95,13 @@ fn missing(check: &Check, dossier: &Dossier) -> Open {
 
 fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) -> CheckRow {
     let unit = check.unit.unwrap_or("1");
-    let figure = |value: Option<Number>| value.map(|value| shown.figure(value, unit)).unwrap_or_default();
+    let figure = |value: Option<Number>| {
+        let text = |value: Number| match *check.id {
+            CheckId::Protection => degree_of_protection(value),
+            _ => shown.figure(value, unit),
+        };
+        value.map(text).unwrap_or_default()
+    };
     let along = |value: Option<Number>| {
         let travel = travel.filter(|_| check.id.is_of_the_output());
         value.zip(travel).and_then(|(value, travel)| shown.along(value, unit, travel)).unwrap_or_default()
@@ -102,6 +110,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
     let both = check.value.zip(check.limit);
     CheckRow {
         id: check.id.id(),
+        part: check.part.id(),
         title: capitalised(&check.title),
         verdict: check.verdict.id(),
         value: figure(check.value),
@@ -121,6 +130,11 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         sources: once(&check.sources),
         notes,
     }
+}
+
+/// A degree of protection: both numerals, or the second alone where only that is compared.
+fn degree_of_protection(numerals: Number) -> String {
+    if numerals.0 < 10.0 { format!("IPX{}", numerals.0) } else { format!("IP{}", numerals.0) }
 }
 
 /// Each text once.

@@ -4,7 +4,7 @@ use super::ends::Ends;
 use super::shown::{Shown, tied};
 use answers::{Dossier, Number, SegmentLoad};
 use serde::Serialize;
-use words::capitalised;
+use words::{capitalised, marked};
 
 /// The cycle on the actuator.
 #[derive(Serialize)]
@@ -39,16 +39,16 @@ struct OperationFact {
 pub(super) struct DataRow {
     symbol: &'static str,
     name: String,
+    /// With its unit and, where an erratum touches it, the mark.
     value: String,
     table: &'static str,
-    is_doubtful: bool,
 }
 
-/// The printed values with the errata that touch them.
+/// The printed values.
 #[derive(Serialize)]
 pub(super) struct DataSheet {
     rows: Vec<DataRow>,
-    errata: Vec<&'static str>,
+    has_doubts: bool,
 }
 
 fn row(number: Option<usize>, load: &SegmentLoad, shown: &Shown) -> LoadRow {
@@ -77,7 +77,7 @@ pub(super) fn operation(dossier: &Dossier, shown: &Shown) -> Option<Operation> {
     add("current_rms", "I_rms", found.cycle.current_rms.map(|value| shown.figure(value, "A")));
     add("current_peak", "I_peak", found.cycle.current_peak.map(|value| shown.figure(value, "A")));
     if let Some(motor) = &found.motor {
-        let torque = |value: Option<Number>| value.map(|value| shown.figure(value, "Nm"));
+        let torque = |value: Option<Number>| Some(marked(shown.figure(value?, "Nm"), motor.torque_errata));
         add("motor_speed_peak", "n_mot", Some(shown.figure(motor.speed_peak, "1/min")));
         add("motor_speed_mean", "n_mot_av", Some(shown.figure(motor.speed_mean, "1/min")));
         add("motor_torque_peak", "T_mot", torque(motor.torque_peak));
@@ -95,18 +95,43 @@ pub(super) fn operation(dossier: &Dossier, shown: &Shown) -> Option<Operation> {
 }
 
 pub(super) fn data_sheet(dossier: &Dossier) -> DataSheet {
-    let mut errata: Vec<&'static str> = Vec::new();
-    for id in dossier.data_sheet.iter().flat_map(|line| line.errata) {
-        if !errata.contains(id) {
-            errata.push(id);
-        }
-    }
     let row = |line: &answers::DataLine| DataRow {
         symbol: line.symbol,
-        name: capitalised(&line.name),
-        value: tied(format!("{} {}", line.value, line.unit).trim_end()),
+        name: tied(&set(&capitalised(&line.name))),
+        value: tied(&marked(with_unit(&set(&line.value), line.unit.as_str()), line.errata)),
         table: line.table,
-        is_doubtful: !line.errata.is_empty(),
     };
-    DataSheet { rows: dossier.data_sheet.iter().map(row).collect(), errata }
+    let lines = &dossier.data_sheet;
+    DataSheet { rows: lines.iter().map(row).collect(), has_doubts: lines.iter().any(|line| !line.errata.is_empty()) }
+}
+
+/// A printed text with the signs of typesetting: an ellipsis for three points, a sign of multiplication for the letter x.
+fn set(text: &str) -> String {
+    text.replace("...", "…").replace(" x ", " × ")
+}
+
+/// A printed value with its unit: `16·10³ Nm/rad`, `24 V ±10 %`.
+fn with_unit(value: &str, unit: &str) -> String {
+    match (value.split_once(" ±"), unit) {
+        (_, "") => value.to_owned(),
+        // The unit is that of the number, not of its tolerance in per cent.
+        (Some((number, tolerance)), unit) if tolerance.ends_with('%') => format!("{number} {unit} ±{tolerance}"),
+        (_, unit) if unit.starts_with("10") => format!("{value}·{unit}"),
+        (_, unit) => format!("{value} {unit}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_stands_with_its_number() {
+        assert_eq!(with_unit("16", "10³ Nm/rad"), "16·10³ Nm/rad");
+        assert_eq!(with_unit("24 ±10 %", "V"), "24 V ±10 %");
+        assert_eq!(with_unit("±0,1", "arcmin"), "±0,1 arcmin");
+        assert_eq!(with_unit("IP65", ""), "IP65");
+        assert_eq!(set("0 ... 40"), "0 … 40");
+        assert_eq!(set("1 x KTY 84-130"), "1 × KTY 84-130");
+    }
 }

@@ -4,7 +4,7 @@ use super::checks::once;
 use super::shown::{Shown, tied};
 use answers::{Explained, Node};
 use serde::Serialize;
-use words::capitalised;
+use words::{capitalised, symbol_shown};
 
 /// A derivation as lines, nested by depth.
 #[derive(Serialize)]
@@ -52,9 +52,9 @@ pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
             let substituted = node.figures.as_deref().map(tied).unwrap_or_default();
             lines.push(Line {
                 depth,
-                label: greek(&node.symbol),
+                label: symbol_shown(&node.symbol),
                 term: node.term.clone(),
-                formula: node.formula.as_deref().map(greek).unwrap_or_default(),
+                formula: node.formula.clone().unwrap_or_default(),
                 // A formula that is one figure says with figures what its result says.
                 substituted: if alike(&substituted, &result) { String::new() } else { substituted },
                 result,
@@ -63,7 +63,7 @@ pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
                 figures: figures
                     .into_iter()
                     .map(|each| SourcedNumber {
-                        label: greek(&each.symbol),
+                        label: symbol_shown(&each.symbol),
                         result: shown.figure(each.value, each.unit),
                         source: if each.repeated { String::new() } else { each.source.clone() },
                     })
@@ -85,37 +85,6 @@ pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
 /// Whether two texts differ in their spaces at most.
 fn alike(a: &str, b: &str) -> bool {
     a.split_whitespace().flat_map(str::chars).eq(b.split_whitespace().flat_map(str::chars))
-}
-
-/// Greek letters written out, as in files, become letters.
-fn greek(text: &str) -> String {
-    const LETTERS: [(&str, &str); 14] = [
-        ("alpha", "α"),
-        ("beta", "β"),
-        ("gamma", "γ"),
-        ("delta", "δ"),
-        ("epsilon", "ε"),
-        ("eta", "η"),
-        ("theta", "θ"),
-        ("mu", "μ"),
-        ("rho", "ρ"),
-        ("sigma", "σ"),
-        ("tau", "τ"),
-        ("phi", "φ"),
-        ("psi", "ψ"),
-        ("omega", "ω"),
-    ];
-    let mut shown = String::with_capacity(text.len());
-    for piece in text.split_inclusive(|sign: char| !sign.is_alphabetic()) {
-        let word = piece.trim_end_matches(|sign: char| !sign.is_alphabetic());
-        let rest = piece.strip_prefix(word).unwrap_or_default();
-        // An index keeps its letters: only what stands at the head of a symbol is one.
-        let head = !shown.ends_with('_');
-        let letter = LETTERS.iter().find(|(name, _)| head && *name == word).map_or(word, |(_, letter)| letter);
-        shown.push_str(letter);
-        shown.push_str(rest);
-    }
-    shown
 }
 
 /// A source and what it served.
@@ -157,14 +126,6 @@ pub(super) fn sources(explained: &[Explained]) -> Vec<Source> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_letter_written_out_is_shown_as_letter_but_not_within_a_word_or_an_index() {
-        assert_eq!(greek("alpha_rms"), "α_rms");
-        assert_eq!(greek("2 · rho · alpha_rms"), "2 · ρ · α_rms");
-        assert_eq!(greek("metal tau_e k_tau"), "metal τ_e k_tau");
-        assert_eq!(greek(""), "");
-    }
 
     #[test]
     fn spaces_of_any_width_are_alike() {

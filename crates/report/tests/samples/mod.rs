@@ -85,7 +85,7 @@ pub fn made_in(text: &str, code: Option<&str>, languages: &[Language], pictures:
         let mends = if ranked.fits() { Vec::new() } else { questions::list::size::mends(project, &patience).unwrap() };
         for content in &mut contents {
             let language = content.language;
-            let (text, program) = ((text, place, "antrieb of the tests"), (&reserve, assessed.first(), &mends[..]));
+            let (text, program) = ((text, place, "antrieb 0.1.0"), (&reserve, assessed.first(), &mends[..]));
             let dossier = questions::answer::dossier(project, &ranked, &chosen, program, text, language);
             let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
             content.axes.push(AxisContent { dossier, figures, chapters: Vec::new() });
@@ -104,9 +104,10 @@ fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, la
     let drawn = kinds.iter().filter_map(|(place, kind)| {
         Some((*place, figures::draw(*kind, project, chosen, By::Mass, &questions::Patience::endless(), language).ok()?))
     });
-    let map = figures::candidate_map(ranked, By::Mass, Some(&chosen.id), language);
+    let map = figures::has_points(ranked, By::Mass)
+        .then(|| figures::candidate_map(ranked, By::Mass, Some(&chosen.id), language));
     drawn
-        .chain([(DiagramPlace::Alternatives, map)])
+        .chain(map.map(|map| (DiagramPlace::Alternatives, map)))
         .enumerate()
         .map(|(index, (place, drawing))| {
             let drawn = |(width, height)| {

@@ -6,19 +6,23 @@ use testkit::readers::{english, identifiers, text_of};
 
 /// Smallest letter \[pt\].
 const LEAST: f64 = 7.0;
-/// Smallest letter of a formula, whose indices have indices \[pt\].
-const LEAST_OF_A_FORMULA: f64 = 4.9;
 
 /// Asserts that letters of text and diagrams can be read, that no internal identifier stands in them and, in German, no English.
 pub fn is_readable(name: &str, content: &Content, settings: &Settings) {
-    let language = content.language;
+    let warnings = report::warnings(content, settings).unwrap();
+    assert!(warnings.is_empty(), "{name}: {warnings:?}");
     let letters = report::letters(content, settings).unwrap();
+    are_readable(name, content, &letters);
+}
+
+/// Asserts the same of the letters of a report.
+pub fn are_readable(name: &str, content: &Content, letters: &[report::Letter]) {
+    let language = content.language;
     let of_a_diagram = |text: &str| text.contains("fill=");
     assert!(letters.len() > 1000 && letters.iter().any(|letter| of_a_diagram(&letter.text)), "{name}");
     let mut faults = Vec::new();
-    for letter in &letters {
-        let least = if letter.is_formula { LEAST_OF_A_FORMULA } else { LEAST };
-        if letter.size_pt < least - 0.01 {
+    for letter in letters {
+        if letter.size_pt < LEAST - 0.01 {
             faults.push(format!("page {}: {:.2} pt: {}", letter.page, letter.size_pt, letter.text));
         }
     }
