@@ -1,4 +1,5 @@
 use super::*;
+use crate::brake_times::BrakeTimes;
 use crate::judge::{Scope, judge};
 use crate::notes::Note;
 use actuator::Drivetrain;
@@ -157,7 +158,8 @@ fn a_load_held_by_the_brake_rests_without_current() {
         let motion = Motion::new(&segments, None, Closing::Speed).unwrap();
         let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(0.0));
         let extra = Extra { torque: Torque::from_si(20.0), ..Extra::none() };
-        let axis = Axis::new(load, motion, vec![extra; 3]);
+        let times = BrakeTimes { closing: Time::from_si(0.07), opening: Time::from_si(0.11) };
+        let axis = Axis::braked(load, motion, vec![extra; 3], times);
         Operation::of(&axis, &of_inertia()).unwrap().duty
     };
     assert_eq!(arm(Hold::Motor), DutyType::HeldAtStandstill);

@@ -22,8 +22,13 @@ impl Files for Recordings {
 
 /// Columns by heading whose cells a reader types elsewhere: keys, names in data exchange, files; ids are hidden.
 fn is_typed(heading: &str, language: Language) -> bool {
-    let typed =
-        [table_words::key, table_words::name_in_csv_json_parquet, table_words::check_id, table_words::errata_of_data];
+    let typed = [
+        table_words::written,
+        table_words::key,
+        table_words::name_in_csv_json_parquet,
+        table_words::check_id,
+        table_words::errata_of_data,
+    ];
     typed
         .iter()
         .any(|word| word(language).eq_ignore_ascii_case(heading) || words::capitalised(word(language)) == heading)

@@ -70,8 +70,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "Annahme: I_0 des eigenen Antriebs enthält den lastfreien Anlaufstrom I_NLS",
         ),
         Assumption::NoFlangeLoads => (
-            "no loads on the flange are known ([bearing]): the output bearing is not checked",
-            "keine Lasten am Flansch bekannt ([bearing]): das Abtriebslager wird nicht geprüft",
+            "no loads on the flange are known: the output bearing is not checked",
+            "keine Lasten am Flansch bekannt: das Abtriebslager wird nicht geprüft",
         ),
         Assumption::FlangeMomentsAligned => (
             "moments of radial and axial force on the flange assumed to act in the same direction",

@@ -312,7 +312,12 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
         return said!(language => "not stated: {symbol}" | "nicht angegeben: {symbol}");
     }
     let term = symbol_term(symbol, language);
-    let shown = if term == symbol { symbol.to_owned() } else { format!("{symbol}, {term}") };
+    // A row that the tables name in words has no sign.
+    let shown = match row_sign(symbol) {
+        _ if term == symbol => term,
+        Some(_) => format!("{symbol}, {term}"),
+        None => term,
+    };
     said!(language => "not known: {shown}" | "nicht bekannt: {shown}")
 }
 

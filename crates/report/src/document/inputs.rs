@@ -60,6 +60,8 @@ fn segment_of(table: &InputTable) -> Option<usize> {
 pub(super) struct Mechanism {
     title: String,
     sketch: Sketch,
+    /// Width at which it is placed.
+    sketch_width_mm: f64,
     /// Way along the line for one turn of the actuator.
     travel: String,
     data: Ends<Row>,
@@ -105,9 +107,12 @@ impl Mechanism {
             });
             bodies = Ends::of(rows, None);
         }
+        let [lying, upright] = SKETCH_MM;
+        let width_mm = if found.sketch.is_upright { upright } else { lying };
         Self {
             title: found.title.clone(),
-            sketch: found.sketch.clone(),
+            sketch: Sketch { svg: lettered(&found.sketch.svg, width_mm), ..found.sketch.clone() },
+            sketch_width_mm: width_mm,
             travel: found.travel_mm_per_rev.map(|travel| shown.figure(travel, "mm")).unwrap_or_default(),
             data: Ends::of(rows.into_iter(), None),
             bodies,
@@ -115,6 +120,25 @@ impl Mechanism {
             mass: found.bodies.as_ref().map(|it| shown.figure(it.mass, "kg")).unwrap_or_default(),
         }
     }
+}
+
+/// Widths at which a sketch is placed \[mm\]: beside its data, an upright one narrower.
+const SKETCH_MM: [f64; 2] = [76.0, 36.0];
+
+/// Smallest letter of a sketch on the page \[pt\].
+const LEAST_PT: f64 = 7.05;
+
+/// The sketch with letters, indices included, that can be read at a width \[mm\]: those of a large one are drawn larger.
+fn lettered(svg: &str, width_mm: f64) -> String {
+    let view = svg.split("viewBox=").nth(1).and_then(|rest| rest.split(['"', '\'']).nth(1)).unwrap_or_default();
+    let Some(drawn) = view.split_whitespace().nth(2).and_then(|width| width.parse::<f64>().ok()) else {
+        return svg.to_owned();
+    };
+    let least = LEAST_PT * drawn / (width_mm * 72.0 / 25.4);
+    let letters = least.max(14.0);
+    let index = least.max(13.7);
+    svg.replace("font-size:14px", &format!("font-size:{letters:.2}px"))
+        .replace("font-size='13.7'", &format!("font-size='{index:.2}'"))
 }
 
 #[cfg(test)]
