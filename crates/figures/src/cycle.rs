@@ -237,12 +237,6 @@ fn limit_of(candidate: &Candidate<'_>, id: CheckId) -> Option<questions::Amount>
     candidate.judgement.checks.iter().find(|check| check.id == id)?.limit
 }
 
-/// Returns `true` if the limit of a check is the lower edge of the band of an estimate.
-fn is_edge_of_an_estimate(candidate: &Candidate<'_>, id: CheckId) -> bool {
-    let check = candidate.judgement.checks.iter().find(|check| check.id == id);
-    check.is_some_and(|check| check.notes.iter().any(|note| matches!(note, questions::Note::EstimatedUpTo(_))))
-}
-
 /// Returns the limit on each side that the signal comes near to.
 fn limited(
     signal: Option<Signal>,
@@ -287,10 +281,7 @@ fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) 
         .with(line(|sample| sample.winding_k).tone(Tone::Trace).label(terms::winding(language)))
         .with(line(|sample| sample.housing_k).tone(Tone::Series(1)).label(terms::housing(language)));
     if let Some(limit) = limit_of(candidate, CheckId::Thermal) {
-        let mut text = format!("{} {}", pictures::limit_of_the_check(language), amount(limit.si, limit.unit, language));
-        if is_edge_of_an_estimate(candidate, CheckId::Thermal) {
-            text = format!("{text} {}", pictures::lower_edge(language));
-        }
+        let text = format!("{} {}", pictures::limit_of_the_check(language), amount(limit.si, limit.unit, language));
         panel = panel.with(Reference::horizontal(limit.value()).tone(Tone::Continuous).label(text));
     }
     Some(panel)

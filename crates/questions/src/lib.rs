@@ -58,7 +58,7 @@ pub use configurator::Unmet;
 pub use limits::limits_needed;
 pub use signal::{SIGNALS, Signal, TIME};
 pub use simulate::Simulated;
-pub use sizing::{Amount, Check, CheckId, Demand, Direction, Fit, Note, Part, Reserve, Verdict};
+pub use sizing::{Amount, Check, CheckId, Demand, Direction, Fit, Part, Reserve, Verdict};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Reason, Refusal, Rejected, Sizing, check, check_own, explain, explain_own,
     reserve_of, size,

@@ -29,7 +29,6 @@ texts! {
         | "Eingeschwungener Zyklus über gemeinsamer Zeitachse; gestrichelte senkrechte Linien sind Abschnittsgrenzen. Drehmoment einschließlich Eigenträgheit des Antriebs. Grenzen weit über dem Verlauf sind weggelassen.";
     temperature = "Temperature" | "Temperatur";
     limit_of_the_check = "limit" | "Grenze";
-    lower_edge = "(estimated)" | "(geschätzt)";
     torsion_of_the_gear = "Torsion of the gear" | "Torsion des Getriebes";
     load_on_the_output_bearing = "Load on the output bearing" | "Belastung des Abtriebslagers";
     no_stiffness =
