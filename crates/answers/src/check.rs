@@ -4,6 +4,7 @@ use crate::{Id, Number};
 use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
+use sizing::derivation::Formula;
 use sizing::{CheckId, Direction, Part, Verdict};
 
 /// Result of one check.
@@ -72,6 +73,12 @@ pub struct Node {
     /// Formula with the values inserted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figures: Option<String>,
+    /// Formula as a syntax tree, for faces that typeset it; absent for a search without a formula.
+    #[serde(skip)]
+    pub tree: Option<Formula>,
+    /// Condition under which the formula of a search or an integral holds.
+    #[serde(skip)]
+    pub condition: Option<String>,
     /// Result of the formula.
     pub value: Number,
     /// Unit of the result.

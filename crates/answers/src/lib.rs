@@ -79,6 +79,7 @@ pub use simulation::{
     Compared, ControlLoop, EncoderFailure, Figure, Figures, ModelParameter, SimulatedEvent, SimulatedVerdict,
     Simulation,
 };
+pub use sizing::derivation::Formula;
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;
 pub use upkeep::{Planned, Upkeep};

@@ -1,7 +1,7 @@
 //! Results of a search, an integral or a curve.
 
 macro_rules! findings {
-    ($($name:ident [$($symbol:literal)*];)*) => {
+    ($($name:ident $($formula:literal)? [$($symbol:literal)*];)*) => {
         /// Result of a search, an integral or a curve. The texts are in `words`.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[allow(missing_docs, reason = "its text in words says what each is")]
@@ -20,8 +20,19 @@ macro_rules! findings {
                     $(Self::$name => &[$($symbol),*],)*
                 }
             }
+
+            /// Returns the formula of the result, to be parsed as [`Formula`](crate::Formula), if it has one. The text
+            /// in `words` then only states where or under which condition it holds.
+            #[must_use]
+            pub const fn formula(self) -> Option<&'static str> {
+                match self {
+                    $(Self::$name => findings!(@formula $($formula)?),)*
+                }
+            }
         }
     };
+    (@formula) => { None };
+    (@formula $formula:literal) => { Some($formula) };
 }
 
 findings! {
@@ -29,15 +40,15 @@ findings! {
     TorqueOfLoadAt ["t"];
     SpeedAt ["t"];
     DirectionAt ["t"];
-    PeakSpeed ["n"];
-    PeakLoad ["T_L"];
+    PeakSpeed "max(abs(n))" ["n"];
+    PeakLoad "max(abs(T_L))" ["T_L"];
     PeakHoldingTorque [];
     DrivingTorque [];
-    AngleTravelled [];
+    AngleTravelled "int(abs(omega))" [];
     Travel [];
-    AccelerationRms ["t_0"];
-    LoadRms ["t_0"];
-    Correlation ["T_L" "t_0" "alpha_rms" "T_L_rms"];
+    AccelerationRms "sqrt(int(alpha^2)/t_0)" ["t_0"];
+    LoadRms "sqrt(int(T_L^2)/t_0)" ["t_0"];
+    Correlation "int(alpha*T_L)/(t_0*alpha_rms*T_L_rms)" ["T_L" "t_0" "alpha_rms" "T_L_rms"];
     LargestInertia [];
     LargestInertiaHeld ["t"];
     LeastInertiaHeld ["t"];
@@ -50,12 +61,12 @@ findings! {
     LowerEdgeOfBand ["n_av"];
     MeanSpeedUpToRated ["n_av" "n_N_out"];
     GearAsHousing [];
-    FrictionOfColdGear ["I_s" "K" "n"];
+    FrictionOfColdGear "I_s + K*abs(n)" ["I_s" "K" "n"];
     CurrentWithinVoltage ["n" "U_M"];
     GearCold [];
     GearSettled [];
     LawOfFriction ["theta_g"];
-    EffectiveCurrent ["t_0"];
+    EffectiveCurrent "sqrt(int(I^2)/t_0)" ["t_0"];
     TimeAboveContinuous ["I_D"];
     CurrentOfCurve ["n" "I_max"];
     CopperLoss ["R_hot" "I" "K"];
@@ -65,24 +76,24 @@ findings! {
     OverloadLag ["I" "I_0" "tau_w"];
     OverloadPermitted ["I" "I_0" "n_av"];
     EnergyReturned ["R_LL" "I" "k_TM"];
-    CubicMeanTorque ["T_L" "n"];
+    CubicMeanTorque "(int(abs(T_L)^3*abs(n))/int(abs(n)))^(1/3)" ["T_L" "n"];
     AxialForceMax ["F_a"];
     RadialForceMax ["F_r"];
     LargestOverSegments [];
     LargestOfMechanism [];
     LargestInMotion [];
     LargestAtRest [];
-    LeastTension [];
+    LeastTension "m*(g + a) + F" [];
     TensionOfWeight [];
     SegmentOfLargestMoment ["M"];
     EverySegmentInMotion [];
-    RadialMeanOverCycle ["F_r" "B"];
-    AxialMeanOverCycle ["F_a" "B"];
-    MomentMeanOverCycle ["M_L" "B"];
-    RadialMean ["t_k" "B"];
-    AxialMean ["t_k" "B"];
-    RadialMomentMean ["t_k" "R" "B"];
-    AxialMomentMean ["t_k" "B"];
+    RadialMeanOverCycle "(int(abs(omega)*F_r^B)/int(abs(omega)))^(1/B)" ["F_r" "B"];
+    AxialMeanOverCycle "(int(abs(omega)*F_a^B)/int(abs(omega)))^(1/B)" ["F_a" "B"];
+    MomentMeanOverCycle "(int(abs(omega)*M_L^B)/int(abs(omega)))^(1/B)" ["M_L" "B"];
+    RadialMean "(sum(abs(n_k)*t_k*F_rk^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "B"];
+    AxialMean "(sum(abs(n_k)*t_k*F_ak^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "B"];
+    RadialMomentMean "(sum(abs(n_k)*t_k*(F_rk*(L_rk + R))^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "R" "B"];
+    AxialMomentMean "(sum(abs(n_k)*t_k*(F_ak*L_ak)^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "B"];
     TiltBehindStage [];
     NotKnown [];
     Brakings [];

@@ -5,7 +5,8 @@ use std::fmt;
 /// Maximum nesting of parentheses.
 const DEPTH_MAX: usize = 32;
 
-/// A formula of numbers, symbols, `+ - * / ^`, parentheses, `pi` and the functions `sqrt abs min max exp ln sin cos`.
+/// A formula of numbers, symbols, `+ - * / ^`, parentheses, `pi` and the functions `sqrt abs min max exp ln sin cos`,
+/// with `int(x)` for ∫ x dt over the cycle and `sum(x)` for Σ x over the segments, which have no value of their own.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Formula {
     /// A number, as written.
@@ -61,7 +62,7 @@ pub(crate) fn symbols(text: &str) -> Vec<&str> {
         .collect()
 }
 
-const FUNCTIONS: [&str; 8] = ["sqrt", "abs", "min", "max", "exp", "ln", "sin", "cos"];
+const FUNCTIONS: [&str; 10] = ["sqrt", "abs", "min", "max", "exp", "ln", "sin", "cos", "int", "sum"];
 
 impl Formula {
     /// Parses a formula.
@@ -118,8 +119,10 @@ impl Formula {
         self.write(0, symbol, number)
     }
 
-    /// Returns the binding strength: sum 1, product 2, power 3, everything else 4.
-    const fn binding(&self) -> u8 {
+    /// Returns the binding strength: sum 1, product 2, power 3, everything else 4. A term within another one of greater
+    /// strength is enclosed in parentheses.
+    #[must_use]
+    pub const fn binding(&self) -> u8 {
         match self {
             Self::Binary('+' | '-', ..) => 1,
             Self::Binary('*' | '/', ..) => 2,
@@ -127,6 +130,11 @@ impl Formula {
             Self::Binary(..) => 3,
             _ => 4,
         }
+    }
+
+    /// Returns `true` for an integral or a sum.
+    fn is_aggregate(&self) -> bool {
+        matches!(self, Self::Function(name, _) if name == "int" || name == "sum")
     }
 
     fn write(&self, outer: u8, symbol: &dyn Fn(&str) -> String, number: &dyn Fn(f64) -> String) -> String {
@@ -140,7 +148,12 @@ impl Formula {
             Self::Binary('+', a, b) => format!("{} + {}", inner(a, 1), inner(b, 1)),
             Self::Binary('-', a, b) => format!("{} − {}", inner(a, 1), inner(b, 2)),
             Self::Binary('*', a, b) => format!("{} · {}", inner(a, 2), inner(b, 2)),
-            Self::Binary('/', a, b) => format!("{}/{}", inner(a, 2), whole(inner(b, 3), b)),
+            Self::Binary('/', a, b) => {
+                let (above, below) = (inner(a, 2), whole(inner(b, 3), b));
+                // The stroke is set apart from the dt of an integral.
+                let stroke = if a.is_aggregate() || b.is_aggregate() { " / " } else { "/" };
+                format!("{above}{stroke}{below}")
+            }
             Self::Binary(_, a, b) => {
                 let base = whole(inner(a, 4), a);
                 match b.as_ref() {
@@ -154,6 +167,8 @@ impl Formula {
                 match (name.as_str(), terms.as_slice()) {
                     ("sqrt", [term]) => return format!("√({term})"),
                     ("abs", [term]) => return format!("|{}|", bare(term)),
+                    ("int", [term]) => return format!("∫{term} dt"),
+                    ("sum", [term]) => return format!("Σ {term}"),
                     (name, terms) => return format!("{name}({})", terms.join("; ")),
                 }
             }
@@ -339,6 +354,9 @@ mod tests {
             ("abs(a)^2", "|a|²"),
             ("(a + b)^2", "(a + b)²"),
             ("2^-a", "2^(−a)"),
+            ("(int(abs(T)^3*abs(n))/int(abs(n)))^(1/3)", "(∫|T|³ · |n| dt / ∫|n| dt)^(1/3)"),
+            ("sqrt(int(I^2)/t_0)", "√(∫I² dt / t0)"),
+            ("sum(t_k)", "Σ tk"),
         ] {
             assert_eq!(shown(text), expected);
         }

@@ -11,7 +11,7 @@ use questions::texts::{figure_text, node_amount, percent, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
     ERRATUM_MARK, capitalised, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
-    symbol_shown, terminal, terms,
+    terminal, terms,
 };
 
 /// Returns a heading with a button that closes the content below it.
@@ -46,15 +46,15 @@ pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Lang
 /// Number of characters above which a formula can be wider than its place and gets a scroll area, usable by keyboard.
 const LONG: usize = 48;
 
-fn formula_line(text: &str) -> Markup {
+fn formula_line(text: &str, typeset: &Markup) -> Markup {
     let is_long = text.chars().count() > LONG;
-    html! { div.formula tabindex=[is_long.then_some("0")] role=[is_long.then_some("group")] aria-label=[is_long.then_some(text)] { "= " (formula::math(text)) } }
+    html! { div.formula tabindex=[is_long.then_some("0")] role=[is_long.then_some("group")] aria-label=[is_long.then_some(text)] { "= " (typeset) } }
 }
 
 fn node(node: &Node, language: Language) -> Markup {
     html! {
         li {
-            span.node { (formula::symbol(&symbol_shown(&node.symbol))) " = " strong { (node_amount(node, language)) } @if !node.term.is_empty() { " " (node.term) } }
+            span.node { (formula::symbol_alone(&node.symbol)) " = " strong { (node_amount(node, language)) } @if !node.term.is_empty() { " " (node.term) } }
             span.trust {
                 @if node.repeated { (terminal::see_above(language)) } @else {
                     (trust(node, language))
@@ -63,7 +63,8 @@ fn node(node: &Node, language: Language) -> Markup {
                 }
             }
             @if !node.repeated {
-                @for text in [&node.formula, &node.figures].into_iter().flatten() { (formula_line(text)) }
+                @if let Some((text, typeset)) = node.formula.as_deref().zip(formula::symbols(node, language)) { (formula_line(text, &typeset)) }
+                @if let Some((text, typeset)) = node.figures.as_deref().zip(formula::values(node, language)) { (formula_line(text, &typeset)) }
                 @for erratum in &node.errata { div.advice { (erratum.id) ": " (erratum.evidence) } }
             }
             @if !node.operands.is_empty() { ul { @for operand in &node.operands { (self::node(operand, language)) } } }

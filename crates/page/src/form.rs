@@ -4,8 +4,8 @@
 use crate::call::Shell;
 use crate::parts::part;
 use crate::state::{Held, State};
-use crate::{formula, laws, recorded, sketch, value};
-use maud::{Markup, PreEscaped, html};
+use crate::{laws, recorded, sketch, value};
+use maud::{Markup, html};
 use project::{Files, Key, Kind, Project, SegmentLaw, Variants, drawn_figures, key_at};
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
@@ -85,14 +85,13 @@ fn text(state: &State) -> Markup {
     let l = state.language;
     html! {
         label.small for="text" { (page::text_about(l)) }
-        textarea id="text" name="text" form="state" rows="24" spellcheck="false" hx-post="/work" hx-trigger="input changed delay:200ms, change" { (PreEscaped(escaped(&state.text))) }
+        textarea id="text" name="text" form="state" rows="24" spellcheck="false" hx-post="/work" hx-trigger="input changed delay:200ms, change" { (kept(&state.text)) }
     }
 }
 
-/// Escapes a text as the content of a field; HTML drops a first line feed, so that one is added.
-pub(crate) fn escaped(text: &str) -> String {
-    let first = if text.starts_with('\n') { "\n" } else { "" };
-    format!("{first}{}", formula::escaped(text))
+/// Returns a text as the content of a field; HTML drops a first line feed, so that one is added.
+pub(crate) fn kept(text: &str) -> Markup {
+    html! { @if text.starts_with('\n') { "\n" } (text) }
 }
 
 /// Returns the assumptions about values that the project does not state.

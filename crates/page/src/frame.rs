@@ -7,7 +7,7 @@ use crate::state::{ALL_AXES, Held, List, State};
 use crate::verdict::{self, Outcome};
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
 use figures::Theme;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, html};
 use project::Project;
 use quantities::Language;
 use questions::list::compare::compare;
@@ -223,7 +223,7 @@ fn state_of(state: &State) -> Markup {
     let code = state.code.map(|code| code.to_string()).unwrap_or_default();
     html! {
         form id="state" hidden {
-            textarea name="good" { (PreEscaped(form::escaped(&state.good))) }
+            textarea name="good" { (form::kept(&state.good)) }
             input type="hidden" name="axis" value=(if state.all_axes { String::from(ALL_AXES) } else { state.axis.to_string() });
             input type="hidden" name="from" value=[state.window.map(|window| window.0)];
             input type="hidden" name="until" value=[state.window.map(|window| window.1)];

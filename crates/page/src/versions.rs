@@ -26,7 +26,7 @@ pub(crate) fn listed(call: &Call<'_>) -> Markup {
 }
 
 fn back(text: &str, language: Language) -> Markup {
-    html! { div { textarea hidden readonly { (maud::PreEscaped(crate::form::escaped(text))) } button.small type="button" data-version="" { (page::back_to_version(language)) } } }
+    html! { div { textarea hidden readonly { (crate::form::kept(text)) } button.small type="button" data-version="" { (page::back_to_version(language)) } } }
 }
 
 /// Returns the changes of a version in all axes, a line each.

@@ -6,15 +6,27 @@ use provenance::{Grade, Source};
 use quantities::{Language, Unit};
 use sizing::Check;
 use sizing::derivation::{Formula, How, Part, Step};
-use words::{found_text, grade_word, source_text, step_term, symbol_shown, symbol_term, unpadded};
+use words::{found_condition, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term, unpadded};
 
 /// Digits of the figures in a derivation: as many as a pocket calculator needs to come to the same answer.
 const DIGITS: usize = 6;
 
-/// Value of a figure with its unit, as people write it.
+/// Returns the value of a figure with its unit as text.
 #[must_use]
 pub fn node_amount(node: &Node, language: Language) -> String {
     amount(node.value.0, Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol), language)
+}
+
+/// Returns the number of a figure as text, and the symbol of its unit; `1` for a ratio.
+#[must_use]
+pub fn number_and_unit(node: &Node, language: Language) -> (String, &'static str) {
+    (number_text(node.value.0, language), Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol))
+}
+
+/// Returns a number of a derivation as text.
+#[must_use]
+pub fn number_text(value: f64, language: Language) -> String {
+    unpadded(value, DIGITS, language)
 }
 
 /// Where value and limit of a check that was judged with its workings come from.
@@ -30,7 +42,7 @@ pub fn derivation(check: &Check, language: Language) -> Derivation {
 }
 
 fn amount(value: f64, unit: &str, language: Language) -> String {
-    let number = unpadded(value, DIGITS, language);
+    let number = number_text(value, language);
     if unit == "1" { number } else { format!("{number} {unit}") }
 }
 
@@ -39,10 +51,20 @@ fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> 
     let flag = seen.get_mut(index)?;
     let repeated = *flag && !step.operands().is_empty();
     *flag = true;
-    let (formula, figures) = match &step.how {
-        How::Formula { text, operands } => written(text, operands, steps, language),
-        How::Found { what, .. } => (Some(found_text(*what, language)), None),
-        _ => (None, None),
+    let (tree, formula, figures, condition) = match &step.how {
+        How::Formula { text, operands } => match Formula::parse(text) {
+            Ok(tree) => {
+                let (symbols, figures) = written(&tree, operands, steps, language);
+                (Some(tree), Some(symbols), Some(figures), None)
+            }
+            Err(_) => (None, Some((*text).to_owned()), None, None),
+        },
+        How::Found { what, .. } => {
+            let tree = what.formula().and_then(|text| Formula::parse(text).ok());
+            let condition = tree.is_some().then(|| found_condition(*what, language));
+            (tree, Some(found_text(*what, language)), None, condition)
+        }
+        How::Given => (None, None, None, None),
     };
     let operands = if repeated { &[][..] } else { step.operands() };
     Some(Node {
@@ -50,6 +72,8 @@ fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> 
         term: term(step, language),
         formula,
         figures,
+        tree,
+        condition,
         value: Number(step.value()),
         unit: step.unit.json,
         source: source_text(&step.source, language),
@@ -62,11 +86,9 @@ fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> 
     })
 }
 
-/// A formula in symbols, and with its figures.
-fn written(text: &str, operands: &[usize], steps: &[Step], language: Language) -> (Option<String>, Option<String>) {
-    let Ok(formula) = Formula::parse(text) else { return (Some(text.to_owned()), None) };
-    let number = |value: f64| unpadded(value, DIGITS, language);
-    let symbols = formula.shown(&symbol_shown, &number);
+/// Returns a formula as text in symbols, and with the values inserted.
+fn written(formula: &Formula, operands: &[usize], steps: &[Step], language: Language) -> (String, String) {
+    let number = |value: f64| number_text(value, language);
     let figure = |name: &str| {
         let step = operands.iter().filter_map(|index| steps.get(*index)).find(|step| step.symbol == name);
         step.map_or_else(
@@ -77,7 +99,7 @@ fn written(text: &str, operands: &[usize], steps: &[Step], language: Language) -
             },
         )
     };
-    (Some(symbols), Some(formula.shown(&figure, &number)))
+    (formula.shown(&symbol_shown, &number), formula.shown(&figure, &number))
 }
 
 /// Grade in words, for people.

@@ -2,7 +2,7 @@
 
 mod tolerances;
 
-pub use crate::explain::{node_amount, trust};
+pub use crate::explain::{node_amount, number_and_unit, number_text, trust};
 pub use crate::sheet::{sheet_value_text, uncovered_mark};
 pub use crate::sizing_use::by_importance;
 pub use tolerances::{

@@ -1,8 +1,8 @@
 //! Symbols of derivations, and what was searched or integrated.
 
-use crate::pick;
+use crate::{pick, unpadded};
 use quantities::Language;
-use sizing::derivation::Finding;
+use sizing::derivation::{Finding, Formula};
 
 /// Greek letters by the names that symbols write.
 const GREEK: [(&str, &str); 12] = [
@@ -47,29 +47,53 @@ pub fn symbol_shown(symbol: &str) -> String {
     tail.map_or_else(|| head.to_owned(), |tail| format!("{head}_{tail}"))
 }
 
-/// What was searched or integrated, for people.
+/// Returns what was searched or integrated as text: the formula, if it has one, and the condition.
 #[must_use]
 pub fn found_text(what: Finding, language: Language) -> String {
+    let condition = found_condition(what, language);
+    match what.formula().and_then(|text| Formula::parse(text).ok()) {
+        Some(formula) => {
+            format!("{} {condition}", formula.shown(&symbol_shown, &|number| unpadded(number, 6, language)))
+        }
+        None => condition,
+    }
+}
+
+/// Returns where or under which condition the formula of a search or an integral holds, or its whole text if it has no
+/// formula.
+#[must_use]
+pub fn found_condition(what: Finding, language: Language) -> String {
     let (en, de) = match what {
         Finding::AccelerationAt => ("acceleration at t", "Beschleunigung bei t"),
+        Finding::PeakSpeed
+        | Finding::PeakLoad
+        | Finding::AngleTravelled
+        | Finding::AccelerationRms
+        | Finding::LoadRms
+        | Finding::Correlation
+        | Finding::EffectiveCurrent
+        | Finding::CubicMeanTorque
+        | Finding::RadialMeanOverCycle
+        | Finding::AxialMeanOverCycle
+        | Finding::MomentMeanOverCycle => ("over the cycle", "im Zyklus"),
+        Finding::RadialMean | Finding::AxialMean | Finding::RadialMomentMean | Finding::AxialMomentMean => {
+            ("over the segments", "über die Abschnitte")
+        }
+        Finding::FrictionOfColdGear => ("(gear at ambient temperature)", "(Getriebe auf Umgebungstemperatur)"),
+        Finding::LeastTension => (
+            "of what the rope bears, at the instant nearest to slack",
+            "der Last am Seil zum Zeitpunkt, der dem Schlaffwerden am nächsten ist",
+        ),
         Finding::TorqueOfLoadAt => ("load torque at t", "Lastmoment bei t"),
         Finding::SpeedAt => ("speed at t", "Drehzahl bei t"),
         Finding::DirectionAt => ("direction at t", "Richtung bei t"),
-        Finding::PeakSpeed => ("max |n| over the cycle", "max |n| im Zyklus"),
-        Finding::PeakLoad => ("max |T_L| over the cycle", "max |T_L| im Zyklus"),
         Finding::PeakHoldingTorque => (
             "max |holding torque of the load without friction| over the cycle",
             "max |Haltemoment der Last ohne Reibung| im Zyklus",
         ),
         Finding::DrivingTorque => ("largest driving torque of the load", "größtes treibendes Moment der Last"),
-        Finding::AngleTravelled => ("∫|ω| dt over the cycle", "∫|ω| dt im Zyklus"),
         Finding::Travel => {
             ("largest minus smallest position over the cycle", "größte minus kleinste Position im Zyklus")
-        }
-        Finding::AccelerationRms => ("√(∫α² dt / t_0) over the cycle", "√(∫α² dt / t_0) im Zyklus"),
-        Finding::LoadRms => ("√(∫T_L² dt / t_0) over the cycle", "√(∫T_L² dt / t_0) im Zyklus"),
-        Finding::Correlation => {
-            ("∫α T_L dt / (t_0 α_rms T_L_rms) over the cycle", "∫α T_L dt / (t_0 α_rms T_L_rms) im Zyklus")
         }
         Finding::LargestInertia => ("largest along the path", "größtes längs des Wegs"),
         Finding::LargestInertiaHeld => {
@@ -92,9 +116,6 @@ pub fn found_text(what: Finding, language: Language) -> String {
         Finding::GearAsHousing => {
             ("gear temperature, equal to the housing temperature", "Getriebetemperatur gleich Gehäusetemperatur")
         }
-        Finding::FrictionOfColdGear => {
-            ("I_s + K |n|, gear at ambient temperature", "I_s + K |n|, Getriebe auf Umgebungstemperatur")
-        }
         Finding::CurrentWithinVoltage => ("largest current at n within U_M", "größter Strom bei n innerhalb U_M"),
         Finding::GearCold => (
             "gear at ambient temperature: the less favourable of both states",
@@ -105,7 +126,6 @@ pub fn found_text(what: Finding, language: Language) -> String {
             "Getriebe im thermischen Beharrungszustand: der ungünstigere der beiden Zustände",
         ),
         Finding::LawOfFriction => ("friction law at theta_g", "Reibungsgesetz bei theta_g"),
-        Finding::EffectiveCurrent => ("√(∫I² dt / t_0) over the cycle", "√(∫I² dt / t_0) im Zyklus"),
         Finding::TimeAboveContinuous => {
             ("longest time over the cycle with |I| above I_D", "längste Zeit im Zyklus mit |I| über I_D")
         }
@@ -140,9 +160,6 @@ pub fn found_text(what: Finding, language: Language) -> String {
             "−∫ P dt for P = 1.5 R_LL I² + k_TM I ω_mot < 0, over the cycle",
             "−∫ P dt für P = 1,5 R_LL I² + k_TM I ω_mot < 0, im Zyklus",
         ),
-        Finding::CubicMeanTorque => {
-            ("(∫|T_L|³ |n| dt / ∫|n| dt)^(1/3) over the cycle", "(∫|T_L|³ |n| dt / ∫|n| dt)^(1/3) im Zyklus")
-        }
         Finding::AxialForceMax => ("max F_a over the segments in motion", "max F_a über die Abschnitte mit Bewegung"),
         Finding::RadialForceMax => ("max F_r over the segments in motion", "max F_r über die Abschnitte mit Bewegung"),
         Finding::LargestOverSegments => ("largest over the segments", "größte über die Abschnitte"),
@@ -159,37 +176,8 @@ pub fn found_text(what: Finding, language: Language) -> String {
             "größter Wert bei stehendem Getriebe, einschließlich angegebener Lasten",
         ),
         Finding::TensionOfWeight => ("weight on the rope at that instant", "Gewicht am Seil zu diesem Zeitpunkt"),
-        Finding::LeastTension => (
-            "m (g + a) + F of what the rope bears, at the instant nearest to slack",
-            "m (g + a) + F der Last am Seil zum Zeitpunkt, der dem Schlaffwerden am nächsten ist",
-        ),
         Finding::SegmentOfLargestMoment => ("in the segment of the largest M", "im Abschnitt mit dem größten M"),
         Finding::EverySegmentInMotion => ("in every segment in motion", "in jedem Abschnitt mit Bewegung"),
-        Finding::RadialMeanOverCycle => {
-            ("(∫|ω| F_r^B dt / ∫|ω| dt)^(1/B) over the cycle", "(∫|ω| F_r^B dt / ∫|ω| dt)^(1/B) im Zyklus")
-        }
-        Finding::AxialMeanOverCycle => {
-            ("(∫|ω| F_a^B dt / ∫|ω| dt)^(1/B) over the cycle", "(∫|ω| F_a^B dt / ∫|ω| dt)^(1/B) im Zyklus")
-        }
-        Finding::MomentMeanOverCycle => {
-            ("(∫|ω| M_L^B dt / ∫|ω| dt)^(1/B) over the cycle", "(∫|ω| M_L^B dt / ∫|ω| dt)^(1/B) im Zyklus")
-        }
-        Finding::RadialMean => (
-            "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) over the segments",
-            "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) über die Abschnitte",
-        ),
-        Finding::AxialMean => (
-            "(Σ |n_k| t_k F_ak^B / Σ |n_k| t_k)^(1/B) over the segments",
-            "(Σ |n_k| t_k F_ak^B / Σ |n_k| t_k)^(1/B) über die Abschnitte",
-        ),
-        Finding::RadialMomentMean => (
-            "(Σ |n_k| t_k (F_rk (L_rk + R))^B / Σ |n_k| t_k)^(1/B) over the segments",
-            "(Σ |n_k| t_k (F_rk (L_rk + R))^B / Σ |n_k| t_k)^(1/B) über die Abschnitte",
-        ),
-        Finding::AxialMomentMean => (
-            "(Σ |n_k| t_k (F_ak L_ak)^B / Σ |n_k| t_k)^(1/B) over the segments",
-            "(Σ |n_k| t_k (F_ak L_ak)^B / Σ |n_k| t_k)^(1/B) über die Abschnitte",
-        ),
         Finding::TiltBehindStage => (
             "tilting of the flange does not rotate the parts behind the stage",
             "ein Kippen des Flansches verdreht die Teile hinter der Stufe nicht",

@@ -63,7 +63,7 @@ pub use commissioned::{
     band_text, cause_text, choice_text, conversion_text, gap_text, measurand_name, object_name, parameter_name,
     unjudged_text,
 };
-pub use derivation::{found_text, step_term, step_terms, symbol_shown};
+pub use derivation::{found_condition, found_text, step_term, step_terms, symbol_shown};
 pub use errata::{ERRATUM_MARK, erratum_kind, erratum_place, erratum_status, marked};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
