@@ -7,7 +7,7 @@ use project::Project;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
 use questions::list::{Asked, Unanswered, compare};
-use questions::texts::{figure_text, fit_text, governing_text, percent, unit_text};
+use questions::texts::{figure_text, fit_text, governing_text, margin_text, unit_text};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
 use words::{
@@ -101,7 +101,7 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
                 Some(check) => {
                     let better = if row.better == Some(*index) { '*' } else { ' ' };
                     cells.push(figure_text(check.value, language));
-                    cells.push(format!("{better}{} {}", percent(check.utilisation, language), sign(check)));
+                    cells.push(format!("{better}{} {}", margin_text(check, language), sign(check)));
                 }
                 None => cells.extend(["–".to_owned(), "–  ".to_owned()]),
             }

@@ -10,10 +10,10 @@ use project::Project;
 use quantities::Language;
 use questions::list::explain::derivation;
 use questions::list::{Asked, Cost, Unanswered, explain};
-use questions::texts::{node_amount, trust, verdict_text};
+use questions::texts::{margin_share, node_amount, trust, verdict_text};
 use questions::{Candidate, Check};
 use std::fmt::Write as _;
-use words::{check_missing, check_title, note_text, symbol_shown, terminal};
+use words::{check_missing, check_title, note_text, percent_text, symbol_shown, terminal};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
 pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -39,8 +39,8 @@ fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], 
 
 fn heading(check: &Check, language: Language) -> String {
     let mut line = format!("{}, {}", check_title(check.id, language), verdict_text(check, language));
-    if let Some(share) = check.utilisation {
-        let share = quantities::format_number(share * 100.0, 1, language);
+    if let Some(share) = margin_share(check) {
+        let share = percent_text(share, language);
         let _ = write!(line, ", {share} %");
     }
     line

@@ -1,8 +1,8 @@
 //! Numbers and words of figures.
 
-use quantities::{Language, Unit, format_number, format_significant};
+use quantities::{Language, Unit, format_significant};
 use questions::Candidate;
-use words::pictures;
+use words::{percent_text, pictures};
 
 /// Writes a value with four digits and its unit.
 pub(crate) fn amount(si: f64, unit: &Unit, language: Language) -> String {
@@ -16,7 +16,7 @@ pub(crate) fn amount(si: f64, unit: &Unit, language: Language) -> String {
 
 /// Writes a share in percent.
 pub(crate) fn percent(share: f64, language: Language) -> String {
-    format!("{} %", format_number(share * 100.0, 1, language))
+    format!("{} %", percent_text(share, language))
 }
 
 /// Returns the subject of a figure: the candidate, and the axis if it has a name.

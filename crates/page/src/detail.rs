@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use quantities::{Language, format_significant};
 use questions::list::compare::{CheckRow, Comparison, DatumRow, errata_of};
 use questions::list::explain::derivation;
-use questions::texts::{figure_text, node_amount, percent, trust, verdict_text};
+use questions::texts::{figure_text, margin_share, margin_text, node_amount, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
     ERRATUM_MARK, capitalised, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
@@ -33,7 +33,7 @@ pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Lang
     let found = derivation(check, language);
     let title = format!("{}: {}", candidate.id, check_title(check.id, language));
     let inside = html! {
-        p class=(verdict_class(check.verdict)) { (capitalised(&verdict_text(check, language))) @if check.utilisation.is_some() { ", " (percent(check.utilisation, language)) " %" } }
+        p class=(verdict_class(check.verdict)) { (capitalised(&verdict_text(check, language))) @if margin_share(check).is_some() { ", " (margin_text(check, language)) " %" } }
         @if let Some(missing) = check.missing { p.unchecked { (page::to_be_checked_state(language)) " " (check_missing(missing, language)) } }
         @for note in check.notes.iter() { p { (note_text(note, language)) } }
         @for (word, root) in sides(language).into_iter().zip([&found.value, &found.limit]) {
@@ -112,7 +112,7 @@ fn check_row(row: &CheckRow, language: Language) -> Markup {
                 @match check {
                     Some(check) => td class={ "number " (verdict_class(check.verdict)) } {
                         (figure_text(check.value, language)) " "
-                        @if check.verdict == Verdict::NotChecked { (verdict_text(check, language)) } @else { "(" (percent(check.utilisation, language)) " %)" }
+                        @if check.verdict == Verdict::NotChecked { (verdict_text(check, language)) } @else if margin_share(check).is_some() { "(" (margin_text(check, language)) " %)" }
                         @if row.better == Some(place) { " *" }
                     },
                     None => td { "–" },

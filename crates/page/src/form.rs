@@ -5,7 +5,7 @@ use crate::call::Shell;
 use crate::parts::part;
 use crate::state::{Held, State};
 use crate::{laws, recorded, sketch, value};
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 use project::{Files, Key, Kind, Project, SegmentLaw, Variants, drawn_figures, key_at};
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
@@ -91,7 +91,9 @@ fn text(state: &State) -> Markup {
 
 /// Returns a text as the content of a field; HTML drops a first line feed, so that one is added.
 pub(crate) fn kept(text: &str) -> Markup {
-    html! { @if text.starts_with('\n') { "\n" } (text) }
+    // Quotation marks, of which a project is full, need no escape in content.
+    let escaped = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    html! { @if text.starts_with('\n') { "\n" } (PreEscaped(escaped)) }
 }
 
 /// Returns the assumptions about values that the project does not state.

@@ -105,6 +105,8 @@ pub enum Assumption {
     NoFriction,
     /// No ambient temperature is given: the values of the manual hold up to 40 °C.
     AmbientWithinRange,
+    /// Not all conditions of use are stated: those that are missing are within the manufacturer's.
+    ConditionsWithinRange,
     /// The plate of table 13.3 cools the actuator.
     CoolingPlate,
     /// A DC link voltage is given without a modulation reserve.
@@ -207,6 +209,7 @@ impl Assumption {
     pub const ALL: [Self; 47] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
+        Self::ConditionsWithinRange,
         Self::CoolingPlate,
         Self::ModulationReserve,
         Self::NoSupply,
@@ -415,6 +418,7 @@ fn assumptions(root: &AxisSection, axis: &Axis, toleranced: bool) -> Vec<Assumpt
     let absent = RequirementsSection::absent(root.head());
     let required = root.parts.requirements.get().unwrap_or(&absent);
     found.extend(required.ambient.note());
+    found.extend(required.conditions_note());
     found.push(Assumption::CoolingPlate);
     if root.parts.actuator.get().is_some_and(|own| own.stall_current.is_given()) {
         found.push(Assumption::OwnStallCurrentIncludesFriction);

@@ -174,6 +174,18 @@ impl RequirementsSection {
         self.mains_phases.value().unwrap_or(MainsPhases::Three)
     }
 
+    /// Returns the assumption about conditions of use that are not stated.
+    pub(crate) fn conditions_note(&self) -> Option<Assumption> {
+        let has_humidity = self.humidity_min.is_given() || self.humidity_max.is_given();
+        let accelerations = self.vibration.is_given() && self.shock.is_given();
+        let is_complete = self.altitude.is_given()
+            && self.protection.is_given()
+            && has_humidity
+            && accelerations
+            && self.mounting.is_given();
+        (!is_complete).then_some(Assumption::ConditionsWithinRange)
+    }
+
     /// Returns the assumptions about the DC link.
     pub(crate) fn link_notes(&self) -> Vec<Assumption> {
         if !self.mains.is_given() {

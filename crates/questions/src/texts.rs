@@ -22,10 +22,10 @@ use quantities::unit::{
 };
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
 use recording::{ColumnRead, KnownBy};
-use sizing::{Amount, Check, Demand, Fit, Reserve, SAMPLES_ANEW, Unsought, Verdict};
+use sizing::{Amount, Check, CheckId, Demand, Fit, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{
-    check_title, describe_rule, encoding_guess, grade_word, records, source_text, symbol_term, terminal, unmet_text,
-    unpadded,
+    check_title, describe_rule, encoding_guess, grade_word, percent_text, records, source_text, symbol_term, terminal,
+    unmet_text, unpadded,
 };
 
 /// Whether a candidate fits, what is missing, and whether a hanging load is left without a hold.
@@ -171,7 +171,7 @@ pub fn unit_text(figure: Option<Amount>) -> &'static str {
 /// A utilisation in percent, or a dash.
 #[must_use]
 pub fn percent(utilisation: Option<f64>, language: Language) -> String {
-    utilisation.map_or_else(|| "–".into(), |share| format_number(share * 100.0, 1, language))
+    utilisation.map_or_else(|| "–".into(), |share| percent_text(share, language))
 }
 
 /// What speaks against a candidate besides its checks.
@@ -189,20 +189,40 @@ pub fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language
 pub fn reason(candidate: &Candidate<'_>, language: Language) -> String {
     let reason = candidate.reason();
     if let Some(Reason::Check(check)) = reason {
-        let unit = check.value.map_or("", |figure| figure.unit.symbol);
-        let over =
-            check.utilisation.map(|_| format!(" ({} %)", percent(check.utilisation, language))).unwrap_or_default();
-        return format!(
-            "{}: {} {} {} {unit}{over}",
-            check_title(check.id, language),
-            figure_text(check.value, language),
-            check.relation().unwrap_or_default(),
-            figure_text(check.limit, language),
-        );
+        return format!("{}: {}", check_title(check.id, language), excess_text(check, language));
     }
     match reason {
         Some(Reason::Objection(objection)) => objection_text(candidate, objection, language),
         Some(Reason::Check(_)) | None => String::new(),
+    }
+}
+
+/// Returns value and limit of a failing check with its utilisation; where nothing is permitted, the reason.
+fn excess_text(check: &Check, language: Language) -> String {
+    let permits_nothing = check.limit.is_some_and(|limit| limit.si == 0.0);
+    match check.id {
+        CheckId::TorqueSpeedTrace if permits_nothing => terminal::speed_beyond_the_curve(language).to_owned(),
+        CheckId::BrakeHolding if permits_nothing => {
+            let value = figure_text(check.value, language);
+            terminal::no_brake_for(&with_unit_text(&value, check.value), language)
+        }
+        _ => {
+            let limit = with_unit_text(&figure_text(check.limit, language), check.limit);
+            let text =
+                format!("{} {} {limit}", figure_text(check.value, language), check.relation().unwrap_or_default());
+            match check.utilisation {
+                Some(_) => format!("{text} ({} %)", percent(check.utilisation, language)),
+                None => text,
+            }
+        }
+    }
+}
+
+/// Returns a number with the symbol of its unit; a plain number without.
+fn with_unit_text(number: &str, figure: Option<Amount>) -> String {
+    match figure.map_or("1", |figure| figure.unit.symbol) {
+        "1" => number.to_owned(),
+        symbol => format!("{number} {symbol}"),
     }
 }
 
@@ -262,8 +282,7 @@ pub fn reserve_lines(
     }
     if let Some(needed) = limits_needed(candidate) {
         let each = |needed: &NeededLimit| {
-            let unit = needed.enough.unit;
-            format!("{} {} {}", needed.key, number(needed.enough.value()), unit.symbol)
+            format!("{} {}", needed.key, with_unit_text(&number(needed.enough.value()), Some(needed.enough)))
         };
         lines.push((terminal::would_fit_with_this_asked_for(language), needed.iter().map(each).collect()));
     }

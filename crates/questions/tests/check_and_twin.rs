@@ -154,3 +154,54 @@ fn one_stall_current_for_check_twin_and_commissioning() {
     }
     assert!(seen.len() >= 60, "{}", seen.len());
 }
+
+/// The hottest instant of the course has the temperature of the check on the winding, and its housing that of the note:
+/// with and without a brake, whose coil heats the housing, in dwells held by motor or brake, for ratings with and
+/// without published curves.
+#[test]
+fn the_course_is_as_hot_as_the_check() {
+    let codes = [
+        "CHA-14A-50-N-D2048",
+        "CHA-17A-100-N-D2048",
+        "CHA-20A-80-H-C1024",
+        "CHA-20A-160-H-M512P",
+        "CHA-32A-100-H-C1024",
+    ];
+    for code in codes {
+        for (order, hold) in [("", ""), ("-B", ""), ("-B", "hold = \"brake\"\n")] {
+            let text =
+                axis(0.4, 20.0, "brake = true").replace("time = \"0.3 s\"\n", &format!("time = \"0.9 s\"\n{hold}"));
+            let text = if order.is_empty() { text.replace("brake = true", "") } else { text };
+            let project = questions::read(&text).unwrap();
+            let code = questions::read_code(&format!("{code}{order}"), Language::En).unwrap().parsed.code;
+            let candidate = check(&project, &code).unwrap();
+            let judged =
+                candidate.judgement.checks.iter().find(|check| check.id == questions::CheckId::Thermal).unwrap();
+            let judged = judged.value.unwrap().si;
+            let course = questions::course(&project, &candidate);
+            let hottest = course.samples.iter().filter_map(|sample| sample.winding_k).fold(0.0, f64::max);
+            let rise = judged - 298.15;
+            assert!((hottest - judged).abs() < 2e-3 * rise, "{code:?} {order} {hold}: {hottest} of {judged}");
+        }
+    }
+}
+
+/// A brake that holds the dwell leaves the motor without current: S5; a motor that holds a weight is never without: S8.
+#[test]
+fn the_duty_type_knows_who_holds() {
+    for (hold, expected) in
+        [("", sizing::DutyType::HeldAtStandstill), ("hold = \"brake\"\n", sizing::DutyType::WithBraking)]
+    {
+        let text = format!(
+            "format = 1\n[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"10 kg\"\ncentre_distance = \"0.1 m\"\naxis_tilt = \"90 deg\"\n\
+             start_angle = \"0 deg\"\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"60 deg\"\ntime = \"0.5 s\"\n\
+             [[motion]]\nlaw = \"dwell\"\ntime = \"0.9 s\"\n{hold}[[motion]]\nlaw = \"modified_sine\"\ndistance = \"-60 deg\"\n\
+             time = \"0.5 s\"\n[requirements]\nbrake = true\n"
+        );
+        let project = questions::read(&text).unwrap();
+        let code = questions::read_code("CHA-20A-100-H-C1024-B", Language::En).unwrap().parsed.code;
+        let candidate = check(&project, &code).unwrap();
+        let found = sizing::Operation::of(&project.axis, candidate.parameters).unwrap();
+        assert_eq!(found.duty, expected, "{hold}");
+    }
+}

@@ -6,6 +6,7 @@ use crate::currents::{Currents, coil_loss};
 use crate::electrics::Electrics;
 use crate::energy::CyclePower;
 use crate::flange::output;
+use crate::heat_checks::rise_scale;
 use actuator::{Losses, Parameters};
 use mechanism::{Extra, Output};
 use quantities::{Measure, Ratio, Time, Torque};
@@ -129,7 +130,7 @@ impl Course {
         });
         let Gathered { mut samples, means, .. } = gathered;
         if let Ok(currents) = &currents {
-            heat(&mut samples, &means, (axis, actuator), currents);
+            heat(&mut samples, &means, axis, actuator, currents);
             overload(&mut samples, &means, actuator);
         }
         Self { samples, duration_s: axis.motion.duration().si() }
@@ -324,22 +325,23 @@ fn gaps(samples: &[Sample]) -> Vec<f64> {
     samples.iter().zip(next.chain(last)).map(|(sample, next)| (next - sample.time_s).max(0.0)).collect()
 }
 
-/// Enters the temperatures. The coil of an open brake heats the housing on average, as in the check.
-fn heat(samples: &mut [Sample], means: &[Rates], (axis, actuator): (&Axis, &Parameters), currents: &Currents) {
+/// Sets the temperatures of winding and housing, by the network, losses and scale of the check on the winding; the coil
+/// of an open brake heats the housing by its mean loss.
+fn heat(samples: &mut [Sample], means: &[Rates], axis: &Axis, actuator: &Parameters, currents: &Currents) {
     let Ok((model, _)) = currents.heat() else { return };
-    let [_, r_ha] = model.network().resistances_k_per_w();
-    let of_coil = coil_loss(axis, actuator).si() * r_ha;
     let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
+    let coil_w = coil_loss(axis, actuator).si();
+    let scale = rise_scale(axis, actuator, currents);
     let pieces: Vec<(Time, Losses)> = gaps(samples)
         .into_iter()
         .zip(means.iter().chain(std::iter::once(&[0.0; 3])))
         .map(|(duration, [copper_w, friction_w, _])| {
-            (Time::from_si(duration), Losses { copper_w: *copper_w, friction_w: *friction_w })
+            (Time::from_si(duration), Losses { copper_w: *copper_w, friction_w: *friction_w + coil_w })
         })
         .collect();
     for (sample, found) in samples.iter_mut().zip(model.network().course(&pieces, ambient)) {
-        sample.winding_k = Some(found.winding.si() + of_coil);
-        sample.housing_k = Some(found.housing.si() + of_coil);
+        sample.winding_k = Some(ambient.si() + scale * (found.winding.si() - ambient.si()));
+        sample.housing_k = Some(found.housing.si());
     }
 }
 

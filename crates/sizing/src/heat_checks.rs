@@ -72,6 +72,11 @@ fn published(axis: &Axis, actuator: &Parameters, currents: &Currents<'_>) -> Opt
     actuator::published_duty(actuator, model, axis.moments.duty_factor(), axis.moments.speed_mean())
 }
 
+/// Returns the factor that scales the modelled temperature rise of the winding to published curves; 1 without curves.
+pub(crate) fn rise_scale(axis: &Axis, actuator: &Parameters, currents: &Currents<'_>) -> f64 {
+    published(axis, actuator, currents).map_or(1.0, |published| 1.0 / published.rise_share)
+}
+
 /// Returns the two lags whose sum is the temperature rise above the ambient: each mode has its share of both losses.
 fn temperature_lags(currents: &Currents<'_>, gains: Gains) -> Result<[Lag; 2], Missing> {
     let (model, _) = currents.heat()?;
@@ -103,7 +108,7 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let [_, r_ha] = model.network().resistances_k_per_w();
     let peak = axis.trace.peak_of_lags(&lags);
     let published = published(axis, actuator, currents);
-    let scale = published.map_or(1.0, |published| 1.0 / published.rise_share);
+    let scale = rise_scale(axis, actuator, currents);
     let rise = (peak.value + coil * r_ha) * scale;
     let (low, high) = if published.is_some() { (1.0, 1.0) } else { model.band(axis.moments.speed_mean()) };
     let threshold = model.winding_limit();

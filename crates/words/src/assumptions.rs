@@ -34,8 +34,12 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             ("no friction torque given: 0 Nm assumed", "kein Reibmoment angegeben: 0 Nm angenommen")
         }
         Assumption::AmbientWithinRange => (
-            "no ambient temperature given: 0 °C to 40 °C assumed, the range for which the manufacturer's data are valid",
-            "keine Umgebungstemperatur angegeben: 0 °C bis 40 °C angenommen; für diesen Bereich gelten die Herstellerangaben",
+            "no ambient temperature given: heating computed for the highest permitted (CHA: 40 °C), cold gear friction for 30 °C; colder starts are not covered",
+            "keine Umgebungstemperatur angegeben: Erwärmung für die höchste zulässige (CHA: 40 °C) gerechnet, Reibung des kalten Getriebes für 30 °C; kältere Starts sind nicht abgedeckt",
+        ),
+        Assumption::ConditionsWithinRange => (
+            "altitude, protection, humidity, vibration, shock, mounting: unless stated, assumed within the manufacturer's conditions (CHA: table 13.2)",
+            "Aufstellhöhe, Schutzart, Luftfeuchte, Vibration, Schock, Einbaulage: soweit nicht angegeben, innerhalb der Herstellerbedingungen angenommen (CHA: Tabelle 13.2)",
         ),
         Assumption::CoolingPlate => (
             "mounted on the aluminium plate of table 13.3: the continuous-duty data are valid for this plate only",

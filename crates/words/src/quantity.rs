@@ -1,7 +1,7 @@
 //! Words about texts that are no quantities, and plain numbers.
 
 use crate::texts::said;
-use quantities::{Dimension, Language, QuantityError, format_significant};
+use quantities::{Dimension, Language, QuantityError, format_number, format_significant};
 
 /// What is wrong with a text that should be a quantity, in one sentence.
 #[must_use]
@@ -152,6 +152,19 @@ fn point_hint(found: &str, language: Language) -> String {
             format!("mit Dezimalpunkt schreiben: {point}; oder ohne Tausendertrennzeichen: {whole}{fraction}")
         }
     }
+}
+
+/// Most decimals of a share in percent that tell it from 100 %.
+const PERCENT_DECIMALS: usize = 4;
+
+/// Returns a share in percent with one decimal, or with as many as tell it from 100 %, so that no excess stands beside
+/// 100.0 %.
+#[must_use]
+pub fn percent_text(share: f64, language: Language) -> String {
+    let text = |decimals: usize| format_number(share * 100.0, decimals, language);
+    let is_hundred = |decimals: usize| text(decimals) == format_number(100.0, decimals, language);
+    let decimals = (1..=PERCENT_DECIMALS).find(|decimals| !is_hundred(*decimals)).unwrap_or(1);
+    text(decimals)
 }
 
 /// A number with at most so many digits that count, without zeros that only fill them up.

@@ -1,15 +1,16 @@
 //! Words about the stage between actuator and mechanism.
 
+use crate::percent_text;
 use crate::texts::said;
 use project::RatioAnswer;
-use quantities::{Language, format_number, format_significant};
+use quantities::{Language, format_significant};
 
 /// What the ratios of a stage give, one after the other; empty for a stage of one ratio.
 #[must_use]
 pub fn ratios_text(ratios: &[RatioAnswer], language: Language) -> String {
     let each = ratios.iter().map(|answer| {
         let ratio = format_significant(answer.ratio, 4, language);
-        let share = format_number(answer.utilisation * 100.0, 1, language);
+        let share = percent_text(answer.utilisation, language);
         let found = match (&answer.answer, answer.fitting) {
             (Some(code), 1) => said!(language =>
                 "{code} with {share} %, the only one that fits"

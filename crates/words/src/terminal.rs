@@ -79,6 +79,8 @@ texts! {
     ratio_of_the_stage = "ratio of the stage" | "Übersetzung der Stufe";
     own_actuator_of_the_project = "own actuator of the project" | "eigener Antrieb des Projekts";
     all_shows_each = "--all shows each actuator with its reason" | "--all zeigt jeden Antrieb mit Grund";
+    no_brake_for(value) = "{value} required, no holding brake" | "{value} erforderlich, keine Haltebremse vorhanden";
+    speed_beyond_the_curve = "speed beyond the end of the curve" | "Drehzahl über dem Ende der Kennlinie";
     nearest_miss = "smallest excess" | "geringste Überschreitung";
     kept_out_by_limits = "rejected by limits of the project only" | "nur durch Grenzen des Projekts verworfen";
     requirement_not_checked = "requirement not checked" | "Anforderung nicht geprüft";

@@ -41,6 +41,7 @@ fn a_good_project_is_read() {
         project.assumptions,
         [
             Assumption::AmbientWithinRange,
+            Assumption::ConditionsWithinRange,
             Assumption::CoolingPlate,
             Assumption::NoSupply,
             Assumption::NoFlangeLoads,

@@ -3,12 +3,12 @@
 use crate::tolerance::{Assessment, PointKind, Sampling, Worst};
 use project::{ALL_CORNERS_MOST, Project};
 use quantities::{Language, Unit, format_number, format_significant};
-use words::{check_title, terminal, terms};
+use words::{check_title, percent_text, terminal, terms};
 
 /// A share in percent with one digit, infinite where no axis is possible.
 #[must_use]
 pub fn share_text(share: f64, language: Language) -> String {
-    if share.is_finite() { format_number(share * 100.0, 1, language) } else { "∞".to_owned() }
+    if share.is_finite() { percent_text(share, language) } else { "∞".to_owned() }
 }
 
 /// The share of samples that pass; 100 % only where every sample passes.

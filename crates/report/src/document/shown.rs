@@ -2,6 +2,7 @@
 
 use answers::{Grade, Number};
 use quantities::{Language, Unit, format_number, format_significant};
+use words::percent_text;
 
 /// Writes for one language.
 pub(super) struct Shown(pub(super) Language);
@@ -70,7 +71,7 @@ impl Shown {
         let text = if percent != 0.0 && percent.abs() < 0.05 {
             format!("<{THIN}{}", format_number(0.1, 1, self.0))
         } else {
-            grouped_decimals(&format_number(percent, 1, self.0))
+            grouped_decimals(&percent_text(share, self.0))
         };
         format!("{text}{THIN}%")
     }
