@@ -168,6 +168,17 @@ impl<'a> ShortTime<'a> {
         }
     }
 
+    /// Returns the speed above which no torque is permitted.
+    #[must_use]
+    pub fn end(&self) -> AngularVelocity {
+        match &self.0 {
+            Law::Published { curve, .. } => {
+                AngularVelocity::from_si(curve.value.points().last().map_or(0.0, |point| point.speed.si()))
+            }
+            Law::Model(model) => model.end.value,
+        }
+    }
+
     /// Returns the limit at a speed, and the upper edge of its band.
     #[must_use]
     pub fn at(&self, speed: AngularVelocity) -> [Torque; 2] {

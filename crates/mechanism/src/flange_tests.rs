@@ -3,7 +3,7 @@
 use super::*;
 use crate::{FourBar, Hoist, Linear, LinearKind, MechanismKind, Rotor, RotorKind, SliderCrank, Winder, Winding};
 use quantities::unit::DEGREE;
-use quantities::{MomentOfInertia, Torque};
+use quantities::{Force, MomentOfInertia, Torque};
 
 const G: f64 = 9.806_65;
 
@@ -347,4 +347,22 @@ fn a_linkage_that_drives_loads_the_pin_in_full() {
         seen[usize::from(drives)] += 1;
     }
     assert!(seen[0] > 20 && seen[1] > 20, "{seen:?}");
+}
+
+/// The inertia of a payload may be beyond the belt like that of the mechanism: the loads are the same wherever it is
+/// stated.
+#[test]
+fn an_inertia_pulls_the_belt_wherever_it_is_stated() {
+    for kind in [LinearKind::Belt, LinearKind::Conveyor] {
+        let bare = linear(kind);
+        let heavy = Linear { inertia: bare.inertia + MomentOfInertia::from_si(0.2), ..bare };
+        let payload = Extra { inertia: MomentOfInertia::from_si(0.2), ..Extra::none() };
+        let mounting = Mounting { contact: Some(Contact::Belt { tension: Force::from_si(150.0) }), ..at(0.03) };
+        for acceleration in [-80.0, -5.0, 0.0, 5.0, 80.0] {
+            let out = out(0.0, 1.0, acceleration);
+            let stated = of(MechanismKind::Linear(heavy)).flange_forces(&out, &Extra::none(), 0.0, &mounting);
+            let carried = of(MechanismKind::Linear(bare)).flange_forces(&out, &payload, 0.0, &mounting);
+            assert!((stated.radial() - carried.radial()).abs() < 1e-9, "{kind:?} {acceleration}");
+        }
+    }
 }

@@ -50,7 +50,7 @@ pub struct Linear {
 
 impl Linear {
     /// Returns the force of the wheel or thread on the parts moving along the line \[N\], without and with the rotating
-    /// inertia, which may be beyond the belt.
+    /// inertia of mechanism and payload, which may be beyond the belt.
     fn pulls(&self, at: &Instant<'_>) -> [f64; 2] {
         let (k, alpha) = (self.travel_m_per_rad, at.output.acceleration_rad_s2);
         // Inertia turning with the wheel and couples about its axis cause no force along the line.
@@ -59,7 +59,7 @@ impl Linear {
         let reduced = line.reduced(0.0, &of_line);
         let torque = reduced.inertia * alpha + reduced.holding + reduced.coulomb * at.output.direction + at.recorded_nm;
         let without = torque / k;
-        [without, without + self.inertia.si() * alpha / k]
+        [without, without + (self.inertia.si() + at.extra.inertia.si()) * alpha / k]
     }
 }
 

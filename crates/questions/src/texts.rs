@@ -201,7 +201,13 @@ pub fn reason(candidate: &Candidate<'_>, language: Language) -> String {
 fn excess_text(check: &Check, language: Language) -> String {
     let permits_nothing = check.limit.is_some_and(|limit| limit.si == 0.0);
     match check.id {
-        CheckId::TorqueSpeedTrace if permits_nothing => terminal::speed_beyond_the_curve(language).to_owned(),
+        CheckId::TorqueSpeedTrace if permits_nothing => match check.utilisation {
+            Some(_) => {
+                let share = percent(check.utilisation, language);
+                format!("{} ({share} %)", terminal::speed_beyond_the_curve(language))
+            }
+            None => terminal::speed_beyond_the_curve(language).to_owned(),
+        },
         CheckId::BrakeHolding if permits_nothing => {
             let value = figure_text(check.value, language);
             terminal::no_brake_for(&with_unit_text(&value, check.value), language)

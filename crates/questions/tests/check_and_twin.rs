@@ -205,3 +205,30 @@ fn the_duty_type_knows_who_holds() {
         assert_eq!(found.duty, expected, "{hold}");
     }
 }
+
+/// Slightly too fast, the excess is that of the speed: finite, the same wherever the cycle begins, and the nearest miss is
+/// the actuator whose speed is exceeded least.
+#[test]
+fn above_the_end_of_the_curve_the_speed_governs() {
+    let moves = [
+        "[[motion]]\nlaw = \"trapezoid\"\ndistance = \"4 rev\"\nspeed = \"290 1/min\"\nacceleration = \"60 rad/s^2\"\n",
+        "[[motion]]\nlaw = \"trapezoid\"\ndistance = \"-4 rev\"\nspeed = \"290 1/min\"\nacceleration = \"90 rad/s^2\"\n",
+    ];
+    let read = |order: [usize; 2]| {
+        let text = format!("format = 1\n[load]\ninertia = \"0.02 kg m^2\"\n{}{}", moves[order[0]], moves[order[1]]);
+        questions::read(&text).unwrap()
+    };
+    let code = questions::read_code("CHA-14A-30-N-D2048", Language::En).unwrap().parsed.code;
+    let values = [[0, 1], [1, 0]].map(|order| {
+        let project = read(order);
+        let candidate = check(&project, &code).unwrap();
+        let trace = candidate.judgement.checks.iter().find(|check| check.id == questions::CheckId::TorqueSpeedTrace);
+        let trace = trace.unwrap();
+        assert_eq!((trace.verdict, trace.limit.unwrap().si), (Verdict::Fail, 0.0));
+        let speed = candidate.judgement.checks.iter().find(|check| check.id == questions::CheckId::PeakSpeed).unwrap();
+        let (share, expected) = (trace.utilisation.unwrap(), speed.utilisation.unwrap());
+        assert!((share - expected).abs() < 1e-9 && share > 1.0, "{share} {expected}");
+        (trace.value.unwrap().si, candidate.standing.utilisation)
+    });
+    assert!((values[0].0 - values[1].0).abs() < 1e-9 && values[0].1.is_finite(), "{values:?}");
+}

@@ -95,14 +95,17 @@ impl<'a> Share<'a> {
     }
 }
 
-/// |T| over a limit.
-fn share(torque: f64, limit: f64) -> f64 {
+/// |T| over a limit at a speed. Where nothing is permitted, above every finite share and growing with the speed, so that
+/// the fastest instant is the worst; of equally fast ones that with the largest torque.
+fn share(torque: f64, limit: f64, speed_rad_s: f64) -> f64 {
+    const NOTHING_PERMITTED: f64 = 1e100;
+    let torque = torque.abs();
     if torque == 0.0 {
         0.0
     } else if limit > 0.0 {
-        torque.abs() / limit
+        torque / limit
     } else {
-        f64::MAX
+        NOTHING_PERMITTED * (1.0 + speed_rad_s.abs()) * (1.0 + 1e-9 * torque / (1.0 + torque))
     }
 }
 
@@ -110,12 +113,13 @@ impl Sought for Share<'_> {
     fn bound(&self, extent: &Extent) -> f64 {
         let (back, forth) = extent.speeds_rad_s;
         let [slower, faster] = [back.max(-forth).max(0.0), extent.speed_rad_s].map(AngularVelocity::from_si);
-        share(extent.torque(self.inertia), (self.edge)(self.short_time.least_between(slower, faster)).si())
+        let limit = (self.edge)(self.short_time.least_between(slower, faster)).si();
+        share(extent.torque(self.inertia), limit, extent.speed_rad_s)
     }
 
     fn value(&self, node: &Node) -> f64 {
         let limit = if self.is_braking(node) { self.most } else { self.limit(node.speed_rad_s).si() };
-        share(self.torque(node), limit)
+        share(self.torque(node), limit, node.speed_rad_s)
     }
 
     fn corners(&self) -> &[f64] {
@@ -158,11 +162,18 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcom
     let limit = curve.limit.value.si();
     let upper = if beyond { limit } else { curve.upper.si().max(torque) };
     let edges = Edges { limit, upper, unit: &NEWTON_METRE };
-    Ok(Comparison {
+    let mut check = Comparison {
         at: Some(Time::from_si(worst.time_s)),
         ..Comparison::with(id, &NEWTON_METRE, torque, Source::Model { name: "demand" }, &curve.limit)
     }
-    .between(edges))
+    .between(edges);
+    // Above its end the curve permits nothing: the excess is that of the speed.
+    let end = short_time.end();
+    if limit == 0.0 && check.verdict == Verdict::Fail && !at_most(speed.si().abs(), end.si()) {
+        check.utilisation = Some(speed.si().abs() / end.si());
+        check.notes.push(Note::AboveEndOfCurve { speed: AngularVelocity::from_si(speed.si().abs()), end });
+    }
+    Ok(check)
 }
 
 /// Checks the motor current against the ratings of the drive of the machine: its peak, its effective value over the

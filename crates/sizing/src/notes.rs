@@ -117,6 +117,13 @@ pub enum Note {
     },
     /// The duty does not fail, but a drive whose I²t supervision is set to I_0 trips.
     TripsAtStallCurrent(ElectricCurrent),
+    /// The largest speed is above the end of the short-time curve, where no torque is permitted.
+    AboveEndOfCurve {
+        /// Largest speed at the output.
+        speed: AngularVelocity,
+        /// Speed at the end of the curve.
+        end: AngularVelocity,
+    },
     /// No threshold of a braking resistor lies between the largest voltage of the supply and U_DCmax.
     NoChopperThreshold {
         /// Largest voltage of the supply.

@@ -114,6 +114,13 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 | "ein Servoregler, dessen I²t-Überwachung auf I_0 = {current} eingestellt ist, löst über 1 aus, auch wo ein höherer Wert zulässig ist: andere Einstellung mit dem Hersteller abstimmen"
             )
         }
+        Note::AboveEndOfCurve { speed, end } => {
+            let [speed, end] = [speed, end].map(|value| with_unit(value.si(), &REVOLUTION_PER_MINUTE, 4, language));
+            said!(language =>
+                "the speed of {speed} is above the end of the curve, {end}: no torque is permitted there; the utilisation is that of the speed"
+                | "die Drehzahl {speed} liegt über dem Ende der Kennlinie ({end}): dort ist kein Moment zulässig; angegeben ist die Auslastung der Drehzahl"
+            )
+        }
         Note::NoChopperThreshold { supply, limit } => {
             let volt = |si| with_unit(si, &VOLT, 3, language);
             let (supply, limit) = (volt(supply.si()), volt(limit.si()));

@@ -160,6 +160,7 @@ fn notes() {
         Note::BrakingsLast { each_cycle: 2.0, lasts: None },
         Note::DcLinkRises { to: q(700.0), free: q(100.0) },
         Note::TripsAtStallCurrent(q(2.1)),
+        Note::AboveEndOfCurve { speed: q(30.0), end: q(25.0) },
         Note::NoChopperThreshold { supply: q(48.0), limit: q(48.0) },
         Note::Ratcheting { ratcheting: q(100.0), buckling: Some(q(200.0)) },
         Note::NoBrake,
