@@ -207,9 +207,9 @@ fn a_symbol_means_what_it_is_where_it_stands() {
     for (symbol, unit, check, expected) in [
         ("P_0", "W", "thermal", "permissible loss at standstill"),
         ("P_0", "N", "bearing_static", "static equivalent load"),
-        ("phi", "arcmin", "torsion", "torsion of the gear"),
+        ("phi", "arcmin", "torsion", "torsion angle of the gear"),
         ("phi", "rad", "mean_speed", "angle travelled over the cycle"),
-        ("resolution", "arcsec", "error_budget", "resolution of the feedback at the motor"),
+        ("resolution", "arcsec", "error_budget", "resolution of the encoder at the motor"),
         ("T_1", "Nm", "torsion", "limit torque between stiffness regions 1 and 2"),
         ("T_1", "Nm", "peak_torque", "torque while accelerating"),
         ("R", "m", "bearing_static", "offset of the bearing centre from the output flange"),

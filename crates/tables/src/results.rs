@@ -180,7 +180,7 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
         column("at", tables::at, ColumnContent::Number, Some(&SECOND), tables::worst_at_about, l),
         column("grade", terms::grade, ColumnContent::Text, None, tables::grade_about, l),
         column("source", terms::source, ColumnContent::Text, None, tables::source_about, l),
-        column("missing", terms::missing, ColumnContent::Text, None, tables::missing_about, l),
+        column("missing", tables::missing_data, ColumnContent::Text, None, tables::missing_about, l),
         column("notes", terms::remarks, ColumnContent::Text, None, tables::remarks_about, l),
     ];
     let chosen = &subject.chosen.id;

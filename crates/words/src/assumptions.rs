@@ -17,8 +17,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
                 figure(noise.duration_s, &SECOND, language),
             );
             return said!(language =>
-                "the axis is at rest where the recorded speed is noise alone, up to {speed}, for {time} in all: no friction there (standstill sets another limit)"
-                | "wo die aufgezeichnete Geschwindigkeit nur rauscht, bis {speed}, insgesamt {time}, steht die Achse: dort wirkt keine Reibung (standstill gibt eine andere Grenze vor)"
+                "the axis is taken as at rest (motion.standstill) where the recorded speed is only noise, up to {speed}, {time} in total: no friction there"
+                | "Stillstand angesetzt (motion.standstill), solange die aufgezeichnete Geschwindigkeit im Rauschen liegt, bis {speed}, insgesamt {time}: dort keine Reibung"
             );
         }
         Assumption::RecordedSteps(made_up, torque) => return steps_text(&made_up, torque, language),
@@ -106,7 +106,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "jede Größe mit Toleranz ist in ihrem Toleranzband gleichverteilt, unabhängig von den anderen",
         ),
         Assumption::MotorHolds => {
-            ("in a dwell without hold the motor holds the load", "im Stillstand ohne hold hält der Motor die Last")
+            (
+                "no means of holding stated for standstill (motion.hold): the motor holds the load",
+                "keine Angabe zum Halten im Stillstand (motion.hold): der Motor hält die Last",
+            )
         }
         Assumption::RecordedTorqueAdds => (
             "the recorded torque is a process torque; it is added to the torque of inertia, gravity and friction of the mechanism",
@@ -164,7 +167,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no mass of pulley, pinion or crank given (bearing.wheel_mass): parts rotating with the flange are assumed to have no mass",
             "keine Masse von Scheibe, Ritzel oder Kurbel angegeben (bearing.wheel_mass): die mit dem Flansch umlaufenden Teile werden masselos angesetzt",
         ),
-        Assumption::SpurTeeth => ("no helix_angle given: spur teeth", "kein helix_angle angegeben: Geradverzahnung"),
+        Assumption::SpurTeeth => (
+            "no helix angle given (bearing.helix_angle): spur teeth",
+            "kein Schrägungswinkel angegeben (bearing.helix_angle): Geradverzahnung",
+        ),
         Assumption::StageNoLosses => (
             "no efficiency of the stage given: 1 assumed",
             "kein Wirkungsgrad der Zwischenstufe angegeben: 1 angenommen",
@@ -178,15 +184,18 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "keine Massenträgheit der Stufe angegeben: 0 kgm² angenommen",
         ),
         Assumption::StageRigid => {
-            ("no stage.stiffness given: the stage is rigid", "kein stage.stiffness angegeben: die Stufe ist starr")
+            (
+                "no stiffness of the stage given (stage.stiffness): the stage is rigid",
+                "keine Steifigkeit der Stufe angegeben (stage.stiffness): die Stufe ist starr",
+            )
         }
         Assumption::StageNoBacklash => (
-            "no stage.backlash given: the stage has no backlash",
-            "kein stage.backlash angegeben: die Stufe hat kein Spiel",
+            "no backlash of the stage given (stage.backlash): the stage has no backlash",
+            "kein Spiel der Stufe angegeben (stage.backlash): die Stufe hat kein Spiel",
         ),
         Assumption::StageRatioChosen => (
-            "from stage.ratios, the ratio with the best actuator of the catalogue is used",
-            "aus stage.ratios wird die Übersetzung mit dem besten Antrieb des Katalogs verwendet",
+            "several ratios of the stage stated (stage.ratios): the one with the best actuator of the catalogue is used",
+            "mehrere Übersetzungen der Stufe angegeben (stage.ratios): verwendet wird die mit dem besten Antrieb des Katalogs",
         ),
         Assumption::MechanismOnOwnBearings => (
             "with a stage the mechanism has its own bearings: the flange carries the loads of the stage only",
@@ -225,14 +234,14 @@ fn steps_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String {
         SteppedColumn::Position => {
             let step = figure(made_up.step, &DEGREE, language);
             said!(language =>
-                "the recorded position has steps of {step} at intervals of {interval}: they alone make up accelerations of up to {alone}, {torque} at the load, where the motion has {motion}; {remedy}"
+                "the recorded position has steps of {step} at intervals of {interval}: these steps alone produce apparent accelerations of up to {alone}, {torque} at the load, while the motion itself has {motion}; {remedy}"
                 | "die aufgezeichnete Position hat Stufen von {step} im Abstand von {interval}: sie allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
             )
         }
         SteppedColumn::Speed => {
             let step = figure(made_up.step, &REVOLUTION_PER_MINUTE, language);
             said!(language =>
-                "the recorded speed has steps of {step} at intervals of {interval}: they alone make up accelerations of up to {alone}, {torque} at the load, where the motion has {motion}; {remedy}"
+                "the recorded speed has steps of {step} at intervals of {interval}: these steps alone produce apparent accelerations of up to {alone}, {torque} at the load, while the motion itself has {motion}; {remedy}"
                 | "die aufgezeichnete Geschwindigkeit hat Stufen von {step} im Abstand von {interval}: sie allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
             )
         }

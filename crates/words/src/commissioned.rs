@@ -32,7 +32,9 @@ pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
         P::StallCurrent => ("stall current, rms", "Stillstandsstrom, effektiv"),
         P::StallCurrentPeak => ("stall current, amplitude", "Stillstandsstrom, Scheitelwert"),
         P::CurrentDemagnetisation => ("demagnetisation current, rms", "Entmagnetisierungsstrom, effektiv"),
-        P::CurrentLimit => ("current limit of the drive, rms", "Stromgrenze des Servoreglers, effektiv"),
+        P::CurrentLimit => {
+            ("maximum motor current as limit in the drive, rms", "maximaler Motorstrom als Grenze im Servoregler, effektiv")
+        },
         P::TorqueConstantMotor => {
             ("torque constant of the motor, per A rms", "Drehmomentkonstante des Motors, je A effektiv")
         }
@@ -132,8 +134,8 @@ pub fn gap_text(gap: Gap, language: Language) -> String {
             "Bemessungsstrom, -moment und -leistung (SINAMICS p0305, p0307): nicht angegeben; Strom der Dauerkennlinie bei n_N verwenden, wenn die Kennlinie vorliegt, sonst I_0 als obere Grenze; beim Hersteller erfragen",
         ),
         Gap::RatedVoltage => (
-            "rated voltage (SINAMICS p0304): not stated; the list contains the induced voltage at n_N; add the voltage drop under load",
-            "Bemessungsspannung (SINAMICS p0304): nicht angegeben; die Liste enthält die induzierte Spannung bei n_N, zuzüglich Spannungsabfall unter Last",
+            "rated voltage (SINAMICS p0304): not stated; enter the induced voltage at n_N, k_EM n_N/1000, plus the voltage drop under load",
+            "Bemessungsspannung (SINAMICS p0304): nicht angegeben; induzierte Spannung bei n_N, k_EM·n_N/1000, zuzüglich Spannungsabfall unter Last eintragen",
         ),
         Gap::CommutationOffset => (
             "commutation offset: not stated; determine it on the machine as described here",
@@ -223,8 +225,8 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
     let (en, de) = match band {
         Band::Printed => ("tolerance stated in the manual", "Toleranz laut Anleitung"),
         Band::ServoMotors => (
-            "band of another manufacturer's servo motors; none is stated for this actuator",
-            "Toleranzband für Servomotoren eines anderen Herstellers; für diesen Antrieb ist keines angegeben",
+            "band of another manufacturer's servo motors (SIMODRIVE 611 A); none is stated for this actuator",
+            "Toleranzband für Servomotoren eines anderen Herstellers (SIMODRIVE 611 A); für diesen Antrieb ist keines angegeben",
         ),
         Band::KtySheet => (
             "smallest and largest value of the sensor's data sheet: ±3 % at 100 °C, wider away from it",
@@ -232,8 +234,8 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
         ),
         Band::Din44081 => ("limits of DIN 44081", "Grenzen nach DIN 44081"),
         Band::Friction => (
-            "estimate: identification of a joint with such a gear deviated by 40 % (constant part) and 15 % (speed-dependent part) from the catalogue; docs/theory/current.md, band of the no-load current",
-            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation um 40 % (konstanter Anteil) und 15 % (drehzahlabhängiger Anteil) vom Katalog ab; docs/theory/current.md, Abschnitt „Band of the no-load current“",
+            "estimate: identification of a joint with such a gear deviated by 40 % (constant part) and 15 % (speed-dependent part) from the catalogue (CompliantJointToolbox, issue 44); docs/theory/current.md, band of the no-load current",
+            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation um 40 % (konstanter Anteil) und 15 % (drehzahlabhängiger Anteil) vom Katalog ab (CompliantJointToolbox, Issue 44); docs/theory/current.md, Abschnitt „Band of the no-load current“",
         ),
         Band::Ours => {
             ("band assumed by antrieb; no source states one", "von antrieb angenommenes Band; keine Quelle nennt eines")

@@ -9,7 +9,7 @@ pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static st
     let (en, de) = match fault {
         Geometry::RopeWithoutLength => (
             "`rope_mass` requires `hanging`, the length of each fall at position zero",
-            "`rope_mass` erfordert `hanging`, die Länge jedes Strangs in Position null",
+            "`rope_mass` erfordert `hanging`, die Länge jedes Strangs in Nullposition",
         ),
         Geometry::FullBelowCore => (
             "`full_diameter` must be larger than `core_diameter`",

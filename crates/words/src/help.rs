@@ -36,7 +36,7 @@ texts! {
     size_report = "Write the report on the best actuator as PDF" | "Bericht über den besten Antrieb als PDF schreiben";
     check =
         "Evaluate one actuator, every check with its margin"
-        | "Einen Antrieb nachweisen, jeden Nachweis mit Reserve";
+        | "Alle Nachweise eines Antriebs mit ihrer Reserve";
     check_code =
         "Ordering code; default: the project's own [actuator]"
         | "Bestellbezeichnung; ohne Angabe der eigene [actuator] des Projekts";
@@ -293,7 +293,7 @@ texts! {
     drive_eds =
         "Print the electronic data sheet (EDS, CiA 306) and exit"
         | "Elektronisches Datenblatt (EDS, CiA 306) ausgeben und beenden";
-    serve = "Workbench in the browser, on this computer" | "Arbeitsplatz im Browser, auf diesem Rechner";
+    serve = "Workbench in the browser, on this computer" | "Auslegungswerkzeug im Browser, auf diesem Rechner";
     serve_folder =
         "Folder with the project files; nothing outside it is read or written (current folder)"
         | "Ordner mit den Projektdateien; außerhalb wird nichts gelesen oder geschrieben (aktueller Ordner)";

@@ -16,7 +16,7 @@ texts! {
         | "Geschätzt aus {windows} Fenstern von {length} ms in Bewegung; Position und Motordrehzahl werden gewichtet und integriert, nicht differenziert.";
     assumed_rotor(inertia, spread) =
         "Assumed: rotor and wave generator have {inertia} kgm² at the output (table, less the share of the flange), standard deviation {spread} %."
-        | "Angenommen: Rotor und Wellengenerator haben {inertia} kgm² am Abtrieb (Tabelle abzüglich des Flanschanteils), Standardabweichung {spread} %.";
+        | "Angenommen: Rotor und Wave Generator haben {inertia} kgm² am Abtrieb (Tabelle abzüglich des Flanschanteils), Standardabweichung {spread} %.";
     in_step(every) =
         "The current, one value each {every} ms, may be sampled in step with the control and then misses up to 10 % of the rotor's acceleration; a row spacing below 0.2 ms narrows the interval of the torque constant."
         | "Der Strom, ein Wert je {every} ms, kann im Takt der Regelung abgetastet sein; dann fehlen bis zu 10 % der Rotorbeschleunigung. Ein Zeilenabstand unter 0,2 ms verkleinert das Intervall der Drehmomentkonstante.";

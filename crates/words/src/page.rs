@@ -3,7 +3,7 @@
 use crate::texts::texts;
 
 texts! {
-    title = "antrieb workbench" | "antrieb-Arbeitsplatz";
+    title = "antrieb workbench" | "antrieb im Browser";
     skip_to_result = "Go to the result" | "Zum Ergebnis springen";
     what_moves = "Load and motion" | "Last und Bewegung";
     what_it_demands = "Demand" | "Belastung";
@@ -68,7 +68,7 @@ texts! {
     to_be_checked_state = "Required for the check:" | "Für den Nachweis erforderlich:";
     filter = "Filter";
     size = "Size" | "Baugröße";
-    feedback = "Feedback" | "Geber";
+    feedback = "Encoder" | "Geber";
     brake = "Brake" | "Bremse";
     any = "any" | "beliebig";
     with_brake = "with brake" | "mit Bremse";

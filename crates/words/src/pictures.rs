@@ -104,7 +104,7 @@ texts! {
     at_most(limit) = "at most {limit}" | "höchstens {limit}";
     working_point = "working point" | "Arbeitspunkt";
     torque_on_the_gear = "Torque on the gear" | "Drehmoment am Getriebe";
-    torsion = "Torsion" | "Verdrehung";
+    torsion = "Torsion angle" | "Torsionswinkel";
     torsion_described(torque, angle, one, two) =
         "The largest load torque of {torque} twists the gear by {angle}. The stiffness changes at {one} and {two}."
         | "Das größte Lastmoment von {torque} verdreht das Getriebe um {angle}. Die Steifigkeit ändert sich bei {one} und {two}.";

@@ -90,7 +90,14 @@ fn label(key: &str, language: Language) -> Option<String> {
         bare.iter().find_map(|table| input_label(&format!("{table}.{key}")))
     })?;
     let label = short_label(&schema_text(known, language));
-    let label = label.split(", ").next().unwrap_or(&label).to_owned();
+    let mut parts = label.split(", ");
+    let head = parts.next().unwrap_or(&label);
+    // A symbol at the head goes behind its term: `T_L, friction torque`.
+    let is_symbol = !head.contains(' ') && (head.contains('_') || head.chars().count() == 1);
+    let label = match parts.next() {
+        Some(term) if is_symbol => format!("{term} {head}"),
+        _ => head.to_owned(),
+    };
     let number = key.strip_prefix("motion[").and_then(|rest| rest.split_once(']')).map(|(number, _)| number);
     Some(match number {
         Some(number) => format!("{label} ({} {number})", pick(language, "segment", "Abschnitt")),
@@ -112,6 +119,10 @@ mod tests {
         assert_eq!(de("90 % von U_DC/√2 (requirements.modulation_reserve)"), "90 % von U_DC/√2");
         assert_eq!(de("wie angegeben (bearing.mechanism = \"ignore\"), ja"), "wie angegeben, ja");
         assert_eq!(de("Neigung (axis_tilt): oben"), "Neigung: oben");
+        assert_eq!(
+            de("nicht angegeben: bearing.belt_tension"),
+            "nicht angegeben: statische Trumkraft des Riemens F_v"
+        );
         let time = de("Projekt motion[3].time");
         assert!(time.ends_with("(Abschnitt 3)") && !time.contains("motion"), "{time}");
     }

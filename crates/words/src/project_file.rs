@@ -76,8 +76,8 @@ pub fn short_label(label: &str) -> String {
 
 /// The words of the project file: key, word, in English, in German. Those without a key hold for any.
 const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
-    ("brake", "true", "with", "mit"),
-    ("brake", "false", "without", "ohne"),
+    ("brake", "true", "required", "gefordert"),
+    ("brake", "false", "excluded", "ausgeschlossen"),
     ("", "true", "yes", "ja"),
     ("", "false", "no", "nein"),
     ("hold", "motor", "by the motor", "durch den Motor"),

@@ -150,7 +150,7 @@ texts! {
         | "Alle weiteren Angaben sind in der aufgezeichneten Bewegung enthalten.";
     start = "Start" | "Beginn";
     speed = "Max. speed" | "max. Drehzahl";
-    speed_on_the_line = "Max. speed" | "max. Geschwindigkeit";
+    speed_of_line = "Max. speed" | "max. Geschwindigkeit";
     acceleration = "Max. acceleration" | "max. Beschleunigung";
     segments_text =
         "Segments of one cycle."
@@ -221,17 +221,17 @@ texts! {
     v_open = "Fits as far as checked" | "Geeignet, soweit geprüft";
     v_fits_text =
         "All checks were performed, none failed."
-        | "Alle Nachweise sind geführt, keiner ist verletzt.";
+        | "Alle Nachweise sind geführt und erfüllt.";
     v_open_text =
         "No check performed has failed. The result is valid only after the open points have been settled."
-        | "Kein geführter Nachweis ist verletzt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
+        | "Alle geführten Nachweise sind erfüllt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     v_if_estimate = "Fits if the estimate holds" | "Geeignet, sofern die Schätzung zutrifft";
     v_if_estimate_text =
-        "No check fails. These are beyond the lower edge of an estimate and within its band: have the manufacturer confirm them, or state a curve:"
-        | "Kein Nachweis ist verletzt. Diese liegen über dem unteren Rand einer Schätzung und in ihrem Band; vom Hersteller bestätigen lassen oder eine Kennlinie angeben:";
+        "All checks performed pass, the following only if the estimate holds: have them confirmed by the manufacturer, or state a curve:"
+        | "Alle geführten Nachweise sind erfüllt, die folgenden nur, wenn die Schätzung zutrifft; vom Hersteller bestätigen lassen oder eine Kennlinie angeben:";
     v_if_rating_text =
-        "No check fails. These exceed a rating that another manufacturer publishes for its gear of this kind; have the manufacturer of the actuator confirm them:"
-        | "Kein Nachweis ist verletzt. Diese liegen über einem Wert, den ein anderer Hersteller für sein Getriebe dieser Art veröffentlicht; vom Hersteller des Antriebs bestätigen lassen:";
+        "All checks performed pass, the following only if a rating that another manufacturer publishes for its gear of this kind holds here too; have them confirmed by the manufacturer of the actuator:"
+        | "Alle geführten Nachweise sind erfüllt, die folgenden nur, wenn ein Wert gilt, den ein anderer Hersteller für sein Getriebe dieser Art veröffentlicht; vom Hersteller des Antriebs bestätigen lassen:";
     v_open_points = "The result is valid only after the open points have been settled." | "Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     if_estimate = "if the estimate holds" | "sofern die Schätzung zutrifft";
     fitting_if_estimate = "more if an estimate holds" | "weitere, sofern eine Schätzung zutrifft";
@@ -240,7 +240,7 @@ texts! {
         | "Nichts zu bestellen: der Antrieb ist nicht geeignet.";
     segments_of_a_single_move =
         "Segments of a single move that does not return to its start. Rms values and heating assume that such moves follow each other directly."
-        | "Abschnitte einer einzelnen Bewegung, die nicht am Anfang endet. Effektivwerte und Erwärmung nehmen an, dass solche Bewegungen unmittelbar aufeinander folgen.";
+        | "Abschnitte einer einzelnen Bewegung, die nicht zum Anfang zurückkehrt. Effektivwerte und Erwärmung nehmen an, dass solche Bewegungen unmittelbar aufeinander folgen.";
     v_does_not_fit_text =
         "At least one limit is exceeded or one requirement not met."
         | "Mindestens ein Grenzwert ist überschritten oder eine Anforderung nicht erfüllt.";
@@ -318,7 +318,7 @@ texts! {
     r_check = "exceeded" | "nicht erfüllt";
     reasons_text =
         "Each actuator is listed once, under its governing check; if no check fails, under the requirement that is not met."
-        | "Jeder Antrieb ist einmal aufgeführt, unter seinem maßgebenden Nachweis; ist kein Nachweis verletzt, unter der nicht erfüllten Anforderung.";
+        | "Jeder Antrieb ist einmal aufgeführt, unter seinem maßgebenden Nachweis; sind alle Nachweise erfüllt, unter der nicht erfüllten Anforderung.";
     errata_text =
         "Values of the manual that are used corrected or with a reservation."
         | "Werte der Anleitung, die berichtigt oder mit Vorbehalt verwendet werden.";

@@ -21,7 +21,7 @@ pub const fn part_title(part: Part, language: Language) -> &'static str {
         Part::Gear => ("Gear", "Getriebe"),
         Part::OutputBearing => ("Output bearing", "Abtriebslager"),
         Part::Brake => ("Brake", "Bremse"),
-        Part::Feedback => ("Feedback", "Geber"),
+        Part::Feedback => ("Encoder", "Geber"),
         Part::Screws => ("Bolted joints", "Schraubenverbindungen"),
         Part::Environment => ("Place of installation", "Aufstellort"),
     };
@@ -455,9 +455,16 @@ fn row_text(cell: &CellRef, text: &mut String, language: Language) {
         text.push_str(&format!(" ({})", condition_text(cell.condition, language)));
     }
     if !cell.ratio.is_empty() {
-        // A row may hold for a range of ratios: `> 50`.
-        let relation = if cell.ratio.starts_with(['<', '>', '≤', '≥']) { "" } else { "= " };
-        text.push_str(&format!(", i {relation}{}", cell.ratio));
+        text.push_str(", ");
+        text.push_str(&ratio_text(cell.ratio));
+    }
+}
+
+/// A ratio of a table head: `i = 50`, or `i > 50` for a column of all larger ones.
+pub(super) fn ratio_text(ratio: &str) -> String {
+    match ratio.strip_prefix('>') {
+        Some(least) => format!("i > {}", least.trim_start()),
+        None => format!("i = {ratio}"),
     }
 }
 

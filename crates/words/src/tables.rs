@@ -51,8 +51,8 @@ texts! {
         | "Zyklus des gewählten Antriebs als Zeitreihe";
     course = "Time series" | "Verlauf";
     utilisation_of_check_about =
-        "utilisation of this check, 1 is the limit"
-        | "Auslastung dieses Nachweises, 1 ist die Grenze";
+        "utilisation of this check, 1 (100 %) is the limit"
+        | "Auslastung dieses Nachweises, 1 (100 %) ist die Grenze";
     ordering_code_about =
         "ordering code, or name of the project's own actuator"
         | "Bestellbezeichnung oder Name des eigenen Antriebs";
@@ -91,7 +91,7 @@ texts! {
     margin_about = "1 − utilisation" | "1 − Auslastung";
     open_questions = "open questions" | "offene Fragen";
     open_questions_about =
-        "number of checks not made because of missing data"
+        "number of checks not performed because of missing data"
         | "Anzahl der Nachweise, für die eine Angabe fehlt";
     on_request_about = "fields of the ordering code available on request only" | "nur auf Anfrage lieferbare Felder der Bestellbezeichnung";
     errata_of_data = "errata" | "Druckfehler";
