@@ -252,7 +252,7 @@ texts! {
     view_bearing = "Bearing" | "Lager";
     scenario = "Scenario" | "Szenario";
     view_simulation = "Simulation";
-    view_error_budget = "Error budget" | "Fehlerbudget";
+    view_error_budget = "Error budget" | "Fehlersumme";
     full_window = "Show picture in full window" | "Bild im ganzen Fenster zeigen";
     copy_svg = "Copy SVG" | "SVG kopieren";
     copy_data = "Copy data" | "Daten kopieren";
