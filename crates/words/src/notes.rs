@@ -95,8 +95,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
             }
             let peak = with_unit(peak.si(), &WATT, 3, language);
             said!(language =>
-                "one cycle consumes {taken} at the motor terminals and regenerates {given}, at {peak} at most"
-                | "ein Zyklus nimmt an den Motorklemmen {taken} auf und speist {given} zurück, mit höchstens {peak}"
+                "one cycle consumes {taken} at the motor terminals and regenerates {given}, peak regenerative power {peak}"
+                | "ein Zyklus nimmt an den Motorklemmen {taken} auf und speist {given} zurück, größte Rückspeiseleistung {peak}"
             )
         }
         Note::Capacitor { energy, capacitance_f } => {
@@ -219,8 +219,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
             | "das Lastmoment übersteigt das Haltemoment: die Bremse bringt die Achse nicht zum Stillstand"
         ),
         Note::NothingHolds => said!(language =>
-            "in a dwell with hold = \"free\" the load remains at standstill only if the friction exceeds the load torque"
-            | "im Stillstand mit hold = \"free\" bleibt die Last nur stehen, wenn die Reibung das Lastmoment übersteigt"
+            "in a dwell in which nothing holds the load (motion.hold = \"free\") it remains at standstill only if the friction exceeds the load torque"
+            | "im Stillstand ohne Halten der Last (motion.hold = \"free\") bleibt sie nur stehen, wenn die Reibung das Lastmoment übersteigt"
         ),
         Note::NothingHoldsWithoutPower => said!(language =>
             "axis under gravity or tension load and actuator without brake: the load is not held when the power is off. Choose an actuator with brake, or secure the load by other means"
@@ -402,7 +402,7 @@ fn rope_slack(RopeSlack { times }: &RopeSlack, language: Language) -> String {
     });
     let all = [load, counterweight].into_iter().flatten().collect::<Vec<_>>().join("; ");
     said!(language =>
-        "{all}: a rope cannot push, the results at these instants do not hold"
+        "{all}: a rope cannot push, the results at these instants are not valid"
         | "{all}: ein Seil kann nicht drücken, die Ergebnisse zu diesen Zeitpunkten gelten nicht"
     )
 }

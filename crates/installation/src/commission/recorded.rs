@@ -292,7 +292,7 @@ pub(super) const REVERSED: &str = "direction_reversed_by_gear";
 pub(super) fn counting_fact(code: &OrderCode) -> Option<&'static Fact> {
     let id = match code.feedback.kind()? {
         FeedbackKind::EndatMultiturn | FeedbackKind::SsiMultiturn => "position_rises_absolute",
-        FeedbackKind::SineIncremental | FeedbackKind::SquareIncremental => "signals_valid_clockwise",
+        FeedbackKind::SineIncremental | FeedbackKind::SquareIncremental => "direction_of_signals",
         FeedbackKind::Resolver => return None,
     };
     catalogue::fact(id).filter(|fact| fact.holds_for.series == code.series())
