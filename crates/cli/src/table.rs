@@ -234,11 +234,14 @@ fn pieces(word: &str, width: usize) -> Vec<(String, bool)> {
     found
 }
 
-/// Returns the number of letters of a word too long for its line that stay before a hyphen: up to a consonant followed
-/// by a vowel.
+/// Returns the number of letters of a word too long for its line that stay before a hyphen: up to the joint of a
+/// compound, else up to a consonant followed by a vowel.
 fn syllable(word: &str, width: usize) -> usize {
     let letters: Vec<char> = word.chars().take(width + 1).collect();
     let most = width.saturating_sub(1).max(1);
+    if let Some(joint) = last_joint(word, most) {
+        return joint;
+    }
     let vowel = |at: usize| letters.get(at).copied().is_some_and(is_vowel);
     let pair = |at: usize| {
         let two: String = letters.iter().skip(at.saturating_sub(1)).take(2).collect();
@@ -246,6 +249,19 @@ fn syllable(word: &str, width: usize) -> usize {
     };
     let fits = |at: &usize| !vowel(*at) && vowel(*at + 1) && !pair(*at);
     (3..=most).rev().find(fits).unwrap_or(most)
+}
+
+/// Returns the number of letters before the last joint of a compound, at least three and at most `most`.
+fn last_joint(word: &str, most: usize) -> Option<usize> {
+    let (mut letters, mut found) = (0, None);
+    for sign in words::hyphenated(word).chars() {
+        match sign {
+            '\u{ad}' if (3..=most).contains(&letters) => found = Some(letters),
+            '\u{ad}' => {}
+            _ => letters += 1,
+        }
+    }
+    found
 }
 
 /// Returns a paragraph behind a label.
@@ -334,7 +350,8 @@ mod tests {
     fn long_words_are_broken_at_joints_or_with_a_hyphen() {
         assert_eq!(wrap("project requirements.bearing_life_min", 16), ["project", "requirements.", "bearing_life_min"]);
         assert_eq!(wrap("CHA-25A-100-H-C1024-B", 12), ["CHA-25A-100-", "H-C1024-B"]);
-        assert_eq!(wrap("Zwischenkreisspannung", 18), ["Zwischenkreisspan-", "nung"]);
+        assert_eq!(wrap("Zwischenkreisspannung", 18), ["Zwischenkreis-", "spannung"]);
+        assert_eq!(wrap("Stillstandsstrom, effektiv", 16), ["Stillstands-", "strom, effektiv"]);
         assert_eq!(wrap("aaaaaaaaaa", 4), ["aaa-", "aaa-", "aaaa"]);
         assert_eq!(wrap("", 4), [""]);
     }

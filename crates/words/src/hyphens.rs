@@ -50,6 +50,7 @@ const PARTS: &[&str] = &[
     "schrägungs",
     "spannungs",
     "steifigkeits",
+    "stillstands",
     "strom",
     "temperatur",
     "torsions",
