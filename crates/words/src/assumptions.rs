@@ -105,12 +105,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "each quantity with a tolerance is uniformly distributed within its band, independent of the others",
             "jede Größe mit Toleranz ist in ihrem Toleranzband gleichverteilt, unabhängig von den anderen",
         ),
-        Assumption::MotorHolds => {
-            (
-                "no means of holding stated for standstill (motion.hold): the motor holds the load",
-                "keine Angabe zum Halten im Stillstand (motion.hold): der Motor hält die Last",
-            )
-        }
+        Assumption::MotorHolds => (
+            "no means of holding stated for standstill (motion.hold): the motor holds the load",
+            "keine Angabe zum Halten im Stillstand (motion.hold): der Motor hält die Last",
+        ),
         Assumption::RecordedTorqueAdds => (
             "the recorded torque is a process torque; it is added to the torque of inertia, gravity and friction of the mechanism",
             "das aufgezeichnete Moment ist ein Prozessmoment; die Momente aus Trägheit, Gewicht und Reibung der Mechanik kommen hinzu",
@@ -183,12 +181,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no inertia of the stage given: 0 kgm² assumed",
             "keine Massenträgheit der Stufe angegeben: 0 kgm² angenommen",
         ),
-        Assumption::StageRigid => {
-            (
-                "no stiffness of the stage given (stage.stiffness): the stage is rigid",
-                "keine Steifigkeit der Stufe angegeben (stage.stiffness): die Stufe ist starr",
-            )
-        }
+        Assumption::StageRigid => (
+            "no stiffness of the stage given (stage.stiffness): the stage is rigid",
+            "keine Steifigkeit der Stufe angegeben (stage.stiffness): die Stufe ist starr",
+        ),
         Assumption::StageNoBacklash => (
             "no backlash of the stage given (stage.backlash): the stage has no backlash",
             "kein Spiel der Stufe angegeben (stage.backlash): die Stufe hat kein Spiel",

@@ -32,9 +32,10 @@ pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
         P::StallCurrent => ("stall current, rms", "Stillstandsstrom, effektiv"),
         P::StallCurrentPeak => ("stall current, amplitude", "Stillstandsstrom, Scheitelwert"),
         P::CurrentDemagnetisation => ("demagnetisation current, rms", "Entmagnetisierungsstrom, effektiv"),
-        P::CurrentLimit => {
-            ("maximum motor current as limit in the drive, rms", "maximaler Motorstrom als Grenze im Servoregler, effektiv")
-        },
+        P::CurrentLimit => (
+            "maximum motor current as limit in the drive, rms",
+            "maximaler Motorstrom als Grenze im Servoregler, effektiv",
+        ),
         P::TorqueConstantMotor => {
             ("torque constant of the motor, per A rms", "Drehmomentkonstante des Motors, je A effektiv")
         }

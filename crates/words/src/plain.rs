@@ -119,10 +119,7 @@ mod tests {
         assert_eq!(de("90 % von U_DC/√2 (requirements.modulation_reserve)"), "90 % von U_DC/√2");
         assert_eq!(de("wie angegeben (bearing.mechanism = \"ignore\"), ja"), "wie angegeben, ja");
         assert_eq!(de("Neigung (axis_tilt): oben"), "Neigung: oben");
-        assert_eq!(
-            de("nicht angegeben: bearing.belt_tension"),
-            "nicht angegeben: statische Trumkraft des Riemens F_v"
-        );
+        assert_eq!(de("nicht angegeben: bearing.belt_tension"), "nicht angegeben: statische Trumkraft des Riemens F_v");
         let time = de("Projekt motion[3].time");
         assert!(time.ends_with("(Abschnitt 3)") && !time.contains("motion"), "{time}");
     }
