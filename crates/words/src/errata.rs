@@ -1,7 +1,6 @@
 //! Words about errata.
 
 use super::condition_text;
-use crate::results::ratio_text;
 use crate::texts::said;
 use crate::{pick, row_name};
 use catalogue::{Erratum, ErratumKind};
@@ -52,7 +51,7 @@ pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
             parts.push(row_name(cell.place.symbol, language));
             parts.extend([cell.place.drive, cell.feedback].map(str::to_owned));
             if !cell.place.ratio.is_empty() {
-                parts.push(ratio_text(cell.place.ratio));
+                parts.push(format!("i = {}", cell.place.ratio));
             }
             parts.push(condition_text(cell.place.condition, language));
         }

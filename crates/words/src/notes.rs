@@ -95,8 +95,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
             }
             let peak = with_unit(peak.si(), &WATT, 3, language);
             said!(language =>
-                "one cycle consumes {taken} at the motor terminals and regenerates {given}, peak regenerative power {peak}"
-                | "ein Zyklus nimmt an den Motorklemmen {taken} auf und speist {given} zurück, größte Rückspeiseleistung {peak}"
+                "one cycle consumes {taken} at the motor terminals and regenerates {given}, at {peak} at most"
+                | "ein Zyklus nimmt an den Motorklemmen {taken} auf und speist {given} zurück, mit höchstens {peak}"
             )
         }
         Note::Capacitor { energy, capacitance_f } => {

@@ -150,7 +150,7 @@ texts! {
         | "Alle weiteren Angaben sind in der aufgezeichneten Bewegung enthalten.";
     start = "Start" | "Beginn";
     speed = "Max. speed" | "max. Drehzahl";
-    speed_of_line = "Max. speed" | "max. Geschwindigkeit";
+    speed_on_the_line = "Max. speed" | "max. Geschwindigkeit";
     acceleration = "Max. acceleration" | "max. Beschleunigung";
     segments_text =
         "Segments of one cycle."
@@ -221,10 +221,10 @@ texts! {
     v_open = "Fits as far as checked" | "Geeignet, soweit geprüft";
     v_fits_text =
         "All checks were performed, none failed."
-        | "Alle Nachweise sind geführt und erfüllt.";
+        | "Alle Nachweise sind geführt, keiner ist verletzt.";
     v_open_text =
         "No check performed has failed. The result is valid only after the open points have been settled."
-        | "Alle geführten Nachweise sind erfüllt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
+        | "Kein geführter Nachweis ist verletzt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     v_if_estimate = "Fits if the estimate holds" | "Geeignet, sofern die Schätzung zutrifft";
     v_if_estimate_text =
         "All checks performed pass, the following only if the estimate holds: have them confirmed by the manufacturer, or state a curve:"

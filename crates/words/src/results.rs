@@ -455,16 +455,9 @@ fn row_text(cell: &CellRef, text: &mut String, language: Language) {
         text.push_str(&format!(" ({})", condition_text(cell.condition, language)));
     }
     if !cell.ratio.is_empty() {
-        text.push_str(", ");
-        text.push_str(&ratio_text(cell.ratio));
-    }
-}
-
-/// A ratio of a table head: `i = 50`, or `i > 50` for a column of all larger ones.
-pub(super) fn ratio_text(ratio: &str) -> String {
-    match ratio.strip_prefix('>') {
-        Some(least) => format!("i > {}", least.trim_start()),
-        None => format!("i = {ratio}"),
+        // A row may hold for a range of ratios: `> 50`.
+        let relation = if cell.ratio.starts_with(['<', '>', '≤', '≥']) { "" } else { "= " };
+        text.push_str(&format!(", i {relation}{}", cell.ratio));
     }
 }
 

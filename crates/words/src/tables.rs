@@ -86,7 +86,7 @@ texts! {
     candidate_verdict_about =
         "suitable if no check fails and every requirement is met; if a check lies in the band of an estimate, only if the estimate holds"
         | "geeignet, wenn kein Nachweis verletzt und jede Anforderung erfüllt ist; liegt ein Nachweis im Band einer Schätzung, nur sofern diese zutrifft";
-    highest_utilisation_about = "utilisation of the governing check, 1 is the limit" | "Auslastung des maßgebenden Nachweises, 1 ist die Grenze";
+    highest_utilisation_about = "utilisation of the governing check, 1 (100 %) is the limit" | "Auslastung des maßgebenden Nachweises, 1 (100 %) ist die Grenze";
     tightest_check_about = "governing check: the failing one exceeded most, otherwise the one with the highest utilisation" | "maßgebender Nachweis: der am weitesten überschrittene, sonst der mit der höchsten Auslastung";
     margin_about = "1 − utilisation" | "1 − Auslastung";
     open_questions = "open questions" | "offene Fragen";
@@ -118,7 +118,7 @@ texts! {
     direction_about =
         "required relation of the value to the limit"
         | "geforderte Beziehung des Werts zur Grenze";
-    utilisation_about = "1 is the limit" | "1 ist die Grenze";
+    utilisation_about = "1 (100 %) is the limit" | "1 (100 %) ist die Grenze";
     worst_at_about = "instant of the worst case within the cycle" | "Zeitpunkt des ungünstigsten Falls im Zyklus";
     grade_about = "lowest grade of the input values" | "niedrigste Güte der Eingangswerte";
     source_about = "source of the limit; source of the value" | "Quelle der Grenze; Quelle des Werts";
