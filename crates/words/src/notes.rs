@@ -164,7 +164,14 @@ pub fn note_text(note: &Note, language: Language) -> String {
             | "Grenze nur bei kaltem Getriebe überschritten: bis zur Betriebswärme begrenzt der Servoregler den Strom"
         ),
         Note::EstimatedUpTo(upper) => {
+            let is_temperature = upper.unit.symbol == DEGREE_CELSIUS.symbol;
             let upper = with_unit(upper.si, upper.unit, 3, language);
+            if is_temperature {
+                return said!(language =>
+                    "the permissible temperature is estimated: the limit is the lower edge of an estimate with upper edge {upper}"
+                    | "die zulässige Temperatur ist geschätzt: Grenze ist der untere Rand eines Schätzbands mit oberem Rand {upper}"
+                );
+            }
             said!(language =>
                 "no curve is published for this actuator: the limit is the lower edge of an estimate with upper edge {upper}"
                 | "für diesen Antrieb ist keine Kennlinie veröffentlicht: Grenze ist der untere Rand eines Schätzbands mit oberem Rand {upper}"
