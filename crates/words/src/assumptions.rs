@@ -134,8 +134,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "angegebene Flanschlasten werden im ungünstigsten Fall zu denen der Mechanik addiert: alle gleichgerichtet",
         ),
         Assumption::FlangeLoadsIgnored => (
-            "weight, motion and process forces of the mechanism do not count on the flange, as the project states (bearing.mechanism = \"ignore\")",
-            "Gewicht, Bewegung und Prozesskräfte der Mechanik zählen am Flansch nicht, wie im Projekt angegeben (bearing.mechanism = \"ignore\")",
+            "weight, motion and process forces of the mechanism are not taken into account at the flange, as the project states (bearing.mechanism = \"ignore\")",
+            "Gewicht, Bewegung und Prozesskräfte der Mechanik werden am Flansch nicht berücksichtigt, wie im Projekt angegeben (bearing.mechanism = \"ignore\")",
         ),
         Assumption::FlangeLoadsReplaced => (
             "in a segment that states loads on the flange, these take the place of those of the mechanism (bearing.mechanism = \"replace\")",

@@ -358,7 +358,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("N", "absolute turns of the encoder", "absolute Umdrehungen des Gebers"),
     ("N_life", "brake applications over the service life", "Bremsungen über die Betriebszeit"),
     ("N_out", "absolute range at the output", "absoluter Bereich am Abtrieb"),
-    ("N_stops", "emergency stops required", "geforderte Nothalte"),
+    ("N_stops", "emergency stops required", "geforderte Not-Halte"),
     ("omega_1", "speed at which the brake engages", "Drehzahl beim Einfallen der Bremse"),
     ("omega_e", "electrical angular frequency", "elektrische Kreisfrequenz"),
     ("P_f", "friction loss", "Reibungsverluste"),

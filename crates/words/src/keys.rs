@@ -487,7 +487,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Requirements(RequirementsName::emergency_stops) => (
             "number of stops by the brake alone",
-            "Anzahl der Nothalte allein durch die Bremse",
+            "Anzahl der Not-Halte allein durch die Bremse",
         ),
         About::Requirements(RequirementsName::holding_safety) => (
             "required ratio of brake holding torque to load torque; default 1",

@@ -35,7 +35,7 @@ pub fn load_case_title(case: LoadCase, language: Language) -> String {
     let (en, de) = match case {
         LoadCase::Peak => ("peak torque", "Spitzendrehmoment"),
         LoadCase::Collision => ("collision", "Kollision"),
-        LoadCase::Brake => ("holding or emergency stop by the brake", "Halten oder Nothalt durch die Bremse"),
+        LoadCase::Brake => ("holding or emergency stop by the brake", "Halten oder Not-Halt durch die Bremse"),
         LoadCase::StaticMoment => ("tilting moment at standstill", "Kippmoment im Stillstand"),
     };
     pick(language, en, de).to_owned()

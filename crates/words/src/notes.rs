@@ -62,7 +62,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             | "die Minderung gilt für das Dauerdrehmoment in diesem Nachweis; die Nachweise Dauerdrehmoment, Wicklungstemperatur und Überlast I²t und der Zwilling rechnen ohne sie"
         ),
         Note::Protection { required, printed } => said!(language =>
-            "required {required}, stated {printed}, compared numeral by numeral; {printed} is achieved only with suitable mating connectors plugged in and undamaged shaft seals"
+            "required {required}, stated {printed}, each numeral compared separately; {printed} is achieved only with suitable mating connectors plugged in and undamaged shaft seals"
             | "gefordert {required}, angegeben {printed}, jede Kennziffer für sich verglichen; {printed} wird nur mit geeigneten, gesteckten Gegensteckern und unbeschädigten Wellendichtungen erreicht"
         ),
         Note::LoadsOneAtATime => said!(language =>
@@ -126,7 +126,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             let (supply, limit) = (volt(supply.si()), volt(limit.si()));
             said!(language =>
                 "the supply reaches {supply}: no switch-on threshold of a braking resistor lies between it and U_DCmax = {limit}, so regenerated energy raises the DC link above U_DCmax while braking. The manual permits this for a short time and states no value: ask the manufacturer, lower the supply voltage, or state the rise of a capacitor bank as dc_link_rise"
-                | "die Versorgung erreicht {supply}: zwischen ihr und U_DCmax = {limit} liegt keine Einschaltschwelle eines Bremswiderstands, rückgespeiste Energie hebt den Zwischenkreis beim Bremsen über U_DCmax. Die Anleitung lässt das kurzfristig zu und nennt keinen Wert: beim Hersteller fragen, die Versorgungsspannung senken oder den Anstieg einer Kondensatorbatterie als dc_link_rise angeben"
+                | "die Versorgung erreicht {supply}: zwischen ihr und U_DCmax = {limit} liegt keine Einschaltschwelle eines Bremswiderstands, rückgespeiste Energie hebt den Zwischenkreis beim Bremsen über U_DCmax. Die Anleitung lässt das kurzfristig zu und nennt keinen Wert: beim Hersteller nachfragen, die Versorgungsspannung senken oder den Anstieg einer Kondensatorbatterie als dc_link_rise angeben"
             )
         }
         Note::DcLinkRises { to, free } => {

@@ -118,7 +118,7 @@ texts! {
         "Load torque without the inertia of the actuator."
         | "Lastmoment ohne Eigenträgheit des Antriebs.";
     utilisation_caption =
-        "The line at 100 % is the limit. A broken bar extends beyond the picture. Checks that were not made are listed below with the missing value; they do not count as passed."
+        "The line at 100 % is the limit. A broken bar extends beyond the picture. Checks that were not performed are listed below with the missing value; they do not count as passed."
         | "Die Linie bei 100 % ist die Grenze. Ein unterbrochener Balken reicht über das Bild hinaus. Nicht geprüfte Nachweise stehen unten mit der fehlenden Angabe; sie gelten nicht als erfüllt.";
     checks_counted(checks, id, listed) =
         "{checks} checks of {id}: {listed}."

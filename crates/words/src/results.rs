@@ -68,7 +68,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::ResonanceSpeed => ("resonance speed", "Resonanzdrehzahl"),
         CheckId::ErrorBudget => ("error budget", "Fehlersumme"),
         CheckId::BrakeHolding => ("brake, holding torque", "Haltemoment der Bremse"),
-        CheckId::BrakeEmergency => ("brake, emergency stop", "Nothalt durch die Bremse"),
+        CheckId::BrakeEmergency => ("brake, emergency stop", "Not-Halt durch die Bremse"),
         CheckId::DcLink => ("DC link", "Zwischenkreis"),
         CheckId::Regeneration => ("regeneration", "Rückspeisung"),
         CheckId::FeedbackRange => ("absolute range", "Absolutbereich des Gebers"),
