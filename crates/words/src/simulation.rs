@@ -161,7 +161,7 @@ texts! {
     viscous = "viscous friction of the load" | "viskose Reibung der Last";
     gravity = "gravity torque of the load at its largest lever arm" | "Gewichtsmoment der Last am größten Hebelarm";
     external = "external torque of the load" | "äußeres Moment der Last";
-    gravity_angle = "angle of the centre of mass above the horizontal at position 0" | "Winkel des Schwerpunkts über der Waagerechten in Position 0";
+    gravity_angle = "angle of the centre of mass above the horizontal at position zero" | "Winkel des Schwerpunkts über der Waagerechten in Nullposition";
     torque_constant_out = "torque constant at the output" | "Drehmomentkonstante am Abtrieb";
     no_load_starting_current = "no-load starting current" | "lastfreier Anlaufstrom";
     no_load_current_constant = "no-load current constant" | "Leerlaufstromkonstante";
