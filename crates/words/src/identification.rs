@@ -21,8 +21,8 @@ texts! {
         "The current, one value each {every} ms, may be sampled in step with the control and then misses up to 10 % of the rotor's acceleration; a row spacing below 0.2 ms narrows the interval of the torque constant."
         | "Der Strom, ein Wert je {every} ms, kann im Takt der Regelung abgetastet sein; dann fehlen bis zu 10 % der Rotorbeschleunigung. Ein Zeilenabstand unter 0,2 ms verkleinert das Intervall der Drehmomentkonstante.";
     of_the_first_move(shift) =
-        "Payloads and process torques of the moves count as the project states them; the estimates are those of the first move. The run begins {shift} s after the beginning of the cycle."
-        | "Nutzlasten und Prozessmomente der Bewegungen zählen, wie das Projekt sie angibt; die Schätzwerte gelten für die erste Bewegung. Der Lauf beginnt {shift} s nach dem Anfang des Zyklus.";
+        "Payloads and process torques of the moves are taken from the project; the estimates are those of the first move. The run starts {shift} s after the start of the cycle."
+        | "Nutzlasten und Prozessmomente der Bewegungen sind dem Projekt entnommen; die Schätzwerte gelten für die erste Bewegung. Der Lauf beginnt {shift} s nach dem Anfang des Zyklus.";
     position_steps(step) =
         "The position has steps of {step}°; the estimates are corrected for this noise, the intervals include it."
         | "Die Position hat Stufen von {step}°; die Schätzwerte sind um dieses Rauschen korrigiert, die Intervalle enthalten es.";
@@ -39,8 +39,8 @@ texts! {
         "Load, efficiency or stage of this mechanism depend on the position or the direction of power flow: the deviation from the stated load is estimated. The friction includes the losses of transmission and stage."
         | "Last, Wirkungsgrad oder Stufe dieser Mechanik hängen von der Position oder der Leistungsrichtung ab: Geschätzt wird die Abweichung von der angegebenen Last. Die Reibung enthält die Verluste von Übertragung und Stufe.";
     time_not_rising(line) =
-        "line {line}: the time does not come after that of the row before"
-        | "Zeile {line}: Die Zeit liegt nicht nach der der vorigen Zeile";
+        "line {line}: the time is not later than that of the previous row"
+        | "Zeile {line}: die Zeit liegt nicht nach der Zeit der vorigen Zeile";
     out_of_range(line, column, value, most) =
         "line {line}: {value} in {column} is out of range, at most ±{most}"
         | "Zeile {line}: {value} in {column} liegt außerhalb des Bereichs, höchstens ±{most}";
@@ -51,7 +51,7 @@ texts! {
         "the moves of the project carry different payloads or process torques, and the run does not follow them: state the moves of the run in [[motion]], each with its own payload"
         | "die Bewegungen des Projekts haben verschiedene Nutzlasten oder Prozessmomente, und der Lauf folgt ihnen nicht: die Bewegungen des Laufs in [[motion]] angeben, jede mit ihrer Nutzlast";
     ambiguous_motion =
-        "the moves of the project carry different payloads or process torques, and the run fits them at several instants of the cycle: let the time of the run begin at 0 with the first move"
+        "the moves of the project carry different payloads or process torques, and the run matches them at several instants of the cycle: let the time of the run start at 0 with the first move"
         | "die Bewegungen des Projekts haben verschiedene Nutzlasten oder Prozessmomente, und der Lauf stimmt ab mehreren Zeitpunkten des Zyklus mit ihnen überein: die Zeit des Laufs mit der ersten Bewegung bei 0 beginnen lassen";
 }
 
@@ -97,16 +97,16 @@ pub const fn column_heading(column: Column) -> &'static str {
 pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) -> String {
     let (en, de) = match (column, misread) {
         (Column::Torque, Misread::Reversed) => (
-            "the inertia comes out negative ({value} kgm²): the torque counts against the position; give it the opposite sign",
-            "das Massenträgheitsmoment wird negativ ({value} kgm²): Das Moment zählt gegen die Position; Vorzeichen umkehren",
+            "the inertia becomes negative ({value} kgm²): torque and position have opposite signs; reverse the sign of the torque",
+            "das Massenträgheitsmoment wird negativ ({value} kgm²): Moment und Position haben entgegengesetzte Vorzeichen; Vorzeichen des Moments umkehren",
         ),
         (Column::Current, Misread::Reversed) => (
-            "the torque constant comes out negative ({value} times that of the table): the current counts against the torque; give it the opposite sign",
-            "die Drehmomentkonstante wird negativ (das {value}-Fache der Tabelle): Der Strom zählt gegen das Moment; Vorzeichen umkehren",
+            "the torque constant becomes negative ({value} times that of the table): current and torque have opposite signs; reverse the sign of the current",
+            "die Drehmomentkonstante wird negativ (das {value}-Fache der Tabelle): Strom und Moment haben entgegengesetzte Vorzeichen; Vorzeichen des Stroms umkehren",
         ),
         (_, Misread::Reversed) => (
-            "{value} times the speed of the position: it counts the other way (the motor turns against the output); give it the opposite sign",
-            "das {value}-Fache der Drehzahl aus der Position: Sie zählt andersherum (der Motor dreht gegen den Abtrieb); Vorzeichen umkehren",
+            "{value} times the speed of the position: opposite counting direction (the motor turns opposite to the output); reverse the sign",
+            "das {value}-Fache der Drehzahl aus der Position: entgegengesetzte Zählrichtung (der Motor dreht entgegengesetzt zum Abtrieb); Vorzeichen umkehren",
         ),
         (Column::Position, Misread::Degrees) => (
             "degrees, it seems, {value} times the radians of the other signals or of the project: multiply positions and speeds in degrees by π/180",
@@ -157,8 +157,8 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "die Drehmomentkonstante ist das {value}-Fache der Tabelle: offenbar das √2-Fache des Scheitelwerts eines Strangs; durch √2 teilen",
         ),
         (_, Misread::GravityOpposite) => (
-            "the weight acts {value}° beside that of the project: the position counts the other way or from another zero; or start_angle of the project is wrong",
-            "das Gewicht wirkt {value}° neben dem des Projekts: Die Position zählt andersherum oder von einem anderen Nullpunkt; oder start_angle des Projekts ist falsch",
+            "the direction of the weight deviates by {value}° from that of the project: opposite counting direction or another zero of the position, or wrong start_angle in the project",
+            "die Richtung des Gewichts weicht um {value}° von der des Projekts ab: entgegengesetzte Zählrichtung oder anderer Nullpunkt der Position, oder start_angle des Projekts ist falsch",
         ),
         (Column::Current, Misread::NegativeFriction) => (
             "motor and gear have a negative friction ({value} A): an offset, another sign or a delay of the current",
