@@ -8,7 +8,17 @@ use installation::calendar::{DateFault, INTERVAL_MOST_YEARS, Interval, IntervalF
 use installation::upkeep::{PlanNote, Rule, Task, UpkeepFault};
 use quantities::Language;
 
-/// A day, as every language reads it without doubt: `2026-03-01`.
+/// A day of a record as the language writes it: `2026-03-01` is 01.03.2026 in German.
+#[must_use]
+pub fn date_shown(day: &str, language: Language) -> String {
+    let mut parts = day.splitn(3, '-');
+    match (language, parts.next(), parts.next(), parts.next()) {
+        (Language::De, Some(year), Some(month), Some(day)) => format!("{day}.{month}.{year}"),
+        _ => day.to_owned(),
+    }
+}
+
+/// A day as records and files have it: `2026-03-01`.
 #[must_use]
 pub fn date_text(date: NaiveDate) -> String {
     date.format("%Y-%m-%d").to_string()
@@ -191,4 +201,16 @@ texts! {
     calendar_is_an_ics(display) =
         "a calendar is an iCalendar file: specify a file name ending in .ics, not {display}"
         | "ein Kalender ist eine iCalendar-Datei: einen Dateinamen mit der Endung .ics angeben, nicht {display}";
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_day_is_written_as_the_language_has_it() {
+        assert_eq!(date_shown("2026-03-01", Language::De), "01.03.2026");
+        assert_eq!(date_shown("2026-03-01", Language::En), "2026-03-01");
+        assert_eq!(date_shown("2026", Language::De), "2026");
+    }
 }

@@ -9,9 +9,10 @@ use words::{capitalised, grade_word, signal_word, terminal, upkeep};
 #[must_use]
 pub fn upkeep(record: &Upkeep, language: Language) -> Chapter {
     let mut chapter = Chapter::new(upkeep::title(&record.code, language));
-    let mut head = upkeep::delivered_and_service(&record.delivered, &record.in_service, language);
+    let shown = |day: &str| upkeep::date_shown(day, language);
+    let mut head = upkeep::delivered_and_service(&shown(&record.delivered), &shown(&record.in_service), language);
     if let Some(today) = &record.today {
-        head = format!("{head}; {}", upkeep::seen_from(today, language));
+        head = format!("{head}; {}", upkeep::seen_from(&shown(today), language));
     }
     chapter.text(head);
     chapter.section(capitalised(upkeep::plan_head(language)));
@@ -19,7 +20,7 @@ pub fn upkeep(record: &Upkeep, language: Language) -> Chapter {
         &mut chapter,
         &record.plan,
         &[
-            (Column::text(upkeep::date_head(language)), &|line| line.next.clone()),
+            (Column::text(upkeep::date_head(language)), &|line| shown(&line.next)),
             (Column::text(upkeep::task_head(language)), &|line| line.title.clone()),
             (Column::wide(upkeep::rule_head(language)), &|line| {
                 let passed = if line.passed { format!(", {}", upkeep::passed(language)) } else { String::new() };
