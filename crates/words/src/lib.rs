@@ -108,6 +108,11 @@ pub(crate) const fn pick<T: Copy>(language: Language, en: T, de: T) -> T {
 /// A text with its first letter large, as a title has it.
 #[must_use]
 pub fn capitalised(text: &str) -> String {
+    // A symbol at the head keeps its letter: `n_N, rated motor speed`, `m, mass`.
+    let head = text.split([',', ' ']).next().unwrap_or_default();
+    if head.contains('_') || head.chars().count() == 1 && text.chars().nth(1) == Some(',') {
+        return text.to_owned();
+    }
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
