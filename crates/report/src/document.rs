@@ -19,7 +19,7 @@ use serde::Serialize;
 use shown::Shown;
 use std::collections::BTreeMap;
 
-/// Everything the template places.
+/// Data of the report template.
 #[derive(Serialize)]
 pub(crate) struct Document {
     lang: &'static str,
@@ -27,9 +27,9 @@ pub(crate) struct Document {
     head: Head,
     axes: Vec<Axis>,
     documents: Vec<answers::Document>,
-    /// The grades that the checks bear, the best first.
+    /// Grades that occur among the checks, the best first.
     grades: Vec<checks::GradeTold>,
-    /// Every word of the template by its key.
+    /// Texts of the template, by key.
     words: BTreeMap<&'static str, String>,
 }
 
@@ -38,7 +38,7 @@ pub(crate) struct Document {
 struct Head {
     /// Name of the only axis; empty with several.
     axis: String,
-    /// Whether every axis fits.
+    /// `true` if the actuator of every axis fits.
     fits: bool,
     date: Option<Date>,
     date_text: String,
@@ -62,7 +62,7 @@ struct Date {
     day: u8,
 }
 
-/// The name under which the template finds a figure of an axis, drawn in one of its sizes.
+/// Returns the name by which the template finds a figure of an axis, drawn in one of its sizes.
 pub(crate) fn figure_file(axis: usize, index: usize, size: usize) -> String {
     format!("figure-{axis}-{index}-{size}.svg")
 }
@@ -113,14 +113,14 @@ impl Document {
     }
 }
 
-/// A change with its day as the language writes it; a day that is none of the calendar stays as given.
+/// Returns a change with its day in the format of the language; a day that is no calendar date stays unchanged.
 fn shown_change(change: &Change, shown: &Shown) -> Change {
     let date = read_date(&change.date)
         .map_or_else(|_| change.date.clone(), |date| shown.date(date.year, date.month, date.day));
     Change { date, ..change.clone() }
 }
 
-/// A date of the calendar, year, month, day.
+/// Parses a calendar date as year, month, day.
 fn read_date(text: &str) -> Result<Date, Fault> {
     let fault = || Fault::Date { text: text.to_owned() };
     let mut parts = text.trim().splitn(3, '-');

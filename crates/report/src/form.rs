@@ -1,4 +1,4 @@
-//! Form fields in a finished PDF: the places that the template has marked become boxes to tick and lines to type on.
+//! Form fields in a finished PDF: the places marked by the template become tick boxes and text lines.
 //!
 //! The typesetting engine knows no fields. The template marks each place with a link to `field:NAME`; here the link
 //! becomes the widget of that field, and its tag a form element. The file of the engine stays as it is, and what
@@ -12,16 +12,16 @@ use pdf_writer::{Chunk, Content, Finish, Name, Rect, Ref, Str, TextStr};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// What the address of a link that marks a field begins with.
+/// Prefix of the address of a link that marks a field.
 const MARK: &[u8] = b"field:";
 
-/// The font in which readers set what is typed: one of the fourteen that each of them has.
+/// Font of entered text: one of the fourteen standard fonts that every reader has.
 const FONT: &[u8] = b"Helv";
 
-/// The look of what is typed: nine points, in the ink of the template.
+/// Appearance of entered text: nine points, in the ink of the template.
 const TYPED: &[u8] = b"/Helv 9 Tf 0.094 0.133 0.173 rg";
 
-/// What a field takes.
+/// Kind of input of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FieldKind {
     /// A tick.
@@ -33,17 +33,17 @@ pub(crate) enum FieldKind {
 /// A field of the form.
 #[derive(Clone, Debug)]
 pub(crate) struct Field {
-    /// Its name, by which programs read it; the template marks its places with it. No full stop: that would divide it.
+    /// Name of the field, by which programs read it; the template marks its places with it. A full stop would split it.
     pub(crate) name: String,
-    /// What it takes.
+    /// Kind of input.
     pub(crate) kind: FieldKind,
-    /// What it is for, in words: shown by readers, read out by screen readers.
+    /// Purpose of the field in words: shown by readers, read out by screen readers.
     pub(crate) tooltip: String,
 }
 
-/// The file with its fields.
+/// Returns the file with its fields.
 ///
-/// A field that is marked at several places is one field: what is typed at one of them stands at all.
+/// A field that is marked at several places is one field: text entered at one of them appears at all.
 ///
 /// # Errors
 /// [`Fault::Export`] when the file is not built as the engine builds it or a field is marked nowhere, which is a defect.
@@ -79,15 +79,15 @@ pub(crate) fn with_fields(file: Vec<u8>, fields: &[Field]) -> Result<Vec<u8>, Fa
 struct Widget {
     /// The annotation.
     id: Ref,
-    /// Its page.
+    /// Page of the place.
     page: Ref,
-    /// Where on it, in points from below.
+    /// Position on the page, in points from the lower edge.
     place: Area,
-    /// Its number in the tree of parents of the tags, if it is tagged.
+    /// Number in the parent tree of the tags, if the place is tagged.
     parent: Option<i32>,
 }
 
-/// The marked places by the names of their fields, page by page.
+/// Returns the marked places by the names of their fields, page by page.
 fn marked(pdf: &Pdf) -> BTreeMap<String, Vec<Widget>> {
     let mut places: BTreeMap<String, Vec<Widget>> = BTreeMap::new();
     for page in pdf.pages().iter() {
@@ -115,7 +115,7 @@ fn marked(pdf: &Pdf) -> BTreeMap<String, Vec<Widget>> {
     places
 }
 
-/// The objects that are common to all fields.
+/// Objects shared by all fields.
 struct Looks {
     /// A box without tick.
     empty: Ref,
@@ -123,7 +123,7 @@ struct Looks {
     font: Ref,
 }
 
-/// Edge of the box of a tick as it is drawn, in points; a reader scales it to the widget.
+/// Edge length of the box of a tick, in points; a reader scales the box to the widget.
 const BOX: f32 = 9.0;
 
 impl Looks {
@@ -144,7 +144,7 @@ impl Looks {
     }
 }
 
-/// The objects that the file gets, or gets anew.
+/// New objects of the file, and new versions of existing ones.
 struct Update {
     next: i32,
     objects: BTreeMap<Ref, Vec<u8>>,
@@ -163,7 +163,7 @@ impl Update {
         self.objects.insert(id, chunk.as_bytes().to_vec());
     }
 
-    /// Writes a field with its widgets and gives its number: that of the widget, if there is one only.
+    /// Writes a field with its widgets and returns its number: that of the widget if there is only one.
     fn field(&mut self, field: &Field, widgets: &[Widget], looks: &Looks) -> Ref {
         let about = |writer: &mut pdf_writer::writers::Field<'_>| {
             writer.partial_name(TextStr(&field.name)).alternate_name(TextStr(&field.tooltip));
@@ -198,7 +198,8 @@ impl Update {
         parent
     }
 
-    /// How a widget looks: off and on of a tick; of a line one of its own, since a program that fills it in writes there.
+    /// Returns the appearances of a widget: off and on of a tick; a line has one of its own, since programs write the
+    /// entered text there.
     fn look(&mut self, kind: FieldKind, widget: &Widget, looks: &Looks) -> (Ref, Ref) {
         if kind == FieldKind::Tick {
             return (looks.empty, looks.ticked);
@@ -211,7 +212,7 @@ impl Update {
         (id, id)
     }
 
-    /// Makes the tag of a link that of a form element.
+    /// Changes the tag of a link to that of a form element.
     fn tag(&mut self, pdf: &Pdf, widget: &Widget) {
         let found = || {
             let number = widget.parent?;
@@ -243,7 +244,7 @@ impl Update {
         self.objects.insert(root, catalog);
     }
 
-    /// The file, then the objects, the table of their places and the trailer.
+    /// Returns the file followed by the objects, the cross-reference table and the trailer.
     fn append(self, mut file: Vec<u8>, tail: &Tail) -> Vec<u8> {
         if file.last() != Some(&b'\n') {
             file.push(b'\n');
@@ -268,7 +269,7 @@ const fn points(value: f64) -> f32 {
     value as f32
 }
 
-/// Look and place of a widget.
+/// Writes appearance and place of a widget.
 fn shown(field: pdf_writer::writers::Field<'_>, widget: &Widget, kind: FieldKind, (off, on): (Ref, Ref)) {
     let mut annotation = field.into_annotation();
     let Area { x0, y0, x1, y1 } = widget.place;
@@ -289,7 +290,7 @@ fn shown(field: pdf_writer::writers::Field<'_>, widget: &Widget, kind: FieldKind
     annotation.finish();
 }
 
-/// What stands at a number in a number tree, if that is a reference.
+/// Returns the reference at a number in a number tree; `None` if the entry is no reference.
 fn in_number_tree(node: &Dict<'_>, number: i32, depth: u8) -> Option<ObjRef> {
     if let Some(leaves) = node.get::<Array<'_>>("Nums") {
         let mut leaves = leaves.raw_iter();
@@ -303,12 +304,12 @@ fn in_number_tree(node: &Dict<'_>, number: i32, depth: u8) -> Option<ObjRef> {
             }
         }
     }
-    // No file of the engine is as deep, and none that is broken may lead in circles.
+    // Files of the engine are not as deep, and a damaged one must not cause endless recursion.
     let nodes: Array<'_> = node.get("Kids").filter(|_| depth < 8)?;
     nodes.iter::<Dict<'_>>().find_map(|node| in_number_tree(&node, number, depth + 1))
 }
 
-/// The end of the file: where its table of places stands and how the next number runs.
+/// End of the file: the next object number, the position of the cross-reference table and the rest of the trailer.
 struct Tail {
     size: i32,
     table: usize,

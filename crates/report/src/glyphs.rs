@@ -1,4 +1,4 @@
-//! What the embedded fonts can show.
+//! Characters that the embedded fonts can show.
 //!
 //! An archive file must show every character, and a name may contain any. A character without a glyph is written as its code
 //! point instead of a blank box.
@@ -15,7 +15,7 @@ impl Glyphs {
         Self { coverages: (0..count).filter_map(|index| Some(book.info(index)?.coverage.clone())).collect() }
     }
 
-    /// Replaces in every text of the value what cannot be shown.
+    /// Replaces characters that cannot be shown, in every text of the value.
     pub(crate) fn printable(&self, value: Value) -> Value {
         match value {
             Value::String(text) => Value::String(self.printable_text(&text)),
@@ -25,7 +25,7 @@ impl Glyphs {
         }
     }
 
-    /// The text with the code point for what cannot be shown, and a space for what would break the line.
+    /// Returns the text with characters that cannot be shown replaced by their code points, and line breaks by spaces.
     pub(crate) fn printable_text(&self, text: &str) -> String {
         let mut printable = String::with_capacity(text.len());
         for sign in text.chars() {

@@ -30,10 +30,10 @@ use quantities::Language;
 use serde::Serialize;
 use words::terminal;
 
-/// What the template is given: every number in the words of its language, every list in its order.
+/// Returns the input of the template: every number formatted for the language, every list in its order.
 ///
 /// # Errors
-/// [`Fault::NoAxis`] and [`Fault::Date`]; [`Fault::Typesetting`] where it is no JSON, which is a defect.
+/// [`Fault::NoAxis`] and [`Fault::Date`]; [`Fault::Typesetting`] if the input is no JSON, which is a defect.
 #[cfg(feature = "document")]
 pub fn document(content: &Content, settings: &Settings) -> Result<serde_json::Value, Fault> {
     let document = document::Document::build(content, settings)?;
@@ -41,11 +41,12 @@ pub fn document(content: &Content, settings: &Settings) -> Result<serde_json::Va
     Ok(in_words(value, content.language))
 }
 
-/// Members of the document that the template finds things by, or that are in the words of the user.
+/// Members of the document that the template uses as identifiers, or that are texts of the user.
 #[cfg(feature = "document")]
 const AS_THEY_ARE: [&str; 8] = ["head", "name", "key", "file", "files", "id", "place", "svg"];
 
-/// The document without keys of the project file, which mean nothing to those who read only the report.
+/// Returns the document with the keys of the project file replaced by words: readers of the report do not know the
+/// file.
 #[cfg(feature = "document")]
 fn in_words(value: serde_json::Value, language: Language) -> serde_json::Value {
     use serde_json::Value;
@@ -63,21 +64,21 @@ fn in_words(value: serde_json::Value, language: Language) -> serde_json::Value {
     }
 }
 
-/// Everything that stands in the report, as data.
+/// Content of the report as data.
 #[derive(Clone, Debug)]
 pub struct Content {
-    /// The language of headings and numbers. The texts within the dossiers are in the language they were asked in.
+    /// Language of headings and numbers. The texts within the dossiers are in the language of their request.
     pub language: Language,
     /// The axes in the order of the project; at least one.
     pub axes: Vec<AxisContent>,
 }
 
-/// What stands in the report of one axis.
+/// Content of the report for one axis.
 #[derive(Clone, Debug)]
 pub struct AxisContent {
-    /// All answers about it.
+    /// Answers about the axis.
     pub dossier: Dossier,
-    /// Drawn diagrams, in the order in which they shall stand.
+    /// Diagrams, in the order of the report.
     pub figures: Vec<Diagram>,
     /// Chapters for building and running the machine; empty unless requested.
     pub chapters: Vec<Chapter>,
@@ -95,7 +96,7 @@ pub enum DiagramPlace {
     OutputBearing,
     /// The torsion of the gear, beside the checks.
     Gear,
-    /// What the tolerances do.
+    /// Effect of the tolerances.
     Tolerances,
     /// The other actuators.
     Alternatives,
@@ -127,7 +128,7 @@ impl DiagramPlace {
 /// A drawn diagram.
 #[derive(Clone, Debug)]
 pub struct Diagram {
-    /// Where it stands.
+    /// Place of the diagram in the report.
     pub place: DiagramPlace,
     /// The diagram as SVG at each of [`DiagramPlace::sizes_mm`], its text in the family Inter.
     pub svgs: Vec<String>,
@@ -137,7 +138,7 @@ pub struct Diagram {
     pub alternative_text: String,
 }
 
-/// What stands on the title page beside the results, and how much follows it.
+/// Data of the title page besides the results, and the extent of the report.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     /// The date of the document, `2026-11-21`; none is invented, and [`Settings::pdf_a`] needs one.
@@ -148,7 +149,7 @@ pub struct Settings {
     pub project: String,
     /// Number of the document.
     pub number: String,
-    /// Who made it.
+    /// Author of the document.
     pub author: String,
     /// Company or office.
     pub company: String,
@@ -158,18 +159,18 @@ pub struct Settings {
     pub order: String,
     /// List of changes, the latest last.
     pub changes: Vec<Change>,
-    /// Whether the file is to be kept: PDF/A-2a. Tagged it is in any case.
+    /// Output as archive file, PDF/A-2a; the file is tagged in either case.
     pub pdf_a: bool,
-    /// With every derivation, the sources of every figure and every rejected code as appendices.
+    /// Appendices with every derivation, the sources of every figure and every rejected code.
     pub full: bool,
 }
 
 /// A line of the list of changes.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Change {
-    /// Revision that it led to.
+    /// Revision with the change.
     pub revision: String,
-    /// Day, as given.
+    /// Day of the change, in the spelling of the user.
     pub date: String,
     /// Author of the change; empty where not stated.
     pub author: String,
@@ -177,29 +178,29 @@ pub struct Change {
     pub text: String,
 }
 
-/// Why there is no report.
+/// Reasons for which there is no report.
 #[derive(Debug)]
 pub enum Fault {
-    /// There is nothing to report on.
+    /// The report has no axis.
     NoAxis,
     /// The date is no calendar date.
     Date {
-        /// As given.
+        /// Text of the date.
         text: String,
     },
-    /// An archive file states when it was made, and there is no clock here.
+    /// An archive file requires the date of its creation, and this crate reads no clock.
     NoDate,
     /// The typesetting engine refused the document.
     Typesetting {
-        /// What the engine said, with the place in the template.
+        /// Message of the engine, with the place in the template.
         message: String,
     },
     /// The typesetting engine refused to write the file.
     Export {
-        /// What the engine said.
+        /// Message of the engine.
         message: String,
     },
-    /// A page could not be written as picture.
+    /// A page could not be drawn as an image.
     Picture {
         /// Number of the page, from 1.
         page: usize,
@@ -207,7 +208,7 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// The fault in a sentence.
+    /// Returns the fault as a sentence.
     #[must_use]
     pub fn message(&self, language: Language) -> String {
         match self {

@@ -21,10 +21,11 @@ use typst_kit::fonts::FontStore;
 use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
 
-/// The report as PDF, tagged, every font embedded.
+/// Typesets the report as PDF, tagged, with every font embedded.
 ///
 /// # Errors
-/// [`Fault::NoAxis`], [`Fault::Date`] and [`Fault::NoDate`] for what cannot be set; the others when the engine refuses, which is a defect.
+/// [`Fault::NoAxis`], [`Fault::Date`] and [`Fault::NoDate`] for invalid content; the others when the engine refuses,
+/// which is a defect.
 pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
     if settings.pdf_a && settings.date.is_none() {
         return Err(Fault::NoDate);
@@ -35,9 +36,10 @@ pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
     export(&document, format!("antrieb report {} {}", settings.number, settings.revision), standard)
 }
 
-/// The check-lists of a commissioning as PDF, tagged, with boxes to tick and lines to write on: form fields, and drawn besides, for paper.
+/// Typesets the checklists of a commissioning as PDF, tagged, with tick boxes and text lines: form fields that are also
+/// drawn, for paper.
 ///
-/// No archive file: what is typed is set in a font of the reader, which PDF/A does not allow.
+/// The file is no archive file: entered text is set in a font of the reader, which PDF/A does not permit.
 ///
 /// # Errors
 /// [`Fault::Typesetting`] and [`Fault::Export`] when the engine refuses, which is a defect.
@@ -48,7 +50,7 @@ pub fn checklist_pdf(sheet: &Commissioning, language: Language) -> Result<Vec<u8
     form::with_fields(file, &lists.fields(language))
 }
 
-/// The text of every page of the check-lists, as set.
+/// Returns the text of every page of the checklists, as typeset.
 ///
 /// # Errors
 /// As [`checklist_pdf`].
@@ -82,7 +84,7 @@ fn export(document: &PagedDocument, ident: String, standard: PdfStandard) -> Res
     bytes
 }
 
-/// The pages as PNG, `scale` pixels per point.
+/// Renders the pages as PNG with `scale` pixels per point.
 ///
 /// # Errors
 /// As [`pdf`].
@@ -105,7 +107,7 @@ pub fn pages_png(content: &Content, settings: &Settings, scale: f64) -> Result<V
     pages
 }
 
-/// The text of every page, as set: for tests and for search.
+/// Returns the text of every page, as typeset: for tests and for search.
 ///
 /// # Errors
 /// As [`pdf`].
@@ -120,7 +122,7 @@ fn texts(document: &PagedDocument) -> Vec<String> {
     texts
 }
 
-/// How far to the right the text of every page reaches, in points: a page of A4 ends at 595.3.
+/// Returns the right edge of the text of every page, in points: an A4 page ends at 595.3.
 ///
 /// # Errors
 /// As [`pdf`].
@@ -153,13 +155,13 @@ fn lowest(frame: &Frame, top: f64, end: f64) -> f64 {
             FrameItem::Image(_, size, _) => top + size.y.to_pt(),
             _ => top,
         };
-        // What reaches beyond belongs to the foot.
+        // Content beyond the end belongs to the foot line.
         if bottom > end { 0.0 } else { bottom }
     });
     ends.fold(0.0, f64::max)
 }
 
-/// Texts that stand upon each other, as `one | other`: none should.
+/// Returns overlapping texts as `one | other`: there should be none.
 ///
 /// # Errors
 /// As [`pdf`].
@@ -188,7 +190,7 @@ struct Run {
     text: String,
 }
 
-/// The runs of a page, in the order in which they are set.
+/// Returns the runs of a page, in the order of typesetting.
 fn runs(page: &Frame) -> Vec<Run> {
     let mut runs = Vec::new();
     collect_runs(page, (0.0, 0.0), &mut runs);
@@ -211,7 +213,7 @@ fn collect_runs(frame: &Frame, (left, top): (f64, f64), runs: &mut Vec<Run>) {
     }
 }
 
-/// The engine caches earlier layouts; the memory of a server must not grow with them.
+/// Evicts cached layouts of the engine, so that the memory of a server does not grow with them.
 pub(crate) fn forget() {
     typst::comemo::evict(2);
 }
@@ -273,7 +275,8 @@ struct Fonts {
     glyphs: Glyphs,
 }
 
-/// Loaded once for all reports: first the family of the diagrams, so that text in them and around them looks alike, then those of the engine for signs it lacks.
+/// Returns the fonts, loaded once for all reports: first the family of the diagrams, so that text in them and around
+/// them looks equal, then those of the engine for characters it lacks.
 fn fonts() -> &'static Fonts {
     static FONTS: OnceLock<Fonts> = OnceLock::new();
     FONTS.get_or_init(|| {
@@ -294,7 +297,7 @@ fn fonts() -> &'static Fonts {
     })
 }
 
-/// The template, read, and the library of the engine: the same for all reports.
+/// The parsed template and the library of the engine, shared by all reports.
 struct Template {
     library: LazyHash<Library>,
     main: FileId,
@@ -302,7 +305,7 @@ struct Template {
 }
 
 impl Template {
-    /// The one that was read already, else this one.
+    /// Returns the template that was already read, else reads it.
     fn once(
         read: &'static OnceLock<Self>,
         files: &'static [(&'static str, &'static str)],
@@ -328,10 +331,10 @@ fn template() -> Result<&'static Template, Fault> {
     Template::once(&TEMPLATE, template::FILES, "main.typ")
 }
 
-/// Loads fonts and template, so that a face may have it done while it computes. [`pdf`] does it otherwise.
+/// Loads fonts and template in advance, for example during the computation; otherwise [`pdf`] loads them.
 pub fn prepare() {
     fonts();
-    // What is wrong with the template, the report will tell.
+    // The report returns a fault of the template.
     let _ = template();
 }
 
@@ -350,7 +353,7 @@ fn name_of(id: FileId) -> &'static str {
 }
 
 impl Press {
-    /// File and line of a fault, for developers of the template.
+    /// Returns file and line of a fault, for developers of the template.
     fn place(&self, fault: &SourceDiagnostic) -> Option<String> {
         let id = fault.span.id()?;
         let source = self.source(id).ok()?;
@@ -386,7 +389,7 @@ impl World for Press {
         fonts().store.font(index)
     }
 
-    /// There is no clock here.
+    /// Returns `None`: this crate reads no clock.
     fn today(&self, _offset: Option<Duration>) -> Option<Datetime> {
         None
     }

@@ -1,4 +1,4 @@
-//! The template, as part of the program.
+//! The template, embedded in the program.
 
 /// Name and text of every source file.
 pub(crate) const FILES: &[(&str, &str)] = &[
@@ -18,7 +18,7 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("sources.typ", include_str!("../template/sources.typ")),
 ];
 
-/// The same for the check-lists, which stand by themselves.
+/// Name and text of every source file of the checklists, which are a separate document.
 pub(crate) const CHECKLIST: &[(&str, &str)] =
     &[("line-breaks.typ", LINE_BREAKS), ("checklist.typ", include_str!("../template/checklist.typ"))];
 
@@ -30,7 +30,7 @@ mod tests {
     use quantities::Language;
     use std::collections::BTreeSet;
 
-    /// The keys of the words in a template, which uses them only as `t("key")` with a literal key.
+    /// Returns the keys of the words in a template, which uses them only as `t("key")` with a literal key.
     fn asked(text: &str) -> BTreeSet<&str> {
         let code =
             text.lines().map(|line| line.split(" // ").next().unwrap_or(line)).filter(|line| !line.starts_with("//"));

@@ -1,4 +1,4 @@
-//! What else fits, what nearly fits, and why the rest does not.
+//! Other fitting actuators, those with the smallest excess, and the reasons for rejecting the rest.
 
 use super::checks::Titles;
 use super::shown::{Shown, tied};
@@ -6,9 +6,9 @@ use answers::{Dossier, Fit, Rejection};
 use serde::Serialize;
 use words::{capitalised, marked};
 
-/// How many fitting actuators and nearest misses are shown.
+/// Number of fitting actuators, and of those with the smallest excess, in the short form.
 const FEW: usize = 5;
-/// The same in the full form.
+/// Number of each in the full form.
 const MANY: usize = 12;
 
 #[derive(Serialize)]
@@ -57,7 +57,7 @@ struct Reason {
     is_check: bool,
     text: String,
     count: usize,
-    /// Only of the full form.
+    /// Rejected codes; empty in the short form.
     codes: Vec<String>,
 }
 
@@ -101,7 +101,7 @@ impl Alternatives {
             count: group.codes.len(),
             codes: if full { group.codes.clone() } else { Vec::new() },
         });
-        // Those that only a limit excludes; where the limit is zero there is no near and far.
+        // An excess is defined only for actuators rejected solely by a limit; a limit of zero has no utilisation.
         let is_near = |each: &&Rejection| {
             let of_the_place = each.failing.iter().any(|id| id.is_of_the_place());
             each.objections.is_empty() && each.utilisation.is_some() && !of_the_place

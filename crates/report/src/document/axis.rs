@@ -15,10 +15,10 @@ use quantities::Language;
 use serde::Serialize;
 use words::{capitalised, check_title, marked, terms};
 
-/// Everything about one axis that the template places.
+/// Data of the chapters of one axis, for the template.
 #[derive(Serialize)]
 pub(super) struct Axis {
-    /// From 1.
+    /// Number of the axis, from 1.
     number: usize,
     name: String,
     cover: Cover,
@@ -39,9 +39,9 @@ pub(super) struct Axis {
     figures: Vec<Placed>,
     /// Chapters for building and running the machine, if requested.
     chapters: Vec<LaidOut>,
-    /// Only of the full form.
+    /// Derivations; empty in the short form.
     derivations: Vec<Derived>,
-    /// Only of the full form.
+    /// Sources; empty in the short form.
     sources: Vec<Source>,
 }
 
@@ -57,13 +57,13 @@ struct Cover {
     above_ratings: String,
     fails: usize,
     advised: usize,
-    /// How many questions could not be answered.
+    /// Number of checks and requirements for which a datum is missing.
     open: usize,
-    /// How many of them may keep the actuator out.
+    /// Number of open checks and requirements that may reject the actuator.
     rejecting: usize,
     shown: usize,
     passed: usize,
-    /// Of the governing check.
+    /// Utilisation of the governing check.
     utilisation: String,
     tightest: String,
     mass: String,
@@ -71,22 +71,22 @@ struct Cover {
     on_request: Vec<String>,
     objections: Vec<String>,
     reserve: Vec<Reserved>,
-    /// What was not sought of it, in words; empty where everything was.
+    /// Reserves that were not searched, as text; empty if all were.
     not_sought: String,
 }
 
-/// How far one thing may be changed.
+/// Reserve of one quantity: the value up to which the actuator fits.
 #[derive(Serialize)]
 struct Reserved {
     what: Reserve,
     /// The key of a limit of the project; empty elsewhere.
     key: String,
     value: String,
-    /// Whether it fits with it only if an estimate holds.
+    /// `true` if the actuator fits at this value only provided that an estimate holds.
     is_estimate: bool,
 }
 
-/// What may be changed.
+/// Quantity to which a reserve refers.
 #[derive(Clone, Copy, Serialize)]
 #[serde(rename_all = "snake_case")]
 enum Reserve {
@@ -98,7 +98,7 @@ enum Reserve {
     Gearing,
 }
 
-/// What the tolerances of the project mean.
+/// Effect of the tolerances of the project.
 #[derive(Serialize)]
 struct Scatter {
     share: String,
@@ -206,7 +206,7 @@ fn placed(axis: usize, index: usize, figure: &Diagram) -> Placed {
         place: figure.place,
         files: (0..figure.svgs.len()).map(|size| figure_file(axis, index, size)).collect(),
         caption: tied(&figure.caption),
-        // An archive file must have one.
+        // PDF/A requires an alternative text.
         alternative: [&figure.alternative_text, &figure.caption]
             .into_iter()
             .find(|text| !text.trim().is_empty())
@@ -275,7 +275,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         fails: counts.failed,
         advised: counts.advised,
         open: candidate.open_questions,
-        // Beside the checks these are requirements for which a datum is missing, and every requirement may reject.
+        // Besides the checks, requirements with a missing datum count; each may reject the actuator.
         rejecting: checks.rejecting() + counts.requirements_open,
         shown: counts.without_limit,
         passed: counts.passed,
@@ -295,7 +295,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
     }
 }
 
-/// A key of the project in the words of its inputs, with its table; the key itself where the inputs have none.
+/// Returns the label of a key of the project with the title of its table; the key itself if the inputs have no label.
 fn words_of(key: &str, dossier: &Dossier) -> String {
     let inside = key.split_once("].").filter(|(axis, _)| axis.starts_with("axis[")).map_or(key, |(_, inside)| inside);
     let found = dossier.inputs.iter().find_map(|table| {

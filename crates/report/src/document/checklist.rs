@@ -1,4 +1,4 @@
-//! The check-lists as their template reads them.
+//! Data of the checklists for their template.
 
 use crate::form::{Field, FieldKind};
 use answers::{CommissionEntry, CommissionList, Commissioning, Fact};
@@ -6,7 +6,7 @@ use quantities::{Language, Unit};
 use serde::Serialize;
 use words::{capitalised, commission, grade_word, signal_word as word, terms};
 
-/// Everything the template of the check-lists places.
+/// Data that the template of the checklists uses.
 #[derive(Serialize)]
 pub(crate) struct CheckListDocument {
     lang: &'static str,
@@ -94,7 +94,7 @@ impl CheckListDocument {
         }
     }
 
-    /// The fields of the form, in the order of the pages.
+    /// Returns the fields of the form, in the order of the pages.
     pub(crate) fn fields(&self, language: Language) -> Vec<Field> {
         let text = |name: &str, tooltip: &str| Field {
             name: name.to_owned(),
@@ -117,7 +117,8 @@ impl CheckListDocument {
     }
 }
 
-/// `before_power-3-resistance_ll-measured`: what stands in a list twice differs by its place, counted from 1.
+/// Returns the name of a field, such as `before_power-3-resistance_ll-measured`. The position, counted from 1,
+/// distinguishes equal entries of a list.
 fn field_name(list: &CommissionList, index: usize, entry: &CommissionEntry, what: &str) -> String {
     format!("{}-{}-{}-{what}", list.step.id(), index + 1, entry.id)
 }

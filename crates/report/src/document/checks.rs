@@ -13,7 +13,7 @@ pub(super) struct Checks {
     rows: Vec<CheckRow>,
     /// The remarks of all rows, each once, in the order of the rows that point to them.
     notes: Vec<String>,
-    /// What could not be checked.
+    /// Checks that could not be made.
     open: Vec<Open>,
 }
 
@@ -31,7 +31,7 @@ struct CheckRow {
     /// The sign that is true between value and limit.
     relation: &'static str,
     utilisation: Option<f64>,
-    /// Whether the utilisation is a margin: that of a recommendation or of a voltage class is not.
+    /// `true` if the utilisation is a margin; that of a recommendation or of a voltage class is not.
     margin: bool,
     percent: String,
     at: String,
@@ -46,12 +46,13 @@ struct CheckRow {
 struct Open {
     title: String,
     missing: String,
-    /// Whether its answer could keep the actuator out.
+    /// `true` if the missing datum could reject the actuator.
     rejects: bool,
     notes: Vec<String>,
 }
 
-/// Whether a check lacks a datum; with a value and without a limit it is only shown, since no limit is required.
+/// Returns `true` if a check lacks a datum. A check with a value and without a limit is only shown, since no limit is
+/// required.
 fn is_open(check: &Check) -> bool {
     *check.verdict == Verdict::NotChecked && check.value.is_none()
 }
@@ -77,7 +78,7 @@ impl Checks {
         Self { rows, notes, open: open.into_iter().map(|check| missing(check, dossier)).collect() }
     }
 
-    /// How many of those that could not be made may keep the actuator out.
+    /// Returns the number of open checks that may reject the actuator.
     pub(super) fn rejecting(&self) -> usize {
         self.open.iter().filter(|open| open.rejects).count()
     }
@@ -119,7 +120,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         relation: both.map_or("", |(value, limit)| check.direction.relation(passes, value.0, limit.0)),
         utilisation: check.utilisation.and_then(Number::written),
         margin: *check.verdict == Verdict::Fail || check.margin,
-        // That of a recommendation or of a voltage class is no margin and is not shown as one.
+        // The utilisation of a recommendation or of a voltage class is no margin and is not shown as one.
         percent: check
             .utilisation
             .filter(|_| matches!(*check.verdict, Verdict::Fail | Verdict::Advice) || check.margin)
@@ -155,7 +156,7 @@ pub(super) struct GradeTold {
     about: &'static str,
 }
 
-/// The grades that the checks of all axes bear, the best first.
+/// Returns the grades that occur among the checks of all axes, the best first.
 pub(super) fn grades<'d>(dossiers: impl Iterator<Item = &'d Dossier> + Clone, language: Language) -> Vec<GradeTold> {
     let borne = |grade: &&Grade| {
         let mut checks = dossiers.clone().flat_map(|dossier| &dossier.judgement.candidate.checks);
@@ -166,7 +167,7 @@ pub(super) fn grades<'d>(dossiers: impl Iterator<Item = &'d Dossier> + Clone, la
     Grade::ALL.iter().filter(borne).map(explained).collect()
 }
 
-/// Titles of the checks, from wherever one is named.
+/// Titles of the checks, by identifier.
 pub(super) struct Titles(BTreeMap<CheckId, String>);
 
 impl Titles {
@@ -176,7 +177,7 @@ impl Titles {
         Self(named.map(|check| (*check.id, check.title.clone())).collect())
     }
 
-    /// The title; the identifier where none is known.
+    /// Returns the title of a check; its identifier if no title is known.
     pub(super) fn of(&self, id: CheckId) -> String {
         self.0.get(&id).cloned().unwrap_or_else(|| id.id().to_owned())
     }

@@ -1,4 +1,4 @@
-//! The motion as it came out, and what it asks of the actuator.
+//! Results of the motion, and the demand on the actuator.
 
 use super::ends::Ends;
 use super::shown::Shown;
@@ -45,7 +45,7 @@ impl MotionTable {
         });
         let recordings = motion.segments.iter().filter_map(|segment| segment.recording.as_ref()).map(|each| {
             let columns = each.columns.iter().map(|column| match column.unit_by {
-                // Then the name of the column has its unit in it.
+                // The heading of the column then contains the unit.
                 UnitBy::Header => column.name.clone(),
                 _ => format!("{} ({})", column.name, shown.unit(column.unit)),
             });
@@ -68,9 +68,9 @@ impl MotionTable {
 pub(super) struct DemandTable {
     by_manual: bool,
     rows: Vec<DemandRow>,
-    /// Whether the integrals stand beside the figures of the manual.
+    /// `true` if the integrals are shown beside the figures of the manual.
     both: bool,
-    /// Whether there is a line to which the figures are carried over.
+    /// `true` if there is a line of motion to which the figures are converted.
     line: bool,
     moves: Ends<Move>,
 }
@@ -90,7 +90,7 @@ struct DemandRow {
     unit: &'static str,
     value: String,
     integral: String,
-    /// The same along the line of the mechanism, without its losses.
+    /// The value along the line of the mechanism, without its losses.
     line: String,
 }
 
@@ -144,7 +144,7 @@ const fn values(torques: &MoveTorques) -> [Number; 3] {
     [torques.accelerate, torques.run, torques.brake]
 }
 
-/// A torque as the force, a speed as the speed along a line of so much travel per turn.
+/// Converts a torque to a force and a speed to the speed along a line with this travel per turn; empty for other units.
 fn along(value: Number, unit: &str, travel_mm_per_rev: f64, shown: &Shown) -> String {
     match unit {
         "Nm" => shown.figure(Number(value.0 * TAU / (travel_mm_per_rev * 1e-3)), "N"),

@@ -1,15 +1,15 @@
-//! Lists that are as long as a project is: of a long one a report prints the beginning and the end.
+//! Lists whose length depends on the project: a report prints the beginning and the end of a long one.
 
 use serde::Serialize;
 
-/// Lines of a list at its beginning and at its end: a list of more than both is no reading.
+/// Number of entries printed at the beginning and at the end of a long list.
 const LISTED: [usize; 2] = [150, 50];
 
-/// A list, or of a long one its beginning and its end.
+/// A list, or the beginning and the end of a long one.
 #[derive(Serialize)]
 pub(super) struct Ends<T> {
     pub(super) rows: Vec<T>,
-    /// How many are between them.
+    /// Number of entries left out between beginning and end.
     left_out: usize,
 }
 
@@ -20,7 +20,7 @@ impl<T> Default for Ends<T> {
 }
 
 impl<T> Ends<T> {
-    /// Of a list as far as it is listed; one that is `kept` is so wherever it stands.
+    /// Creates the printed part of a list; the entry `kept` is printed at any position.
     pub(super) fn of(list: impl ExactSizeIterator<Item = T>, kept: Option<usize>) -> Self {
         let count = list.len();
         let is_listed = |place: &usize| is_listed(*place, count) || kept == Some(*place);
@@ -29,7 +29,7 @@ impl<T> Ends<T> {
     }
 }
 
-/// Whether a line is listed of so many.
+/// Returns `true` if the entry at `place` of a list of `count` entries is printed.
 pub(super) const fn is_listed(place: usize, count: usize) -> bool {
     let [first, last] = LISTED;
     count <= first + last || place < first || place + last >= count

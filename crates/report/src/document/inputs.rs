@@ -1,4 +1,4 @@
-//! The project as it was written, and what of it the sketch calls out.
+//! Inputs of the project, and the labels of the sketch of the mechanism.
 
 use super::ends::{Ends, is_listed};
 use super::shown::{Shown, tied};
@@ -12,11 +12,11 @@ pub(super) struct Group {
     rows: Vec<Row>,
 }
 
-/// What was stated.
+/// Inputs stated in the project.
 #[derive(Serialize)]
 pub(super) struct Inputs {
     groups: Vec<Group>,
-    /// How many tables are not listed.
+    /// Number of tables left out.
     left_out: usize,
 }
 
@@ -37,8 +37,8 @@ fn row(input: &answers::Input) -> Row {
     }
 }
 
-/// The inputs by table, in the order of the file, without those of the mechanism, which stand beside its sketch; of many segments
-/// the first and the last.
+/// Returns the inputs by table, in the order of the file, without those of the mechanism, which are listed beside its
+/// sketch; of many segments the first and the last.
 pub(super) fn groups(tables: &[InputTable]) -> Inputs {
     let others = tables.iter().filter(|table| !table.of_mechanism);
     let segments = tables.iter().filter_map(segment_of).max().unwrap_or(0);
@@ -49,13 +49,13 @@ pub(super) fn groups(tables: &[InputTable]) -> Inputs {
     Inputs { groups: listed.iter().map(group).collect(), left_out: left_out.len() }
 }
 
-/// The number, from 1, of the segment that a table is about.
+/// Returns the number, from 1, of the segment that a table describes.
 fn segment_of(table: &InputTable) -> Option<usize> {
     let (number, _) = table.key.strip_prefix("motion[")?.split_once(']')?;
     number.parse().ok().filter(|number| *number > 0)
 }
 
-/// What hangs on the flange.
+/// Mechanism driven by the output flange.
 #[derive(Serialize)]
 pub(super) struct Mechanism {
     title: String,
@@ -66,7 +66,7 @@ pub(super) struct Mechanism {
     travel: String,
     data: Ends<Row>,
     bodies: Ends<Body>,
-    /// Of all bodies together.
+    /// Total moment of inertia of the bodies.
     inertia: String,
     mass: String,
 }
@@ -90,7 +90,7 @@ impl Mechanism {
             dossier.inputs.iter().filter(|table| table.of_mechanism).flat_map(|table| &table.values).map(row).collect();
         let mut bodies = Ends::default();
         if let Some(inertia) = &found.bodies {
-            // Each body stands as a row of its own table, in the words of the project.
+            // Each body is a row of its own table, in the terms of the project.
             let (texts, others): (Vec<Row>, Vec<Row>) =
                 rows.into_iter().partition(|row| row.name.starts_with("bodies["));
             rows = others;

@@ -1,4 +1,4 @@
-//! Where every number is from: derivations and sources, for the full form.
+//! Origin of every number, for the full form: derivations and sources.
 
 use super::checks::once;
 use super::shown::{Shown, tied};
@@ -37,7 +37,7 @@ struct SourcedNumber {
     source: String,
 }
 
-/// How deep a derivation goes in print; below it a figure stands with its value and source.
+/// Depth to which a derivation is printed; a figure below it is printed with its value and source only.
 const DEPTH: usize = 2;
 
 pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
@@ -82,7 +82,7 @@ pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
     derived.filter(|each| !each.lines.is_empty()).collect()
 }
 
-/// Whether two texts differ in their spaces at most.
+/// Returns `true` if two texts are equal apart from white space.
 fn alike(a: &str, b: &str) -> bool {
     a.split_whitespace().flat_map(str::chars).eq(b.split_whitespace().flat_map(str::chars))
 }
@@ -94,7 +94,7 @@ pub(super) struct Source {
     used_for: Vec<String>,
 }
 
-/// Every source in the order of its first use.
+/// Returns the sources in the order of their first use.
 pub(super) fn sources(explained: &[Explained]) -> Vec<Source> {
     let mut found: Vec<Source> = Vec::new();
     let mut enter = |text: &str, title: &str| {

@@ -1,24 +1,24 @@
-//! Numbers and units in the words of a language.
+//! Numbers and units in the format of a language.
 
 use answers::{Grade, Number};
 use quantities::{Language, Unit, format_number, format_significant};
 use words::percent_text;
 
-/// Writes for one language.
+/// Formatter of numbers, units and dates for one language.
 pub(super) struct Shown(pub(super) Language);
 
-/// No-break narrow space between number and unit, as DIN 5008 and the SI brochure ask.
+/// Narrow no-break space between number and unit, as required by DIN 5008 and the SI brochure.
 const THIN: char = '\u{202f}';
 
-/// The text with every unit tied to the number before it, the sign of the degree to its digits, and long numbers with a unit
-/// in groups of three, as elsewhere in the document.
+/// Returns the text with every unit tied to the number before it, the degree sign to its digits, and long numbers with
+/// a unit in groups of three, as elsewhere in the document.
 pub(super) fn tied(text: &str) -> String {
     let mut tied = String::with_capacity(text.len());
-    // Where the last run of digits begins in what is written; none if something else came last.
+    // Start of the last run of digits in the output; `None` if something else came last.
     let mut digits: Option<usize> = None;
     for (place, sign) in text.char_indices() {
         if sign.is_ascii_digit() {
-            // What follows a letter, a point or a comma is no whole number by itself.
+            // Digits after a letter, a point or a comma are no whole number by themselves.
             let alone = |last: char| !last.is_alphanumeric() && !matches!(last, '.' | ',' | '_' | '-');
             digits = digits.or_else(|| Some(tied.len()).filter(|_| tied.chars().next_back().is_none_or(alone)));
             tied.push(sign);
@@ -33,7 +33,7 @@ pub(super) fn tied(text: &str) -> String {
             tied.push_str(&grouped);
         }
         match unit {
-            // The sign of the degree follows its digits without a space, as ISO 80000-1 has it.
+            // No space between digits and degree sign (ISO 80000-1).
             Some("°") => {}
             Some(_) => tied.push(THIN),
             None => tied.push(sign),
@@ -43,7 +43,7 @@ pub(super) fn tied(text: &str) -> String {
     tied
 }
 
-/// The unit with which a text begins behind its space.
+/// Returns the unit with which a text begins, after leading spaces.
 fn unit_at(text: &str) -> Option<&str> {
     let word = text.trim_start_matches([' ', THIN]);
     let word = word.split([' ', ',', ';', ')', ':', THIN]).next()?;
@@ -52,10 +52,10 @@ fn unit_at(text: &str) -> Option<&str> {
 }
 
 impl Shown {
-    /// Four significant digits.
+    /// Formats a number with four significant digits.
     pub(super) fn number(&self, value: Number) -> String {
         let Some(value) = value.written() else { return "∞".to_owned() };
-        // A figure that is exact in fewer digits is not padded with zeros it does not have.
+        // An exact figure with fewer digits is not padded with zeros.
         let text = format_significant(value, 4, self.0);
         let point = self.0.decimal_mark();
         let (mantissa, power) = text.split_at(text.find('·').unwrap_or(text.len()));
@@ -64,7 +64,7 @@ impl Shown {
         format!("{}{power}", grouped(short))
     }
 
-    /// A share as percentage, one decimal.
+    /// Formats a share as a percentage with one decimal.
     pub(super) fn share(&self, share: Number) -> String {
         let Some(share) = share.written() else { return format!("∞{THIN}%") };
         let percent = share * 100.0;
@@ -76,7 +76,7 @@ impl Shown {
         format!("{text}{THIN}%")
     }
 
-    /// A unit of the records as people write it.
+    /// Returns the symbol of a unit of the records.
     pub(super) fn unit(&self, json: &str) -> String {
         match json {
             "1" => String::new(),
@@ -84,7 +84,7 @@ impl Shown {
         }
     }
 
-    /// Number and unit.
+    /// Formats a number with its unit.
     pub(super) fn figure(&self, value: Number, unit: &str) -> String {
         let unit = self.unit(unit);
         let number = self.number(value);
@@ -95,7 +95,7 @@ impl Shown {
         }
     }
 
-    /// An angle or a speed of the output along a line with so much travel per turn; none for what is neither.
+    /// Converts an angle or a speed of the output to travel or speed along a line; `None` for other units.
     pub(super) fn along(&self, value: Number, unit: &str, travel_mm_per_rev: Number) -> Option<String> {
         let turns = match unit {
             "rev" => 1.0,
@@ -106,23 +106,23 @@ impl Shown {
             _ => return None,
         };
         let way = value.0 * turns * travel_mm_per_rev.0;
-        // Below a hundredth of a millimetre people say micrometres.
+        // Lengths below 0.01 mm are stated in micrometres.
         let small = way != 0.0 && way.abs() < 0.01;
         Some(if small { self.figure(Number(way * 1e3), "µm") } else { self.figure(Number(way), "mm") })
     }
 
-    /// A grade in a word.
+    /// Returns the word for a grade.
     pub(super) fn grade(&self, grade: Grade) -> &'static str {
         words::grade_word(grade, self.0)
     }
 
-    /// A date.
+    /// Formats a date.
     pub(super) fn date(&self, year: u16, month: u8, day: u8) -> String {
         words::report::date(year, month, day, self.0)
     }
 }
 
-/// Whole numbers of five digits and more in groups of three, as ISO 80000-1 has it.
+/// Groups the digits of a whole number with five or more digits in threes (ISO 80000-1).
 fn grouped(number: &str) -> String {
     let (sign, digits) = number.strip_prefix('−').map_or(("", number), |rest| ("−", rest));
     if digits.len() < 5 || !digits.bytes().all(|digit| digit.is_ascii_digit()) {
@@ -138,7 +138,7 @@ fn grouped(number: &str) -> String {
     text
 }
 
-/// The same for a number with decimals: those stay as they are.
+/// Groups the digits before the decimal mark; the decimals stay unchanged.
 fn grouped_decimals(number: &str) -> String {
     let end = number.find([',', '.']).unwrap_or(number.len());
     let (whole, decimals) = number.split_at(end);
