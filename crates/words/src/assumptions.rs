@@ -1,4 +1,4 @@
-//! What is assumed where the project states nothing.
+//! Words for the assumptions made where the project states nothing.
 
 use crate::pick;
 use crate::texts::said;
@@ -7,7 +7,7 @@ use project::Assumption;
 use quantities::unit::{DEGREE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Unit, format_significant};
 
-/// A default that the user did not confirm.
+/// Returns a default that the user did not confirm, as text.
 #[must_use]
 pub fn assumption_text(assumption: Assumption, language: Language) -> String {
     let (en, de) = match assumption {
@@ -205,7 +205,7 @@ fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), 3, language), unit.symbol)
 }
 
-/// An acceleration that the steps of a column make up, and what takes it out.
+/// Returns the remark on an acceleration caused by the resolution of a column, with the remedy.
 fn steps_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String {
     let interval = figure(made_up.interval_s, &MILLISECOND, language);
     let of = |si: f64| figure(si, &RADIAN_PER_SECOND_SQUARED, language);

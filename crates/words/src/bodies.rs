@@ -7,7 +7,7 @@ use project::{BodyKind, BodyShape};
 use quantities::unit::{KILOGRAM, KILOGRAM_PER_CUBIC_METRE, MILLIMETRE};
 use quantities::{Language, Measure, Unit, format_significant};
 
-/// The shape of a body for people.
+/// Returns the name of the shape of a body.
 #[must_use]
 pub const fn shape_title(shape: &BodyShape, language: Language) -> &'static str {
     let (en, de) = match shape.kind {
@@ -23,7 +23,7 @@ pub const fn shape_title(shape: &BodyShape, language: Language) -> &'static str 
     pick(language, en, de)
 }
 
-/// What is wrong with a body that cannot be.
+/// Returns the fault of an impossible body, in one sentence.
 pub(super) fn fault(error: &BodyError, language: Language) -> String {
     let positive = |key: &str, si: f64, unit: &Unit, or_zero: bool| {
         let value = format!("{} {}", format_significant(unit.from_si(si), 4, language), unit.symbol);

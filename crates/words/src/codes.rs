@@ -6,7 +6,7 @@ use configurator::{BrokenRule, Rule, Uncovered};
 use order_code::{CodeError, Field, OrderCode};
 use quantities::Language;
 
-/// The name of a field.
+/// Returns the name of a field.
 #[must_use]
 pub fn describe_field(field: Field, language: Language) -> &'static str {
     let (en, de) = match field {
@@ -23,13 +23,13 @@ pub fn describe_field(field: Field, language: Language) -> &'static str {
     if language == Language::De { de } else { en }
 }
 
-/// What one field of a code means, as the series states it.
+/// Returns the meaning of one field of a code, as stated by the series; empty if the series states none.
 #[must_use]
 pub fn describe_token(code: &OrderCode, field: Field, language: Language) -> String {
     code.meaning(field).map_or_else(String::new, |[en, de]| pick(language, &en, &de).clone())
 }
 
-/// What the printed tables do not cover of a code, in words.
+/// Returns a property of a code that the manual does not cover, as text.
 #[must_use]
 pub fn describe_uncovered(what: Uncovered, language: Language) -> String {
     match what {
@@ -48,7 +48,7 @@ pub fn describe_uncovered(what: Uncovered, language: Language) -> String {
     }
 }
 
-/// A broken rule in words.
+/// Returns a broken rule as text.
 #[must_use]
 pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) -> String {
     let token = code.token(broken.field).unwrap_or("");
@@ -77,7 +77,7 @@ pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) 
     }
 }
 
-/// A fault of a code's spelling in words, without the hint.
+/// Returns a fault in the spelling of a code as text, without the hint.
 #[must_use]
 pub fn describe_code_error(error: &CodeError, language: Language) -> String {
     let name = |field: &Field| describe_field(*field, language);

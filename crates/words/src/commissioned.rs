@@ -1,4 +1,4 @@
-//! Words of what the commissioning knows by identifier: parameters, gaps, measurands, bands, causes.
+//! Words for the identifiers of the commissioning: parameters, gaps, measurands, bands, causes.
 
 use super::commission;
 use crate::pick;
@@ -10,7 +10,7 @@ use installation::commission::sinamics::Choice;
 use installation::commission::{Conversion, Gap, ParameterId};
 use quantities::{Language, format_significant};
 
-/// What a parameter is.
+/// Returns the name of a parameter.
 #[must_use]
 pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
     use ParameterId as P;
@@ -86,7 +86,7 @@ pub fn parameter_name(id: ParameterId, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// How a value follows from what is printed.
+/// Returns the conversion from the value in the manual to the parameter.
 #[must_use]
 pub const fn conversion_text(conversion: Conversion, language: Language) -> &'static str {
     let (en, de) = match conversion {
@@ -104,7 +104,7 @@ pub const fn conversion_text(conversion: Conversion, language: Language) -> &'st
     pick(language, en, de)
 }
 
-/// Meaning of a parameter number of a drive.
+/// Returns the meaning of a parameter number of a drive.
 #[must_use]
 pub const fn choice_text(choice: Choice, language: Language) -> &'static str {
     let (en, de) = match choice {
@@ -126,7 +126,7 @@ pub const fn choice_text(choice: Choice, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// What is missing and what to do.
+/// Returns a missing datum and the remedy.
 #[must_use]
 pub fn gap_text(gap: Gap, language: Language) -> String {
     let (en, de) = match gap {
@@ -178,7 +178,7 @@ pub fn gap_text(gap: Gap, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// The name of an object in its profile, in which it stands in English everywhere.
+/// Returns the name of an object in its profile, which is English in both languages.
 #[must_use]
 pub const fn object_name(id: ObjectId, language: Language) -> &'static str {
     match id {
@@ -195,7 +195,7 @@ pub const fn object_name(id: ObjectId, language: Language) -> &'static str {
     }
 }
 
-/// What is measured.
+/// Returns the name of a measurand.
 #[must_use]
 pub const fn measurand_name(what: Measurand, language: Language) -> &'static str {
     let (en, de) = match what {
@@ -220,7 +220,7 @@ pub const fn measurand_name(what: Measurand, language: Language) -> &'static str
     pick(language, en, de)
 }
 
-/// What a band rests on.
+/// Returns the basis of a tolerance band.
 #[must_use]
 pub const fn band_text(band: Band, language: Language) -> &'static str {
     let (en, de) = match band {
@@ -246,7 +246,7 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// Why a measurement is not judged.
+/// Returns the reason why a measurement is not judged.
 #[must_use]
 pub const fn unjudged_text(why: Unjudged, language: Language) -> &'static str {
     match why {
@@ -256,7 +256,7 @@ pub const fn unjudged_text(why: Unjudged, language: Language) -> &'static str {
     }
 }
 
-/// The likely cause of a value that is off, and what to look at.
+/// Returns the likely cause of a deviating value, and what to check.
 #[must_use]
 pub fn cause_text(cause: Cause, language: Language) -> String {
     let shown = |value: f64| format_significant(value, 3, language);

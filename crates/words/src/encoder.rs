@@ -130,7 +130,7 @@ texts! {
         | "die Position geht beim Ausfall der Versorgung verloren: Achse nach dem Einschalten referenzieren";
 }
 
-/// What is assumed, and what it rests on.
+/// Returns an assumption and its basis.
 #[must_use]
 pub const fn assumed(what: Assumed, language: Language) -> &'static str {
     let (en, de) = match what {
@@ -178,7 +178,7 @@ pub const fn assumed(what: Assumed, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// How far an assumption can be trusted.
+/// Returns the grade of an assumption.
 #[must_use]
 pub const fn assumed_grade(what: Assumed) -> Grade {
     match what {

@@ -9,13 +9,13 @@ use quantities::Language;
 /// Marks a value whose cell has an erratum: it may not be the printed one.
 pub const ERRATUM_MARK: char = '†';
 
-/// A value with the mark of its errata, if it has any.
+/// Returns a value, followed by the mark if the value has errata.
 #[must_use]
 pub fn marked(value: String, errata: &[&str]) -> String {
     if errata.is_empty() { value } else { format!("{value} {ERRATUM_MARK}") }
 }
 
-/// What is wrong, in one or two words.
+/// Returns the kind of an erratum in one or two words.
 #[must_use]
 pub fn erratum_kind(kind: ErratumKind, language: Language) -> &'static str {
     let (en, de) = match kind {
@@ -28,7 +28,7 @@ pub fn erratum_kind(kind: ErratumKind, language: Language) -> &'static str {
     if language == Language::De { de } else { en }
 }
 
-/// Whether an erratum is settled, in one word.
+/// Returns the status of an erratum in one word.
 #[must_use]
 pub fn erratum_status(corrected: bool, language: Language) -> &'static str {
     match (corrected, language) {
@@ -39,7 +39,7 @@ pub fn erratum_status(corrected: bool, language: Language) -> &'static str {
     }
 }
 
-/// Where an erratum is: the table, and the cell or the place in words.
+/// Returns the place of an erratum: the table, and the cell or a description of the place.
 #[must_use]
 pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     let mut parts = Vec::new();

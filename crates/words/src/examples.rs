@@ -1,17 +1,17 @@
-//! Comments and names in the examples, which are project files to begin with.
+//! Comments and names in the examples, which are project files to start from.
 
 use crate::pick;
 use crate::texts::said;
 use quantities::Language;
 
-/// A comment or a name of an example, which has it in English, in a language; `None` for a text that no example has.
+/// Returns the translation of an English comment or name of an example; `None` for a text of no example.
 #[must_use]
 pub fn example_text(english: &str, language: Language) -> Option<&'static str> {
     let (en, de) = EXAMPLE_TEXTS.iter().find(|(en, _)| *en == english)?;
     Some(pick(language, en, de))
 }
 
-/// How an example is run.
+/// Returns the command that runs an example.
 #[must_use]
 pub fn how_to_run(file: &str, language: Language) -> String {
     said!(language => "Run: antrieb size {file}" | "Aufruf: antrieb size {file} --lang de")

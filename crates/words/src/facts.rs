@@ -5,20 +5,20 @@ use crate::{document_short, pick};
 use catalogue::{Fact, Signal, Step};
 use quantities::Language;
 
-/// What a fact says.
+/// Returns the text of a fact.
 #[must_use]
 pub const fn fact_text(fact: &Fact, language: Language) -> &'static str {
     pick(language, fact.en, fact.de)
 }
 
-/// Place of a fact in its document: `CHA manual section 9.4`.
+/// Returns the place of a fact in its document: `CHA manual section 9.4`.
 #[must_use]
 pub fn fact_source(fact: &Fact, language: Language) -> String {
     let (document, section) = (document_short(fact.document, language), fact.section);
     said!(language => "{document} section {section}" | "{document} Abschnitt {section}")
 }
 
-/// The signal word as ISO 3864-2 and ANSI Z535.6 write it.
+/// Returns the signal word according to ISO 3864-2 and ANSI Z535.6.
 #[must_use]
 pub const fn signal_word(signal: Signal, language: Language) -> &'static str {
     let (en, de) = match signal {
@@ -31,7 +31,7 @@ pub const fn signal_word(signal: Signal, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// When a fact matters, as the heading of a check-list.
+/// Returns the step at which a fact matters, as the heading of a checklist.
 #[must_use]
 pub const fn step_title(step: Step, language: Language) -> &'static str {
     let (en, de) = match step {

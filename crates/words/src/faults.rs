@@ -1,4 +1,4 @@
-//! Words about the faults of what the user wrote.
+//! Words for faults in the input of the user.
 
 use super::quantity::hint_of_several;
 use super::{bodies, motion, quantity_fault, recording};
@@ -12,10 +12,10 @@ use quantities::unit::DEGREE;
 use quantities::{Language, Unit, format_number, format_significant};
 use std::ops::Range as Span;
 
-/// A fault in words.
+/// A fault as text, with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Worded {
-    /// Its identifier in data exchange.
+    /// Identifier of the fault in data exchange.
     pub id: &'static str,
     /// Offending part of the text, in bytes.
     pub span: Span<usize>,
@@ -23,14 +23,14 @@ pub struct Worded {
     pub line: usize,
     /// Column in characters, from one.
     pub column: usize,
-    /// What is wrong, one sentence.
+    /// The fault in one sentence.
     pub message: String,
-    /// What was expected, or the nearest valid choice.
+    /// Expected input, or the nearest valid choice.
     pub hint: Option<String>,
 }
 
 impl Worded {
-    /// A fault with its words at a place of a text.
+    /// Creates a fault from its texts and its place in a text.
     #[must_use]
     pub fn at(text: &str, span: Span<usize>, id: &'static str, message: String, hint: Option<String>) -> Self {
         let (line, column) = project::place(text, span.start);
@@ -38,7 +38,7 @@ impl Worded {
     }
 }
 
-/// Every fault in words, in their order.
+/// Returns every fault as text, in the same order.
 #[must_use]
 pub fn worded(faults: &[Diagnostic], language: Language) -> Vec<Worded> {
     faults.iter().map(|fault| fault_worded(fault, language)).collect()
@@ -56,7 +56,7 @@ fn fault_worded(found: &Diagnostic, language: Language) -> Worded {
     }
 }
 
-/// What is wrong, in one sentence.
+/// Returns the fault in one sentence.
 #[must_use]
 pub fn fault_text(fault: &Fault, language: Language) -> String {
     match fault {
@@ -305,7 +305,7 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
     }
 }
 
-/// What a fault itself says about what would be right.
+/// Returns the hint that follows from the fault alone.
 #[must_use]
 pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
     let example = |line: &str| Some(hint_text(&Hint::Example(line.to_owned()), language));
@@ -334,7 +334,7 @@ pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
     }
 }
 
-/// What would be right.
+/// Returns a hint as text.
 #[must_use]
 pub fn hint_text(hint: &Hint, language: Language) -> String {
     match hint {
@@ -363,7 +363,7 @@ pub fn hint_text(hint: &Hint, language: Language) -> String {
     }
 }
 
-/// Further faults, counted only.
+/// Returns the number of further faults as text.
 fn more(count: usize, language: Language) -> String {
     match count {
         1 => said!(language => "and 1 more fault" | "und 1 weiterer Fehler"),
@@ -375,9 +375,9 @@ fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol)
 }
 
-/// Values within the tolerances at which there is no such axis, and why.
+/// Returns the values within the tolerances at which the axis is impossible, and the reason.
 fn impossible(values: &[(String, f64, &Unit)], why: Option<&Fault>, language: Language) -> String {
-    // More quantities than this are not named.
+    // Largest number of quantities that are named.
     const NAMED_MOST: usize = 4;
     let mut named: Vec<String> = values
         .iter()
@@ -401,7 +401,7 @@ fn impossible(values: &[(String, f64, &Unit)], why: Option<&Fault>, language: La
     )
 }
 
-/// The name of a type of TOML.
+/// Returns the German name of a type of TOML.
 fn type_in_german(name: &str) -> &str {
     match name {
         "string" => "Text",
@@ -480,7 +480,7 @@ fn table(fault: TableFault, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// What is wrong with the times for the battery.
+/// Returns a fault in the times for the battery, in one sentence.
 #[must_use]
 pub fn battery_fault(fault: &BatteryFault, language: Language) -> String {
     let (en, de) = match fault {
@@ -494,7 +494,7 @@ pub fn battery_fault(fault: &BatteryFault, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// What the system says about a file that cannot be read.
+/// Returns the message of the system about an unreadable file.
 #[must_use]
 pub fn file_trouble(error: &std::io::Error, language: Language) -> String {
     trouble_text(&error.into(), language)

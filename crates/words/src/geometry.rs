@@ -1,10 +1,10 @@
-//! Words of what is wrong with the lengths and angles of a mechanism.
+//! Words for faults in the lengths and angles of a mechanism.
 
 use crate::pick;
 use mechanism::Geometry;
 use quantities::Language;
 
-/// What is wrong, with the keys it is about.
+/// Returns the fault with the keys concerned.
 pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static str {
     let (en, de) = match fault {
         Geometry::RopeWithoutLength => (

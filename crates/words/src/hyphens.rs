@@ -1,4 +1,4 @@
-//! Where a long German word may be divided at the end of a line.
+//! Hyphenation of long German words at the end of a line.
 
 use std::borrow::Cow;
 
@@ -63,7 +63,8 @@ const PARTS: &[&str] = &[
     "übertragungs",
 ];
 
-/// The text with soft hyphens (U+00AD) in its long compounds: browsers without a German dictionary divide them there.
+/// Returns the text with soft hyphens (U+00AD) in its long compounds, where browsers without a German dictionary divide
+/// them.
 #[must_use]
 pub fn hyphenated(text: &str) -> Cow<'_, str> {
     if text.split(|sign: char| !sign.is_alphabetic()).all(|word| word.chars().count() <= WHOLE) {
@@ -75,7 +76,7 @@ pub fn hyphenated(text: &str) -> Cow<'_, str> {
 
 fn divided(word: &str) -> Option<String> {
     let letters = word.trim_end_matches(|sign: char| !sign.is_alphabetic()).chars().count();
-    // Lower case of German letters is as long as they are.
+    // Byte offsets are valid for both spellings only if lower case has the same length.
     let lower = Some(word.to_lowercase()).filter(|lower| letters > WHOLE && lower.len() == word.len())?;
     let ends = |part: &'static &'static str| {
         lower.match_indices(*part).map(|(at, found)| at + found.len()).collect::<Vec<_>>()
@@ -83,7 +84,7 @@ fn divided(word: &str) -> Option<String> {
     let mut places: Vec<usize> = PARTS.iter().flat_map(ends).collect();
     places.sort_unstable();
     places.dedup();
-    // Three letters at least stand in the next line.
+    // At least three letters stand on the next line.
     places.retain(|at| {
         word.get(*at..).is_some_and(|rest| rest.chars().take_while(|sign| sign.is_alphabetic()).count() >= 3)
     });

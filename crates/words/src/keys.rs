@@ -1,4 +1,4 @@
-//! Words of the keys of the project file.
+//! Words for the keys of the project file.
 
 use crate::mechanism_keys::{mechanism_key_text, mechanism_text};
 use crate::pick;
@@ -12,7 +12,7 @@ use project::names::{
 use project::{About, Key};
 use quantities::Language;
 
-/// What a key of the project file is for, and what its declaration says of a file that does not state it.
+/// Returns the description of a key of the project file, with its default or assumption.
 #[must_use]
 pub fn key_text(key: &Key, language: Language) -> String {
     let about = about_text(key.about, language);
@@ -28,7 +28,7 @@ pub fn key_text(key: &Key, language: Language) -> String {
     said!(language => "{about}; default {default}{assumed}" | "{about}; ohne Angabe {default}{assumed}")
 }
 
-/// What a key of the project file is for.
+/// Returns the purpose of a key of the project file.
 #[must_use]
 #[rustfmt::skip] // one line per key and language
 pub const fn about_text(about: About, language: Language) -> &'static str {

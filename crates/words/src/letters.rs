@@ -1,6 +1,6 @@
-//! How words are set: what stays on one line, and where a long word may be cut.
+//! Rules of typesetting: words that stay with a number, and places where a long word may be divided.
 
-/// Whether a number belongs to a word before it, as in "table 12.1", and stands on its line.
+/// Returns `true` if a number after the word belongs to it, as in "table 12.1", and stays on its line.
 #[must_use]
 pub fn stands_before_a_number(word: &str) -> bool {
     const WORDS: [&str; 12] = [
@@ -20,7 +20,7 @@ pub fn stands_before_a_number(word: &str) -> bool {
     WORDS.contains(&word)
 }
 
-/// Whether a letter is a vowel in either language.
+/// Returns `true` if a letter is a vowel in either language.
 #[must_use]
 pub fn is_vowel(letter: char) -> bool {
     "aeiouyäöüAEIOUYÄÖÜ".contains(letter)

@@ -1,4 +1,4 @@
-//! What antrieb says, in English and German: every sentence, title and term. Both languages stand side by side, so that
+//! Texts of antrieb in English and German: every sentence, title and term. Both languages stand side by side, so that
 //! none can be missing.
 //!
 //! Returns the text for an identifier with its arguments: a check, a note, an assumption, a law, a rule, a fault.
@@ -97,7 +97,7 @@ pub use usage::{Usage, UsageHint, usage_hint, usage_text};
 
 use quantities::Language;
 
-/// That of the language.
+/// Returns the value of the language.
 pub(crate) const fn pick<T: Copy>(language: Language, en: T, de: T) -> T {
     match language {
         Language::En => en,
@@ -105,7 +105,7 @@ pub(crate) const fn pick<T: Copy>(language: Language, en: T, de: T) -> T {
     }
 }
 
-/// A text with its first letter large, as a title has it.
+/// Returns a text with a capital first letter, as in a title.
 #[must_use]
 pub fn capitalised(text: &str) -> String {
     // A symbol at the head keeps its letter: `n_N, rated motor speed`, `m, mass`.

@@ -1,4 +1,4 @@
-//! Words of the keys of a record of measured values.
+//! Words for the keys of a record of measured values.
 
 use crate::pick;
 use crate::{commission, measurand_name, terms};
@@ -9,7 +9,7 @@ use project::names::{
 };
 use quantities::Language;
 
-/// What a key of a record is called, or what its table is about.
+/// Returns the label of a key of a record, or the title of its table.
 #[must_use]
 pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static str {
     if let Some(what) = key.measurand() {
@@ -41,7 +41,7 @@ pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static st
         MeasuredKey::Speed(SpeedName::electrical_frequency) => {
             ("frequency of the motor current", "Frequenz des Motorstroms")
         }
-        // A measured value is named as its measurand.
+        // A measured value has the name of its measurand.
         MeasuredKey::Winding(WindingName::resistance_ll | WindingName::inductance_ll)
         | MeasuredKey::Emf(EmfName::voltage_ll)
         | MeasuredKey::Sensor(SensorName::kty | SensorName::ptc)
@@ -51,7 +51,7 @@ pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static st
     pick(language, en, de)
 }
 
-/// What a key of a record is for.
+/// Returns the purpose of a key of a record.
 #[must_use]
 pub const fn measured_key_text(key: MeasuredKey, language: Language) -> &'static str {
     let (en, de) = match key {

@@ -1,4 +1,4 @@
-//! Words of the mechanisms and of their keys.
+//! Words for the mechanisms and their keys.
 
 use crate::pick;
 use project::names::{
@@ -7,7 +7,7 @@ use project::names::{
 };
 use quantities::Language;
 
-/// What a mechanism is.
+/// Returns the description of a mechanism.
 #[rustfmt::skip] // one line per mechanism and language
 pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> &'static str {
     let (en, de) = match name {
@@ -36,7 +36,7 @@ pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> 
     pick(language, en, de)
 }
 
-/// What a key of a mechanism is for.
+/// Returns the purpose of a key of a mechanism.
 #[rustfmt::skip] // one line per key and language
 pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) -> &'static str {
     let (en, de) = match name {

@@ -1,4 +1,4 @@
-//! Words about motions that cannot be.
+//! Words for impossible motions.
 
 use crate::pick;
 use crate::texts::said;
@@ -14,7 +14,7 @@ fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol)
 }
 
-/// What a segment follows, in the words of VDI 2143.
+/// Returns the motion law of a segment, in the terms of VDI 2143.
 #[must_use]
 pub fn law_text(law: SegmentLaw, language: Language) -> &'static str {
     let (en, de) = match law {
@@ -34,9 +34,9 @@ pub fn law_text(law: SegmentLaw, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// What is wrong with a move, and what would be possible.
+/// Returns the fault of a move and the possible values.
 ///
-/// `travel_m_per_rad`: travel per angle where the motion is stated along a line; its values are then those of the line.
+/// `travel_m_per_rad`: travel per angle if the motion is stated along a line; the values are then those of the line.
 pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: Language) -> (String, Option<String>) {
     let of = |si: f64, line: &Unit, turning: &Unit| match travel_m_per_rad {
         Some(travel) => shown(si * travel, line, language),
@@ -163,7 +163,7 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
     }
 }
 
-/// What is wrong with the points of a cam table.
+/// Returns the fault in the points of a cam table.
 pub(super) fn points_fault(fault: PointsFault, language: Language) -> String {
     match fault {
         PointsFault::TooFew { points, least } => said!(language =>
@@ -184,7 +184,7 @@ pub(super) fn points_fault(fault: PointsFault, language: Language) -> String {
     }
 }
 
-/// What is wrong with samples, and what to do.
+/// Returns the fault in samples and the remedy.
 pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (String, Option<String>) {
     match fault {
         RecordedFault::WindowTooShort { least } => {

@@ -1,4 +1,4 @@
-//! Words about mounting: fits, bores, screw joints.
+//! Words for mounting: fits, bores, bolted joints.
 
 use super::{quantity_fault, quantity_hint};
 use crate::pick;
@@ -8,7 +8,7 @@ use installation::joint::LoadCase;
 use quantities::unit::MILLIMETRE;
 use quantities::{Language, Length, Measure, format_number};
 
-/// The side of the actuator.
+/// Returns the name of a side of the actuator.
 #[must_use]
 pub fn side_title(side: Side, language: Language) -> String {
     let (en, de) = match side {
@@ -18,7 +18,7 @@ pub fn side_title(side: Side, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// What a fit is by ISO 286-1.
+/// Returns the kind of a fit according to ISO 286-1.
 #[must_use]
 pub fn fit_word(kind: FitKind, language: Language) -> String {
     let (en, de) = match kind {
@@ -29,7 +29,7 @@ pub fn fit_word(kind: FitKind, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// What loads a joint.
+/// Returns the name of a load case of a joint.
 #[must_use]
 pub fn load_case_title(case: LoadCase, language: Language) -> String {
     let (en, de) = match case {
@@ -41,10 +41,10 @@ pub fn load_case_title(case: LoadCase, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// What is wrong with a bore, and what would be right.
+/// Returns the fault of a bore and the remedy.
 #[must_use]
 pub fn bore_fault(fault: &BoreFault, language: Language) -> (String, Option<String>) {
-    // As it was written: rounded only by what the conversion of units has added.
+    // The spelling of the user, apart from the rounding of the unit conversion.
     let millimetres = |length: &Length| {
         let text = format_number(length.in_unit(&MILLIMETRE), 6, language);
         text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned()

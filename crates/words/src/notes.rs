@@ -10,7 +10,7 @@ use quantities::unit::{
 use quantities::{Angle, AngularVelocity, Language, Measure, Time, Torque, format_number, format_significant};
 use sizing::{BrakeStop, Budget, Note, ResonanceSpeeds, RopeSlack};
 
-/// A remark on a check.
+/// Returns a remark on a check as text.
 #[must_use]
 pub fn note_text(note: &Note, language: Language) -> String {
     let celsius = |si| with_unit(si, &DEGREE_CELSIUS, 3, language);
@@ -369,7 +369,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
     }
 }
 
-/// The remark on small swings among larger ones.
+/// Returns the remark on small swivel motions among larger ones.
 pub(super) fn small_swings(count: usize, angles: [Angle; 2], share: f64, language: Language) -> String {
     let [largest, least] = angles.map(|angle| with_unit(angle.si(), &DEGREE, 3, language));
     let share = format_number(share * 100.0, 0, language);
@@ -379,10 +379,10 @@ pub(super) fn small_swings(count: usize, angles: [Angle; 2], share: f64, languag
     )
 }
 
-/// So many times of slack are named.
+/// Largest number of periods of slack that are named.
 const TIMES_NAMED: usize = 4;
 
-/// The times for which a rope would be slack.
+/// Returns the periods in which a rope would be slack.
 fn rope_slack(RopeSlack { times }: &RopeSlack, language: Language) -> String {
     let seconds = |time: &Time| format_number(time.in_unit(&SECOND), 3, language);
     let of = |wanted: Rope| {

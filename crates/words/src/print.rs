@@ -1,28 +1,28 @@
-//! What the data in print say, which have their texts in both languages.
+//! Texts of the data that the data state in both languages.
 
 use crate::pick;
 use catalogue::{Cell, Document, Erratum, Footnote, Table, Term, Word};
 use quantities::Language;
 
-/// The title of a printed table.
+/// Returns the title of a printed table.
 #[must_use]
 pub const fn table_title(table: &Table, language: Language) -> &'static str {
     pick(language, table.title_en, table.title_de)
 }
 
-/// What a note of a printed table says.
+/// Returns the text of a note of a printed table.
 #[must_use]
 pub const fn table_note(note: &Footnote, language: Language) -> &'static str {
     pick(language, note.en, note.de)
 }
 
-/// What a cell says after errata.
+/// Returns the text of a cell after errata.
 #[must_use]
 pub fn cell_text(cell: &Cell, language: Language) -> &'static str {
     pick(language, cell.corrected_en(), cell.corrected)
 }
 
-/// What an erratum recovered, what is printed, and what is right.
+/// Returns the recovered text of an erratum, if any, then the printed and the correct text.
 #[must_use]
 pub const fn erratum_readings(erratum: &Erratum, language: Language) -> (Option<&'static str>, [&'static str; 2]) {
     pick(
@@ -32,19 +32,19 @@ pub const fn erratum_readings(erratum: &Erratum, language: Language) -> (Option<
     )
 }
 
-/// The short name under which texts cite a document; the identifier of one that the catalogue lacks.
+/// Returns the short name by which texts cite a document; the identifier if the catalogue lacks the document.
 #[must_use]
 pub fn document_short(id: &'static str, language: Language) -> &'static str {
     catalogue::document(id).map_or(id, |found| short(found, language))
 }
 
-/// The short name of a document.
+/// Returns the short name of a document.
 #[must_use]
 pub const fn short(document: &Document, language: Language) -> &'static str {
     in_german(document.short, document.short_de, language)
 }
 
-/// The title of a document: in the language of the document, in both if it is of antrieb itself.
+/// Returns the title of a document: in the language of the document, or in both if it is a document of antrieb.
 #[must_use]
 pub const fn document_title(document: &Document, language: Language) -> &'static str {
     in_german(document.title, document.title_de, language)
@@ -54,31 +54,31 @@ const fn in_german(text: &'static str, german: &'static str, language: Language)
     pick(language, text, if german.is_empty() { text } else { german })
 }
 
-/// The remark on a document, which there is in English only; empty in another language.
+/// Returns the remark on a document, which exists in English only; empty in German.
 #[must_use]
 pub const fn document_note(document: &Document, language: Language) -> &'static str {
     pick(language, document.note, "")
 }
 
-/// What a word of the glossary means.
+/// Returns the meaning of a word of the glossary.
 #[must_use]
 pub const fn word_meaning(word: &Word, language: Language) -> &'static str {
     pick(language, word.about_en, word.about_de)
 }
 
-/// The remark on a term of the glossary.
+/// Returns the remark on a term of the glossary.
 #[must_use]
 pub const fn term_remark(term: &Term, language: Language) -> &'static str {
     pick(language, term.note_en, term.note_de)
 }
 
-/// A text in both languages: that of the requested language first.
+/// Returns a text in both languages, that of the requested language first.
 #[must_use]
 pub const fn own_and_foreign<'t>(en: &'t str, de: &'t str, language: Language) -> [&'t str; 2] {
     pick(language, [en, de], [de, en])
 }
 
-/// Printed numbers have a decimal comma; English readers get a point. Texts stay as they are.
+/// Returns a printed number with the decimal mark of the language; other texts stay unchanged.
 #[must_use]
 pub fn decimal(text: &str, language: Language) -> String {
     let numeric = text.chars().all(|c| c.is_ascii_digit() || " ,.<>≤≥±%-".contains(c));

@@ -1,4 +1,4 @@
-//! Words of the project file: its tables, its keys, and the words that a key takes.
+//! Words for the project file: its tables, its keys, and the words that are values of keys.
 
 use crate::{law_text, shape_title, simulation};
 use feedback::Failure;
@@ -7,7 +7,7 @@ use quantities::Language;
 use std::borrow::Cow;
 use twin::ScenarioId;
 
-/// What a table of the project file is about; `None` for one that is named by its key.
+/// Returns the title of a table of the project file; `None` if the table has only the name of its key.
 #[must_use]
 pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> {
     let (en, de) = match name {
@@ -29,7 +29,7 @@ pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> 
     Some(if language == Language::De { de } else { en })
 }
 
-/// A word that a key takes; `None` for what is none of a fixed set.
+/// Returns a word that is a value of a key; `None` for a value outside a fixed set.
 #[must_use]
 pub fn key_word(key: &str, word: &str, language: Language) -> Option<Cow<'static, str>> {
     match key {
@@ -48,7 +48,7 @@ pub fn key_word(key: &str, word: &str, language: Language) -> Option<Cow<'static
         }
         // Parts of an ordering code.
         "feedback" | "option_1" | "option_2" => return Some(word.to_owned().into()),
-        // Degrees of protection are written so in both languages.
+        // Degrees of protection have the same spelling in both languages.
         "protection" => return Some(word.to_owned().into()),
         _ => {}
     }
@@ -56,14 +56,14 @@ pub fn key_word(key: &str, word: &str, language: Language) -> Option<Cow<'static
     Some(Cow::Borrowed(if language == Language::De { de } else { en }))
 }
 
-/// A key of a body; `None` for what is none.
+/// Returns the name of a key of a body; `None` for any other key.
 #[must_use]
 pub fn body_key(key: &str, language: Language) -> Option<&'static str> {
     let (_, en, de) = BODY_KEYS.iter().find(|(name, ..)| *name == key)?;
     Some(if language == Language::De { de } else { en })
 }
 
-/// What a key says to a reader; the rest of its description is for authors of the file.
+/// Returns the part of a description that labels a key; the rest is for authors of the file.
 #[must_use]
 pub fn short_label(label: &str) -> String {
     let label = label.split(';').next().unwrap_or(label).trim_start_matches("true: ");
@@ -74,7 +74,7 @@ pub fn short_label(label: &str) -> String {
     TAILS.iter().find_map(|tail| label.strip_suffix(tail)).map_or(label.clone(), str::to_owned)
 }
 
-/// The words of the project file: key, word, in English, in German. Those without a key hold for any.
+/// Words of the project file: key, word, English, German. A word without a key is valid for every key.
 const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("brake", "true", "required", "gefordert"),
     ("brake", "false", "excluded", "ausgeschlossen"),
@@ -133,7 +133,7 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("special_application", "amusement", "amusement rides", "Fahrgeschäfte"),
 ];
 
-/// The keys of a body: in English, in German.
+/// Keys of a body: key, English, German.
 const BODY_KEYS: &[(&str, &str, &str)] = &[
     ("diameter", "diameter", "Durchmesser"),
     ("length", "length", "Länge"),
@@ -155,7 +155,7 @@ mod tests {
     use super::*;
     use project::{KEYS, Key, Kind};
 
-    /// A word that a project file has and a page shows is said in both languages.
+    /// A word of a project file that a page shows exists in both languages.
     #[test]
     fn every_word_of_a_choice_is_said() {
         fn walk(keys: &[Key], left: &mut Vec<String>) {

@@ -1,4 +1,4 @@
-//! The reference page of the project file, in Markdown: every key from the description that the reader uses.
+//! The reference page of the project file, in Markdown: every key, from the description that the reader uses.
 
 use super::key_text;
 use crate::pages;
@@ -6,7 +6,7 @@ use crate::quantity::unpadded;
 use project::{Column, KEYS, Key, Kind, Range, Variants};
 use quantities::{Dimension, Language};
 
-/// The page in a language.
+/// Returns the page in a language.
 #[must_use]
 pub fn project_page(language: Language) -> String {
     let mut page = format!("# {}\n\n{}\n", pages::title(language), pages::introduction(language));
@@ -28,7 +28,7 @@ pub fn project_page(language: Language) -> String {
     page
 }
 
-/// The tables below a key, each with its heading.
+/// Appends the tables below a key, each with its heading.
 fn below(page: &mut String, path: &str, key: &Key, language: Language) {
     let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
     match key.kind {
@@ -59,7 +59,7 @@ fn section(page: &mut String, heading: &str, keys: &[Key], language: Language) {
     }
 }
 
-/// Which keys each kind of such a table needs and may have.
+/// Appends the keys that each kind of a table requires and may have.
 fn kinds(page: &mut String, variants: &Variants, language: Language) {
     page.push_str(&format!("\n{}\n|---|---|---|\n", pages::columns_of_kinds(&variants.by, language)));
     for (name, needed, allowed) in variants.kinds {
@@ -76,7 +76,7 @@ fn names<'k>(keys: impl Iterator<Item = &'k str>) -> String {
     keys.map(|key| format!("`{key}`")).collect::<Vec<_>>().join(" ")
 }
 
-/// A value that could stand there, without its key.
+/// Returns a valid value of a key, without the key.
 fn sample(key: &Key) -> String {
     match key.kind {
         Kind::Table(_) | Kind::OneOrMany(..) | Kind::Variants(_) | Kind::Text => String::new(),
@@ -87,7 +87,7 @@ fn sample(key: &Key) -> String {
     }
 }
 
-/// What may stand behind a key.
+/// Returns the valid values of a key.
 fn value(key: &Key, language: Language) -> String {
     let shown = |number: f64| unpadded(number, 7, language);
     let between = |low: f64, high: f64| pages::from_to(&shown(low), &shown(high), language);

@@ -1,9 +1,9 @@
-//! Words about texts that are no quantities, and plain numbers.
+//! Words for texts that are no quantities, and plain numbers.
 
 use crate::texts::said;
 use quantities::{Dimension, Language, QuantityError, format_number, format_significant};
 
-/// What is wrong with a text that should be a quantity, in one sentence.
+/// Returns the fault of a text that should be a quantity, in one sentence.
 #[must_use]
 pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
     let wanted = |expected: Dimension| {
@@ -64,7 +64,7 @@ pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
     }
 }
 
-/// What would be right instead, if more can be said than what is wrong.
+/// Returns the remedy; `None` if the fault already implies it.
 #[must_use]
 pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String> {
     match error {
@@ -108,7 +108,7 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
     }
 }
 
-/// The same where a quantity of further dimensions may stand.
+/// Returns the remedy where a quantity of further dimensions is valid.
 pub(crate) fn hint_of_several(error: &QuantityError, also: &[Dimension], language: Language) -> Option<String> {
     let hint = quantity_hint(error, language)?;
     let names_units = match error {
@@ -128,14 +128,14 @@ pub(crate) fn hint_of_several(error: &QuantityError, also: &[Dimension], languag
     Some(std::iter::once(hint).chain(others).collect::<Vec<_>>().join("; "))
 }
 
-/// The valid units of a quantity.
+/// Returns the valid units of a quantity.
 fn units(dimension: Dimension, language: Language) -> String {
     let names: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
     let (name, names) = (dimension.name(language), names.join(", "));
     said!(language => "units of {name}: {names}" | "Einheiten für {name}: {names}")
 }
 
-/// The number with a decimal point; where the comma may have grouped thousands, also without it.
+/// Returns the number with a decimal point; if the comma may group thousands, also without it.
 fn point_hint(found: &str, language: Language) -> String {
     let (whole, fraction) = found.split_once(',').unwrap_or((found, ""));
     let zero = if whole.ends_with(|c: char| c.is_ascii_digit()) { "" } else { "0" };

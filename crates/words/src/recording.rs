@@ -1,4 +1,4 @@
-//! Words about recordings that cannot be read.
+//! Words for recordings that cannot be read.
 
 mod beyond;
 mod foreign;
@@ -15,13 +15,13 @@ use quantities::unit::SECOND;
 use quantities::{Language, Measure, Time, format_significant};
 use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
 
-/// What is wrong with a file of a recording, in one sentence.
+/// Returns the fault of a file of a recording, in one sentence.
 #[must_use]
 pub fn recording_text(found: &Fault, language: Language) -> String {
     fault(found, language).0
 }
 
-/// What is wrong with a Parquet file that is read as a table of axes, in one sentence.
+/// Returns the fault of a Parquet file read as a table of axes, in one sentence.
 #[must_use]
 pub fn table_text(found: &Fault, language: Language) -> String {
     match found {
@@ -241,7 +241,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::Ambiguous { role, columns, numbers } => {
             let (role, key) = (role_text(*role, language), role_key(*role));
             let first = columns.first().map_or("", String::as_str);
-            // Columns of one name differ by their numbers.
+            // Columns with the same name are distinguished by their numbers.
             let is_alike = columns.iter().any(|name| columns.iter().filter(|other| *other == name).count() > 1);
             let (list, line) = if is_alike {
                 let named =
@@ -439,7 +439,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
     }
 }
 
-/// Which encoding of a text was guessed; nothing where it was known.
+/// Returns the assumed encoding of a text; `None` if the encoding was known.
 #[must_use]
 pub fn encoding_guess(encoding: Option<Encoding>, language: Language) -> Option<String> {
     let name = match encoding? {
@@ -465,7 +465,7 @@ fn seconds(time: Time, language: Language) -> String {
     format!("{} {}", format_significant(time.si(), 5, language), SECOND.symbol)
 }
 
-/// A time with all the digits that it was written with.
+/// Formats a time with all digits of the file.
 fn stamp(stamp: Stamp, language: Language) -> String {
     let number = stamp.value.to_string().replace('.', pick(language, ".", ","));
     format!("{number} {}", stamp.unit.symbol)
@@ -480,7 +480,7 @@ const fn role_key(role: Role) -> &'static str {
     }
 }
 
-/// What a column of a recording is for.
+/// Returns the quantity in a column of a recording.
 #[must_use]
 pub fn role_text(role: Role, language: Language) -> String {
     match role {

@@ -1,4 +1,4 @@
-//! Words of the report, by the keys of its template.
+//! Words for the report, by the keys of its template.
 
 use crate::texts::{Word, texts};
 use crate::{capitalised, check_title, terms};
@@ -6,7 +6,7 @@ use quantities::Language;
 use sizing::CheckId;
 use std::collections::BTreeMap;
 
-/// Every word of the template by its key.
+/// Returns every word of the template by its key.
 #[must_use]
 pub fn words(language: Language) -> BTreeMap<&'static str, String> {
     let own = TEXTS.iter().map(|text| (text.name, text.plain(language).to_owned()));
@@ -16,7 +16,7 @@ pub fn words(language: Language) -> BTreeMap<&'static str, String> {
     own.chain(heads).chain(amid).chain(checks).collect()
 }
 
-/// A date as a letter has it.
+/// Formats a date as in a letter.
 #[must_use]
 pub fn date(year: u16, month: u8, day: u8, language: Language) -> String {
     match language {
@@ -25,7 +25,7 @@ pub fn date(year: u16, month: u8, day: u8, language: Language) -> String {
     }
 }
 
-/// Words that stand elsewhere too, here at the head of a line.
+/// Words that are defined elsewhere, here at the beginning of a line.
 const HEADS: &[(&str, Word)] = &[
     ("axis", terms::axis),
     ("body", terms::body),
@@ -65,7 +65,7 @@ const HEADS: &[(&str, Word)] = &[
     ("value", terms::value),
 ];
 
-/// Words that stand elsewhere too, here within a line.
+/// Words that are defined elsewhere, here within a line.
 const AMID: &[(&str, Word)] = &[
     ("advice", terms::advice),
     ("fail", terms::fail),
@@ -75,7 +75,7 @@ const AMID: &[(&str, Word)] = &[
     ("rejected", terms::rejected),
 ];
 
-/// What bears the name of a check.
+/// Keys whose word is the title of a check.
 const CHECKS: &[(&str, CheckId)] = &[
     ("r_ambient", CheckId::Ambient),
     ("speed_mean", CheckId::MeanSpeed),

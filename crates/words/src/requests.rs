@@ -1,4 +1,4 @@
-//! What is said of requests over HTTP: what there is, and why one is not answered.
+//! Texts about requests over HTTP: the available addresses, and the reasons for refusing a request.
 
 use crate::texts::texts;
 

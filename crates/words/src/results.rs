@@ -1,4 +1,4 @@
-//! Words about results: checks, requirements, sources.
+//! Words for results: checks, requirements, sources.
 
 use crate::derivation::symbol_shown;
 use crate::texts::said;
@@ -11,7 +11,7 @@ use quantities::unit::{KILOGRAM, MILLIMETRE, MINUTE, VOLT};
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
 use sizing::{CheckId, Fit, Part, Verdict};
 
-/// What a part of the actuator is called above its checks.
+/// Returns the title of a part of the actuator above its checks.
 #[must_use]
 pub const fn part_title(part: Part, language: Language) -> &'static str {
     let (en, de) = match part {
@@ -28,7 +28,7 @@ pub const fn part_title(part: Part, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// The title of a check.
+/// Returns the title of a check.
 #[must_use]
 pub fn check_title(id: CheckId, language: Language) -> String {
     let (en, de) = match id {
@@ -81,14 +81,14 @@ pub fn check_title(id: CheckId, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// The cycle of the curves of intermittent duty in minutes.
+/// Formats the cycle of the curves of intermittent duty in minutes.
 #[must_use]
 pub fn minutes(cycle: Time, language: Language) -> String {
     let minutes = cycle.in_unit(&MINUTE);
     format_number(minutes, usize::from(minutes.fract() != 0.0), language)
 }
 
-/// The title of a curve of the torque-speed plane.
+/// Returns the title of a curve of the torque-speed plane.
 #[must_use]
 pub fn curve_title(kind: &CurveKind, language: Language) -> String {
     match kind {
@@ -107,7 +107,7 @@ pub fn curve_title(kind: &CurveKind, language: Language) -> String {
     }
 }
 
-/// A verdict in one word; never shown by colour alone.
+/// Returns a verdict in one word, which accompanies every colour.
 #[must_use]
 pub fn verdict_word(verdict: Verdict, language: Language) -> String {
     let (en, de) = match verdict {
@@ -119,7 +119,7 @@ pub fn verdict_word(verdict: Verdict, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// How many checks came to a verdict.
+/// Returns the number of checks with a verdict, as text.
 #[must_use]
 pub fn verdict_count(verdict: Verdict, count: usize, language: Language) -> String {
     match (verdict, language) {
@@ -129,33 +129,33 @@ pub fn verdict_count(verdict: Verdict, count: usize, language: Language) -> Stri
     }
 }
 
-/// What came out of the checks of a candidate.
+/// Numbers of the checks of a candidate by result.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Passed.
+    /// Checks passed.
     pub passed: usize,
-    /// Passed with an advice.
+    /// Checks passed with an advice.
     pub advised: usize,
-    /// Failed.
+    /// Checks failed.
     pub failed: usize,
-    /// Not checked: a datum is missing.
+    /// Checks not made: a datum is missing.
     pub not_checked: usize,
-    /// Only shown: the project states no limit.
+    /// Checks only shown: the project states no limit.
     pub without_limit: usize,
     /// Requirements of the project for which a datum is missing.
     pub requirements_open: usize,
 }
 
 impl Counts {
-    /// All checks.
+    /// Returns the number of all checks.
     #[must_use]
     pub const fn checks(&self) -> usize {
         self.passed + self.advised + self.failed + self.not_checked + self.without_limit
     }
 }
 
-/// Whether a candidate fits, what is missing, and whether a load is left without a hold: nothing else words this. `inside`: the
-/// checks that lie within the band of an estimate.
+/// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power. Only
+/// this function words it. `inside`: the checks within the band of an estimate.
 #[must_use]
 pub fn standing_text(fit: Fit, inside: &str, unheld: bool, counts: &Counts, language: Language) -> String {
     let (all, missing) = (counts.checks(), counts.not_checked);
@@ -202,7 +202,7 @@ pub fn standing_text(fit: Fit, inside: &str, unheld: bool, counts: &Counts, lang
     text
 }
 
-/// How many checks came to which verdict, in one line.
+/// Returns the numbers of checks by verdict, in one line.
 #[must_use]
 pub fn counts_text(counts: &Counts, language: Language) -> String {
     let mut parts = Vec::new();
@@ -221,13 +221,13 @@ pub fn counts_text(counts: &Counts, language: Language) -> String {
     parts.join(", ")
 }
 
-/// The verdict of a check that has a value: without a limit of the project it is only shown.
+/// Returns the verdict of a check with a value but without a limit of the project: it is only shown.
 #[must_use]
 pub fn without_limit(language: Language) -> String {
     said!(language => "no limit stated" | "ohne Grenze")
 }
 
-/// The field's word for a symbol, from the glossary; the symbol itself where the glossary has none.
+/// Returns the term for a symbol, from the glossary; the symbol itself if the glossary has none.
 #[must_use]
 pub fn symbol_term(symbol: &str, language: Language) -> String {
     catalogue::term(symbol).map_or_else(|| symbol.to_owned(), |term| pick(language, term.en, term.de).to_owned())
@@ -261,7 +261,7 @@ const CONDITIONS: [(&str, &str); 24] = [
     ("maximum", "Kurzzeit"),
 ];
 
-/// The condition of a table row for people.
+/// Returns the condition of a table row as text.
 #[must_use]
 pub fn condition_text(condition: &str, language: Language) -> String {
     let (crossed, four) =
@@ -280,7 +280,7 @@ pub fn condition_text(condition: &str, language: Language) -> String {
     text
 }
 
-/// The decimal commas of a print as points.
+/// Replaces the decimal commas of the manual by points.
 fn with_points(text: &str) -> String {
     let signs: Vec<char> = text.chars().collect();
     let digit = |index: Option<usize>| index.and_then(|at| signs.get(at)).is_some_and(char::is_ascii_digit);
@@ -290,7 +290,7 @@ fn with_points(text: &str) -> String {
     signs.iter().enumerate().map(point).collect()
 }
 
-/// What a check lacks.
+/// Returns the datum that a check lacks.
 #[must_use]
 pub fn check_missing(symbol: &str, language: Language) -> String {
     if symbol == "recorded_speed" {
@@ -326,13 +326,13 @@ pub(super) fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language)
     if unit.symbol == "1" { number } else { format!("{number} {}", unit.symbol) }
 }
 
-/// Why an erratum says what it says.
+/// Returns the evidence for an erratum.
 #[must_use]
 pub fn evidence_text(id: &str, language: Language) -> &'static str {
     catalogue::erratum(id).map_or("", |erratum| pick(language, erratum.evidence, erratum.evidence_de))
 }
 
-/// A grade in one word.
+/// Returns a grade in one word.
 #[must_use]
 pub fn grade_word(grade: Grade, language: Language) -> &'static str {
     match (language, grade) {
@@ -346,7 +346,7 @@ pub fn grade_word(grade: Grade, language: Language) -> &'static str {
     }
 }
 
-/// A requirement that is not met.
+/// Returns a requirement that is not met, as text.
 #[must_use]
 pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
     let mm = |si| with_unit(si, &MILLIMETRE, 4, language);
@@ -384,7 +384,7 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
     }
 }
 
-/// Where a number comes from.
+/// Returns the source of a number.
 #[must_use]
 pub fn source_text(source: &Source, language: Language) -> String {
     match source {
@@ -404,14 +404,14 @@ pub fn source_text(source: &Source, language: Language) -> String {
     }
 }
 
-/// An equation of the manual, or several: `75.2`, `73.1 – 73.4`.
+/// Returns an equation of the manual, or several: `75.2`, `73.1 – 73.4`.
 #[must_use]
 pub fn equation_text(number: &str, language: Language) -> String {
     let manual = document_short(MANUAL, language);
     said!(language => "{manual} eq. {number}" | "{manual} Gl. {number}")
 }
 
-/// The name of a model for people; the identifier is that of its page in docs/theory.
+/// Returns the name of a model; the identifier is that of its page in docs/theory.
 #[must_use]
 pub fn model_name(id: &'static str, language: Language) -> &'static str {
     MODELS.iter().find(|(model, ..)| *model == id).map_or(id, |(_, en, de)| pick(language, en, de))
@@ -461,7 +461,8 @@ fn row_text(cell: &CellRef, text: &mut String, language: Language) {
     }
 }
 
-/// The sign of a row as people write it, `τ_e` for `tau_e`; none for a row that the tables name in words, such as `bearing_type`.
+/// Returns the symbol of a row with Greek letters, `τ_e` for `tau_e`; `None` for a row that the tables name in words,
+/// such as `bearing_type`.
 #[must_use]
 pub fn row_sign(symbol: &str) -> Option<String> {
     let shown = symbol_shown(symbol);
@@ -471,13 +472,13 @@ pub fn row_sign(symbol: &str) -> Option<String> {
     is_sign.then_some(shown)
 }
 
-/// Name of a table row for people: its sign, else its term.
+/// Returns the name of a table row: its symbol, else its term.
 #[must_use]
 pub fn row_name(symbol: &str, language: Language) -> String {
     row_sign(symbol).unwrap_or_else(|| symbol_term(symbol, language))
 }
 
-/// The stated rule of the ranking.
+/// Returns the rule of the ranking.
 #[must_use]
 pub fn ranking_rule(language: Language) -> String {
     said!(language =>
@@ -486,7 +487,8 @@ pub fn ranking_rule(language: Language) -> String {
     )
 }
 
-/// The field's word for a figure of an actuator or of the demand on it, as it is compared: with what is built in.
+/// Returns the term for a figure of an actuator, or of the demand on it, as used in a comparison with the built-in
+/// actuator.
 #[must_use]
 pub fn figure_term(symbol: &str, language: Language) -> String {
     let (en, de) = match symbol {
@@ -500,7 +502,7 @@ pub fn figure_term(symbol: &str, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// What stands behind a grade, in a sentence.
+/// Returns the meaning of a grade, in a sentence.
 #[must_use]
 pub fn grade_about(grade: Grade, language: Language) -> &'static str {
     match (language, grade) {

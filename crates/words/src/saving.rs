@@ -1,39 +1,39 @@
-//! Words about files that cannot be written.
+//! Words for files that cannot be written.
 
 use crate::pick;
 use crate::texts::said;
 use project::FileTrouble;
 use quantities::Language;
 
-/// Why a file is not written.
+/// Reasons why a file is not written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SaveTrouble {
-    /// It exists, and replacing it was not requested.
+    /// The file exists, and replacing it was not requested.
     Exists,
-    /// It is write-protected.
+    /// The file is write-protected.
     WriteProtected,
-    /// It exists and is a pipe, a device or a socket.
+    /// The file exists and is a pipe, a device or a socket.
     NoRegularFile,
-    /// There is no such folder.
+    /// The folder does not exist.
     NoFolder,
     /// A link leads out of the folder of the given name.
     LinkLeadsAway {
-        /// Where it leads.
+        /// Target of the link.
         target: String,
     },
-    /// A link leads to nothing.
+    /// The target of a link does not exist.
     LinkToNothing,
-    /// It is the project file or one that the project reads.
+    /// The file is the project file or one that the project reads.
     IsInput,
-    /// Two files to be written are one.
+    /// Two files to be written have the same path.
     Twice,
-    /// Its format does not go to standard output.
+    /// The format cannot be written to standard output.
     NotToStdout,
-    /// What the system says.
+    /// Message of the system.
     System(FileTrouble),
 }
 
-/// Why a file is not written, in one sentence.
+/// Returns the reason why a file is not written, in one sentence.
 #[must_use]
 pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
     use std::io::ErrorKind;
@@ -68,7 +68,7 @@ pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
             "this format cannot be written to standard output",
             "dieses Format kann nicht auf die Standardausgabe geschrieben werden",
         ),
-        // A limit of the size is how some systems tell that there is no room.
+        // Some systems report a full device as an exceeded file size.
         SaveTrouble::System(FileTrouble { kind: ErrorKind::FileTooLarge, .. }) => {
             ("not enough space for a file of this size", "nicht genügend Speicherplatz für eine Datei dieser Größe")
         }

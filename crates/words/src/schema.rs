@@ -1,11 +1,11 @@
-//! Words of the schema of the project file.
+//! Words for the schema of the project file.
 
 use super::key_text;
 use crate::texts::said;
 use project::SchemaText;
 use quantities::{Dimension, Language};
 
-/// A text of the schema of the project file.
+/// Returns a text of the schema of the project file.
 #[must_use]
 pub fn schema_text(text: SchemaText, language: Language) -> String {
     match text {
@@ -14,7 +14,7 @@ pub fn schema_text(text: SchemaText, language: Language) -> String {
     }
 }
 
-/// How a quantity is written, for an editor.
+/// Returns the syntax of a quantity, for an editor.
 fn quantity(dimension: Dimension, language: Language) -> String {
     let (name, example) = (dimension.name(language), dimension.example());
     let half = if dimension == Dimension::Temperature { "5 K" } else { "10 %" };

@@ -1,4 +1,4 @@
-//! What is said of serving the web workbench.
+//! Texts about serving the web workbench.
 
 use crate::texts::texts;
 

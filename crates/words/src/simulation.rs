@@ -1,4 +1,4 @@
-//! Words about the digital twin.
+//! Words for the digital twin.
 
 use crate::pick;
 use crate::texts::texts;
@@ -225,7 +225,7 @@ texts! {
     ending_of_a_trace = "the trace must be a .csv or .parquet file" | "der Verlauf muss eine Datei .csv oder .parquet sein";
 }
 
-/// What happens in a scenario.
+/// Returns the title of a scenario.
 #[must_use]
 pub fn scenario_title(scenario: ScenarioId, language: Language) -> String {
     let (en, de) = match scenario {
@@ -245,7 +245,7 @@ pub fn scenario_title(scenario: ScenarioId, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// What happened.
+/// Returns the title of an event.
 #[must_use]
 pub fn event_title(event: EventKind, language: Language) -> String {
     let (en, de) = match event {
@@ -283,7 +283,7 @@ pub fn event_title(event: EventKind, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// How an encoder fails; without a failure of its own it is the battery.
+/// Returns the title of an encoder failure; `None` is the loss of turns due to an empty battery.
 #[must_use]
 pub fn failure_title(failure: Option<Failure>, language: Language) -> String {
     let (en, de) = match failure {
@@ -298,7 +298,7 @@ pub fn failure_title(failure: Option<Failure>, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// What a drive notices of it.
+/// Returns the title of a finding by which a drive detects an encoder failure.
 #[must_use]
 pub fn finding_title(finding: Finding, language: Language) -> String {
     let (en, de) = match finding {
@@ -318,7 +318,7 @@ pub fn finding_title(finding: Finding, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// A loop of the control.
+/// Returns the name of a control loop.
 #[must_use]
 pub fn loop_title(of: Loop, language: Language) -> String {
     let (en, de) = match of {
@@ -329,7 +329,7 @@ pub fn loop_title(of: Loop, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// Why nothing is simulated.
+/// Returns the reason why nothing is simulated.
 #[must_use]
 pub fn simulation_fault(fault: &Fault, language: Language) -> String {
     match fault {

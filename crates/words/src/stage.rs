@@ -1,11 +1,11 @@
-//! Words about the stage between actuator and mechanism.
+//! Words for the stage between actuator and mechanism.
 
 use crate::percent_text;
 use crate::texts::said;
 use project::RatioAnswer;
 use quantities::{Language, format_significant};
 
-/// What the ratios of a stage give, one after the other; empty for a stage of one ratio.
+/// Returns the answers for the ratios of a stage, in order; empty for a stage with one ratio.
 #[must_use]
 pub fn ratios_text(ratios: &[RatioAnswer], language: Language) -> String {
     let each = ratios.iter().map(|answer| {

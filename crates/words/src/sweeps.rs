@@ -1,4 +1,4 @@
-//! Words about sweeps: many axes in a table.
+//! Words for sweeps: many axes in a table.
 
 use crate::pick;
 use crate::texts::{said, texts};
@@ -77,7 +77,7 @@ texts! {
         | "{count} Schlüssel mit Bereichen; die Sobol-Folge hat hier {most} Dimensionen";
 }
 
-/// What is wrong with a table whose columns are keys, in one sentence.
+/// Returns the fault of a table whose columns are keys, in one sentence.
 pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
     match fault {
         TabularFault::NoColumn { path } => said!(language =>

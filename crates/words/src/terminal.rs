@@ -1,4 +1,4 @@
-//! What the command line answers, besides the answers proper.
+//! Texts of the command line besides the answers.
 
 use crate::texts::texts;
 

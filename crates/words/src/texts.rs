@@ -1,20 +1,20 @@
-//! How a text is written down: a name with its English and its German, side by side.
+//! The notation of a text: a name with its English and its German, side by side.
 
-/// A text into which nothing is put, before its language is known.
+/// A text without arguments, before its language is known.
 pub type Word = fn(crate::Language) -> &'static str;
 
-/// A text with its two languages as they are written, for tests of all texts.
+/// A text with its two languages as written in the source, for tests of all texts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Text {
-    /// Its name, that of the function which gives it.
+    /// Name of the text and of the function that returns it.
     pub name: &'static str,
-    /// English and German with what is put in as `{name}`; separate pairs for singular and plural, and
-    /// once where both languages say the same.
+    /// English and German with arguments as `{name}`; separate pairs for singular and plural, and a single form if both
+    /// languages have the same text.
     pub forms: &'static [&'static str],
 }
 
 impl Text {
-    /// The text in a language, with what is put in still as `{name}`.
+    /// Returns the text in a language, with arguments still as `{name}`.
     #[must_use]
     pub fn plain(&self, language: crate::Language) -> &'static str {
         let [en, de] = match self.forms {
@@ -29,7 +29,8 @@ impl Text {
     }
 }
 
-/// Texts, each a function of this name whose last argument is the language, and a list of them all, `TEXTS`.
+/// Defines texts, each as a function with this name whose last argument is the language, and the list of them all,
+/// `TEXTS`.
 ///
 /// ```text
 /// name = "English" | "German";
@@ -38,8 +39,8 @@ impl Text {
 /// rows(count) = "1 row" | "1 Zeile", "{count} rows" | "{count} Zeilen";
 /// ```
 ///
-/// What is put in is shown as it is, so numbers come with the decimal mark of the language. With separate texts for singular
-/// and plural, the first argument is the number.
+/// Arguments are inserted unchanged, so numbers must have the decimal mark of the language. With separate texts for
+/// singular and plural, the first argument is the number.
 macro_rules! texts {
     ($($name:ident $(($($arg:ident),+))? = $($form:literal)|+ $(, $($many:literal)|+)? ;)+) => {
         $( $crate::texts::texts!(@one $name $(($($arg),+))? = $($form)|+ $(, $($many)|+)?); )+
@@ -93,7 +94,8 @@ macro_rules! texts {
 
 pub(crate) use texts;
 
-/// A text in a language, written as in [`texts`]: its English and its German, then what both put in besides the names in scope.
+/// Formats a text in a language, written as in [`texts`]: its English and its German, then the arguments of both
+/// besides the names in scope.
 ///
 /// ```text
 /// said!(language => "axis \"{name}\"" | "Achse „{name}“")

@@ -1,10 +1,10 @@
-//! Words of the keys of `[twin]`.
+//! Words for the keys of `[twin]`.
 
 use crate::pick;
 use project::names::{ReplacedName, TwinName};
 use quantities::Language;
 
-/// What a key of the simulation is for.
+/// Returns the purpose of a key of the simulation.
 #[rustfmt::skip] // one line per key and language
 pub(crate) const fn twin_key_text(name: TwinName, language: Language) -> &'static str {
     let (en, de) = match name {
@@ -32,7 +32,7 @@ pub(crate) const fn twin_key_text(name: TwinName, language: Language) -> &'stati
     pick(language, en, de)
 }
 
-/// What a measured value is.
+/// Returns the name of a measured value.
 #[rustfmt::skip] // one line per key and language
 pub(crate) const fn replaced_key_text(name: ReplacedName, language: Language) -> &'static str {
     let (en, de) = match name {

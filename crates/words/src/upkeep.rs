@@ -1,4 +1,4 @@
-//! Words about storage, upkeep, shutting down and disposal.
+//! Words for storage, maintenance, shutting down and disposal.
 
 use super::battery_fault;
 use crate::pick;
@@ -24,7 +24,7 @@ pub fn date_text(date: NaiveDate) -> String {
     date.format("%Y-%m-%d").to_string()
 }
 
-/// What is to be done.
+/// Returns the title of a task.
 #[must_use]
 pub fn task_title(task: Task, language: Language) -> String {
     let (en, de) = match task {
@@ -41,7 +41,7 @@ pub fn task_title(task: Task, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// How binding a date is, with the interval of a series.
+/// Returns the obligation of a date, with the interval of a series.
 #[must_use]
 pub fn rule_text(rule: Rule, interval: Option<Interval>, language: Language) -> String {
     let every = interval.map(|interval| every(interval, language)).unwrap_or_default();
@@ -67,7 +67,7 @@ fn every(interval: Interval, language: Language) -> String {
     }
 }
 
-/// The assumptions, with their consequences.
+/// Returns an assumption of the plan, with its consequences.
 #[must_use]
 pub const fn plan_note(note: PlanNote, language: Language) -> &'static str {
     match note {
@@ -83,7 +83,7 @@ pub const fn plan_note(note: PlanNote, language: Language) -> &'static str {
     }
 }
 
-/// What is wrong with a date, and what would be right.
+/// Returns the fault of a date and the remedy.
 #[must_use]
 pub fn date_fault(fault: &DateFault, language: Language) -> (String, Option<String>) {
     match fault {
@@ -96,7 +96,7 @@ pub fn date_fault(fault: &DateFault, language: Language) -> (String, Option<Stri
     }
 }
 
-/// What is wrong with an interval, and what would be right.
+/// Returns the fault of an interval and the remedy.
 #[must_use]
 pub fn interval_fault(fault: &IntervalFault, language: Language) -> (String, Option<String>) {
     let message = match fault {
@@ -108,7 +108,7 @@ pub fn interval_fault(fault: &IntervalFault, language: Language) -> (String, Opt
     (message, Some(crate::upkeep::interval_form(language).to_owned()))
 }
 
-/// Why there is no plan: the option concerned, what is wrong, and what would be right.
+/// Returns the reason why there is no plan: the option concerned, the fault and the remedy.
 #[must_use]
 pub fn upkeep_fault(fault: &UpkeepFault, language: Language) -> (&'static str, String, Option<String>) {
     match fault {

@@ -1,79 +1,79 @@
-//! Words about calls that cannot be understood.
+//! Words for invalid calls.
 
 use super::hint_text;
 use crate::texts::said;
 use project::Hint;
 use quantities::Language;
 
-/// What is wrong with a call.
+/// Faults of a call.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Usage {
-    /// No such command.
+    /// The command does not exist.
     UnknownCommand {
-        /// As written.
+        /// Spelling of the call.
         written: String,
     },
-    /// No such option.
+    /// The option does not exist.
     UnknownOption {
-        /// As written.
+        /// Spelling of the call.
         written: String,
     },
-    /// Arguments that must be there are not.
+    /// Required arguments are missing.
     Missing {
-        /// How the help names them.
+        /// Names of the arguments in the help.
         names: String,
     },
-    /// No value for an argument.
+    /// The value is invalid for the argument.
     BadValue {
-        /// As written.
+        /// Spelling of the call.
         written: String,
-        /// How the help names the argument.
+        /// Name of the argument in the help.
         name: String,
     },
-    /// An option without its value.
+    /// The option has no value.
     ValueMissing {
-        /// How the help names it.
+        /// Name of the option in the help.
         name: String,
     },
-    /// An option that stands there twice.
+    /// The option is given twice.
     Twice {
-        /// How the help names it.
+        /// Name of the option in the help.
         name: String,
     },
-    /// No command at all.
+    /// The call has no command.
     NoCommand,
-    /// An argument that is no UTF-8.
+    /// An argument is not valid UTF-8.
     NotUtf8,
-    /// A text that is too long.
+    /// A text exceeds the limit of its length.
     TooLong {
-        /// The most characters.
+        /// Largest number of characters.
         most: usize,
     },
-    /// No amount of memory.
+    /// The text is no amount of memory.
     NoMemory {
-        /// As written.
+        /// Spelling of the call.
         written: String,
     },
-    /// Anything else.
+    /// Any other fault.
     Other,
 }
 
-/// What would be right.
+/// Remedies for a fault of a call.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum UsageHint {
-    /// Something near, or everything that is valid.
+    /// A similar word, or all valid words.
     Words(Hint),
-    /// Numbers from and to.
+    /// Valid range, from and to.
     Range(String, String),
     /// A whole number.
     WholeNumber,
-    /// What an amount of memory looks like.
+    /// Syntax of an amount of memory.
     Memory,
-    /// Where it is described.
+    /// Reference to the help.
     Help,
 }
 
-/// What is wrong with a call, in one sentence.
+/// Returns the fault of a call, in one sentence.
 #[must_use]
 pub fn usage_text(usage: &Usage, language: Language) -> String {
     match usage {
@@ -101,7 +101,7 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
     }
 }
 
-/// What would be right, in words.
+/// Returns the remedy as text.
 #[must_use]
 pub fn usage_hint(hint: &UsageHint, language: Language) -> String {
     match hint {

@@ -1,4 +1,4 @@
-//! Words about connectors, pins and cables.
+//! Words for connectors, pins and cables.
 
 mod checked;
 
@@ -89,13 +89,13 @@ texts! {
         | "Stecker mit {poles} Polen, {thread}. Stifte: {pins}.";
 }
 
-/// A printed cell in the language; a dash where there is none.
+/// Returns a printed cell in the language; a dash without a cell.
 #[must_use]
 pub fn cell_or_dash(cell: Option<&'static Cell>, language: Language) -> &'static str {
     cell.map_or("-", |cell| crate::cell_text(cell, language))
 }
 
-/// The name of a connector.
+/// Returns the name of a connector.
 #[must_use]
 pub const fn role_name(role: Role, language: Language) -> &'static str {
     match role {
@@ -107,7 +107,7 @@ pub const fn role_name(role: Role, language: Language) -> &'static str {
     }
 }
 
-/// What a signal is, with its end of the pair.
+/// Returns the meaning of a signal, with its end of the pair.
 #[must_use]
 pub fn signal_meaning(signal: Signal, language: Language) -> String {
     let named = |en: &str, de: &str, name: char| format!("{} {name}", pick(language, en, de));
@@ -168,7 +168,7 @@ pub fn signal_meaning(signal: Signal, language: Language) -> String {
     }
 }
 
-/// What stands for a pin without a signal.
+/// Returns the text of a pin without a signal.
 #[must_use]
 pub const fn unconnected(has_wire: bool, language: Language) -> &'static str {
     if has_wire {
@@ -178,7 +178,7 @@ pub const fn unconnected(has_wire: bool, language: Language) -> &'static str {
     }
 }
 
-/// What a cable connects.
+/// Returns the part of the actuator that a cable connects.
 #[must_use]
 pub const fn cable_role(role: CableRole, language: Language) -> &'static str {
     match role {
@@ -189,7 +189,7 @@ pub const fn cable_role(role: CableRole, language: Language) -> &'static str {
     }
 }
 
-/// What a cable goes to.
+/// Returns the counterpart to which a cable leads.
 #[must_use]
 pub const fn cable_goal(goal: CableFor, language: Language) -> &'static str {
     match goal {
@@ -201,7 +201,7 @@ pub const fn cable_goal(goal: CableFor, language: Language) -> &'static str {
     }
 }
 
-/// What there is not, in a sentence.
+/// Returns the missing part or datum, in a sentence.
 #[must_use]
 pub const fn absent_text(absent: Absent, language: Language) -> &'static str {
     let (en, de) = match absent {
@@ -257,7 +257,7 @@ pub const fn absent_text(absent: Absent, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// The circuit whose wires lose voltage.
+/// Returns the circuit in whose wires the voltage drops.
 #[must_use]
 pub const fn circuit_name(circuit: Circuit, language: Language) -> &'static str {
     match circuit {
@@ -267,7 +267,7 @@ pub const fn circuit_name(circuit: Circuit, language: Language) -> &'static str 
     }
 }
 
-/// Why a loss is judged as it is; empty where it is simply enough or not.
+/// Returns the reason for the verdict on a voltage drop; empty for a plain pass.
 #[must_use]
 pub const fn drop_reason(verdict: DropVerdict, language: Language) -> &'static str {
     match verdict {
@@ -294,7 +294,7 @@ pub const fn drop_reason(verdict: DropVerdict, language: Language) -> &'static s
     }
 }
 
-/// How grave a finding is.
+/// Returns the severity of a finding.
 #[must_use]
 pub const fn severity_word(severity: Severity, language: Language) -> &'static str {
     match severity {

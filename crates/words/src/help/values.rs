@@ -1,4 +1,4 @@
-//! What stands for the value of an argument.
+//! Placeholders for the values of arguments.
 
 use crate::texts::texts;
 

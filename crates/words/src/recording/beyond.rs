@@ -1,10 +1,10 @@
-//! Words about files that are damaged, or larger in something than is read.
+//! Words for files that are damaged or exceed a limit.
 
 use crate::texts::said;
 use quantities::Language;
 use recording::{Damage, Limit};
 
-/// What is wrong with a Parquet file.
+/// Returns the damage of a Parquet file.
 pub(super) fn damage(damage: &Damage, language: Language) -> String {
     match damage {
         Damage::NoParquet => said!(language => "the format identifier is missing" | "die Formatkennung fehlt"),
@@ -40,7 +40,7 @@ pub(super) fn damage(damage: &Damage, language: Language) -> String {
     }
 }
 
-/// Too much of something, and what helps.
+/// Returns the exceeded limit and the remedy.
 pub(super) fn beyond(limit: Limit, found: u64, most: u64, language: Language) -> (String, Option<String>) {
     let mebibytes = |bytes: u64| format!("{} MiB", bytes.div_ceil(1 << 20));
     match limit {

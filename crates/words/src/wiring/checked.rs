@@ -1,4 +1,4 @@
-//! Words about a list of pins: why it cannot be read, and what is different in it.
+//! Words for a list of pins: reasons why it cannot be read, and its differences.
 
 use super::role_name;
 use crate::hint_text;
@@ -27,7 +27,7 @@ fn group_name(group: Group, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// What is different, in one sentence.
+/// Returns a difference, in one sentence.
 #[must_use]
 pub fn difference_text(finding: &Finding, language: Language) -> String {
     let Finding { pin, expected, .. } = finding;
@@ -109,7 +109,7 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
     }
 }
 
-/// What to do about it.
+/// Returns the action for a difference.
 #[must_use]
 pub const fn difference_action(finding: &Finding, language: Language) -> &'static str {
     let (en, de) = match (&finding.difference, finding.role) {
@@ -169,7 +169,7 @@ pub const fn difference_action(finding: &Finding, language: Language) -> &'stati
     pick(language, en, de)
 }
 
-/// The head of a column, as the documentation has it.
+/// Returns the heading of a column, as in the documentation.
 const fn column_name(column: Column, language: Language) -> &'static str {
     match column {
         Column::Connector => pick(language, "connector", "Stecker"),
@@ -180,7 +180,7 @@ const fn column_name(column: Column, language: Language) -> &'static str {
     }
 }
 
-/// Why a list cannot be read, in one sentence.
+/// Returns the reason why a list cannot be read, in one sentence.
 #[must_use]
 pub fn list_fault(fault: &ListFault, language: Language) -> String {
     match fault {
@@ -220,7 +220,7 @@ pub fn list_fault(fault: &ListFault, language: Language) -> String {
     }
 }
 
-/// What was expected instead.
+/// Returns the expected content instead.
 #[must_use]
 pub fn list_fault_hint(fault: &ListFault, language: Language) -> Option<String> {
     let valid = |names: &[&str]| {
