@@ -6,7 +6,7 @@ use order_code::{Field, OrderCode};
 use sizing::{Check, Fit, Judgement, Standing, Verdict};
 use words::Counts;
 
-/// What a candidate is called.
+/// Identity of a candidate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CandidateId {
     /// An actuator of the catalogue.
@@ -24,7 +24,7 @@ impl std::fmt::Display for CandidateId {
     }
 }
 
-/// What speaks against a candidate besides a failing check.
+/// Reason against a candidate other than a failing check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Objection {
     /// A requirement of the project is not met.
@@ -36,46 +36,47 @@ pub enum Objection {
 /// One judged actuator.
 #[derive(Clone, Debug)]
 pub struct Candidate<'p> {
-    /// What it is called; a code is complete and can be ordered.
+    /// Identity of the candidate; a code is complete and can be ordered.
     pub id: CandidateId,
     /// Fields of the code that are on request only.
     pub on_request: Vec<Field>,
-    /// Its data.
+    /// Data of the actuator.
     pub parameters: &'p Parameters,
     /// Every check.
     pub judgement: Judgement,
-    /// What else speaks against it.
+    /// Reasons against the candidate besides failing checks.
     pub objections: Vec<Objection>,
-    /// What the ranking looks at.
+    /// Criteria of the ranking.
     pub standing: Standing,
 }
 
 impl Candidate<'_> {
-    /// Returns `true` if nothing speaks against it, be it inside the band of an estimate.
+    /// Returns `true` if the candidate fits, possibly within the band of an estimate.
     #[must_use]
     pub const fn fits(&self) -> bool {
         self.standing.fit.fits()
     }
 
-    /// The verdict on it.
+    /// Returns the verdict on the candidate.
     #[must_use]
     pub const fn fit(&self) -> Fit {
         self.standing.fit
     }
 
-    /// Returns `true` if no check fails, whatever else speaks against it.
+    /// Returns `true` if no check fails, regardless of objections.
     #[must_use]
     pub fn judgement_fits(&self) -> bool {
         self.judgement.fits()
     }
 
-    /// The check that decides, see [`Judgement::governing`].
+    /// Returns the governing check, see [`Judgement::governing`].
     #[must_use]
     pub fn governing(&self) -> Option<&Check> {
         self.judgement.governing()
     }
 
-    /// The reason for which it is rejected: the governing check, else the first objection; `None` where it fits.
+    /// Returns the reason for the rejection: the governing check, else the first objection; `None` if the candidate
+    /// fits.
     #[must_use]
     pub fn reason(&self) -> Option<Reason<'_>> {
         if self.fits() {
@@ -85,13 +86,13 @@ impl Candidate<'_> {
         by_check.or_else(|| self.objections.first().map(Reason::Objection))
     }
 
-    /// The checks that are beyond their limits within the band of an estimate, the governing one first.
+    /// Returns the checks that exceed their limits within the band of an estimate, the governing one first.
     #[must_use]
     pub fn inside_bands(&self) -> Vec<&Check> {
         by_importance(&self.judgement.checks).into_iter().filter(|check| check.is_inside_band()).collect()
     }
 
-    /// How many checks came to which verdict.
+    /// Returns the number of checks by verdict.
     #[must_use]
     pub fn counts(&self) -> Counts {
         let mut counts = Counts::default();
@@ -110,14 +111,15 @@ impl Candidate<'_> {
         counts
     }
 
-    /// How many questions could not be answered for want of a datum: checks without a value, requirements left open.
+    /// Returns the number of open questions: checks without a value, and requirements for which a datum is missing.
     #[must_use]
     pub fn open_questions(&self) -> usize {
         let counts = self.counts();
         counts.not_checked + counts.requirements_open
     }
 
-    /// The keys of the project that are missing, each with the number of checks that need it; in the order of the checks.
+    /// Returns the missing keys of the project, each with the number of checks that require it; in the order of the
+    /// checks.
     #[must_use]
     pub fn keys_to_state(&self) -> Vec<(&'static str, usize)> {
         let mut keys: Vec<(&'static str, usize)> = Vec::new();
@@ -130,19 +132,19 @@ impl Candidate<'_> {
         keys
     }
 
-    /// Whether the load hangs and nothing holds it without power.
+    /// Returns `true` if gravity or a tension loads the axis and nothing holds it without power.
     #[must_use]
     pub const fn leaves_load_unheld(&self) -> bool {
         !self.standing.holds
     }
 
-    /// The checks that could not be made for want of a datum.
+    /// Returns the checks for which a datum is missing.
     pub fn not_checked(&self) -> impl Iterator<Item = &Check> {
         self.judgement.checks.iter().filter(|check| check.is_open())
     }
 }
 
-/// Checks in the one order in which every answer lists them, the governing one before the others of its verdict; see
+/// Sorts checks into the order of every answer, the governing one before the others of its verdict; see
 /// [`Check::importance`].
 #[must_use]
 pub fn by_importance(checks: &[Check]) -> Vec<&Check> {
@@ -158,17 +160,17 @@ pub fn by_importance(checks: &[Check]) -> Vec<&Check> {
     sorted
 }
 
-/// The reason for which an actuator is rejected.
+/// Reason for which an actuator is rejected.
 #[derive(Clone, Copy, Debug)]
 pub enum Reason<'c> {
     /// The governing check.
     Check(&'c Check),
-    /// Where no check fails, the first objection.
+    /// The first objection, if no check fails.
     Objection(&'c Objection),
 }
 
 impl Candidate<'_> {
-    /// Ranks it anew by its judgement.
+    /// Updates the criteria of the ranking from the judgement.
     pub(crate) fn stand(&mut self) {
         let Standing { size, mass_kg, .. } = self.standing;
         let mass = Some(mass_kg).filter(|mass| mass.is_finite());

@@ -1,4 +1,4 @@
-//! Answers laid out as chapters, for terminal, page and report.
+//! Answers as chapters, for terminal, page and report.
 
 mod commission;
 mod encoder;
@@ -24,7 +24,7 @@ use catalogue::Signal;
 use quantities::{Language, Unit, format_significant};
 use words::signal_word;
 
-/// A hazard or a rule with its signal word.
+/// Creates a hazard or a rule with its signal word.
 fn hazard(signal: Option<Id<Signal>>, text: &str, source: String, language: Language) -> Hazard {
     Hazard {
         level: signal.map_or("", |signal| signal.id()),
@@ -34,19 +34,19 @@ fn hazard(signal: Option<Id<Signal>>, text: &str, source: String, language: Lang
     }
 }
 
-/// Facts as hazards and rules, in their order.
+/// Converts facts to hazards and rules, in the same order.
 fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
     facts.iter().map(|fact| hazard(fact.signal, fact.text, fact.source.clone(), language)).collect()
 }
 
-/// Notes, and errata with their evidence.
+/// Returns notes, and errata with their evidence.
 fn remarks(notes: &[String], errata: &[CitedErratum]) -> Vec<String> {
     let erratum = |erratum: &CitedErratum| format!("{}: {}", erratum.id, erratum.evidence);
     notes.iter().cloned().chain(errata.iter().map(erratum)).collect()
 }
 
-/// Leaves out of each chapter the hazards and rules that an earlier one has, so that a report states each once; a section that
-/// becomes empty goes with them.
+/// Removes from each chapter the hazards and rules of earlier ones, so that a report states each of them once; empty
+/// sections are removed too.
 pub fn state_each_once(chapters: &mut [Chapter]) {
     let mut stated: Vec<Hazard> = Vec::new();
     for chapter in chapters {
@@ -66,7 +66,8 @@ pub fn state_each_once(chapters: &mut [Chapter]) {
     }
 }
 
-/// The documents that chapters cite by name, in the order of the catalogue; a report lists each of its documents once.
+/// Returns the documents that chapters cite by name, in the order of the catalogue; a report lists each of its
+/// documents once.
 #[must_use]
 pub fn documents(chapters: &[Chapter], language: Language) -> Vec<Document> {
     let texts: Vec<&str> = chapters.iter().flat_map(Chapter::texts).collect();
@@ -74,7 +75,7 @@ pub fn documents(chapters: &[Chapter], language: Language) -> Vec<Document> {
     catalogue::documents().iter().filter(cited).map(|found| document(found, language)).collect()
 }
 
-/// Returns `true` if a text has a short name as a word of its own: `DIN 4408` is not in `DIN 44081`.
+/// Returns `true` if a text contains a short name as a separate word: `DIN 4408` is not in `DIN 44081`.
 fn names(text: &str, short: &str) -> bool {
     let part = |sign: Option<char>| sign.is_some_and(|sign| sign.is_ascii_alphanumeric() || sign == '-');
     text.match_indices(short).any(|(at, _)| {
@@ -83,31 +84,31 @@ fn names(text: &str, short: &str) -> bool {
     })
 }
 
-/// A column, and what it shows of an item.
+/// A column, and the function that formats its cells.
 type Shown<'f, T> = (Column, &'f dyn Fn(&T) -> String);
 
-/// Adds rows under columns, each with what it shows of an item, if there are any items.
+/// Adds a grid with a row for each item, if there are any items.
 fn grid<'t, T: 't>(chapter: &mut Chapter, items: impl IntoIterator<Item = &'t T>, columns: &[Shown<'_, T>]) {
     let row = |item: &T| columns.iter().map(|(_, cell)| cell(item)).collect();
     let rows = items.into_iter().map(row).collect();
     chapter.grid(columns.iter().map(|(column, _)| column.clone()).collect(), rows);
 }
 
-/// What stands for nothing.
+/// Text of an empty value.
 const NOTHING: &str = "–";
 
-/// A number with so many digits that count.
+/// Formats a number with this many significant digits.
 fn significant(value: Option<Number>, digits: usize, language: Language) -> String {
     value.map_or_else(|| NOTHING.to_owned(), |value| format_significant(value.0, digits, language))
 }
 
-/// A number as the print has it: no more digits than it needs.
+/// Formats a number as in the manual, without padding zeros.
 fn plain(value: Option<Number>, language: Language) -> String {
     let text = value.and_then(|value| value.written()).map_or_else(|| NOTHING.to_owned(), |value| value.to_string());
     text.replace('.', &language.decimal_mark().to_string())
 }
 
-/// A unit of the records as people write it; nothing for a pure number.
+/// Returns the symbol of a unit of the records; empty for a pure number.
 fn unit_shown(unit: &str) -> String {
     if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol).to_owned() }
 }
@@ -130,7 +131,7 @@ mod tests {
         assert!(!names("DIN 44081 and more", "DIN 4408") && !names("SINAMICS S120-x", "SINAMICS S120"));
     }
 
-    /// Else a document would be listed for another one that a text cites.
+    /// Otherwise a document would be listed for another one that a text cites.
     #[test]
     fn no_short_name_of_a_document_is_within_another_one() {
         for language in Language::ALL {
@@ -160,7 +161,7 @@ mod tests {
         assert!(!listed.iter().any(|id| id == "csd-2a-engineering-data"), "{listed:?}");
     }
 
-    /// Wiring, mounting and commissioning of a code say the same of safety; together they say it once.
+    /// Wiring, mounting and commissioning of a code contain the same safety facts; a report states them once.
     #[test]
     fn a_report_states_each_hazard_once() {
         let code = order_code::parse("CHA-25A-100-H-M512P-B").unwrap().code;
@@ -194,7 +195,7 @@ mod tests {
         }
     }
 
-    /// What a chapter says, all of it.
+    /// Returns the whole text of a chapter.
     fn said(topic: Topic, code: &OrderCode, language: Language) -> Option<String> {
         let chapter = match topic {
             Topic::Wiring => {

@@ -1,24 +1,24 @@
-//! The keys of the file in the place of the engine's names for what it was given.
+//! Replacement of the engine's names for inputs by the keys of the project file.
 
 use project::{Project, Within};
 use provenance::{Key, Source};
 use sizing::{Check, CheckId};
 
-/// Cached keys of a project: the same few for every candidate.
+/// Cached keys of a project: every candidate requires the same few.
 #[derive(Debug)]
 pub(crate) struct Cited<'p> {
     project: &'p Project,
     known: Vec<Known>,
 }
 
-/// Where a role is stated that has a value and belongs to a place of the motion.
+/// Key of a role of the engine at a value and a place of the motion.
 #[derive(Debug)]
 struct Known {
     role: Key,
-    /// The value that distinguishes it from others of its role; `None` if no value does.
+    /// The value that distinguishes the role from others of the same name; `None` if the value is irrelevant.
     si: Option<Option<f64>>,
     within: Within,
-    /// `None` where the role is the key itself.
+    /// `None` if the role is already the key.
     key: Option<Key>,
 }
 
@@ -27,8 +27,8 @@ impl<'p> Cited<'p> {
         Self { project, known: Vec::new() }
     }
 
-    /// Lets a check, and every step of its workings, cite the keys of the project as they are written; by the manual that
-    /// move governs.
+    /// Replaces the sources of a check and of its workings by the keys of the project; `governing` is the segment whose
+    /// move governs by the manual.
     pub(crate) fn cite(&mut self, check: &mut Check, governing: usize) {
         let is_key = |source: &Option<Source>| matches!(source, Some(Source::Project { .. }));
         if check.workings.is_empty() && !is_key(&check.value_source) && !is_key(&check.limit_source) {
@@ -46,7 +46,7 @@ impl<'p> Cited<'p> {
     fn rename(&mut self, source: &mut Source, si: Option<f64>, within: Within) {
         let Source::Project { key } = source else { return };
         let fits = |known: &&Known| known.within == within && known.si.is_none_or(|known| known == si);
-        // Most names of the engine are the same few texts, in the same place of the memory.
+        // Most names of the engine are the same few texts at the same address.
         let is_same = |known: &&Known| std::ptr::eq(&*known.role, &**key) && fits(known);
         let is_equal = |known: &&Known| known.role == *key && fits(known);
         let known = self.known.iter();
@@ -70,10 +70,12 @@ impl<'p> Cited<'p> {
     }
 }
 
-/// More are not kept: where every candidate has its own instant, looking for it costs more than asking anew.
+/// Largest number of cached keys. If every candidate has its own instant, a search in a longer list costs more than a
+/// new request.
 const KNOWN_MOST: usize = 64;
 
-/// The peak speed is that of an instant; what else belongs to one segment is of the move that governs by the manual.
+/// Returns the place of a check in the motion: the instant of the peak speed, else the segment whose move governs by
+/// the manual.
 fn within(check: &Check, governing: usize) -> Within {
     match check.at {
         Some(at) if check.id == CheckId::PeakSpeed => Within::At(at),
@@ -81,7 +83,7 @@ fn within(check: &Check, governing: usize) -> Within {
     }
 }
 
-/// What the reader itself wrote there: the data of an own actuator and of curves have their keys already.
+/// Returns `true` if the reader already cites the key: data of an own actuator and of curves.
 fn is_final(key: &str) -> bool {
     ["actuator.", "curve[", "axis["].iter().any(|own| key.starts_with(own))
 }

@@ -7,37 +7,37 @@ use quantities::Language;
 use std::ops::Range;
 use words::{describe_code_error, describe_field, describe_rule, describe_token, hint_text};
 
-/// A code as it was understood.
+/// Result of reading a code.
 #[derive(Clone, Debug)]
 pub struct CodeReading {
     /// The code with its spans and departures from the canonical spelling.
     pub parsed: Parsed,
-    /// Whether it can be had without asking.
+    /// Availability of the code, with the fields that are on request only.
     pub availability: Availability,
 }
 
-/// One fault of a code: of its spelling, or of its combination.
+/// Fault of a code: of its spelling, or of its combination.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CodeFault {
     /// Offending part of the text, in bytes.
     pub span: Range<usize>,
-    /// What is wrong.
+    /// The fault in one sentence.
     pub message: String,
-    /// What is valid here.
+    /// Valid choices at this place.
     pub hint: Option<String>,
     /// The table whose rule is broken, if it is a rule.
     pub table: Option<&'static str>,
 }
 
 impl CodeFault {
-    /// Stable id of its kind.
+    /// Returns the stable identifier of the kind of fault.
     #[must_use]
     pub const fn id(&self) -> &'static str {
         if self.table.is_some() { "code_rule" } else { "code_spelling" }
     }
 }
 
-/// Why a text is no code.
+/// Reasons why a text is no code.
 #[derive(Clone, Debug)]
 pub struct CodeRefusal {
     /// Every fault, each with its place in the text.
@@ -46,10 +46,10 @@ pub struct CodeRefusal {
     pub nearest: Vec<&'static (OrderCode, Availability)>,
 }
 
-/// How many codes are proposed in place of one that does not exist.
+/// Number of codes proposed in place of one that does not exist.
 const PROPOSALS: usize = 3;
 
-/// Reads a code and holds it to the rules of the ordering tables.
+/// Reads a code and checks it against the rules of the ordering tables.
 ///
 /// # Errors
 /// Every fault, each with its place in the text, and the nearest valid codes.
@@ -70,7 +70,7 @@ pub fn read_code(text: &str, language: Language) -> Result<CodeReading, CodeRefu
 /// Reads a partial code that allows at least one code.
 ///
 /// # Errors
-/// Every fault of its spelling, or the rules that no code with its words can keep.
+/// Every fault of its spelling, or the rules that exclude every code with its words.
 pub fn read_pattern(text: &str, language: Language) -> Result<Pattern, CodeRefusal> {
     let (pattern, spans) = Pattern::parse_with_spans(text)
         .map_err(|errors| CodeRefusal { faults: spelling_faults(&errors, language), nearest: Vec::new() })?;
@@ -78,7 +78,8 @@ pub fn read_pattern(text: &str, language: Language) -> Result<Pattern, CodeRefus
     if broken.is_empty() { Ok(pattern) } else { Err(rules_broken(text, &broken, &spans, language)) }
 }
 
-/// The rules broken, each at the place of its field, and the codes nearest to the first that breaks them.
+/// Returns the refusal with the broken rules, each at the place of its field, and the codes nearest to the first that
+/// breaks them.
 fn rules_broken(
     text: &str,
     broken: &[(OrderCode, BrokenRule)],
@@ -118,7 +119,7 @@ pub(crate) fn spelling_faults(errors: &CodeErrors, language: Language) -> Vec<Co
         .collect()
 }
 
-/// The words that may stand at a fault: where the size is understood, only those that it can have.
+/// Returns the valid words at a fault; if the size is known, only those of the size.
 fn valid_here(error: &CodeError, size: Option<Size>) -> Vec<&'static str> {
     let Some(size) = size.filter(|_| !error.expected_fields().contains(&Field::Series)) else {
         return error.expected();
@@ -126,7 +127,7 @@ fn valid_here(error: &CodeError, size: Option<Size>) -> Vec<&'static str> {
     error.expected_fields().iter().flat_map(|field| configurator::tokens_of_size(*field, size)).copied().collect()
 }
 
-/// Each field of a code with its token and what it means.
+/// Returns the fields of a code, each with its token and meaning.
 #[must_use]
 pub fn explain_code(code: &OrderCode, language: Language) -> Vec<(Field, String, String)> {
     Field::ALL
@@ -139,7 +140,7 @@ pub fn explain_code(code: &OrderCode, language: Language) -> Vec<(Field, String,
         .collect()
 }
 
-/// Every valid code with its availability, optionally only those that a partial code allows.
+/// Returns every valid code with its availability, optionally only those that a partial code allows.
 pub fn list_codes(pattern: Option<&Pattern>) -> Vec<&'static (OrderCode, Availability)> {
     match pattern {
         Some(pattern) => configurator::complete(pattern).collect(),
@@ -147,7 +148,7 @@ pub fn list_codes(pattern: Option<&Pattern>) -> Vec<&'static (OrderCode, Availab
     }
 }
 
-/// For each field of a partial code, what may stand there.
+/// Returns the fields of a partial code, each with its valid choices.
 #[must_use]
 pub fn completion(pattern: &Pattern, language: Language) -> Vec<(Field, &'static str, Vec<Choice>)> {
     configurator::choices(pattern)

@@ -1,4 +1,4 @@
-//! The commissioning of a code: its values as a drive takes them, and a record of what was measured.
+//! The commissioning of a code: its values in the form of a drive, and a record of measured values.
 
 use crate::eds;
 use installation::commission as room;
@@ -15,7 +15,7 @@ pub use room::recorded::judge;
 pub use room::{Commissioning, commission};
 
 identified! {
-    /// What a list of values is made for.
+    /// Form of a list of values.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum DriveForm {
         /// The parameter list of a SINAMICS drive.
@@ -27,16 +27,17 @@ identified! {
     }
 }
 
-/// The temperature at which winding and sensors are measured by default: that of the printed resistance.
+/// Returns the default temperature of winding and sensors for measurements: that of the resistance in the manual.
 #[must_use]
 pub fn usual_ambient() -> ThermodynamicTemperature {
     ThermodynamicTemperature::new_in(20.0, &DEGREE_CELSIUS)
 }
 
-/// The parameters of a SINAMICS drive, one a line: `p0350[0] = 2.95`, with what each is behind a semicolon.
+/// Returns the parameters of a SINAMICS drive, one per line: `p0350[0] = 2.95`, with the meaning of each after a
+/// semicolon.
 ///
-/// The numbers are written so that they read back as the same value: phase values are half of those between terminals, in the
-/// unit of the parameter. What is not known stands below, each line a remark.
+/// The numbers read back as the same value: phase values are half of those between terminals, in the unit of the
+/// parameter. Unknown data follow as remarks, one per line.
 #[must_use]
 pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
     let mut out = String::new();
@@ -69,9 +70,11 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
     out
 }
 
-/// The objects of CiA 402 in the layout of an electronic data sheet (CiA 306): a section for each object and sub-object.
+/// Returns the objects of CiA 402 in the layout of an electronic data sheet (CiA 306): a section for each object and
+/// sub-object.
 ///
-/// It holds no date, so that the same call gives the same bytes, and no identity of a device, which is that of the drive.
+/// The sheet has no date, so that the same call gives the same bytes, and no identity of a device, which is that of the
+/// drive.
 ///
 /// # Source
 /// cia-306
@@ -105,7 +108,8 @@ pub fn eds(about: &Commissioning, language: Language) -> String {
     out
 }
 
-/// The objects that every device of CiA 301 has, with the types of the standard; their values are those of the drive.
+/// Writes the objects that every device of CiA 301 has, with the types of the standard; their values are those of the
+/// drive.
 ///
 /// # Source
 /// cia-306
@@ -143,7 +147,7 @@ fn object_section(out: &mut String, head: &str, object: &Object, language: Langu
     eds::variable(out, head, &variable);
 }
 
-/// An empty record to fill in, with a remark on each key; brake, KTY and PTC only where the code has them.
+/// Returns an empty record to fill in, with a remark on each key; brake, KTY and PTC only if the code has them.
 #[must_use]
 pub fn blank_record(about: &Commissioning, file: &str, language: Language) -> String {
     use project::MeasuredKey as K;
@@ -184,7 +188,7 @@ mod tests {
         commission(&order_code::parse(code).unwrap().code).unwrap()
     }
 
-    /// What a drive reads: lines of numbers, everything else a remark.
+    /// Returns the parameter numbers with the values that a drive reads; it skips remarks.
     fn read(script: &str) -> Vec<(u16, f64)> {
         let line = |line: &str| {
             let (head, _) = line.split_once(';').unwrap_or((line, ""));
@@ -208,7 +212,7 @@ mod tests {
         }
     }
 
-    /// An INI file as any tool reads it: sections with keys.
+    /// Reads an INI file like any tool: sections with keys.
     #[test]
     fn the_data_sheet_has_a_section_for_each_object_and_its_value_reads_back() {
         let about = of("CHA-25A-100-H-M512P-B");
@@ -235,7 +239,7 @@ mod tests {
         }
         assert_eq!(get("OptionalObjects", "SupportedObjects").as_deref(), Some("8"));
         assert_eq!(get("MandatoryObjects", "SupportedObjects").as_deref(), Some("3"));
-        // The types are those of CiA 301; the values are those of the drive, and none is made up.
+        // The types are those of CiA 301; the values are those of the drive, and none is invented.
         for (section, data_type) in [("1000", "0x0007"), ("1001", "0x0005"), ("1018sub1", "0x0007")] {
             assert_eq!(get(section, "DataType").as_deref(), Some(data_type), "{section}");
             assert_eq!(get(section, "DefaultValue"), None, "{section}");

@@ -13,10 +13,10 @@ use quantities::unit::{
 use quantities::{Measure, Unit};
 use sizing::{Check, CheckId, Verdict, Watch as _};
 
-/// Utilisations that differ by less are the same: more than a double carries, less than a line shows.
+/// Relative difference below which two figures are equal: above the rounding of a double, below the digits shown.
 const SAME: f64 = 1e-9;
 
-/// Whether two figures are the same, or neither is known.
+/// Returns `true` if two figures are equal, or neither is known.
 fn same(a: Option<f64>, b: Option<f64>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()),
@@ -27,31 +27,31 @@ fn same(a: Option<f64>, b: Option<f64>) -> bool {
 /// A figure of several actuators.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DatumRow {
-    /// Its symbol.
+    /// Symbol of the figure.
     pub symbol: &'static str,
-    /// Its unit.
+    /// Unit of the values.
     pub unit: &'static Unit,
-    /// Its values in that unit, one for each actuator; `None` where it is not known.
+    /// Values in this unit, one for each actuator; `None` if not known.
     pub values: Vec<Option<f64>>,
-    /// Errata of the cells that the values are from, in the same order: a value with one may not be the printed one.
+    /// Errata of the source cells, in the same order: a value with an erratum may differ from the manual.
     pub errata: Vec<&'static [&'static str]>,
 }
 
 impl DatumRow {
-    /// Whether the values are the same.
+    /// Returns `true` if all values are equal.
     #[must_use]
     pub fn is_same(&self) -> bool {
         self.values.iter().zip(self.values.iter().skip(1)).all(|(a, b)| same(*a, *b))
     }
 
-    /// The errata of an actuator's value.
+    /// Returns the errata of an actuator's value.
     #[must_use]
     pub fn errata_of(&self, place: usize) -> &'static [&'static str] {
         self.errata.get(place).copied().unwrap_or_default()
     }
 }
 
-/// The errata of some rows, each once.
+/// Returns the errata of some rows, without repetitions.
 #[must_use]
 pub fn errata_of(rows: &[DatumRow]) -> Vec<&'static str> {
     let mut found: Vec<&'static str> = Vec::new();
@@ -66,30 +66,30 @@ pub fn errata_of(rows: &[DatumRow]) -> Vec<&'static str> {
 /// One check of several actuators.
 #[derive(Clone, Debug)]
 pub struct CheckRow {
-    /// Which check.
+    /// Identifier of the check.
     pub id: CheckId,
-    /// Its answers, one for each actuator; `None` where it is not part of the judgement.
+    /// Results of the check, one for each actuator; `None` if it is not part of the judgement.
     pub checks: Vec<Option<Check>>,
-    /// The actuator with the most room, if one has more than all others.
+    /// The actuator with the lowest utilisation, if a single one has it.
     pub better: Option<usize>,
 }
 
-/// Several actuators on one axis.
+/// Comparison of several actuators on one axis.
 #[derive(Clone, Debug)]
 pub struct Comparison<'p> {
     /// The actuators in the requested order.
     pub candidates: Vec<Candidate<'p>>,
-    /// The actuator that stands first in the ranking, if one fits.
+    /// The fitting actuator that is first in the ranking, if one fits.
     pub better: Option<usize>,
-    /// What the axis demands of each, with its own inertia.
+    /// Demand of the axis on each actuator, with its own inertia.
     pub demand: Vec<DatumRow>,
-    /// Their data.
+    /// Data of the actuators.
     pub data: Vec<DatumRow>,
-    /// Every check that one of them has, in the fixed order.
+    /// Every check that one of the actuators has, in the fixed order.
     pub checks: Vec<CheckRow>,
 }
 
-/// Lays the judgements of several actuators side by side.
+/// Compares the judgements of several actuators.
 ///
 /// # Errors
 /// [`Refusal`] of the first code that cannot be judged, with its place in the list, or [`Refusal::Stopped`] at its place.
@@ -122,7 +122,7 @@ fn check_rows(candidates: &[&Candidate<'_>]) -> Vec<CheckRow> {
         .collect()
 }
 
-/// The one with the lowest utilisation, if all have one.
+/// Returns the actuator with the lowest utilisation, if all have one.
 fn better(checks: &[Option<Check>]) -> Option<usize> {
     let shares: Vec<f64> = checks.iter().map(|check| check.as_ref()?.utilisation).collect::<Option<_>>()?;
     let (index, least) = shares.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
@@ -179,31 +179,31 @@ fn data_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
 /// A value in SI with the errata of its cell.
 type Found = Option<(f64, &'static [&'static str])>;
 
-/// What became of one check.
+/// Change of one check between two revisions.
 #[derive(Clone, Debug)]
 pub struct CheckChange {
-    /// Which check.
+    /// Identifier of the check.
     pub id: CheckId,
-    /// Its answer before; `None` where it was not part of the judgement.
+    /// Result before; `None` if the check was not part of the judgement.
     pub before: Option<Check>,
-    /// Its answer after.
+    /// Result after.
     pub after: Option<Check>,
 }
 
 impl CheckChange {
-    /// Utilisation after less that before.
+    /// Returns the utilisation after minus that before.
     #[must_use]
     pub fn change(&self) -> Option<f64> {
         Some(self.after.as_ref()?.utilisation? - self.before.as_ref()?.utilisation?)
     }
 
-    /// Whether the verdict is another one.
+    /// Returns `true` if the verdict differs.
     #[must_use]
     pub fn is_other_verdict(&self) -> bool {
         self.before.as_ref().map(|check| check.verdict) != self.after.as_ref().map(|check| check.verdict)
     }
 
-    /// Whether verdict, value and limit are the same.
+    /// Returns `true` if verdict, value and limit are equal.
     #[must_use]
     pub fn is_same(&self) -> bool {
         let figure = |check: &Option<Check>, of: fn(&Check) -> Option<sizing::Amount>| {
@@ -213,11 +213,11 @@ impl CheckChange {
         !self.is_other_verdict() && near(|check| check.value) && near(|check| check.limit)
     }
 
-    /// Rank in the list: new failures, then other verdicts, then the larger change of utilisation.
+    /// Returns the rank in the list: new failures, then other verdicts, then the larger change of utilisation.
     fn order(&self) -> (bool, bool, f64) {
         let fails = self.after.as_ref().is_some_and(|check| check.verdict == Verdict::Fail);
         let other = self.is_other_verdict();
-        // What differs by rounding alone stays in its order.
+        // Checks that differ by rounding only keep their order.
         let change = self.change().filter(|_| !self.is_same());
         (!(fails && other), !other, -change.map_or(0.0, f64::abs))
     }
@@ -226,11 +226,11 @@ impl CheckChange {
 /// One actuator on two revisions of an axis.
 #[derive(Clone, Debug)]
 pub struct Difference<'p> {
-    /// The actuator on the first.
+    /// The actuator on the first revision.
     pub before: Candidate<'p>,
-    /// The actuator on the second.
+    /// The actuator on the second revision.
     pub after: Candidate<'p>,
-    /// What the axis demands of it, before and after.
+    /// Demand of the axis on the actuator, before and after.
     pub demand: Vec<DatumRow>,
     /// Every check, other verdicts first, then by the change of utilisation.
     pub checks: Vec<CheckChange>,
@@ -240,11 +240,11 @@ pub struct Difference<'p> {
     pub best_after: Option<CandidateId>,
 }
 
-/// What another revision of an axis does to an actuator: the code given, else the project's own where both have one,
-/// else the best for the first revision, be it the nearest miss.
+/// Compares an actuator on two revisions of an axis: the given code, else the project's own actuator if both have one,
+/// else the first of the ranking for the first revision, which need not fit.
 ///
 /// # Errors
-/// [`Refusal`] where the code cannot be judged, [`Refusal::Stopped`].
+/// [`Refusal`] if the code cannot be judged, [`Refusal::Stopped`].
 pub fn difference<'p>(
     old: &'p Project,
     new: &'p Project,

@@ -7,7 +7,7 @@ use words::commission;
 /// Objects that every device of `CiA 301` has.
 pub(crate) const MANDATORY: [u16; 3] = [0x1000, 0x1001, 0x1018];
 
-/// The head of a sheet: without a date, so that the same call gives the same bytes.
+/// Writes the head of a sheet: without a date, so that the same call gives the same bytes.
 pub(crate) fn file_info(out: &mut String, name: &str, description: &str) {
     let _ = write!(
         out,
@@ -16,19 +16,19 @@ pub(crate) fn file_info(out: &mut String, name: &str, description: &str) {
     );
 }
 
-/// An object as its section has it.
+/// Content of the section of an object.
 pub(crate) struct Variable<'a> {
     pub(crate) name: &'a str,
     pub(crate) data_type: u16,
     pub(crate) access: &'a str,
-    /// Its value at the start, where the sheet states one.
+    /// Default value, if the sheet states one.
     pub(crate) usual: Option<String>,
-    /// The least and the largest value, where they are not those of the type.
+    /// Smallest and largest value, if they differ from those of the type.
     pub(crate) range: Option<[i64; 2]>,
     pub(crate) mappable: bool,
 }
 
-/// The section of an object.
+/// Writes the section of an object.
 pub(crate) fn variable(out: &mut String, head: &str, object: &Variable<'_>) {
     let Variable { name, data_type, access, .. } = object;
     let _ = write!(
@@ -44,12 +44,12 @@ pub(crate) fn variable(out: &mut String, head: &str, object: &Variable<'_>) {
     let _ = writeln!(out, "PDOMapping={}", u8::from(object.mappable));
 }
 
-/// The head of an index with several sub-objects.
+/// Writes the head of an index with several sub-objects.
 pub(crate) fn group(out: &mut String, index: u16, name: &str, object_type: u8, count: usize) {
     let _ = write!(out, "\n[{index:04X}]\nParameterName={name}\nObjectType=0x{object_type}\nSubNumber={count}\n");
 }
 
-/// Sub-object 0: the highest sub-index.
+/// Writes sub-object 0: the highest sub-index.
 pub(crate) fn highest(out: &mut String, index: u16, highest: u8, language: Language) {
     let object = Variable {
         name: commission::highest_sub_index(language),
@@ -62,7 +62,7 @@ pub(crate) fn highest(out: &mut String, index: u16, highest: u8, language: Langu
     variable(out, &format!("{index:04X}sub0"), &object);
 }
 
-/// A list of indices under a heading.
+/// Writes a list of indices under a heading.
 pub(crate) fn list(out: &mut String, heading: &str, indices: &[u16]) {
     let _ = writeln!(out, "\n[{heading}]\nSupportedObjects={}", indices.len());
     for (number, index) in (1..).zip(indices) {

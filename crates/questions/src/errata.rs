@@ -1,4 +1,4 @@
-//! The errata by what they are about: an actuator, a table, their id.
+//! Errata by subject: an actuator, a table, or their identifier.
 
 use crate::codes::CodeRefusal;
 use crate::codes::read_code;
@@ -7,7 +7,7 @@ use catalogue::Erratum;
 use project::Hint;
 use quantities::Language;
 
-/// What was asked about, and the errata on it.
+/// Subject of a request, and its errata.
 #[derive(Clone, Debug)]
 pub struct ErrataFound {
     /// The code in canonical spelling, the table, the id; `None`: all.
@@ -16,28 +16,28 @@ pub struct ErrataFound {
     pub errata: Vec<&'static Erratum>,
 }
 
-/// Why errata cannot be looked up.
+/// Reasons why errata cannot be looked up.
 #[derive(Clone, Debug)]
 pub enum ErrataRefusal {
     /// The text is a code that does not exist.
     Code(CodeRefusal),
     /// The manual prints no data for the code.
     NoData,
-    /// The text is nothing known: what is wrong, and the nearest name.
+    /// The text is unknown: the fault, and the nearest name.
     Unknown {
-        /// What is wrong.
+        /// The fault in one sentence.
         message: String,
         /// The nearest id or table.
         hint: Option<String>,
     },
 }
 
-/// The errata of a code, of a table or with an id; all without one.
+/// Returns the errata of a code, of a table or with an identifier; all errata without a text.
 ///
-/// Those of a code are the ones on the cells of its data sheet and on the tables of it.
+/// The errata of a code are those of the cells of its data sheet and of its tables.
 ///
 /// # Errors
-/// When the text is no code with data, no table and no id.
+/// If the text is no code with data, no table and no identifier.
 pub fn errata_about(text: Option<&str>, language: Language) -> Result<ErrataFound, ErrataRefusal> {
     let all = catalogue::errata();
     let Some(text) = text.map(str::trim).filter(|text| !text.is_empty()) else {
@@ -74,7 +74,7 @@ fn unknown(text: &str, language: Language) -> ErrataRefusal {
     let lower = text.to_lowercase();
     let names = catalogue::errata().iter().map(|erratum| erratum.id);
     let names = names.chain(catalogue::tables().iter().map(|table| table.id));
-    // Of several as near, the one that begins most like the text.
+    // Among equally near names, the one with the longest common beginning is taken.
     let alike = |name: &str| lower.bytes().zip(name.to_lowercase().bytes()).take_while(|(a, b)| a == b).count();
     let distance = |name: &str| strsim::damerau_levenshtein(&lower, &name.to_lowercase());
     let scored = names.map(|name| (distance(name), std::cmp::Reverse(alike(name)), name));

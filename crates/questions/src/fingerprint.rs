@@ -1,16 +1,16 @@
-//! What a result was made from, as fingerprints: the project with its recordings, and the catalogue.
+//! Fingerprints of the origin of a result: the project with its recordings, and the catalogue.
 
 use crate::export::{EXPORT_COLUMNS, export_rows};
 use project::RecordingRead;
 
-/// Digits of a fingerprint: sixteen of BLAKE3's, 64 bits.
+/// Digits of a fingerprint: the first sixteen of BLAKE3, 64 bits.
 const DIGITS: usize = 16;
 
 fn shown(hasher: &blake3::Hasher) -> String {
     hasher.finalize().to_hex().chars().take(DIGITS).collect()
 }
 
-/// Fingerprint of a project: its text, and the samples of its recordings.
+/// Returns the fingerprint of a project: its text, and the samples of its recordings.
 #[must_use]
 pub fn project_fingerprint(text: &str, recordings: &[RecordingRead]) -> String {
     let mut hasher = blake3::Hasher::new();
@@ -28,7 +28,7 @@ pub fn project_fingerprint(text: &str, recordings: &[RecordingRead]) -> String {
     shown(&hasher)
 }
 
-/// Fingerprint of the catalogue: every cell as it is exported, errata included.
+/// Returns the fingerprint of the catalogue: every cell as exported, errata included.
 #[must_use]
 pub(crate) fn catalogue_fingerprint() -> String {
     let mut hasher = blake3::Hasher::new();

@@ -1,16 +1,16 @@
-//! Words and symbols of the field and of the product, looked up.
+//! Look-up of words and symbols of the field and of the product.
 
 use answers::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 use quantities::Language;
 use words::{glossary_symbols, symbol_shown, term_remark, word_meaning};
 
-/// The glossary, or its entries for a symbol, an identifier or a word.
+/// Returns the glossary, or its entries for a symbol, an identifier or a word.
 ///
-/// The first of these that finds something decides: the name as written, without regard to capitals, without regard to the
-/// spelling of a symbol (`tau_e`, `τ_e`, `τe`), a whole word of a name, a part of a text.
+/// The first of these comparisons with a result decides: the exact name, the name without regard to capitals, without
+/// regard to the spelling of a symbol (`tau_e`, `τ_e`, `τe`), a whole word of a name, a part of a text.
 ///
 /// # Errors
-/// The nearest names where nothing is found.
+/// The nearest names if nothing is found.
 pub fn glossary(wanted: Option<&str>, language: Language) -> Result<Glossary, Vec<String>> {
     let all = whole(language);
     let Some(wanted) = wanted.map(str::trim).filter(|wanted| !wanted.is_empty()) else { return Ok(all) };
@@ -39,7 +39,7 @@ pub fn glossary(wanted: Option<&str>, language: Language) -> Result<Glossary, Ve
     if found.is_empty() { Err(nearest(&all, wanted)) } else { Ok(found) }
 }
 
-/// What a symbol means, with its unit and what is to be known of it; `None` for what is none of the glossary.
+/// Returns the meaning of a symbol, with its unit and remark; `None` for a symbol outside the glossary.
 #[must_use]
 pub fn meaning_of_symbol(symbol: &str, language: Language) -> Option<String> {
     if let Some(term) = catalogue::term(symbol) {
@@ -55,7 +55,7 @@ fn shown_unit(unit: &'static str) -> &'static str {
     quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol)
 }
 
-/// What a word means, in either language; `None` for what is none of the glossary.
+/// Returns the meaning of a word in either language; `None` for a word outside the glossary.
 #[must_use]
 pub fn meaning_of_word(word: &str, language: Language) -> Option<&'static str> {
     let small = word.to_lowercase();
@@ -97,7 +97,7 @@ fn whole(language: Language) -> Glossary {
     }
 }
 
-/// What a choice by names (symbol, identifier, word) and by texts keeps.
+/// Returns the entries selected by names (symbol, identifier, word) and by texts.
 fn chosen(all: &Glossary, keeps: &dyn Fn(&[&str], &[&str]) -> bool) -> Glossary {
     let mut found = all.clone();
     found.words.retain(|word| keeps(&[&word.id, &word.en, &word.de], &[&word.en, &word.de]));
@@ -110,7 +110,7 @@ fn chosen(all: &Glossary, keeps: &dyn Fn(&[&str], &[&str]) -> bool) -> Glossary 
     found
 }
 
-/// Greek letters of symbols with the names that ASCII symbols have for them.
+/// Greek letters of symbols, with their names in ASCII symbols.
 const GREEK: [(char, &str); 18] = [
     ('α', "alpha"),
     ('β', "beta"),
@@ -132,7 +132,7 @@ const GREEK: [(char, &str); 18] = [
     ('Ω', "omega"),
 ];
 
-/// A name without regard to capitals, to `_`, `-`, points and blanks, and with Greek letters by name.
+/// Returns a name without regard to capitals, `_`, `-`, points and spaces, and with Greek letters by name.
 fn folded(name: &str) -> String {
     let mut folded = String::with_capacity(name.len());
     for sign in name.chars() {
@@ -210,7 +210,7 @@ mod tests {
                 assert_eq!((ids, found.terms.len()), (vec![id], 0), "{spelling}");
             }
         }
-        // Every shown symbol is found as it is shown.
+        // Every symbol is found in the spelling that is shown.
         for symbol in glossary(None, Language::En).unwrap().symbols {
             let found = glossary(Some(&symbol.shown), Language::En).unwrap();
             assert!(found.symbols.iter().any(|each| each.symbol == symbol.symbol), "{}", symbol.shown);

@@ -1,4 +1,4 @@
-//! Ends of the segments as they stand in the picture of the cycle, to take hold of and pull.
+//! Handles at the ends of the segments in the picture of the cycle, for dragging.
 
 use crate::moves::moves;
 use project::{Project, SegmentLaw};
@@ -8,27 +8,28 @@ use quantities::unit::{DEGREE, MILLIMETRE};
 /// The end of a segment in the picture of the position over time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grip {
-    /// Which segment, from zero.
+    /// Index of the segment, from zero.
     pub segment: usize,
-    /// Instant \[s\] and position of its beginning, in the unit of the grips.
+    /// Instant \[s\] and position of the beginning, in the unit of the handles.
     pub from: (f64, f64),
-    /// Instant \[s\] and position of its end, in the unit of the grips.
+    /// Instant \[s\] and position of the end, in the unit of the handles.
     pub to: (f64, f64),
-    /// Whether its way can be pulled, or its time alone.
+    /// `true` if the distance can be dragged; otherwise only the time.
     pub goes: bool,
 }
 
-/// The grips of a motion.
+/// The handles of a motion.
 #[derive(Clone, Debug)]
 pub struct Grips {
     /// Unit of the positions: that of the picture.
     pub unit: &'static Unit,
-    /// In the order of the segments; those that nothing can be pulled at are left out.
+    /// Handles in the order of the segments; segments without a handle are left out.
     pub grips: Vec<Grip>,
 }
 
-/// What can be pulled at: rest and constant speed in time, a move from rest to rest in time and way. A recording is as it is,
-/// and a move that begins or ends in motion hangs on its neighbours.
+/// Returns the handles of a motion: for rest and constant speed in time, for a move from rest to rest in time and
+/// distance. A recording cannot be dragged, nor can a move that begins or ends in motion, since it depends on its
+/// neighbours.
 #[must_use]
 pub fn grips(project: &Project) -> Grips {
     let moves = moves(project);

@@ -1,16 +1,16 @@
-//! What a law of motion looks like, for its picture in a choice.
+//! The shape of a law of motion, for its picture in a choice.
 
 use motion::{Closing, Motion};
 use project::SegmentLaw;
 
-/// One instant of a shape: time, position, speed and acceleration, each as a share of its largest.
+/// Points of a shape: time, position, speed and acceleration, each as a share of its largest value.
 pub(crate) type Shape = Vec<[f64; 4]>;
 
 /// Points in one piece.
 const PER_PIECE: u32 = 12;
 
-/// How a law goes from rest to rest, each quantity as a share of its largest magnitude; empty of a recording, which has no
-/// shape of its own.
+/// Returns the course of a law from rest to rest, each quantity as a share of its largest magnitude; empty for a
+/// recording, which has no shape of its own.
 #[must_use]
 pub fn law_shape(law: SegmentLaw) -> Shape {
     let motion = law.sample().and_then(|segment| Motion::new(&[segment], None, Closing::SingleMove).ok());

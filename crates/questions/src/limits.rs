@@ -1,4 +1,4 @@
-//! The limits of a project that would let a candidate in.
+//! Limits of a project with which a candidate would fit.
 
 use crate::sizing_use::{Candidate, Objection};
 use configurator::Unmet;
@@ -10,9 +10,9 @@ use sizing::{Amount, Verdict};
 /// A limit that the project requires, and the value that would be met.
 #[derive(Clone, Debug)]
 pub struct NeededLimit {
-    /// Its key: `requirements.torsion_max`.
+    /// Key of the limit: `requirements.torsion_max`.
     pub key: String,
-    /// What the candidate reaches, rounded to four digits towards the side on which it is enough.
+    /// Value that the candidate reaches, rounded to four digits towards the permissible side.
     pub enough: Amount,
 }
 
@@ -23,14 +23,14 @@ impl NeededLimit {
     }
 }
 
-/// Four digits of a positive value, down or up.
+/// Rounds a positive value to four digits, down or up.
 fn outward(value: f64, down: bool) -> f64 {
     if value <= 0.0 || !value.is_finite() {
         return value;
     }
     let place = 10_f64.powf(3.0 - value.log10().floor());
     let digits = value * place;
-    // What has four digits already must not be pushed on by its rounding.
+    // A value with four digits must not change due to its rounding.
     let near = digits.round();
     let rounded = if (digits - near).abs() <= 1e-9 * near {
         near
@@ -42,8 +42,8 @@ fn outward(value: f64, down: bool) -> f64 {
     rounded / place
 }
 
-/// The limits of the project, all of them together, with which a candidate would fit; `None` if it fits, or if something
-/// speaks against it that no limit of the project can change.
+/// Returns the limits of the project with which, all together, a candidate would fit; `None` if it fits, or if an
+/// objection is independent of the limits of the project.
 #[must_use]
 pub fn limits_needed(candidate: &Candidate<'_>) -> Option<Vec<NeededLimit>> {
     let of = |key: &str, si: f64, unit: &'static Unit| NeededLimit::of(key, Amount { si, unit });
@@ -60,7 +60,7 @@ pub fn limits_needed(candidate: &Candidate<'_>) -> Option<Vec<NeededLimit>> {
     }
     for check in candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail) {
         let Some(Source::Project { key }) = &check.limit_source else { return None };
-        // Of one axis of several the key is relative to the axis, like that of an objection.
+        // For one axis of several the key is relative to the axis, like that of an objection.
         let key = key.find("requirements.").and_then(|at| key.get(at..))?;
         let asked = key.ends_with("_max") || key.ends_with("_min");
         needed.push(NeededLimit::of(key, check.value.filter(|_| asked)?));

@@ -1,8 +1,9 @@
-//! The questions: one list, from which every face takes what can be asked.
+//! The questions: one list from which every face derives its use cases.
 //!
-//! A use case is one [`Entry`] in a module of its own: the command, a plain struct of its arguments, what it reads and gives,
-//! and the function that answers. From it follow the grammar of the command line, the route over HTTP with its parameters, the
-//! reference page of the commands and the calculators of the page. A face adds the layout and the transport.
+//! A use case is one [`Entry`] in a module of its own: the command, a plain struct of its arguments, its inputs and
+//! outputs, and the function that answers. The grammar of the command line, the route over HTTP with its parameters,
+//! the reference page of the commands and the calculators of the page follow from it. A face adds the layout and the
+//! transport.
 
 mod argument;
 mod asked;
@@ -106,7 +107,7 @@ pub static LIST: &[&Entry] = &[
     &schema::ENTRY,
 ];
 
-/// What a command answers that wrote a file, and what any answers that cannot.
+/// Records of commands that wrote a file, and of those that fail.
 const OTHERS: [Record; 7] = [
     Record::of::<Vec<answers::CommissionWritten>>("commission --out"),
     Record::of::<answers::FilesWritten>("new --out"),
@@ -117,7 +118,7 @@ const OTHERS: [Record; 7] = [
     Record::of::<answers::Faults>("faults"),
 ];
 
-/// Every record with the command that it answers.
+/// Returns every record with its command.
 pub fn records() -> Vec<Record> {
     let of_entries = LIST.iter().filter_map(|entry| match entry.gives {
         Gives::Record(record) | Gives::RecordOr(record, _) => Some(record),
@@ -126,57 +127,57 @@ pub fn records() -> Vec<Record> {
     of_entries.chain(OTHERS).collect()
 }
 
-/// The function that answers a question.
+/// Function that answers a question.
 pub type Function = fn(&Asked<'_>) -> Result<Answer, Unanswered>;
 
 /// A use case.
 #[derive(Clone, Copy)]
 pub struct Entry {
-    /// The words of its command; an option behind them makes another question of the command.
+    /// Words of the command; an option after them distinguishes a further question of the same command.
     pub command: &'static str,
-    /// Its path over HTTP: with the method GET where it reads nothing, else POST.
+    /// Path over HTTP: with the method GET if the question reads nothing, else POST.
     pub path: &'static str,
-    /// What it answers.
+    /// Description of the question.
     pub about: Word,
-    /// The texts that it is about.
+    /// Texts to which the question refers.
     pub reads: Reads,
-    /// What else it takes.
+    /// Further arguments.
     pub arguments: &'static [Argument],
-    /// What it answers with.
+    /// Kind of the answer.
     pub gives: Gives,
-    /// The files that its command writes on request.
+    /// Files that the command writes on request.
     pub writes: &'static [OutputFile],
-    /// The arguments of a call that runs.
+    /// Arguments of a valid call.
     pub example: &'static str,
-    /// The answer; `None` where a face draws, typesets or writes it.
+    /// Function that computes the answer; `None` if a face draws, typesets or writes it.
     pub answer: Option<Function>,
 }
 
 impl Entry {
-    /// The command without the option that makes another question of it.
+    /// Returns the command without the option that distinguishes the question.
     #[must_use]
     pub fn command(&self) -> &'static str {
         self.command.split_once(" --").map_or(self.command, |(command, _)| command)
     }
 
-    /// The option that makes this question of its command.
+    /// Returns the option that distinguishes the question from others of its command.
     #[must_use]
     pub fn option(&self) -> Option<&'static str> {
         self.command.split_once(" --").map(|(_, option)| option)
     }
 
-    /// The other questions of its command, each by an option of its own.
+    /// Iterates over the other questions of the same command, each with an option of its own.
     pub fn others(&self) -> impl Iterator<Item = &'static Self> {
         questions_of(self.command).filter(|other| other.command != self.command)
     }
 
-    /// The files that the command writes on request, for this question or another of the same command.
+    /// Iterates over the files that the command writes on request, for this question or another of the same command.
     pub fn files(&self) -> impl Iterator<Item = &'static OutputFile> {
         questions_of(self.command()).flat_map(|other| other.writes)
     }
 }
 
-/// The questions of a command, by an option or without one.
+/// Iterates over the questions of a command, with or without an option.
 fn questions_of(command: &str) -> impl Iterator<Item = &'static Entry> {
     let is_of = move |rest: &str| rest.is_empty() || rest.starts_with(" --");
     LIST.iter().copied().filter(move |entry| entry.command.strip_prefix(command).is_some_and(is_of))
@@ -185,19 +186,19 @@ fn questions_of(command: &str) -> impl Iterator<Item = &'static Entry> {
 /// A file that a command writes on request.
 #[derive(Clone, Copy, Debug)]
 pub struct OutputFile {
-    /// The option that names it.
+    /// Option that names the file.
     pub option: &'static str,
-    /// Its media type, or those of which a call says one.
+    /// Media type of the file, or those among which a call selects.
     pub media: &'static [&'static str],
-    /// What is written into it.
+    /// Description of the content.
     pub about: Word,
-    /// Whether the command needs it.
+    /// `true` if the command requires the file.
     pub required: bool,
-    /// The argument without which it is not written.
+    /// Argument that the file requires.
     pub needs: Option<&'static str>,
 }
 
-/// A picture, as vectors and as pixels.
+/// An image as SVG and as PNG.
 const PICTURE: [OutputFile; 2] =
     [OutputFile::of("svg", &[media::SVG], help::svg), OutputFile::of("png", &[media::PNG], help::png)];
 
@@ -214,17 +215,17 @@ impl OutputFile {
         Self { needs: Some(needs), ..self }
     }
 
-    /// Whether it is a PDF, which the typesetting engine makes and standard output does not take.
+    /// Returns `true` if the file is a PDF, which the typesetting engine creates and standard output does not accept.
     #[must_use]
     pub fn is_pdf(&self) -> bool {
         self.media == [media::PDF]
     }
 }
 
-/// The texts that a question is about.
+/// Texts to which a question refers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reads {
-    /// None.
+    /// No text.
     Nothing,
     /// A project file.
     Project,
@@ -236,21 +237,21 @@ pub enum Reads {
     TwoProjects,
 }
 
-/// What a question is answered with.
+/// Kind of an answer.
 #[derive(Clone, Copy, Debug)]
 pub enum Gives {
     /// A record.
     Record(Record),
-    /// A record, and bytes of these media types where the arguments request them.
+    /// A record, or bytes of these media types if the arguments request them.
     RecordOr(Record, &'static [&'static str]),
-    /// JSON that describes its own form.
+    /// JSON that describes its own structure.
     Json,
     /// Bytes of these media types.
     Media(&'static [&'static str]),
 }
 
 impl Gives {
-    /// Whether it is a record unless something else is requested.
+    /// Returns `true` if the answer is a record by default.
     #[must_use]
     pub const fn is_record(self) -> bool {
         match self {

@@ -1,4 +1,4 @@
-//! What would let an actuator fit where none does: another gearing of the load.
+//! Changes with which an actuator fits where none does: another gearing of the load.
 
 use crate::patience::Patience;
 use crate::sizing_use::{Candidate, Refusal, Rejected, size_watched};
@@ -7,33 +7,34 @@ use quantities::Unit;
 use quantities::unit::ONE;
 use sizing::{Check, CheckId, Fit, Verdict};
 
-/// A value with which an actuator fits, judged as it is shown.
+/// A value of the gearing with which an actuator fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mend {
-    /// The key: `mechanism.screw.lead`, `stage.ratio`.
+    /// Key of the value: `mechanism.screw.lead`, `stage.ratio`.
     pub path: String,
-    /// Whether the project states it; a stage that it does not have would be added.
+    /// `true` if the project states the value; a missing stage would be added.
     pub is_stated: bool,
-    /// The value in SI, of three digits in its unit; with the neighbour nearer to the stated value none fits.
+    /// The value in SI, with three digits in its unit; with the neighbouring value closer to the stated one no actuator
+    /// fits.
     pub si: f64,
-    /// The unit in which it is shown.
+    /// Unit of the displayed value.
     pub unit: &'static Unit,
-    /// The best actuator with it.
+    /// Best actuator with this value.
     pub code: String,
-    /// The verdict on it.
+    /// Verdict on the actuator.
     pub fit: Fit,
 }
 
-/// Digits of a value.
+/// Number of digits of a value.
 const DIGITS: i32 = 3;
 
-/// Values are sought up to this factor in both directions.
+/// Factor up to which values are searched in both directions.
 const FARTHEST: f64 = 16.0;
 
-/// No share of the edge above which a check fails falls by a higher power of the gearing.
+/// Returns an upper bound of the power of the gearing with which the excess of a failing check falls.
 ///
-/// Torque, current and speed follow the gearing itself, heat its square, a life the cube of the torque times the speed; twice as much
-/// and more leaves room for mechanisms whose ratio depends on the position.
+/// Torque, current and speed are proportional to the gearing itself, heat to its square, a life to the cube of the
+/// torque times the speed; twice these powers and more leave room for mechanisms whose ratio depends on the position.
 const fn power(check: CheckId) -> f64 {
     match check {
         CheckId::GearLife | CheckId::BearingLife | CheckId::BearingStatic => 7.0,
@@ -42,30 +43,30 @@ const fn power(check: CheckId) -> f64 {
     }
 }
 
-/// Factor of the least step: a window of one per cent is found.
+/// Factor of the smallest step, which finds a window of one per cent.
 const STEP_LEAST: f64 = 1.01;
 
-/// Factor of the step once the effort is spent.
+/// Factor of a step after the effort is spent.
 const STEP_COARSE: f64 = 1.189_207_115_002_721;
 
-/// Instants and samples looked at by the steps of one search, about, before they become coarse: some tens of milliseconds for a short
-/// cycle, a second for the longest.
+/// Approximate number of instants and samples evaluated by the fine steps of one search: some tens of milliseconds for
+/// a short cycle, a second for the longest.
 const EFFORT: usize = 400_000;
 
-/// Fine steps of a search at least and at most.
+/// Smallest and largest number of fine steps of a search.
 const STEPS: [usize; 2] = [40, 400];
 
-/// Work of an instant of the loads on the flange by that of an instant of the cycle.
+/// Cost of an instant of the loads on the flange, relative to that of an instant of the cycle.
 const FLANGE_SHARE: f64 = 0.05;
 
-/// The longest cycle: some hundred rankings of a longer one would keep the user waiting for more than a second.
+/// Longest cycle in instants: some hundred rankings of a longer one would take more than a second.
 pub const GEARING_INSTANTS_MOST: usize = 10_000;
 
-/// The nearest values of each key of the gearing with which an actuator of the catalogue fits, one change at a time. Nothing
-/// where one fits already, or where the cycle has more than [`GEARING_INSTANTS_MOST`] instants and samples.
+/// Returns the nearest values of each key of the gearing with which an actuator of the catalogue fits, one change at a
+/// time. Empty if an actuator fits already, or if the cycle has more than [`GEARING_INSTANTS_MOST`] instants and
+/// samples.
 ///
-/// # Errors
-/// [`Refusal::Stopped`] where it was cancelled.
+/// [`Refusal::Stopped`] if the search was cancelled.
 pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusal> {
     let instants = project.axis.instants();
     let [on_flange, recorded] = project.axis.flange_instants();
@@ -96,19 +97,19 @@ pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusa
     Ok(found)
 }
 
-/// The best actuator with the verdict on it.
+/// The best actuator with its verdict.
 type Best = (String, Fit);
 
-/// The catalogue with one value of the gearing.
+/// Result of ranking the catalogue with one value of the gearing.
 struct Ranked {
-    /// The best actuator, if one fits.
+    /// Best actuator, if one fits.
     best: Option<Best>,
-    /// Least factor by which the gearing has to change before an actuator may fit.
+    /// Smallest factor by which the gearing must change before an actuator may fit.
     farther: f64,
 }
 
 impl Default for Ranked {
-    /// No axis: another one may be near.
+    /// Returns the result for an impossible axis: a possible one may be adjacent.
     fn default() -> Self {
         Self { best: None, farther: 1.0 }
     }
@@ -126,9 +127,10 @@ impl Ranked {
     }
 }
 
-/// Least factor by which the gearing has to change before an actuator may fit, by the checks that fail; `None` where one fails that
-/// no gearing mends. A limit of zero says nothing of the distance: the speed that leads to it has a check of its own. The worst
-/// instant of the torque-speed trace by the lower edge is not the one by which it fails, so its share says nothing either.
+/// Returns the smallest factor by which the gearing must change before an actuator may fit, by its failing checks;
+/// `None` if a failing check is independent of the gearing. A limit of zero gives no distance: the speed that leads to
+/// it has a check of its own. The worst instant of the torque-speed trace by the lower edge is not the one at which the
+/// check fails, so its share is not used either.
 fn farther(candidate: &Candidate<'_>) -> Option<f64> {
     let failing = || candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
     if failing().any(|check| check.id.is_of_the_place()) {
@@ -139,11 +141,11 @@ fn farther(candidate: &Candidate<'_>) -> Option<f64> {
     Some(failing().filter(says_how_far).filter_map(factor).fold(1.0, f64::max))
 }
 
-/// The value nearest to a stated one with which an actuator fits, and that actuator.
+/// Searches the value nearest to a stated one with which an actuator fits, and that actuator.
 ///
-/// From the stated value outwards in both directions, the nearer end first. An actuator that is beyond an edge by a factor x does not
-/// fit before the gearing has changed by x^(1/p), see [`power`], so the search steps as far, at least by [`STEP_LEAST`]; after `fine`
-/// steps at least by [`STEP_COARSE`], and a window narrower than that may be passed over.
+/// The search proceeds from the stated value in both directions, the nearer end first. An actuator that exceeds a limit
+/// by a factor x does not fit before the gearing has changed by x^(1/p), see [`power`]; this is the step, at least
+/// [`STEP_LEAST`], after `fine` steps at least [`STEP_COARSE`], and a window narrower than that may be missed.
 fn nearest(
     ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
     stated: f64,
@@ -151,7 +153,7 @@ fn nearest(
     unit: &Unit,
     fine: usize,
 ) -> Result<Option<(f64, Best)>, Refusal> {
-    // The factors that were reached upwards and downwards, and what is next.
+    // Factors reached upwards and downwards, and the next steps.
     let mut ends = [1.0, -1.0].map(|sense| (sense, 1.0, step(here.farther, 0, fine)));
     for count in 1.. {
         let next = ends.iter_mut().min_by(|a, b| a.2.total_cmp(&b.2));
@@ -167,12 +169,13 @@ fn nearest(
     Ok(None)
 }
 
-/// The factor of the next step.
+/// Returns the factor of the next step.
 fn step(farther: f64, count: usize, fine: usize) -> f64 {
     farther.max(if count < fine { STEP_LEAST } else { STEP_COARSE })
 }
 
-/// The first value of few digits with which an actuator fits, between one with which none does and one with which one does.
+/// Returns the first value with few digits at which an actuator fits, between a value at which none fits and one at
+/// which one fits.
 fn edge(
     ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
     misses: f64,
@@ -180,7 +183,7 @@ fn edge(
     unit: &Unit,
 ) -> Result<(f64, Best), Refusal> {
     let upwards = fits > misses;
-    // In a narrow window there may be no value of the usual digits.
+    // A narrow window may contain no value with the default number of digits.
     for digits in [DIGITS, DIGITS + 1, DIGITS + 2] {
         let scale = 10_f64.powf(f64::from(digits - 1) - unit.from_si(fits).abs().log10().floor());
         let value = |place: f64| unit.to_si(place / scale);
@@ -221,7 +224,7 @@ mod tests {
         [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"300 mm\"\ntime = \"2 s\"\n[[motion]]\nlaw = \"polynomial_5\"\n\
         distance = \"-300 mm\"\ntime = \"2 s\"\n";
 
-    /// The lift of the review: a longer lead or a stage that gears up would do.
+    /// The lift of the review: a longer lead or a stage that gears up would make an actuator fit.
     #[test]
     fn a_lead_or_a_stage_is_proposed_where_nothing_fits() {
         let project = crate::read(LIFT).unwrap();
@@ -237,9 +240,9 @@ mod tests {
             let best = Ranked::of(&with.unwrap(), &Patience::endless()).unwrap().best;
             assert_eq!(best, Some((mend.code.clone(), mend.fit)));
         }
-        // A stage of ratio r turns the screw as a lead longer by 1/r does.
+        // A stage of ratio r turns the screw like a lead longer by 1/r.
         assert!((found[0].si / 0.020 * found[1].si - 1.0).abs() < 0.15, "{found:?}");
-        // A stage that is stated is varied, and counts as much.
+        // A stated stage is varied in the same way.
         let staged = crate::read(&format!("{LIFT}[stage]\nkind = \"gear\"\nratio = 1\n")).unwrap();
         let varied = mends(&staged, &Patience::endless()).unwrap();
         assert_eq!(varied.iter().map(|mend| mend.is_stated).collect::<Vec<_>>(), [true, true], "{varied:?}");
@@ -249,7 +252,8 @@ mod tests {
         assert!(mends(&crate::read(&fitting).unwrap(), &Patience::endless()).unwrap().is_empty());
     }
 
-    /// Two moves of 160 instants each, and a stated stage: a longer lead or a stage that gears up would do.
+    /// Two moves of 160 instants each, and a stated stage: a longer lead or a stage that gears up would make an
+    /// actuator fit.
     #[test]
     fn a_cycle_of_some_hundred_instants_is_mended_too() {
         let tilter = "format = 1\n[mechanism.screw]\nlead = \"10 mm\"\nmass = \"120 kg\"\ninclination = \"90 deg\"\n\
@@ -261,7 +265,8 @@ mod tests {
         assert!((found[0].si / 0.010 * found[1].si / 2.0 - 1.0).abs() < 0.15, "{found:?}");
     }
 
-    /// A catalogue of one actuator that is too slow below a value and too weak above another; both are exceeded by powers.
+    /// A catalogue with one actuator that is too slow below a value and too weak above another; the excess follows
+    /// powers of the value.
     fn window(low: f64, high: f64, value: f64) -> Ranked {
         let (speed, heat) = (low / value, (value / high).powi(2));
         let farther = speed.powf(1.0 / power(CheckId::PeakSpeed)).max(heat.powf(1.0 / power(CheckId::Thermal)));
@@ -271,7 +276,7 @@ mod tests {
     #[test]
     fn every_window_of_a_little_more_than_one_percent_is_found() {
         for place in 0..400 {
-            // From a sixteenth to the sixteenfold, but for the value itself.
+            // From a sixteenth to sixteen times the value, without the value itself.
             let low = 15.5_f64.powf(f64::from(place) / 200.0 - 1.0);
             let high = low * 1.011;
             if (low..=high).contains(&1.0) {
@@ -285,7 +290,7 @@ mod tests {
             let found = nearest(&ranked, 1.0, &window(low, high, 1.0), &ONE, 400).unwrap();
             let (value, _) = found.unwrap_or_else(|| panic!("nothing in {low} to {high}"));
             assert!((low..=high).contains(&value), "{value} in {low} to {high}");
-            // As it is shown, and the neighbour nearer to one does not fit.
+            // The displayed value fits, and its neighbour closer to one does not.
             let scale = 10_f64.powf(2.0 - value.log10().floor());
             let place = value * scale;
             assert!((place - place.round()).abs() < 1e-6, "{value} has more than three digits");

@@ -1,4 +1,4 @@
-//! How an actuator is mounted: its bores as they are written, and the loads that a project brings.
+//! Mounting of an actuator: notation of its bores, and the loads of a project.
 
 use crate::sizing_use::{Refusal, check};
 use installation::fit::{Bore, read_bore as read};
@@ -13,19 +13,19 @@ use words::mounting::bore_fault;
 /// Reads the bore over a pilot from the command line.
 ///
 /// # Errors
-/// What is wrong with the text, and a hint.
+/// The fault of the text, and a hint.
 pub(crate) fn read_bore(text: &str, language: Language) -> Result<Bore, (String, Option<String>)> {
     read(text).map_err(|fault| bore_fault(&fault, language))
 }
 
-/// What a project puts on the joints of an actuator, as its checks have it.
+/// Returns the loads of a project on the joints of an actuator, as used by its checks.
 ///
 /// # Errors
-/// Why the actuator cannot be judged.
+/// The reason why the actuator cannot be judged.
 pub fn joint_loads(project: &Project, code: &OrderCode) -> Result<AxisLoads, Refusal> {
     let candidate = check(project, code)?;
     let collision = project.axis.asked.collision_torque;
-    // A collision stands in a row of its own: the loads of the cycle are judged without it.
+    // The collision is a row of its own: the loads of the cycle are judged without it.
     let without = collision.map(|_| {
         let mut axis = project.axis.clone();
         axis.asked.collision_torque = None;
@@ -34,7 +34,7 @@ pub fn joint_loads(project: &Project, code: &OrderCode) -> Result<AxisLoads, Ref
     let cycle = without.as_ref().unwrap_or(&candidate.judgement);
     let found = |id: CheckId| candidate.judgement.checks.iter().find(|check| check.id == id);
     let flange = || {
-        // The checks look at the turning gear; a joint bears the loads at rest too.
+        // The checks consider the turning gear; a joint bears the loads at rest too.
         let (radial, axial, moment) = sizing::largest_loads(&project.axis, &candidate.parameters.output_bearing)?;
         Some(FlangeLoads {
             tilting_moment: Sourced { value: moment, ..asked(found(CheckId::BearingTiltingMoment)?)? },
@@ -56,7 +56,7 @@ pub fn joint_loads(project: &Project, code: &OrderCode) -> Result<AxisLoads, Ref
     })
 }
 
-/// What a check compares with its limit, with where it is from.
+/// Returns the value that a check compares with its limit, with its source.
 fn asked<Q: Measure>(check: &Check) -> Option<Sourced<Q>> {
     let value = check.value.filter(|figure| figure.unit.dimension == Q::DIMENSION)?;
     Some(Sourced { value: Q::from_si(value.si), source: check.value_source.clone()?, grade: check.grade?, errata: &[] })

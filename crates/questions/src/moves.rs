@@ -1,4 +1,4 @@
-//! The motion as it came out: every segment with what was given and what followed from it.
+//! The solved motion: every segment with stated and derived values.
 
 use project::{Project, RecordingRead, SegmentLaw};
 use quantities::unit::{
@@ -9,32 +9,32 @@ use quantities::{Measure, Time, Unit};
 /// One segment of the motion.
 #[derive(Clone, Debug)]
 pub struct Move<'p> {
-    /// Instant of its beginning.
+    /// Instant of the beginning.
     pub start: Time,
     /// Duration.
     pub duration: Time,
-    /// What it is: a law, the manual's move, rest, or a recording.
+    /// Motion law of the segment: a law, the manual's move, rest, or a recording.
     pub law: SegmentLaw,
     /// Distance, largest speed and largest acceleration, in SI at the output or along the line; `None` at rest.
     pub course: Option<[f64; 3]>,
-    /// The recording, where it is one.
+    /// Recording of the segment, if it is one.
     pub recording: Option<&'p RecordingRead>,
 }
 
 /// The segments of a motion.
 #[derive(Clone, Debug)]
 pub struct Moves<'p> {
-    /// Whether the course is that of the output; else it is that along the line.
+    /// `true` if the course is that of the output; otherwise it is that along the line.
     pub turns: bool,
     /// Units of distance, speed and acceleration.
     pub units: [&'static Unit; 3],
-    /// What is along the line, or behind a stage, per what is at the output, both in SI.
+    /// Quantity along the line, or after a stage, per quantity at the output, both in SI.
     pub per_output: f64,
-    /// The segments in their order.
+    /// The segments in the order of the motion.
     pub moves: Vec<Move<'p>>,
 }
 
-/// The segments of a project's motion, solved; along the line where the mechanism has one.
+/// Returns the solved segments of a project's motion; along the line if the mechanism has one.
 #[must_use]
 pub fn moves(project: &Project) -> Moves<'_> {
     let travel = project.axis.mechanism.travel_m_per_rad();
@@ -42,7 +42,7 @@ pub fn moves(project: &Project) -> Moves<'_> {
         Some(_) => [&MILLIMETRE, &METRE_PER_SECOND, &METRE_PER_SECOND_SQUARED],
         None => [&DEGREE, &REVOLUTION_PER_MINUTE, &RADIAN_PER_SECOND_SQUARED],
     };
-    // The file states the motion of the mechanism, behind a stage.
+    // The file states the motion of the mechanism, after a stage.
     let factor = travel.unwrap_or_else(|| 1.0 / project.axis.mechanism.stage_ratio());
     let motion = &project.axis.motion;
     let mut recordings = project.recordings.iter();

@@ -4,12 +4,12 @@ use sizing::Watch;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Cancelled.
+/// The work was cancelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stopped;
 
-/// Progress and cancellation of an answer. Shared between threads: one works, another shows the progress or cancels it, such as
-/// at a deadline; the work itself has no clock.
+/// Progress and cancellation of an answer. Shared between threads: one works, another displays the progress or cancels,
+/// for example at a deadline; the work itself reads no clock.
 #[derive(Debug, Default)]
 pub struct Patience {
     limited: bool,
@@ -22,42 +22,42 @@ pub struct Patience {
 }
 
 impl Patience {
-    /// Until the answer is there.
+    /// Creates a state without a time limit.
     #[must_use]
     pub fn endless() -> Self {
         Self::default()
     }
 
-    /// With a deadline that the caller measures and enforces.
+    /// Creates a state with a time limit that the caller measures and enforces.
     #[must_use]
     pub fn limited() -> Self {
         Self { limited: true, ..Self::default() }
     }
 
-    /// Ends the work before its next step.
+    /// Cancels the work before its next step.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// The flag that is set where it is cancelled.
+    /// Returns the flag that a cancellation sets.
     #[must_use]
     pub fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.cancelled)
     }
 
-    /// Ends it because the time is over.
+    /// Cancels the work because of its time limit.
     pub fn expire(&self) {
         self.late.store(true, Ordering::Relaxed);
         self.cancel();
     }
 
-    /// Ends the work before its next step for one that is shorter; it is begun again later.
+    /// Interrupts the work before its next step in favour of a shorter one; it is restarted later.
     pub fn displace(&self) {
         self.displaced.store(true, Ordering::Relaxed);
     }
 
-    /// Lets the work be begun again after [`Self::displace`]. Returns `true` if it was ended by that, `false` if it was done before
-    /// it noticed.
+    /// Permits a restart after [`Self::displace`]. Returns `true` if the work was interrupted, `false` if it was
+    /// completed first.
     pub fn resume(&self) -> bool {
         self.displaced.store(false, Ordering::Relaxed);
         self.done.store(0, Ordering::Relaxed);
@@ -65,24 +65,24 @@ impl Patience {
         self.heard.swap(false, Ordering::Relaxed)
     }
 
-    /// So many steps are to come.
+    /// Announces a number of further steps.
     pub fn expect_steps(&self, steps: usize) {
         self.expect(steps);
     }
 
-    /// Whether it ended by the deadline, not by a cancellation.
+    /// Returns `true` if the work ended at its time limit, not by a cancellation.
     #[must_use]
     pub fn is_late(&self) -> bool {
         self.late.load(Ordering::Relaxed)
     }
 
-    /// Whether there is an end to it.
+    /// Returns `true` if the work has a time limit.
     #[must_use]
     pub const fn is_limited(&self) -> bool {
         self.limited
     }
 
-    /// Whether it is cancelled.
+    /// Returns `true` if the work is cancelled or interrupted.
     #[must_use]
     pub fn is_over(&self) -> bool {
         let is_over = self.cancelled.load(Ordering::Relaxed) || self.displaced.load(Ordering::Relaxed);
@@ -92,7 +92,7 @@ impl Patience {
         is_over
     }
 
-    /// The steps that are done, and how many there are to be where that is known.
+    /// Returns the number of completed steps, and the expected total if it is known.
     #[must_use]
     pub fn progress(&self) -> (usize, Option<usize>) {
         let expected = self.expected.load(Ordering::Relaxed);

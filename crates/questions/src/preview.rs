@@ -1,12 +1,13 @@
-//! The first rows of a recording and the possible roles of its columns, for choosing them.
+//! First rows of a recording and the possible roles of its columns, as a basis for selecting them.
 
 use project::Files;
 use recording::{Preview, Role};
 
-/// Rows that are shown.
+/// Number of rows.
 const ROWS: usize = 4;
 
-/// The header and the first rows of a recording of a project, as text; `None` where the file cannot be opened or is no text.
+/// Returns the header and the first rows of a recording of a project, as text; `None` if the file cannot be opened or
+/// is no text.
 #[must_use]
 pub fn recording_preview(name: &str, files: &dyn Files) -> Option<Preview> {
     let is_text = !name.to_ascii_lowercase().ends_with(".parquet") && files.grant().reach.admits(name);
@@ -14,7 +15,7 @@ pub fn recording_preview(name: &str, files: &dyn Files) -> Option<Preview> {
     recording::preview_csv(source, ROWS)
 }
 
-/// What a column may be, by its key, with the units that it may have.
+/// Returns the roles of columns, each by its key and with its valid units.
 #[must_use]
 pub fn recording_roles() -> [(&'static str, Role, Vec<&'static str>); 4] {
     Role::ALL.map(|role| {

@@ -1,4 +1,4 @@
-//! The data sheet of one ordering code: every printed value that concerns it, with its table and the notes on both.
+//! Data sheet of one ordering code: every value of the manual for it, with its table and the notes on both.
 
 use catalogue::{Cell, Footnote};
 use configurator::Uncovered;
@@ -11,12 +11,12 @@ use words::{cell_text, decimal, terminal};
 pub enum SheetNote {
     /// A note on the table.
     Table(&'static Footnote),
-    /// What the table does not cover of the code.
+    /// Property of the code that the table does not cover.
     Uncovered(Uncovered),
 }
 
 impl SheetNote {
-    /// Whether it is a conclusion of ours; otherwise the manual says so.
+    /// Returns `true` if the remark is a conclusion of antrieb, not of the manual.
     #[must_use]
     pub const fn is_ours(&self) -> bool {
         match self {
@@ -25,7 +25,7 @@ impl SheetNote {
         }
     }
 
-    /// The mark as printed; empty where it has none.
+    /// Returns the mark of the manual; empty if there is none.
     #[must_use]
     pub const fn mark(&self) -> &'static str {
         match self {
@@ -35,25 +35,25 @@ impl SheetNote {
     }
 }
 
-/// One printed value.
+/// One value of the manual.
 #[derive(Clone, Debug)]
 pub struct SheetRow {
     /// The cell.
     pub cell: &'static Cell,
-    /// Whether the value holds for the standard actuator only, so that none is printed for this code.
+    /// `true` if the value is valid for the standard actuator only, so that the manual states none for this code.
     pub of_standard_only: bool,
-    /// Remarks on it.
+    /// Remarks on the value.
     pub notes: Vec<SheetNote>,
 }
 
-/// The values of one printed table.
+/// Values of one table of the manual.
 #[derive(Clone, Debug)]
 pub struct SheetSection {
     /// The table.
     pub table: &'static catalogue::Table,
-    /// Its values for this code.
+    /// Values for this code.
     pub rows: Vec<SheetRow>,
-    /// Notices on the table as a whole.
+    /// Remarks on the table as a whole.
     pub notices: Vec<SheetNote>,
     /// Errata of the table that name no single cell; slips of the recovered text are left out.
     pub errata: Vec<&'static str>,
@@ -64,15 +64,15 @@ pub struct SheetSection {
 pub struct Sheet {
     /// The code.
     pub code: OrderCode,
-    /// What the tables do not cover of it.
+    /// Properties of the code that the tables do not cover.
     pub uncovered: Vec<Uncovered>,
-    /// Its values by table, in the order of the manual.
+    /// Values by table, in the order of the manual.
     pub sections: Vec<SheetSection>,
 }
 
-/// The data sheet of a code; `None` where the manual prints no data for it.
+/// Returns the data sheet of a code; `None` if the manual states no data for it.
 ///
-/// Values that hold for the other brake variant only are left out, and so are the sections of other feedback systems.
+/// Values for the other brake variant are left out, and so are the sections of other feedback systems.
 #[must_use]
 pub fn sheet(code: &OrderCode) -> Option<Sheet> {
     catalogue::drive(code.size, code.winding, code.feedback)?;
@@ -112,7 +112,7 @@ fn row(table: &'static catalogue::Table, cell: &'static Cell, uncovered: &[Uncov
     }
 }
 
-/// The errata of a table that name no cell and are more than a slip of the recovered text.
+/// Returns the errata of a table that name no cell and are more than a slip of the recovered text.
 fn errata_of_table(table: &str) -> Vec<&'static str> {
     catalogue::errata()
         .iter()
@@ -122,7 +122,7 @@ fn errata_of_table(table: &str) -> Vec<&'static str> {
         .collect()
 }
 
-/// Whether a cell holds for this code's brake variant.
+/// Returns `true` if a cell is valid for the brake variant of this code.
 fn concerns(cell: &Cell, code: &OrderCode) -> bool {
     let of_the_other_variant = match code.brake {
         Brake::With => ["J_out", "J", "m", "L"].contains(&cell.place.symbol),
@@ -135,13 +135,13 @@ fn concerns(cell: &Cell, code: &OrderCode) -> bool {
     !of_the_other_variant
 }
 
-/// The marks of the notes in a table: the printed ones, else the next small letter. What the tables do not cover of the code
-/// has the token that brings it.
+/// Marks of the notes in a table: those of the manual, else the next small letter. A property that the tables do not
+/// cover has the token of the code that causes it.
 #[derive(Clone, Debug, Default)]
 pub struct SheetMarks(Vec<(String, SheetNote)>);
 
 impl SheetMarks {
-    /// The mark of a note, the same one each time.
+    /// Returns the mark of a note, equal for equal notes.
     pub fn of(&mut self, note: SheetNote) -> String {
         if let SheetNote::Uncovered(what) = note {
             return uncovered_mark(what).to_owned();
@@ -158,7 +158,7 @@ impl SheetMarks {
         mark
     }
 
-    /// Every note that has got a mark, by their marks.
+    /// Returns the notes that have a mark, sorted by mark.
     #[must_use]
     pub fn sorted(mut self) -> Vec<(String, SheetNote)> {
         self.0.sort_by(|(one, _), (other, _)| one.cmp(other));
@@ -166,7 +166,7 @@ impl SheetMarks {
     }
 }
 
-/// The token of the code that brings what the tables do not cover.
+/// Returns the token of the code that causes a property which the tables do not cover.
 #[must_use]
 pub fn uncovered_mark(what: Uncovered) -> &'static str {
     match what {
@@ -176,7 +176,8 @@ pub fn uncovered_mark(what: Uncovered) -> &'static str {
     }
 }
 
-/// The value after errata, with the print where it differs; a value of the standard only is none of this code.
+/// Returns the value after errata, with that of the manual if it differs; a value of the standard actuator is marked as
+/// such.
 #[must_use]
 pub fn sheet_value_text(row: &SheetRow, language: Language) -> String {
     let cell = row.cell;

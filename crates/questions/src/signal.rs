@@ -1,4 +1,4 @@
-//! The signals of a run of the twin: their names, the columns that they become, and what they show.
+//! Signals of a run of the twin: names, columns and descriptions.
 
 use quantities::Unit;
 use quantities::unit::{
@@ -10,17 +10,17 @@ use words::{Word, simulation, tables, terms};
 /// A signal over time.
 #[derive(Clone, Copy, Debug)]
 pub struct Signal {
-    /// Its name.
+    /// Name of the signal.
     pub id: &'static str,
-    /// The heading of its column: the name with the unit.
+    /// Heading of the column: the name with the unit.
     pub column: &'static str,
-    /// The name in words.
+    /// Name in words.
     pub title: Word,
-    /// Of which part, or what it means.
+    /// Part of the drive to which the signal belongs, or its meaning.
     pub about: Word,
-    /// The unit of the column.
+    /// Unit of the column.
     pub unit: &'static Unit,
-    /// Its value in SI; NaN, an empty cell, where the actuator has no such signal.
+    /// Function that returns the value in SI; NaN, an empty cell, if the actuator has no such signal.
     pub of: fn(&Sample) -> f64,
 }
 
@@ -36,24 +36,24 @@ impl Signal {
         Self { id, column, title, about, unit, of }
     }
 
-    /// The signal of a name.
+    /// Returns the signal with a name.
     #[must_use]
     pub fn of_id(id: &str) -> Option<&'static Self> {
         SIGNALS.iter().find(|signal| signal.id == id)
     }
 
-    /// The names of all of them.
+    /// Returns the names of all signals.
     #[must_use]
     pub fn ids() -> Vec<&'static str> {
         SIGNALS.iter().map(|signal| signal.id).collect()
     }
 }
 
-/// The time, which every course begins with.
+/// The time, first column of every course.
 pub const TIME: Signal =
     Signal::new(("time", "time_s"), terms::time, tables::time_of_course_about, &SECOND, |s| s.time_s);
 
-/// All of them, in the order of the columns. Names and headings are the contract with scripts and with `identify`.
+/// Signals in the order of the columns. Names and headings are the contract with scripts and with `identify`.
 pub const SIGNALS: &[Signal] = &[
     Signal::new(("wanted_position", "wanted_position_rad"), tables::angle, simulation::wanted, &RADIAN, |s| {
         s.wanted_rad

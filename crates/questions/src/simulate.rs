@@ -17,19 +17,19 @@ use twin::{
 };
 use words::{Word, simulation};
 
-/// So many steps are run where the call states no time limit: about ten seconds on one core.
+/// Largest number of steps if the call states no time limit: about ten seconds on one core.
 pub(crate) const STEPS_MOST: u64 = 50_000_000;
 
-/// Rows of a course that are kept: some two hundred bytes each.
+/// Largest number of rows of a course: about two hundred bytes each.
 pub(crate) const ROWS_MOST: u64 = 1_000_000;
 
-/// The largest voltage of a DC link that is assumed where the project states none \[V\].
+/// Default of the largest voltage of a DC link \[V\].
 const SUPPLY_USUAL_V: f64 = 560.0;
 
 /// Periods of the current loop between two polls of the caller: 64 ms of the run.
 const AT_ONCE: u64 = 1024;
 
-/// What is simulated beside the project.
+/// Data of a run besides the project.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Wanted {
     pub(crate) scenario: Scenario,
@@ -40,16 +40,16 @@ pub(crate) struct Wanted {
     pub(crate) operation: Option<Operation>,
 }
 
-/// Why nothing is simulated.
+/// Reasons why nothing is simulated.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NotRun {
     /// The actuator is not judged.
     Refused(Refusal),
     /// The twin cannot run.
     Fault(Fault),
-    /// More steps than are run without a time limit.
+    /// The number of steps exceeds the limit without a time limit.
     Steps(u64),
-    /// More rows than are kept.
+    /// The number of rows exceeds the limit.
     Rows(u64),
 }
 
@@ -65,50 +65,50 @@ impl From<Fault> for NotRun {
     }
 }
 
-/// A run with what it is compared with.
+/// A run with the data for its comparison.
 #[derive(Clone, Debug)]
 pub struct Simulated<'p> {
     /// The axis.
     pub project: &'p Project,
     /// The actuator, judged.
     pub candidate: Candidate<'p>,
-    /// What happened to it.
+    /// Scenario of the run.
     pub scenario: Scenario,
     /// Seed of phases and noise.
     pub seed: u64,
     /// The run in figures.
     pub summary: Summary,
-    /// What happened.
+    /// Events of the run.
     pub events: Vec<Event>,
-    /// How the feedback failed.
+    /// Failure of the feedback.
     pub failed: Option<Failed>,
-    /// The course, where it was requested.
+    /// Course, if requested.
     pub course: Vec<Sample>,
-    /// The loops of the control.
+    /// Control loops.
     pub loops: Vec<LoopResponse>,
     /// The gains in use.
     pub gains: Gains,
-    /// Whether the project states gains.
+    /// `true` if the project states gains.
     pub gains_stated: bool,
     /// Every parameter.
     pub parameters: Parameters,
-    /// Data that are not printed.
+    /// Symbols of data that the manual does not state.
     pub left_out: Vec<&'static str>,
-    /// Steps of the solver, and the length of one \[s\].
+    /// Number of solver steps.
     pub steps: u64,
-    /// \[s\]
+    /// Length of a step \[s\].
     pub step_s: f64,
-    /// Temperature of the air, and of winding and housing at the start \[K\].
+    /// Ambient temperature \[K\].
     pub ambient_k: f64,
-    /// \[K\]
+    /// Temperatures of winding and housing at the start \[K\].
     pub start_k: [f64; 2],
-    /// The DC link that was assumed \[V\]; `None` where the project states it.
+    /// Assumed voltage of the DC link \[V\]; `None` if the project states it.
     pub supply_assumed_v: Option<f64>,
-    /// The supply that was simulated.
+    /// Simulated supply.
     pub supply: Supply,
-    /// Operation over days, where it was requested and the actuator has a heat model.
+    /// Operation over days, if requested and if the actuator has a thermal model.
     pub averaged: Option<(Operation, Averaged)>,
-    /// Resonance with blocked and with free motor.
+    /// Resonance frequencies with blocked and with free motor.
     pub resonance: Option<[Frequency; 2]>,
 }
 
@@ -117,20 +117,21 @@ pub struct Simulated<'p> {
 pub(crate) struct Judged {
     pub(crate) id: &'static str,
     pub(crate) title: Word,
-    /// In which value and limit are shown.
+    /// Unit of the displayed value and limit.
     pub(crate) unit: &'static Unit,
-    /// In SI.
+    /// Value in SI.
     pub(crate) value: f64,
-    /// In SI, with its grade and source.
+    /// Limit in SI, with its grade and source.
     pub(crate) limit: Option<(f64, Grade, Source)>,
     pub(crate) verdict: Verdict,
 }
 
-/// Cycles that the settled state takes besides, and those of days of operation: two at each of three temperatures, and the settled state.
+/// Additional cycles for the settled state, and for days of operation: two at each of three temperatures, and the
+/// settled state.
 const WARM_CYCLES: u32 = 8;
 const DAYS_CYCLES: u32 = 14;
 
-/// Steps of a run at least, known before the actuator is.
+/// Returns the smallest number of steps of a run, known before the actuator is.
 pub(crate) fn steps_least(project: &Project, cycles: u32, cold: bool, days: bool) -> u64 {
     let besides = if cold { 0 } else { WARM_CYCLES } + if days { DAYS_CYCLES } else { 0 };
     let cycle = Measure::si(project.axis.motion.duration()) * twin::CURRENT_RATE_HZ * f64::from(twin::SUBSTEPS_USUAL);
@@ -143,7 +144,7 @@ pub(crate) fn steps_least(project: &Project, cycles: u32, cold: bool, days: bool
     steps
 }
 
-/// The result of a part of the twin that polls whether it goes on; the caller may cancel it.
+/// Runs a part of the twin that polls for cancellation by the caller.
 fn watched<T>(
     patience: &Patience,
     run: impl FnOnce(&mut dyn FnMut() -> bool) -> Result<T, Fault>,
@@ -156,7 +157,7 @@ fn watched<T>(
     if stopped { Err(Refusal::Stopped.into()) } else { Ok(found) }
 }
 
-/// The actuator, simulated.
+/// Simulates the actuator.
 pub(crate) fn simulate<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
@@ -175,7 +176,7 @@ pub(crate) fn simulate<'p>(
         return Err(Fault::Unstable.into());
     }
     let twin = Twin::new(&setup)?;
-    // The settled state takes some cycles more.
+    // The settled state requires additional cycles.
     let warm_cycles = if wanted.scenario.cold {
         0
     } else {
@@ -265,13 +266,13 @@ pub(crate) fn simulate<'p>(
     })
 }
 
-/// The signals of the feedback on the motor of a code.
+/// Returns the signals of the motor encoder of a code.
 pub(crate) fn encoder_of(code: &OrderCode) -> Option<feedback::Encoder> {
     let fitted = installation::encoder::encoders(code)?;
     fitted.into_iter().find(|each| each.role == Role::Feedback).map(|each| each.encoder)
 }
 
-/// What a twin of an axis with an actuator needs.
+/// Inputs of a twin of an axis with an actuator.
 pub(crate) struct Ready<'p> {
     project: &'p Project,
     pub(crate) parameters: Parameters,
@@ -308,7 +309,7 @@ impl<'p> Ready<'p> {
         if extras.is_empty() { std::slice::from_ref(&self.none) } else { extras }
     }
 
-    /// The setup with the gains of the rule.
+    /// Returns the setup with the gains of the tuning rule.
     pub(crate) fn setup(&self) -> Setup<'_> {
         let axis = &self.project.axis;
         Setup {
@@ -321,7 +322,7 @@ impl<'p> Ready<'p> {
         }
     }
 
-    /// Gains and limits as the project states them; the gains, and whether it states any.
+    /// Sets gains and limits as stated by the project; returns the gains, and `true` if the project states any.
     pub(crate) fn controlled(&self, setup: &mut Setup<'_>) -> Result<(Gains, bool), Fault> {
         let twin = &self.project.twin;
         let usual = Twin::new(setup)?;
@@ -332,31 +333,31 @@ impl<'p> Ready<'p> {
     }
 }
 
-/// The parameters of an actuator with the values that the project replaces.
+/// Returns the parameters of an actuator, with the values that the project replaces.
 fn parameters(project: &Project, actuator: &Actuator, supply: &Supply) -> Parameters {
     replaced(project, Parameters::on_supply(actuator, supply))
 }
 
-/// The parameters with the measured values of the project in their place.
+/// Returns the parameters with the measured values of the project in their place.
 pub(crate) fn replaced(project: &Project, mut parameters: Parameters) -> Parameters {
     for (key, value) in &project.twin.replaced {
-        // Every key of the section is one of the model: a test holds it.
+        // Every key of the section belongs to the model: a test checks it.
         let _ = parameters.replace(key, value.clone());
     }
     parameters
 }
 
-/// On the second stiffness of the gear.
+/// Computes the natural frequencies with the second stiffness of the gear: with blocked and with free motor.
 fn resonance(actuator: &Actuator, load: MomentOfInertia) -> Option<[Frequency; 2]> {
     let stiffness = actuator.gear.stiffness.get(1)?.known()?.value;
     let rotor = actuator.inertia_out.known()?.value;
     (load.si() > 0.0).then(|| [natural_frequency(stiffness, load), natural_frequency_free(stiffness, load, rotor)])
 }
 
-/// A figure of a run in SI.
+/// Function that returns a figure of a run in SI.
 pub(crate) type Shown = fn(&Summary) -> f64;
 
-/// The checks of the sizing that the twin shows too, each with its value in SI and why it differs.
+/// Checks of the sizing that the twin reproduces, each with its value in SI and the reason for a difference.
 pub(crate) const COMPARED: [(CheckId, Shown, Word); 6] = [
     (CheckId::PeakTorque, |summary| summary.torque_peak_nm, simulation::why_torque),
     (CheckId::PeakSpeed, |summary| summary.speed_peak_rad_s, simulation::why_speed),
@@ -366,7 +367,7 @@ pub(crate) const COMPARED: [(CheckId, Shown, Word); 6] = [
     (CheckId::Regeneration, |s| s.energies.regenerated_j / s.time_s, simulation::why_regeneration),
 ];
 
-/// The events that are faults of the drive.
+/// Events that are faults of the drive.
 const FAULTS: [EventKind; 9] = [
     EventKind::Overload,
     EventKind::WindingShutdown,
@@ -380,18 +381,18 @@ const FAULTS: [EventKind; 9] = [
 ];
 
 impl Simulated<'_> {
-    /// Whether the scenario is a cycle that shall run through.
+    /// Returns `true` if the scenario is a cycle that must be completed.
     fn runs_through(&self) -> bool {
         matches!(self.scenario.id, ScenarioId::Cycle | ScenarioId::HotAmbient | ScenarioId::ColdGrease)
     }
 
-    /// Time between two rows of the course \[s\]: a whole number of periods of the current loop.
+    /// Returns the time between two rows of the course \[s\]: a whole number of periods of the current loop.
     #[must_use]
     pub fn every_s(&self) -> f64 {
         self.course.get(1).map_or(0.0, |row| row.time_s)
     }
 
-    /// The figures that have a limit.
+    /// Returns the figures with a limit.
     pub(crate) fn judged(&self) -> Vec<Judged> {
         let (actuator, summary) = (&self.parameters.actuator, &self.summary);
         let torque = if self.runs_through() || actuator.gear.collision_torque_max.known().is_none() {
@@ -401,9 +402,9 @@ impl Simulated<'_> {
         };
         let of = |(id, title, unit): (_, Word, &'static Unit), value: f64, limit: Option<(f64, Grade, Source)>| {
             let verdict = match limit {
-                // A thousandth: the control reaches a limit and does not stop at its last digit.
+                // Tolerance of a thousandth: the control reaches a limit and does not stop at its last digit.
                 Some((limit, ..)) if value <= limit * 1.001 => Verdict::Pass,
-                // A rating of another gear rejects nothing.
+                // A rating of another gear is no reason for rejection.
                 Some((_, _, Source::Published(_))) => Verdict::Advice,
                 Some(_) => Verdict::Fail,
                 None => Verdict::NotChecked,
@@ -414,7 +415,7 @@ impl Simulated<'_> {
             datum.known().map(|known| (known.value.si(), known.grade, known.source.clone()))
         }
         let model = |limit: f64| Some((limit, Grade::Computed, Source::Model { name: "twin" }));
-        // The inverter limits the set-point; the current itself swings about it.
+        // The inverter limits the setpoint; the current itself oscillates around it.
         let mut judged = vec![
             of(
                 ("current_peak", simulation::current_peak, &AMPERE),
@@ -439,13 +440,14 @@ impl Simulated<'_> {
             && actuator.current_demagnetisation.known().is_none()
             && self.project.twin.switches.limits
         {
-            // The drive keeps its set-point within I_max; what swings above it for a moment no printed value limits.
+            // The drive keeps its setpoint within I_max; the manual states no limit for a short overshoot.
             current.verdict = Verdict::Advice;
         }
         if let Some(link) = judged.iter_mut().find(|each| each.id == "link_high" && each.verdict == Verdict::Fail)
             && self.supply_within().is_some_and(|has_room| !has_room)
         {
-            // U_DCmax is the largest stationary voltage; while braking it may be passed for a short time (glossary of the manual).
+            // U_DCmax is the largest stationary voltage; it may be exceeded briefly while braking (glossary of the
+            // manual).
             link.verdict = Verdict::Advice;
         }
         if let Some(angle) = summary.stop_rad {
@@ -462,15 +464,15 @@ impl Simulated<'_> {
         judged
     }
 
-    /// Whether a brake resistor can hold the DC link between supply and U_DCmax; `None` where the supply is above U_DCmax or U_DCmax is
-    /// not known.
+    /// Returns `true` if a braking resistor can keep the DC link between supply and U_DCmax; `None` if the supply is
+    /// above U_DCmax or U_DCmax is not known.
     pub(crate) fn supply_within(&self) -> Option<bool> {
         let most = ElectricPotential::from_si(self.supply.most_v);
         let limit = self.parameters.actuator.dc_link_max.known()?.value;
         (most.si() <= limit.si()).then(|| actuator::chopper_thresholds(most, Some(limit)).is_some())
     }
 
-    /// Whether every limit is kept.
+    /// Returns `true` if no limit is exceeded.
     #[must_use]
     pub fn fits(&self) -> bool {
         self.judged().iter().all(|each| each.verdict != Verdict::Fail)

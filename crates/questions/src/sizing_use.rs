@@ -1,4 +1,4 @@
-//! Ranking the catalogue for an axis, and judging one actuator.
+//! Ranking of the catalogue for an axis, and judgement of one actuator.
 
 use crate::cited::Cited;
 use crate::patience::Stopped;
@@ -17,14 +17,15 @@ use std::sync::Arc;
 
 pub use crate::candidate::{Candidate, CandidateId, Objection, Reason, by_importance};
 
-/// Of which rejected actuators of a ranking every failing check is found; the others are judged until one fails.
+/// Rejected actuators of a ranking for which every failing check is determined; the others are judged up to the first
+/// failing check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rejected {
-    /// Of none: whether and which fit is all that is needed.
+    /// No actuator: only the fitting ones are required.
     None,
-    /// Of as many as may be the nearest miss where nothing fits.
+    /// Every actuator that may have the smallest excess if none fits.
     Nearest,
-    /// Of all: they are listed with their reasons.
+    /// Every actuator, for a list with reasons.
     All,
 }
 
@@ -35,74 +36,75 @@ pub struct Sizing<'p> {
     pub name: &'p str,
     /// Every candidate, best first.
     pub candidates: Vec<Candidate<'p>>,
-    /// How many of them fit: the first ones.
+    /// Number of fitting candidates, which come first.
     fitting: usize,
-    /// The user's own actuator, judged beside the catalogue.
+    /// The user's own actuator, judged besides the catalogue.
     pub own: Option<Candidate<'p>>,
-    /// Defaults that were taken.
+    /// Default values in use.
     pub assumptions: &'p [Assumption],
 }
 
 impl<'p> Sizing<'p> {
-    /// The candidates that fit, best first.
+    /// Returns the fitting candidates, best first.
     #[must_use]
     pub fn fitting(&self) -> &[Candidate<'p>] {
         self.candidates.get(..self.fitting).unwrap_or_default()
     }
 
-    /// The candidates that do not fit, the one that misses by least first.
+    /// Returns the candidates that do not fit, the one with the smallest excess first.
     #[must_use]
     pub fn rejected(&self) -> &[Candidate<'p>] {
         self.candidates.get(self.fitting..).unwrap_or_default()
     }
 
-    /// How many fit within every limit, and how many others if an estimate holds.
+    /// Returns the number of candidates that fit within every limit, and of those that fit only if an estimate holds.
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {
         let certain = self.fitting().iter().filter(|candidate| candidate.fit() == Fit::Fits).count();
         [certain, self.fitting - certain]
     }
 
-    /// The rejected candidate that misses by least, among those that meet what the project requires and are of the right
-    /// class: no other actuator's voltage or temperature range is near.
+    /// Returns the rejected candidate with the smallest excess, among those that meet the requirements of the project
+    /// and are of the right class: an actuator for another voltage or temperature range is no alternative.
     #[must_use]
     pub fn nearest_miss(&self) -> Option<&Candidate<'p>> {
         self.rejected().iter().find(|candidate| may_be_near(candidate))
     }
 
-    /// The best candidate, if one fits.
+    /// Returns the best candidate, if one fits.
     #[must_use]
     pub fn answer(&self) -> Option<&Candidate<'p>> {
         self.fitting().first()
     }
 
-    /// The candidate that every answer about the axis names: the best, else the nearest miss, else the first of the others.
+    /// Returns the candidate that every answer about the axis names: the best, else the one with the smallest excess,
+    /// else the first of the others.
     #[must_use]
     pub fn named(&self) -> Option<&Candidate<'p>> {
         self.answer().or_else(|| self.nearest_miss()).or_else(|| self.candidates.first())
     }
 
-    /// The verdict on the best, the user's own actuator included.
+    /// Returns the verdict on the best candidate, the user's own actuator included.
     #[must_use]
     pub fn fit(&self) -> Fit {
         let best = self.answer().map_or(Fit::DoesNotFit, Candidate::fit);
         self.own.as_ref().map_or(best, |own| best.min(own.fit()))
     }
 
-    /// Returns `true` if any candidate fits, the user's own included.
+    /// Returns `true` if any candidate fits, the user's own actuator included.
     #[must_use]
     pub fn fits(&self) -> bool {
         self.fit().fits()
     }
 }
 
-/// Returns `true` unless an objection or a check that neither load nor pace can mend speaks against a candidate.
+/// Returns `true` unless an objection or a check independent of load and cycle time excludes a candidate.
 fn may_be_near(candidate: &Candidate<'_>) -> bool {
     let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
     candidate.objections.is_empty() && !candidate.judgement.checks.iter().any(of_the_place)
 }
 
-/// Why an actuator cannot be judged.
+/// Reasons why an actuator cannot be judged.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
     /// The code breaks rules of the ordering tables.
@@ -113,43 +115,43 @@ pub enum Refusal {
     NoActuator,
     /// This check is not part of the judgement of this axis and actuator.
     NotAsked(CheckId),
-    /// So many samples of the tolerances cost more than is done where no time is named.
+    /// The number of samples of the tolerances exceeds the limit without a time limit.
     TooManySamples {
-        /// Requested.
+        /// Requested number.
         asked: usize,
-        /// At most, for this axis and these actuators.
+        /// Largest number for this axis and these actuators.
         most: usize,
     },
-    /// So long recordings cost more than is done where no time is named.
+    /// The recordings exceed the limit without a time limit.
     TooLong {
-        /// Samples in use.
+        /// Number of samples in use.
         samples: usize,
-        /// At most under a load such as theirs.
+        /// Largest number under a load of this kind.
         most: usize,
-        /// How long those take, about \[s\].
+        /// Approximate computing time of the largest number \[s\].
         seconds: usize,
     },
-    /// Several axes take longer together than is done where no time is named.
+    /// Several axes together exceed the limit without a time limit.
     TooManyAxes {
-        /// How many.
+        /// Number of axes.
         axes: usize,
-        /// How long is waited, about \[s\].
+        /// Approximate limit of the computing time \[s\].
         seconds: usize,
     },
-    /// The catalogue is not judged for each of several ratios of a stage where no time is named.
+    /// The ratios of a stage exceed the limit without a time limit, since the catalogue is judged for each.
     TooManyRatios {
-        /// How many.
+        /// Number of ratios.
         ratios: usize,
-        /// How long is waited, about \[s\].
+        /// Approximate limit of the computing time \[s\].
         seconds: usize,
     },
-    /// A table of the course takes more memory than the project is allowed.
+    /// A table of the course exceeds the memory that a project may use.
     TooManyRows {
-        /// Rows, at most.
+        /// Largest number of rows.
         rows: usize,
-        /// Bytes that they take.
+        /// Memory of these rows \[byte\].
         needed: u64,
-        /// Bytes that are allowed.
+        /// Permissible memory \[byte\].
         most: u64,
     },
     /// The call was cancelled.
@@ -162,7 +164,7 @@ impl From<Stopped> for Refusal {
     }
 }
 
-/// The actuators of the catalogue with the curves of a project.
+/// Returns the actuators of the catalogue, with the curves of a project.
 pub(crate) fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderCode, Parameters)] {
     match &project.own_catalogue {
         Some(own) => own.actuators(output_encoder),
@@ -170,7 +172,7 @@ pub(crate) fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderC
     }
 }
 
-/// Judges the whole catalogue for the axis of a project and ranks it; whatever fits by every check.
+/// Judges the whole catalogue for the axis of a project by every check and ranks it.
 ///
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
@@ -178,11 +180,11 @@ pub fn size(project: &Project) -> Sizing<'_> {
     finished(size_watched(project, usize::MAX, Rejected::All, &Unwatched))
 }
 
-/// Judges and ranks like [`size`], but can be cancelled; only the first `complete_count` are judged by every check, the others by those of a
-/// ranking ([`Scope::Ranking`]), and those that are rejected as far as `rejected` states.
+/// Judges and ranks like [`size`], but can be cancelled; only the first `complete_count` are judged by every check, the
+/// others by those of a ranking ([`Scope::Ranking`]), and the rejected ones as far as `rejected` states.
 ///
 /// # Errors
-/// Where it was stopped.
+/// If it was cancelled.
 pub(crate) fn size_watched<'p, W: Watch>(
     project: &'p Project,
     complete_count: usize,
@@ -221,8 +223,9 @@ pub(crate) fn size_watched<'p, W: Watch>(
     })
 }
 
-/// Judges those candidates by every check that may come first where none fits, so that the nearest miss is that of
-/// [`Rejected::All`]. What was judged until a check failed misses by at least that check: the others come behind what is found.
+/// Judges by every check the candidates that may come first if none fits, so that the actuator with the smallest excess
+/// is that of [`Rejected::All`]. A candidate judged up to its first failing check exceeds the limits at least by this
+/// check, so the remaining ones rank behind the result.
 fn settle_nearest<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>], watch: &W) -> Result<(), W::Stop> {
     let mut judging = Judging::of(project, Scope::Deciding, Depth::Complete);
     let mut settle = |candidates: &mut [Candidate<'_>], counts: fn(&Candidate<'_>) -> bool| {
@@ -251,8 +254,8 @@ fn settle_nearest<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>],
     Ok(())
 }
 
-/// Work on each of several parts, by as many threads as there are; the answers stand in the order of the parts. Those that fit
-/// are judged by more checks and stand together in the catalogue, so a thread that is done takes over parts of another.
+/// Processes the parts with all threads; the results are in the order of the parts. Fitting actuators are judged by
+/// more checks and are adjacent in the catalogue, so an idle thread takes over parts of another.
 fn in_parallel<'t, T: Sync, R: Send, S: Send, F: FnMut(&'t T) -> Result<R, S>>(
     parts: &'t [T],
     begin: impl Fn() -> F + Sync + Send,
@@ -260,12 +263,12 @@ fn in_parallel<'t, T: Sync, R: Send, S: Send, F: FnMut(&'t T) -> Result<R, S>>(
     parts.par_iter().map_init(begin, |one, part| one(part)).collect()
 }
 
-/// A datum in SI, where it is known.
+/// Returns a datum in SI, if it is known.
 pub(crate) fn known_si<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
     datum.known().map(|known| known.value.si())
 }
 
-/// Candidates, best first.
+/// Sorts candidates, best first.
 fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
     let mut order: Vec<(RankKey, usize)> = candidates.iter().map(|c| RankKey::of(&c.standing)).zip(0..).collect();
     order.sort_unstable();
@@ -273,10 +276,11 @@ fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
     order.into_iter().filter_map(|(_, was)| open.get_mut(was)?.take()).collect()
 }
 
-/// A part has at least so many actuators.
+/// Smallest number of actuators in a part.
 const PART: usize = 8;
 
-/// The catalogue in parts for the threads, cut where one drivetrain ends: neighbours share what is found of it.
+/// Splits the catalogue into parts for the threads, at the boundaries of drivetrains: neighbours share the results for
+/// their drivetrain.
 fn by_drivetrain(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Parameters)]> {
     let mut parts = Vec::with_capacity(actuators.len() / PART + 1);
     let mut rest = actuators;
@@ -293,7 +297,7 @@ fn by_drivetrain(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Par
     parts
 }
 
-/// Each actuator as a candidate, with the options that the project requires.
+/// Judges each actuator as a candidate, with the options that the project requires.
 fn judged<'p, W: Watch>(
     judging: &mut Judging<'p>,
     actuators: &'p [(OrderCode, Parameters)],
@@ -309,7 +313,7 @@ fn judged<'p, W: Watch>(
     Ok(candidates)
 }
 
-/// A code with the options that the project requires; `None` where its series does not have them.
+/// Returns a code with the options that the project requires; `None` if its series does not have them.
 pub(crate) fn with_options(project: &Project, code: &OrderCode) -> Option<OrderCode> {
     let series = code.series();
     let option_1 = project.option_1.and_then(|option| Option1::of(series, option.as_str()));
@@ -321,13 +325,13 @@ pub(crate) fn with_options(project: &Project, code: &OrderCode) -> Option<OrderC
 /// Judges one code for the axis of a project.
 ///
 /// # Errors
-/// [`Refusal`] where the code cannot be ordered or has no printed data.
+/// [`Refusal`] if the code cannot be ordered or has no data in the manual.
 pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     availability(code).map_err(Refusal::Broken)?;
     Ok(candidate(&mut Judging::of(project, Scope::All, Depth::Complete), *code, parameters_of(project, code)?))
 }
 
-/// Judges one code by the checks of one part alone: what the others cost is saved.
+/// Judges one code by the checks of one part alone, without the cost of the others.
 ///
 /// # Errors
 /// As [`check`].
@@ -336,7 +340,7 @@ pub(crate) fn check_part<'p>(project: &'p Project, code: &OrderCode, part: Part)
     Ok(candidate(&mut Judging::of_part(project, part), *code, parameters_of(project, code)?))
 }
 
-/// The data of an actuator, with the curves of a project and whatever options its code has.
+/// Returns the data of an actuator, with the curves of a project, for any options of its code.
 ///
 /// # Errors
 /// [`Refusal::NoData`]
@@ -346,7 +350,7 @@ pub(crate) fn parameters_of<'p>(project: &'p Project, code: &OrderCode) -> Resul
     known.find(|(known, _)| *known == bare).map(|(_, parameters)| parameters).ok_or(Refusal::NoData)
 }
 
-/// Judges one code as [`check`] does, each check with the workings of its value and its limit.
+/// Judges one code like [`check`], each check with the workings of its value and its limit.
 ///
 /// # Errors
 /// As [`check`].
@@ -356,7 +360,7 @@ pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'
     Ok(candidate)
 }
 
-/// Judges the user's own actuator as [`check_own`] does, each check with its workings.
+/// Judges the user's own actuator like [`check_own`], each check with its workings.
 ///
 /// # Errors
 /// As [`check_own`].
@@ -382,31 +386,32 @@ pub(crate) fn check_one<'p>(project: &'p Project, code: Option<&OrderCode>) -> R
     code.map_or_else(|| check_own(project), |code| check(project, code))
 }
 
-/// The cycle of a project's axis on a candidate as time series, with every sample of its recordings.
+/// Returns the cycle of a project's axis on a candidate as time series, with every sample of its recordings.
 #[must_use]
 pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
     Course::of(&project.axis, candidate.parameters)
 }
 
-/// How many instants that course has at most: what a table of it has as rows.
+/// Returns the largest number of instants of this course, which is the number of rows of its table.
 #[must_use]
 pub fn course_rows(project: &Project) -> usize {
     Course::instants_most(&project.axis)
 }
 
-/// The same as a picture of it shows, or as one of the time between two instants \[s\].
+/// Returns the course with the instants of a picture, over the cycle or between two instants \[s\].
 #[must_use]
 pub fn course_seen(project: &Project, candidate: &Candidate<'_>, window: Option<(f64, f64)>) -> Course {
     Course::seen(&project.axis, candidate.parameters, window)
 }
 
-/// How far the axis of a project may be changed until a candidate just fits, within the usual effort.
+/// Computes the largest permissible changes of the axis of a project up to which a candidate fits, within the default
+/// effort.
 #[must_use]
 pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
     finished(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, &Unwatched))
 }
 
-/// Judges one actuator after the other for the axis of a project, whose keys the checks cite as its file has them.
+/// Judges actuators one after the other for the axis of a project; the checks cite the keys of its file.
 struct Judging<'p> {
     project: &'p Project,
     judge: Judge<'p>,
@@ -436,7 +441,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Par
     let project = judging.project;
     let judgement = judging.judge(parameters);
     let mut objections: Vec<Objection> = project.requirements.unmet(&code, parameters).map(Objection::Unmet).collect();
-    // Without options the code stands in the catalogue because it is available; only options can change that.
+    // A code without options is in the catalogue because it is available; only options can change that.
     let optional = code.option_1.is_some() || code.option_2.is_some() || code.special;
     let on_request = match optional.then(|| availability(&code)) {
         None => Vec::new(),
@@ -455,7 +460,7 @@ fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p
     let judgement = Judging::of(project, Scope::All, Depth::Complete).judge(&own.parameters);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).map(Objection::Unmet).collect();
-    // Of a user's actuator little may be known: an unknown datum leaves a requirement open, it does not break it.
+    // Data of a user's actuator may be unknown: an unknown datum leaves a requirement open and does not break it.
     let met = objections.iter().all(|objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. })));
     let standing = Standing::of(&judgement, met, 0, known_si(&own.parameters.mass));
     Candidate {

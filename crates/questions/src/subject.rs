@@ -1,4 +1,4 @@
-//! What a question is about where it names less than it could: which axis, which actuator, which axes of two projects.
+//! Defaults for the subject of a question: axis, actuator, corresponding axes of two projects.
 
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own};
 use order_code::OrderCode;
@@ -7,10 +7,10 @@ use quantities::Language;
 use std::borrow::Cow;
 use words::terminal;
 
-/// The axes of a project, or the one of a name, each with its place in the file.
+/// Returns the axes of a project, or the one with a name, each with its place in the file.
 ///
 /// # Errors
-/// Where there is no axis of that name: what there is.
+/// If there is no axis with that name: the names that exist.
 pub(crate) fn picked(
     projects: Vec<Project>,
     wanted: Option<&str>,
@@ -27,17 +27,17 @@ pub(crate) fn picked(
     Ok(found)
 }
 
-/// The names of axes, as a sentence has them.
+/// Joins the names of axes for a sentence.
 pub(crate) fn names<'p>(projects: impl IntoIterator<Item = &'p Project>) -> String {
     let names: Vec<&str> = projects.into_iter().map(|project| project.name.as_str()).collect();
     names.join(", ")
 }
 
-/// The actuator that an answer is about: that of a code, else the project's own, else the one that the ranking names
-/// ([`Sizing::named`]); judged by every check. `sizing` is requested only where it decides.
+/// Returns the actuator of an answer: that of a code, else the project's own, else the one that the ranking names
+/// ([`Sizing::named`]); judged by every check. `sizing` is called only if it decides.
 ///
 /// # Errors
-/// Why it cannot be judged.
+/// The reason why it cannot be judged.
 pub fn candidate_for<'p, 's>(
     project: &'p Project,
     code: Option<&OrderCode>,
@@ -55,12 +55,12 @@ where
     let sizing = sizing()?;
     let named = sizing.named().ok_or(Refusal::NoActuator)?;
     let CandidateId::Code(code) = &named.id else { return Ok(named.clone()) };
-    // A code of the ranking may break a rule with the required options: then it is judged as in the ranking.
+    // A code of the ranking may break a rule with the required options: then the judgement of the ranking is used.
     check(project, code).or_else(|_| Ok(named.clone()))
 }
 
-/// The axes of two revisions that belong together, by their places: those of the same name, and the only one of each
-/// whatever its name.
+/// Returns the indices of corresponding axes of two revisions: those with equal names, and the single axes of both
+/// independent of their names.
 #[must_use]
 pub(crate) fn paired(old: &[(usize, Project)], new: &[(usize, Project)]) -> Vec<(usize, usize)> {
     let names = |axes: &'_ [(usize, Project)]| axes.iter().map(|(_, project)| project.name.clone()).collect::<Vec<_>>();

@@ -1,7 +1,8 @@
-//! Many axes at once: a project and a table whose columns are keys of the project; each row is the project with its values.
+//! Many axes at once: a project and a table whose columns are keys of the project; each row is the project with its
+//! values.
 //!
-//! What the rows have in common is read once (`template`). A row whose axis cannot be is answered with the reason; a table
-//! whose headings or cells cannot be read is refused with every fault.
+//! The common part of the rows is read once (`template`). A row with an impossible axis is answered with the reason; a
+//! table with unreadable headings or cells is refused with every fault.
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 mod cells;
@@ -30,42 +31,42 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use template::{Judge, Template, Templates};
 
-/// The heading of the column of ordering codes: its rows are judged for their code alone.
+/// Heading of the column of ordering codes: its rows are judged for their code alone.
 pub const CODE: &str = "code";
 
-/// So many rows a thread takes at a time.
+/// Number of rows that a thread processes at a time.
 const PART: usize = 256;
 
-/// What a sweep answers of each row.
+/// Answer of a sweep for each row.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Wanted {
-    /// The best code, and how many fit.
+    /// The best code, and the number of fitting ones.
     #[default]
     Best,
     /// Every code with its verdict, and these checks.
     Every(Vec<CheckId>),
-    /// The codes of which no other fitting one is lighter, shorter and wider in its margin.
+    /// The codes that no other fitting one dominates in mass, length and margin.
     Front,
 }
 
-/// How a table is judged.
+/// Options of a sweep.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The axis, by its name, of a project with several.
+    /// Name of the axis in a project with several.
     pub axis: Option<String>,
-    /// What is answered.
+    /// Answer for each row.
     pub wanted: Wanted,
-    /// Whether numbers in texts may have decimal commas.
+    /// Permits decimal commas in numbers given as text.
     pub decimal_commas: bool,
-    /// The language of the reasons.
+    /// Language of the reasons.
     pub language: Language,
 }
 
-/// A project and the headings of a table, ready for rows.
+/// A project and the headings of a table, prepared for rows.
 pub struct Sweep {
     text: String,
     files: Box<dyn Files + Send + Sync>,
-    /// The place of the axis in the file, and whether there are several.
+    /// Place of the axis in the file, and `true` if there are several.
     axis: (usize, bool),
     columns: Vec<Column>,
     /// Names of the recordings of the project and of the cells that were checked.
@@ -74,13 +75,13 @@ pub struct Sweep {
     templates: Templates,
 }
 
-/// A column with its heading as it is written.
+/// A column with its original heading.
 struct Column {
     written: String,
     holds: Holds,
 }
 
-/// What a column states.
+/// Content of a column.
 enum Holds {
     /// The ordering code for which the row is judged.
     Code,
@@ -88,18 +89,18 @@ enum Holds {
     Key(Heading),
 }
 
-/// One row, with the values of the columns in their order.
+/// A value of a row.
 #[derive(Clone, Debug, PartialEq)]
 enum Value<'c> {
     Number(f64),
     Text(&'c str),
 }
 
-/// The answer of a row, or why there is none.
+/// Answer for a row, or the reason why there is none.
 pub type Answer = Result<Judged, String>;
 
 impl Sweep {
-    /// Reads a project, by its name and text, and the headings of a table.
+    /// Reads a project, from its name and text, and the headings of a table.
     ///
     /// # Errors
     /// Every fault of the project and of the headings.
@@ -112,30 +113,30 @@ impl Sweep {
         Head::of(project, &*files, headings, options).ready("", files)
     }
 
-    /// The headings in their order, keys with their entries counted from one.
+    /// Iterates over the headings in their order, as keys with entries counted from one.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
         self.columns.iter().map(Column::key)
     }
 
-    /// The text of the project.
+    /// Returns the text of the project.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The recordings that the project and the checked cells name, in order.
+    /// Returns the recordings that the project and the checked cells name, in order.
     #[must_use]
     pub const fn recordings(&self) -> &BTreeSet<String> {
         &self.recordings
     }
 
-    /// What is answered.
+    /// Returns the options.
     #[must_use]
     pub const fn options(&self) -> &Options {
         &self.options
     }
 
-    /// Adds every fault of some rows: cells that are empty, are no numbers, or name nothing that there is.
+    /// Adds every fault of some rows: cells that are empty, no numbers, or unknown names.
     pub fn check(&self, cells: &[Cells<'_>], first_row: u64, faults: &mut TableFaults) {
         let mut decimals = Decimals::of(&self.options);
         for (place, (column, cells)) in self.columns.iter().zip(cells).enumerate() {
@@ -144,10 +145,10 @@ impl Sweep {
         decimals.check(|place| self.columns.get(place), self.options.language, faults);
     }
 
-    /// The answers of some rows, in their order.
+    /// Returns the answers for some rows, in their order.
     ///
     /// # Errors
-    /// Where it was stopped.
+    /// If the work was cancelled.
     pub fn judge(&self, cells: &[Cells<'_>], patience: &Patience) -> Result<Vec<Answer>, Stopped> {
         let rows = cells.iter().map(Cells::len).min().unwrap_or(0);
         let parts: Vec<std::ops::Range<usize>> =
@@ -156,7 +157,7 @@ impl Sweep {
             let mut open: Option<(Vec<String>, std::sync::Arc<Template>)> = None;
             let mut found = Vec::with_capacity(range.len());
             while found.len() < range.len() {
-                // Rows that differ in numbers alone share a template.
+                // Rows that differ in numbers only share a template.
                 let opened = self.values(cells, range.start + found.len()).and_then(|values| {
                     let words = self.words(&values);
                     match open.take().filter(|(known, _)| *known == words) {
@@ -190,10 +191,10 @@ impl Sweep {
         Ok(found.into_iter().flatten().collect())
     }
 
-    /// The values of a row.
+    /// Returns the values of a row.
     ///
     /// # Errors
-    /// The cells that cannot be values of their keys.
+    /// Cells that cannot be values of their keys.
     fn values<'c>(&self, cells: &'c [Cells<'_>], row: usize) -> Result<Vec<Value<'c>>, String> {
         let language = self.options.language;
         let mut values = Vec::with_capacity(self.columns.len());
@@ -207,7 +208,7 @@ impl Sweep {
         if faults.is_empty() { Ok(values) } else { Err(faults.join("; ")) }
     }
 
-    /// The values that are no numbers.
+    /// Returns the values that are no numbers.
     fn words(&self, values: &[Value<'_>]) -> Vec<String> {
         let of = |(column, value): (&Column, &Value<'_>)| match (&column.holds, value) {
             (Holds::Key(heading), Value::Number(_)) if heading.is_number() => None,
@@ -218,7 +219,7 @@ impl Sweep {
         self.columns.iter().zip(values).filter_map(of).collect()
     }
 
-    /// The project file with the values of a row in it.
+    /// Returns the project file with the values of a row.
     fn text_with(&self, values: &[Value<'_>]) -> String {
         let mut text = self.text.clone();
         for (column, value) in self.columns.iter().zip(values) {
@@ -234,7 +235,7 @@ impl Sweep {
         text
     }
 
-    /// The path of a key in the file.
+    /// Returns the path of a key in the file.
     fn path<'h>(&self, heading: &'h Heading) -> Cow<'h, str> {
         let (place, is_of_several) = self.axis;
         if is_of_several {

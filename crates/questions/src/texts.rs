@@ -1,4 +1,4 @@
-//! Sentences and figures of results, which the terminal and the page show alike.
+//! Sentences and figures of results, shared by terminal and page.
 
 mod tolerances;
 
@@ -28,7 +28,7 @@ use words::{
     unmet_text, unpadded,
 };
 
-/// Whether a candidate fits, what is missing, and whether a hanging load is left without a hold.
+/// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power.
 #[must_use]
 pub fn standing_text(candidate: &Candidate<'_>, language: Language) -> String {
     let inside: Vec<String> = candidate.inside_bands().into_iter().map(|check| named_text(check, language)).collect();
@@ -36,7 +36,7 @@ pub fn standing_text(candidate: &Candidate<'_>, language: Language) -> String {
     words::standing_text(candidate.fit(), &inside.join(", "), unheld, &candidate.counts(), language)
 }
 
-/// A check by its title with its utilisation.
+/// Returns the title of a check with its utilisation.
 #[must_use]
 pub fn named_text(check: &Check, language: Language) -> String {
     let title = check_title(check.id, language);
@@ -46,13 +46,13 @@ pub fn named_text(check: &Check, language: Language) -> String {
     }
 }
 
-/// The governing check of a candidate by its title with its own utilisation; empty where no check has a limit.
+/// Returns the title of the governing check of a candidate with its utilisation; empty if no check has a limit.
 #[must_use]
 pub fn governing_text(candidate: &Candidate<'_>, language: Language) -> String {
     candidate.governing().map(|check| named_text(check, language)).unwrap_or_default()
 }
 
-/// How many candidates fit, how many of them only if an estimate holds.
+/// Returns the number of fitting candidates, and of those that fit only if an estimate holds.
 #[must_use]
 pub fn fitting_text(sizing: &Sizing<'_>, language: Language) -> String {
     let [fit, if_estimate] = sizing.counts();
@@ -63,7 +63,7 @@ pub fn fitting_text(sizing: &Sizing<'_>, language: Language) -> String {
     }
 }
 
-/// The reasons for which candidates are rejected, each with the candidates: the most frequent first.
+/// Returns the reasons for which candidates are rejected, each with the candidates: the most frequent first.
 #[must_use]
 pub fn rejections<'s, 'p>(sizing: &'s Sizing<'p>, language: Language) -> Vec<Rejections<'s, 'p>> {
     let mut groups: Vec<Rejections<'s, 'p>> = Vec::new();
@@ -83,15 +83,15 @@ pub fn rejections<'s, 'p>(sizing: &'s Sizing<'p>, language: Language) -> Vec<Rej
 /// A reason with the candidates that it rejects.
 #[derive(Clone, Debug)]
 pub struct Rejections<'s, 'p> {
-    /// The reason in words, without the figures of one actuator.
+    /// Reason in words, without the figures of one actuator.
     pub title: String,
-    /// Whether it is a check; else a requirement or a rule of the ordering code.
+    /// `true` if the reason is a check; otherwise it is a requirement or a rule of the ordering code.
     pub is_check: bool,
-    /// The candidates, the one that misses by least first.
+    /// Candidates, the one with the smallest excess first.
     pub candidates: Vec<&'s Candidate<'p>>,
 }
 
-/// A reason without the figures of the one actuator.
+/// Returns a reason without the figures of the individual actuator.
 fn reason_title(reason: &Reason<'_>, language: Language) -> String {
     let objection = match reason {
         Reason::Check(check) => return check_title(check.id, language),
@@ -109,50 +109,50 @@ fn reason_title(reason: &Reason<'_>, language: Language) -> String {
     text(language).to_owned()
 }
 
-/// How many of its checks came to which verdict.
+/// Returns the numbers of the checks of a candidate by verdict.
 #[must_use]
 pub fn counts_text(candidate: &Candidate<'_>, language: Language) -> String {
     words::counts_text(&candidate.counts(), language)
 }
 
-/// The verdict of a check in a word: with a value and without a limit of the project it is only shown.
+/// Returns the verdict of a check in a word; with a value and without a limit of the project it is only shown.
 #[must_use]
 pub fn verdict_text(check: &Check, language: Language) -> String {
     match check.limit {
         _ if !check.is_without_limit() => words::verdict_word(check.verdict, language),
         None => words::without_limit(language),
-        // The actuator has one, of which the project requires nothing.
+        // The actuator has a limit that the project does not require.
         Some(_) => words::terms::not_required(language).to_owned(),
     }
 }
 
-/// The utilisation of a check that is a margin, in percent: that of a class of voltage or of a recommendation is none, and does
-/// not count in the utilisation of the actuator; where it fails or advises it says why.
+/// Returns the utilisation of a check that is a margin, in percent. That of a voltage class or of a recommendation is
+/// no margin and does not count for the actuator; it is shown as the reason if the check fails or gives an advice.
 #[must_use]
 pub fn margin_text(check: &Check, language: Language) -> String {
     percent(margin_share(check), language)
 }
 
-/// The same as a number.
+/// Returns the utilisation of [`margin_text`] as a number.
 #[must_use]
 pub fn margin_share(check: &Check) -> Option<f64> {
     let says_why = matches!(check.verdict, Verdict::Fail | Verdict::Advice);
     check.utilisation.filter(|_| check.id.has_margin() || says_why)
 }
 
-/// A value in its unit, four digits.
+/// Formats a value in its unit, with four digits.
 #[must_use]
 pub fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format_significant(unit.from_si(si), 4, language)
 }
 
-/// A figure in its unit, four digits, or a dash.
+/// Formats a figure in its unit, with four digits, or as a dash.
 #[must_use]
 pub fn figure_text(figure: Option<Amount>, language: Language) -> String {
     figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
 }
 
-/// The verdict on a candidate in a few words.
+/// Returns the verdict on a candidate in a few words.
 #[must_use]
 pub fn fit_text(fit: Fit, language: Language) -> &'static str {
     match fit {
@@ -162,19 +162,19 @@ pub fn fit_text(fit: Fit, language: Language) -> &'static str {
     }
 }
 
-/// The sign of a figure's unit; a dash for a plain number, nothing where there is no figure.
+/// Returns the symbol of a figure's unit; a dash for a pure number, empty without a figure.
 #[must_use]
 pub fn unit_text(figure: Option<Amount>) -> &'static str {
     figure.map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol })
 }
 
-/// A utilisation in percent, or a dash.
+/// Formats a utilisation in percent, or as a dash.
 #[must_use]
 pub fn percent(utilisation: Option<f64>, language: Language) -> String {
     utilisation.map_or_else(|| "–".into(), |share| percent_text(share, language))
 }
 
-/// What speaks against a candidate besides its checks.
+/// Returns an objection to a candidate as text.
 #[must_use]
 pub fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
     match (objection, &candidate.id) {
@@ -184,7 +184,8 @@ pub fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language
     }
 }
 
-/// The reason of a rejection in one line: the governing check, else the first objection; empty where it fits.
+/// Returns the reason of a rejection in one line: the governing check, else the first objection; empty if the candidate
+/// fits.
 #[must_use]
 pub fn reason(candidate: &Candidate<'_>, language: Language) -> String {
     let reason = candidate.reason();
@@ -247,8 +248,8 @@ pub fn demand_figures(demand: &Demand, language: Language) -> [(&'static str, St
     ]
 }
 
-/// How far one thing may be changed, all others as they are; for what does not fit also the limits of the project that
-/// would have to be others. Each with what it is a list of.
+/// Returns the largest permissible changes of one quantity each, and for a candidate that does not fit the limits of
+/// the project that would have to change. Each list has its heading.
 #[must_use]
 pub fn reserve_lines(
     reserve: &Reserve,
@@ -295,7 +296,7 @@ pub fn reserve_lines(
     lines
 }
 
-/// Another gearing with which an actuator fits: the key with its value, or a stage that would be added, and the code.
+/// Describes another gearing with which an actuator fits: the key with its value, or a stage to add, and the code.
 #[must_use]
 pub fn mend_text(mend: &Mend, language: Language) -> String {
     let value = unpadded(mend.unit.from_si(mend.si), 5, language);
@@ -310,7 +311,7 @@ pub fn mend_text(mend: &Mend, language: Language) -> String {
     }
 }
 
-/// Which changes were not sought, why, and how they are.
+/// Describes the changes that were not searched, the reason, and the remedy.
 pub(crate) fn unsought_text(unsought: &Unsought, language: Language) -> String {
     let samples = unsought.samples.to_string();
     if unsought.pace {
@@ -320,7 +321,7 @@ pub(crate) fn unsought_text(unsought: &Unsought, language: Language) -> String {
     }
 }
 
-/// The torsion of a gear under a torque, the curve that it comes from, and what is lost at its reversal, a line each.
+/// Returns the torsion of a gear under a torque, its curve, and the hysteresis loss, one per line.
 #[must_use]
 pub fn torsion_lines(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> Vec<String> {
     let number = |value: f64, digits| format_significant(value, digits, language);
@@ -343,7 +344,7 @@ pub fn torsion_lines(code: &OrderCode, answer: &TorsionAnswer, language: Languag
     lines
 }
 
-/// The life of the encoder's battery and the exchange that follows from it, a line each.
+/// Returns the life of the encoder battery and the resulting replacement dates, one per line.
 #[must_use]
 pub fn battery_lines(battery: &BatteryLife, language: Language) -> Vec<String> {
     let years = |time: Time| format_significant(time.in_unit(&YEAR), 3, language);
@@ -354,10 +355,10 @@ pub fn battery_lines(battery: &BatteryLife, language: Language) -> Vec<String> {
     ]
 }
 
-/// What was read of a recording: file, samples, columns with their units, what was left out, what was guessed.
+/// Describes the reading of a recording: file, samples, columns with their units, omissions and assumptions.
 #[must_use]
 pub fn recording_text(read: &RecordingRead, language: Language) -> String {
-    // A column may carry its unit in its name already.
+    // The name of a column may already contain its unit.
     let column = |each: &ColumnRead| match each.known_by {
         KnownBy::Header if each.name.contains(['[', '(', '/']) => each.name.clone(),
         KnownBy::Header | KnownBy::UnitRow | KnownBy::Metadata | KnownBy::Values | KnownBy::Layout => {

@@ -1,21 +1,21 @@
-//! What several axes take from their supply.
+//! Power that several axes draw from their supply.
 
 use crate::sizing_use::{Candidate, course_seen};
 use project::Project;
 
-/// The electrical power of an axis at the motor terminals over its cycle \[W\].
+/// Electrical power of an axis at the motor terminals over its cycle \[W\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerOverCycle {
-    /// The largest that is taken; not less than zero.
+    /// Largest power drawn; not less than zero.
     pub taken_w: f64,
-    /// The largest that is returned; not less than zero.
+    /// Largest power returned; not less than zero.
     pub returned_w: f64,
 }
 
-/// The power of a candidate over the cycle; `None` where a datum of the actuator that it needs is not known.
+/// Computes the power of a candidate over the cycle; `None` if a required datum of the actuator is not known.
 #[must_use]
 pub fn power_over_cycle(project: &Project, candidate: &Candidate<'_>) -> Option<PowerOverCycle> {
-    // The largest values of either sign are among what a picture shows.
+    // The largest values of either sign are among the instants of a picture.
     let course = course_seen(project, candidate, None);
     let mut powers = course.samples.iter().filter_map(|sample| sample.power_w).peekable();
     let _ = powers.peek()?;
@@ -26,7 +26,7 @@ pub fn power_over_cycle(project: &Project, candidate: &Candidate<'_>) -> Option<
     }))
 }
 
-/// The sum of what is known, and of how many it is one.
+/// Returns the sum of the known values, and their number.
 #[must_use]
 pub fn sum_of_known(values: &[Option<f64>]) -> (f64, usize) {
     (values.iter().flatten().sum(), values.iter().flatten().count())

@@ -1,5 +1,5 @@
-//! What the tolerances of a project mean for an actuator: the worst corner of their bands, the share of samples with
-//! which it fits, and the quantity on which that depends most.
+//! Effect of the tolerances of a project on an actuator: the worst corner of their bands, the share of samples with
+//! which it fits, and the quantity with the largest influence.
 
 mod corners;
 mod draws;
@@ -14,33 +14,33 @@ use sizing::{CheckId, Depth, Fit, Judge, Judgement, Scope, Unwatched, Watch, fin
 use statistics::{Ranks, wilson};
 use std::ops::Range;
 
-/// Most samples of one question.
+/// Largest number of samples of one question.
 pub const SAMPLES_MOST: usize = 1_000_000;
 
-/// Samples unless the user says otherwise.
+/// Default number of samples.
 pub const SAMPLES_USUAL: usize = 10_000;
 
-/// Seed unless the user says otherwise.
+/// Default seed.
 pub(crate) const SEED_USUAL: u64 = 1;
 
-/// Into so many parts the samples are divided among the threads; with one the results have the same bits.
+/// Number of parts into which the samples are divided for the threads; the result has the same bits as with one part.
 const PARTS: usize = 8;
 
-/// How is sampled: every quantity uniform within its band, independent of the others.
+/// Sampling of the tolerances: every quantity uniform within its band, independent of the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// How many samples, 1 to [`SAMPLES_MOST`].
+    /// Number of samples, 1 to [`SAMPLES_MOST`].
     pub samples: usize,
-    /// From which the numbers follow.
+    /// Seed of the random numbers.
     pub seed: u64,
 }
 
-/// How tolerances shall be sampled, as the call states it.
+/// Requested sampling of the tolerances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Draw {
-    /// How many samples; `None` for as many as some seconds allow, [`SAMPLES_USUAL`] at most.
+    /// Number of samples; `None` for the number that some seconds allow, at most [`SAMPLES_USUAL`].
     pub samples: Option<usize>,
-    /// From which the numbers follow.
+    /// Seed of the random numbers.
     pub seed: u64,
 }
 
@@ -51,10 +51,10 @@ impl Default for Draw {
 }
 
 impl Draw {
-    /// The samples for a project and some actuators.
+    /// Returns the sampling for a project and some actuators.
     ///
     /// # Errors
-    /// [`Refusal::TooManySamples`] where they take longer than the usual time and the call states no time limit; with one
+    /// [`Refusal::TooManySamples`] if the samples exceed the usual time and the call states no time limit; with one,
     /// [`SAMPLES_MOST`] are permitted.
     pub fn sampling(self, project: &Project, actuators: usize, in_time: bool) -> Result<Sampling, Refusal> {
         let most = if in_time { SAMPLES_MOST } else { work::samples_most(project, actuators) };
@@ -65,7 +65,7 @@ impl Draw {
         Ok(Sampling { samples, seed: self.seed })
     }
 
-    /// Whether that is quick enough to be repeated with every key.
+    /// Returns `true` if the computation is fast enough to be repeated at every keystroke.
     #[must_use]
     pub fn is_quick(self, project: &Project, actuators: usize) -> bool {
         let sampling = self.sampling(project, actuators, false);
@@ -79,8 +79,8 @@ impl Default for Sampling {
     }
 }
 
-/// The largest utilisation of the samples, by its distribution; infinite where an axis is not possible or a limit of
-/// zero is exceeded.
+/// Quantiles of the largest utilisation of the samples; infinite if an axis is not possible or a limit of zero is
+/// exceeded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantiles {
     /// 5 %.
@@ -93,33 +93,33 @@ pub struct Quantiles {
     pub max: f64,
 }
 
-/// What kind of point the worst one is.
+/// Kind of the worst point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointKind {
     /// The worst of all corners.
     Corner,
-    /// The worst corner that a search found; there are too many to look at each.
+    /// The worst corner found by a search; there are too many to evaluate each.
     SearchedCorner,
-    /// A sample: worse than every corner, so the dependence is not monotone.
+    /// A sample that is worse than every corner, so the dependence is not monotone.
     Sample,
 }
 
 /// The worst point within the bands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worst {
-    /// What kind of point it is.
+    /// Kind of the point.
     pub place: PointKind,
-    /// The value of each toleranced quantity there, in SI and in the order of [`Project::tolerances`].
+    /// Value of each toleranced quantity at the point, in SI and in the order of [`Project::tolerances`].
     pub values: Vec<f64>,
-    /// Verdict on the actuator there.
+    /// Verdict on the actuator.
     pub fit: Fit,
-    /// The largest utilisation there.
+    /// Largest utilisation.
     pub utilisation: f64,
-    /// The failing check that is exceeded most, else the tightest; `None` where no axis is possible.
+    /// The failing check with the largest excess, else the governing check; `None` if no axis is possible.
     pub check: Option<CheckId>,
 }
 
-/// How much of the spread of the utilisation a quantity explains.
+/// Share of a quantity in the spread of the utilisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Influence {
     /// Index in [`Project::tolerances`].
@@ -131,24 +131,24 @@ pub struct Influence {
 /// The tolerances judged for one actuator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
-    /// How was sampled.
+    /// Sampling in use.
     pub sampling: Sampling,
-    /// Samples with which nothing speaks against the actuator.
+    /// Number of samples with which the actuator fits.
     pub passes: usize,
-    /// Samples with which no axis is possible; none of them passes.
+    /// Number of samples with which no axis is possible; none of them passes.
     pub impossible: usize,
     /// 95 % interval of the share of passes, by Wilson.
     pub interval: (f64, f64),
-    /// The largest utilisation over the samples.
+    /// Largest utilisation over the samples.
     pub utilisation: Quantiles,
     /// The worst point.
     pub worst: Worst,
-    /// Every quantity, the one that dominates first; empty where the utilisation does not depend on any.
+    /// Influences of the quantities, the dominating one first; empty if the utilisation does not depend on any.
     pub influence: Vec<Influence>,
 }
 
 impl Assessment {
-    /// Share of the samples that pass.
+    /// Returns the share of the samples that pass.
     #[must_use]
     #[allow(clippy::cast_precision_loss, reason = "counts are bounded by SAMPLES_MOST")]
     pub fn share(&self) -> f64 {
@@ -156,8 +156,8 @@ impl Assessment {
     }
 }
 
-/// Judges the tolerances of a project for actuators that were judged at the nominal values; one answer for each, in
-/// their order. No answer where the project has no tolerance.
+/// Judges the tolerances of a project for actuators that were judged at the nominal values; one answer for each, in the
+/// same order. Empty if the project has no tolerance.
 ///
 /// # Source
 /// docs/theory/tolerances.md
@@ -169,10 +169,10 @@ pub fn assess(project: &Project, candidates: &[&Candidate<'_>], sampling: Sampli
     finished(assess_watched(project, candidates, sampling, &Unwatched))
 }
 
-/// The same, but it can be cancelled.
+/// Judges like [`assess`], but can be cancelled.
 ///
 /// # Errors
-/// Where it was stopped.
+/// If it was cancelled.
 pub(crate) fn assess_watched<W: Watch>(
     project: &Project,
     candidates: &[&Candidate<'_>],
@@ -214,7 +214,7 @@ fn assess_with<W: Watch>(
         judged.iter().zip(sampled).zip(&ranks).zip(&rising).zip(corners)
     {
         let mut worst = corner;
-        // A sample that is worse by no more than rounding is no news.
+        // A sample that is worse by rounding only is not reported.
         let beyond = (sampled.worst.fit, sampled.worst.utilisation) > (worst.fit, worst.utilisation * (1.0 + 1e-9));
         if beyond {
             let values = draws.sample(sampled.worst.index, &project.tolerances);
@@ -239,7 +239,7 @@ fn assess_with<W: Watch>(
     Ok(answers)
 }
 
-/// The shares of the explained variance, the largest first; equal ones keep the order of the file.
+/// Returns the shares of the explained variance, the largest first; equal ones keep the order of the file.
 fn influence(correlations: &[f64]) -> Vec<Influence> {
     let total: f64 = correlations.iter().map(|rho| rho * rho).sum();
     if total <= 0.0 {
@@ -254,11 +254,11 @@ fn influence(correlations: &[f64]) -> Vec<Influence> {
     found
 }
 
-/// An actuator and what speaks against it whatever the values are.
+/// An actuator with the objections that are independent of the values.
 #[derive(Clone, Debug)]
 struct Judged<'c> {
     candidate: &'c Candidate<'c>,
-    /// Whether a requirement that no tolerance touches is not met, or a rule is broken.
+    /// `true` if a requirement without tolerance is not met, or a rule is broken.
     hopeless: bool,
 }
 
@@ -274,7 +274,7 @@ impl<'c> Judged<'c> {
         Self { candidate, hopeless: candidate.objections.iter().any(speaks) }
     }
 
-    /// The judgement for a variant, by the judge of its axis, and the verdict on the actuator.
+    /// Returns the judgement for a variant, by the judge of its axis, and the verdict on the actuator.
     fn judge(&self, project: &Project, variant: &Variant, judge: &mut Judge<'_>) -> (Judgement, Fit) {
         let own = variant.actuator.as_ref().filter(|_| matches!(self.candidate.id, CandidateId::Own(_)));
         let parameters = own.map_or(self.candidate.parameters, |own| &own.parameters);
@@ -296,17 +296,18 @@ impl<'c> Judged<'c> {
     }
 }
 
-/// Of a user's actuator an unknown datum leaves a requirement open, it does not break it.
+/// Returns `true` if an unmet requirement counts. An unknown datum of a user's actuator leaves a requirement open and
+/// does not break it.
 const fn speaks(own: bool, unmet: &crate::Unmet) -> bool {
     !(own && matches!(unmet, crate::Unmet::NotKnown { .. }))
 }
 
-/// Of a variant verdict and utilisation are looked at.
+/// Creates the judge of a variant that determines only verdict and utilisation.
 fn judge_of(variant: &Variant) -> Judge<'_> {
     Judge::new(&variant.axis, Scope::Deciding, Depth::Complete)
 }
 
-/// What is found at one point of the bands.
+/// Result at one point of the bands.
 #[derive(Clone, Copy, Debug)]
 struct Point {
     fit: Fit,
@@ -328,7 +329,7 @@ impl Point {
         varied.at(values).map_or(Self::IMPOSSIBLE, |variant| Self::of(judged, project, &variant))
     }
 
-    /// Whether it is worse: it does not fit and the other does, or the utilisation is larger.
+    /// Returns `true` if this point is worse: it does not fit while the other does, or its utilisation is larger.
     fn is_worse_than(&self, other: &Self) -> bool {
         (self.fit, self.utilisation) > (other.fit, other.utilisation)
     }
@@ -338,7 +339,7 @@ impl Point {
     }
 }
 
-/// What is no number is worse than every number.
+/// Replaces NaN by infinity, so that it is worse than every number.
 const fn number(utilisation: f64) -> f64 {
     if utilisation.is_nan() { f64::INFINITY } else { utilisation }
 }
@@ -374,7 +375,7 @@ impl Sampled {
         }
     }
 
-    /// The samples behind these; of equally bad ones the first stays the worst.
+    /// Appends the later samples; among equally bad ones the first stays the worst.
     fn append(&mut self, mut later: Self) {
         self.utilisations.append(&mut later.utilisations);
         self.passes += later.passes;
@@ -385,8 +386,8 @@ impl Sampled {
     }
 }
 
-/// Judges every sample, in fixed parts that are joined in their order. A sample follows from the seed and its number alone, so
-/// that nothing depends on how many threads there are or which is ahead.
+/// Judges every sample, in fixed parts that are joined in their order. A sample depends on the seed and its number
+/// alone, so the result is independent of the number and the speed of the threads.
 fn sample<W: Watch>(
     varied: &Varied<'_>,
     judged: &[Judged<'_>],

@@ -24,7 +24,7 @@ fn points(points: &[CurvePoint]) -> Vec<[Number; 2]> {
     points.iter().map(point).collect()
 }
 
-/// The curves of the torque-speed plane.
+/// Returns the curves of the torque-speed plane.
 #[must_use]
 pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language) -> Curves {
     let curve = |curve: &PerformanceCurve| {
@@ -48,7 +48,7 @@ pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language)
     Curves { code: code.to_string(), units: Units::of(&units), curves: curves.iter().map(curve).collect() }
 }
 
-/// The torsion of a gear under a torque.
+/// Returns the torsion of a gear under a torque.
 #[must_use]
 pub fn torsion(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> Torsion {
     let minutes = |angle: &Datum<Angle>| angle.known().map(|known| Number::in_unit(known.value.si(), &ARCMINUTE));
@@ -73,7 +73,7 @@ pub fn torsion(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> 
     }
 }
 
-/// The output bearing of each size.
+/// Returns the checks of the output bearing of each size.
 #[must_use]
 pub fn bearings(sizes: &[(Size, Candidate<'_>)], language: Language) -> Bearings {
     let one = |(size, candidate): &(Size, Candidate<'_>)| BearingOfSize {
@@ -84,7 +84,7 @@ pub fn bearings(sizes: &[(Size, Candidate<'_>)], language: Language) -> Bearings
     Bearings { sizes: sizes.iter().map(one).collect() }
 }
 
-/// Life of the battery.
+/// Returns the life of the battery.
 #[must_use]
 pub fn battery(battery: &BatteryLife) -> Battery {
     Battery {
@@ -98,7 +98,7 @@ pub fn battery(battery: &BatteryLife) -> Battery {
     }
 }
 
-/// Each body with the parts of its inertia, and all together.
+/// Returns the bodies with the parts of their inertia, and the total.
 #[must_use]
 pub fn inertia(answer: &InertiaAnswer) -> Inertia {
     let total = &answer.total;

@@ -6,12 +6,12 @@ use order_code::{Field, OrderCode, Pattern};
 use quantities::Language;
 use words::{describe_field, describe_uncovered};
 
-/// The names of fields.
+/// Returns the names of fields.
 pub(super) fn names(fields: &[Field], language: Language) -> Vec<String> {
     fields.iter().map(|field| describe_field(*field, language).to_owned()).collect()
 }
 
-/// A code with every field explained.
+/// Returns a code with every field explained.
 #[must_use]
 pub fn code_reading(reading: &CodeReading, language: Language) -> answers::CodeReading {
     let parsed = &reading.parsed;
@@ -38,7 +38,7 @@ pub fn code_reading(reading: &CodeReading, language: Language) -> answers::CodeR
     }
 }
 
-/// The faults of a code, with the nearest valid ones.
+/// Returns the faults of a code, with the nearest valid codes.
 #[must_use]
 pub fn code_faults(text: &str, refusal: &CodeRefusal, language: Language) -> CodeFaults {
     let fault = |fault: &crate::codes::CodeFault| CodeFault {
@@ -59,7 +59,7 @@ pub fn code_faults(text: &str, refusal: &CodeRefusal, language: Language) -> Cod
     }
 }
 
-/// A list of codes with their availability.
+/// Returns codes with their availability.
 #[must_use]
 pub fn listed(codes: &[&(OrderCode, configurator::Availability)], language: Language) -> Vec<ListedCode> {
     let listed = |(code, found): &(OrderCode, configurator::Availability)| ListedCode {
@@ -70,7 +70,7 @@ pub fn listed(codes: &[&(OrderCode, configurator::Availability)], language: Lang
     codes.iter().map(|known| listed(known)).collect()
 }
 
-/// What may stand at each field of a partial code, and the codes it allows.
+/// Returns the valid choices for each field of a partial code, and the codes that the partial code allows.
 #[must_use]
 pub fn completion(
     pattern: &Pattern,

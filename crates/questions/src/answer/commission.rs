@@ -24,7 +24,7 @@ use words::{
     gap_text, measurand_name, object_name, parameter_name, source_text, symbol_term, table_note,
 };
 
-/// The sheet of a code.
+/// Returns the commissioning sheet of a code.
 #[must_use]
 pub fn commissioning(
     about: &Commissioning,
@@ -108,7 +108,7 @@ fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParam
     sinamics::lines(about).iter().map(record).collect()
 }
 
-/// Where the figures stand, then what the prose says, then the document that names the object.
+/// Returns the sources of an object: those of its figures, then the facts, then the document that names the object.
 fn object_source(sources: &[Source], object: &Object, language: Language) -> String {
     let prose = object.facts.iter().map(|fact| fact_source(fact, language));
     let mut sentences = prose.collect::<Vec<_>>();
@@ -121,7 +121,7 @@ fn object_source(sources: &[Source], object: &Object, language: Language) -> Str
     joined(sources, Some(&document), language)
 }
 
-/// The objects of CiA 402.
+/// Returns the objects of CiA 402.
 #[must_use]
 pub fn drive_objects(about: &Commissioning, language: Language) -> Vec<DriveObject> {
     let record = |object: &Object| {
@@ -183,7 +183,7 @@ fn commutation(about: &Commissioning, form: DriveForm, language: Language) -> Ve
     steps.into_iter().flatten().map(str::to_owned).collect()
 }
 
-/// Of the KTY both thresholds, of the PTC the corners of its standard.
+/// Returns the thresholds of the temperature sensors: both of the KTY, and the corners of the standard for the PTC.
 fn thresholds(about: &Commissioning, language: Language) -> Vec<SensorThreshold> {
     let mut found = Vec::new();
     let named = [
@@ -229,10 +229,10 @@ fn thresholds(about: &Commissioning, language: Language) -> Vec<SensorThreshold>
     found
 }
 
-/// Overload factors for which the time is shown.
+/// Overload factors for which the time is listed.
 const FACTORS: [f64; 3] = [1.5, 2.0, 3.0];
 
-/// t = τ ln(k²/(k² − 1)): a first-order supervision from the cold; docs/theory/overload.md.
+/// Computes t = τ ln(k²/(k² − 1)): first-order monitoring from the cold state; docs/theory/overload.md.
 fn overload(about: &Commissioning, language: Language) -> OverloadSupervision {
     let constant = about.actuator.heat.winding_time_constant.known();
     let trip = |factor: f64| {
@@ -344,10 +344,10 @@ fn to_measure(expected: &Expected, at: Condition, language: Language) -> Commiss
     }
 }
 
-/// A figure to set or to run at, three digits and no zeros behind them.
+/// Formats a value to set or to run at, with three digits and without trailing zeros.
 fn plain(value: f64, language: Language) -> String {
     let rounded = format!("{value:.2e}").parse::<f64>().unwrap_or(value);
-    // A figure of the list is shown as it is.
+    // A value of the list is shown unchanged.
     let value = if (rounded - value).abs() <= 1e-9 * value.abs() { rounded } else { clean(value) };
     let text = if value.to_string().len() > 6 { format_significant(value, 4, language) } else { value.to_string() };
     text.chars().map(|sign| if sign == '.' { language.decimal_mark() } else { sign }).collect()
@@ -357,7 +357,7 @@ pub(super) fn in_unit(si: f64, unit: &Unit) -> Number {
     Number(clean(unit.from_si(si)))
 }
 
-/// `5.9 (5.31 to 6.49)`, or the upper bound alone.
+/// Formats an expected value as `5.9 (5.31 to 6.49)`, or the upper limit alone.
 pub(super) fn band_shown(expected: &Expected, language: Language) -> String {
     let number = |si: f64| format_significant(expected.what.unit().from_si(si), 3, language);
     match expected.nominal {

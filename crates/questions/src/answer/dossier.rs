@@ -1,4 +1,4 @@
-//! Everything that a report lays out, as one record.
+//! The dossier: content of a report as one record.
 
 use super::check::{check, explained};
 use super::errata::cited;
@@ -24,7 +24,7 @@ use words::{
     source_text, terms, unpadded, wiring,
 };
 
-/// An axis with everything there is to tell of it and of the actuator chosen.
+/// Collects all results for an axis and the chosen actuator.
 ///
 /// `text` is that of the project file, `place` the number of the axis in it from zero, `program` the name and version of
 /// the program.
@@ -41,7 +41,7 @@ pub fn dossier(
         CandidateId::Code(code) => crate::explain(project, code),
         CandidateId::Own(_) => crate::explain_own(project),
     };
-    // Where the rules of the code refuse the judgement, the ranking has judged it without workings.
+    // If the rules of the code prevent a new judgement, the judgement of the ranking, without workings, is used.
     let checks: &[Check] = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
     let inputs = inputs_of_axis(text, place);
     let mut judgement = judgement(project, chosen, found, assessment, language);
@@ -68,7 +68,7 @@ pub fn dossier(
         data_sheet: sheet,
         explained: checks.iter().map(|check| explained(check, language)).collect(),
         missing: missing(chosen, language),
-        // Nothing is ordered that does not fit.
+        // An actuator that does not fit is not ordered.
         bill_of_material: if chosen.fits() { bill_of_material(chosen, language) } else { Vec::new() },
         screws: if chosen.fits() { screws(chosen, language) } else { Vec::new() },
         documents: documents(checks, language),
@@ -80,13 +80,13 @@ pub fn dossier(
     }
 }
 
-/// What each check lacks.
+/// Returns the datum that each incomplete check lacks.
 fn missing(chosen: &Candidate<'_>, language: Language) -> Vec<Missing> {
     let lacking = chosen.judgement.checks.iter().filter_map(|check| Some((check.id, check.missing?)));
     lacking.map(|(id, symbol)| Missing { check: Id(id), text: check_missing(symbol, language) }).collect()
 }
 
-/// Every rejected actuator of the catalogue by its reason.
+/// Returns the rejected actuators of the catalogue, grouped by reason.
 fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
     let group = |group: Rejections<'_, '_>| {
         let mut codes: Vec<String> = group.candidates.iter().map(|candidate| candidate.id.to_string()).collect();
@@ -96,7 +96,7 @@ fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
     texts::rejections(ranked, language).into_iter().map(group).collect()
 }
 
-/// The documents that the figures of the checks are from, the manual first.
+/// Returns the documents from which the figures of the checks are taken, the manual first.
 fn documents(checks: &[Check], language: Language) -> Vec<Document> {
     let mut ids: Vec<&'static str> = vec![MANUAL];
     let sources = checks.iter().flat_map(|check| {
@@ -113,7 +113,7 @@ fn documents(checks: &[Check], language: Language) -> Vec<Document> {
     ids.into_iter().filter_map(catalogue::document).map(|found| document(found, language)).collect()
 }
 
-/// A document as a reference.
+/// Returns a document as a reference.
 pub(crate) fn document(found: &catalogue::Document, language: Language) -> Document {
     Document {
         id: found.id.to_owned(),
@@ -155,7 +155,7 @@ fn errata(
     found
 }
 
-/// The actuator and the screws of both joints, as far as the tables name them.
+/// Returns the actuator and the screws of both joints, as far as the tables name them.
 fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> {
     let mut rows: Vec<Item> = Vec::new();
     let mut add = |quantity: String, code: String, text: String, source: Option<String>| {
@@ -195,7 +195,7 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
     rows
 }
 
-/// The couplings that mate with the connectors, and the cables that the manual lists, by what they go to.
+/// Adds the mating connectors, and the cables that the manual lists, by their counterpart.
 fn connected(
     found: &installation::wiring::Wiring,
     add: &mut impl FnMut(String, String, String, Option<String>),
@@ -237,7 +237,7 @@ fn connected(
     }
 }
 
-/// Both joints: number and size of the screws, circle, tightening torque and what the joint transmits.
+/// Returns both joints: number and size of the screws, bolt circle, tightening torque and transmissible load.
 fn screws(candidate: &Candidate<'_>, language: Language) -> Vec<answers::ScrewJoint> {
     let joints = [
         (records::load(language), &candidate.parameters.screw_joint_load),
@@ -248,7 +248,7 @@ fn screws(candidate: &Candidate<'_>, language: Language) -> Vec<answers::ScrewJo
 
 fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::ScrewJoint {
     fn shown<Q: Measure>(datum: &Datum<Q>, unit: &Unit, language: Language) -> String {
-        // A printed figure in no more digits than it has.
+        // A printed figure is not shown with more digits than it has.
         let number = |value: f64| unpadded(unit.from_si(value), 4, language);
         datum.known().map_or_else(|| "–".to_owned(), |known| format!("{} {}", number(known.value.si()), unit.symbol))
     }

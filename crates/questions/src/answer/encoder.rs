@@ -19,10 +19,10 @@ use quantities::{Angle, Language, Measure, Time};
 use std::f64::consts::TAU;
 use words::encoder;
 
-/// Points of a curve.
+/// Number of points of a curve.
 const POINTS: u32 = 129;
 
-/// A curve shows no more periods than this: fewer points in each would draw another signal.
+/// Largest number of periods in a curve: with fewer points per period the curve would show another signal.
 const PERIODS_MOST: f64 = 16.0;
 
 /// Position words of `EnDat`, in the order of the answer.
@@ -31,13 +31,13 @@ const ENDAT: [(&str, ErrorBits, Mode); 2] = [
     ("endat_2_1_position", ErrorBits::One, Mode::Position),
 ];
 
-/// What the encoders of a code send; `None` where its wiring is not printed.
+/// Returns the signals of the encoders of a code; `None` if the manual states no wiring.
 #[must_use]
 pub fn encoder(args: &Args, fitted: &[Fitted], motor: Shaft, language: Language) -> Option<answers::Encoder> {
     let wiring = wiring(&args.code)?;
     let of = |each: &Fitted| {
         let shaft = each.shaft(motor, &args.code);
-        // What counts the turns of a buffered encoder is lost with battery and supply.
+        // The revolution counter of a buffered encoder is lost with battery and supply.
         let is_lost = args.battery_lost && each.feedback.buffered_by_battery;
         let counted = if is_lost { Shaft::new(0, shaft.angle(), shaft.speed()) } else { shaft };
         state(each, shaft, counted, args, &wiring, language)
@@ -50,7 +50,7 @@ pub fn encoder(args: &Args, fitted: &[Fitted], motor: Shaft, language: Language)
         fitted.iter().flat_map(|each| &each.cells).flat_map(|cell| cell.errata).copied().collect();
     errata.sort_unstable();
     errata.dedup();
-    // Of the facts about one subject those on commissioning say it as the programmer of a controller needs it.
+    // Among the facts on one subject, those on commissioning are worded for the programmer of a controller.
     let mut rules = facts_about(Topic::Commission, &args.code, Order::Data);
     rules.retain(|fact| ["6.22", "6.25"].iter().any(|section| fact.section.starts_with(section)));
     Some(answers::Encoder {
@@ -137,7 +137,7 @@ fn state(
     }
 }
 
-/// Two periods of the excitation.
+/// Returns two periods of the excitation.
 fn carrier(each: &Fitted, shaft: Shaft) -> Option<EncoderCarrier> {
     let Interface::Resolver(resolver) = &each.encoder.interface else { return None };
     let times = (0..POINTS).map(|point| 2.0 / resolver.frequency.si() * f64::from(point) / f64::from(POINTS - 1));
@@ -156,7 +156,7 @@ fn carrier(each: &Fitted, shaft: Shaft) -> Option<EncoderCarrier> {
     })
 }
 
-/// Steps since the zero.
+/// Returns the steps since zero.
 fn increments(each: &Fitted, seen: Shaft) -> Option<i64> {
     let steps = match &each.encoder.interface {
         Interface::Sine { pair, .. } => u64::from(pair.periods) * u64::from(STEPS_OF_A_PERIOD),
@@ -225,7 +225,7 @@ fn title(name: &str, language: Language) -> &'static str {
     }
 }
 
-/// Cuts a word into its fields.
+/// Splits a word into its fields.
 fn fields(word: Word, parts: &[(&'static str, &'static str, u32, bool)]) -> Vec<WordField> {
     let mut first = 0;
     let part = |(name, title, len, is_low_first): &(&'static str, &'static str, u32, bool)| {
@@ -301,7 +301,8 @@ fn signal(
     }
 }
 
-/// Periods of a signal over which its curve is shown: a mark, which is as short as a period of the tracks, over theirs.
+/// Returns the periods of a signal that its curve shows: for a mark, which is as short as a period of the tracks, those
+/// of the tracks.
 fn shown_periods(each: &Fitted, signal: Signal) -> Option<u32> {
     each.encoder.periods(if matches!(signal, Signal::R | Signal::Z) { Signal::A } else { signal })
 }
@@ -324,7 +325,7 @@ fn number(value: Value) -> Number {
     })
 }
 
-/// The cell that states a signal.
+/// Returns the source cell of a signal.
 fn source(each: &Fitted, signal: Signal, language: Language) -> String {
     let cell = match signal {
         Signal::A | Signal::B => each.cell("u_pp", "incremental").or_else(|| each.cell("n_1_lines", "")),
@@ -338,7 +339,7 @@ fn source(each: &Fitted, signal: Signal, language: Language) -> String {
     cell.map_or_else(String::new, |cell| words::source_text(&Source::Cell(&cell.place), language))
 }
 
-/// A signal about where the shaft stands, which is in the middle.
+/// Returns the course of a signal around the position of the shaft, which is in the middle.
 fn curve(
     shaft: Shaft,
     periods: u32,
@@ -359,7 +360,7 @@ fn curve(
     Some(EncoderCurve { offset_deg, value })
 }
 
-/// What a word says: of the kind that its length shows.
+/// Returns the content of a word of the kind that its length indicates.
 fn decoded(word: Word, fitted: &[Fitted], language: Language) -> DecodedWord {
     let sending = fitted.iter().filter_map(|each| Some((each.role, each.encoder.absolute()?)));
     let sending: Vec<(Role, Absolute)> = sending.collect();
@@ -386,7 +387,7 @@ fn decoded(word: Word, fitted: &[Fitted], language: Language) -> DecodedWord {
     }
 }
 
-/// A word of which nothing is known.
+/// Returns a record for a word of unknown content.
 fn unread(word: Word) -> DecodedWord {
     DecodedWord {
         name: None,

@@ -7,7 +7,7 @@ use answers::{Fault, Faults, Place};
 use quantities::{Language, format_significant, seen};
 use words::{Worded, check_title, terminal};
 
-/// Faults of an input file.
+/// Returns the faults of an input file.
 #[must_use]
 pub fn faults(file: &str, faults: &[Worded]) -> Faults {
     let fault = |fault: &Worded| Fault {
@@ -21,7 +21,7 @@ pub fn faults(file: &str, faults: &[Worded]) -> Faults {
     Faults::from(faults.iter().map(fault).collect::<Vec<_>>())
 }
 
-/// Faults of a table, with a last one that counts those not listed.
+/// Returns the faults of a table; the last entry counts those not listed.
 #[must_use]
 pub fn table_faults(table: &str, found: &TableFaults, language: Language) -> Faults {
     let file = || Some(seen(table).into_owned()).filter(|name| !name.is_empty());
@@ -46,14 +46,14 @@ pub fn table_faults(table: &str, found: &TableFaults, language: Language) -> Fau
     Faults::from(errors)
 }
 
-/// A file that cannot be read or written, and why.
+/// Returns the fault of a file that cannot be read or written.
 #[must_use]
 pub fn file_fault(file: &str, what: &str) -> Faults {
     let fault = Fault { file: Some(seen(file).into_owned()), message: seen(what).into_owned(), ..Fault::default() };
     Faults::from(vec![fault])
 }
 
-/// A fault of an option: what is wrong with it, and what would help.
+/// Returns the fault of an option, with the remedy.
 #[must_use]
 pub fn option_fault(option: &str, (message, hint): (String, Option<String>)) -> Faults {
     let fault = Fault {
@@ -65,13 +65,13 @@ pub fn option_fault(option: &str, (message, hint): (String, Option<String>)) -> 
     Faults::from(vec![fault])
 }
 
-/// A fault in one sentence.
+/// Returns a fault in one sentence.
 #[must_use]
 pub fn fault(what: &str) -> Faults {
     Faults::of(seen(what))
 }
 
-/// Why a text is no code, each fault with its place in it.
+/// Returns the reasons why a text is no code, each with its place.
 #[must_use]
 pub fn code_worded(text: &str, refusal: &CodeRefusal) -> Vec<Worded> {
     let worded = |fault: &crate::codes::CodeFault| {
@@ -80,7 +80,7 @@ pub fn code_worded(text: &str, refusal: &CodeRefusal) -> Vec<Worded> {
     refusal.faults.iter().map(worded).collect()
 }
 
-/// Why an actuator cannot be judged, in one sentence; `waited_s` is the deadline of the caller.
+/// Returns the reason why an actuator cannot be judged, in one sentence; `waited_s` is the time limit of the caller.
 #[must_use]
 pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language) -> String {
     match refusal {
@@ -99,10 +99,10 @@ pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language
     }
 }
 
-/// Nothing in the glossary: what was looked for, and what is near.
+/// Returns the fault of an unknown term: the requested term and similar ones.
 #[must_use]
 pub fn not_in_glossary(wanted: &str, nearest: &[String], language: Language) -> (String, Option<String>) {
-    // A term is a word or two: more of a text than this is not repeated.
+    // A term has one or two words; a longer text is not repeated.
     let wanted: String = wanted.chars().filter(|sign| !sign.is_control()).take(60).collect();
     let hint = (!nearest.is_empty()).then(|| terminal::near(&nearest.join(", "), language));
     (terminal::nothing_in_the_glossary(&wanted, language), hint)

@@ -1,4 +1,4 @@
-//! The project as it was written, in the words of a language, and the mechanism that it describes.
+//! The inputs of the project in the words of a language, and the mechanism that they describe.
 
 use super::chapters::inertia;
 use answers::{InputTable, Mechanism, Number, Sketch, SketchSymbol};
@@ -10,7 +10,7 @@ use quantities::{Language, Unit};
 use std::f64::consts::TAU;
 use words::{body_key, capitalised, key_word, schema_text, shape_title, short_label, table_of_project, unpadded};
 
-/// The values of one axis of a project file, with the keys as if it stood alone.
+/// Returns the values of one axis of a project file, with keys as in a file with this axis alone.
 pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
     let own = format!("axis[{}].", place + 1);
     let of_axis = |input: Input| {
@@ -24,12 +24,12 @@ pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
     project::inputs(text).into_iter().filter_map(of_axis).collect()
 }
 
-/// The values by table, in words.
+/// Returns the values by table, as text.
 pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
     let mut tables: Vec<InputTable> = Vec::new();
     for input in inputs {
         let (table, name) = input.path.rsplit_once('.').unwrap_or(("", &input.path));
-        // A body in a table of its own is a line of the mechanism, as one that is written in a line.
+        // A body in a table of its own is one line of the mechanism, like a body written in a line.
         let body = table.rsplit_once(".body[");
         let table = body.map_or(table, |(outer, _)| outer);
         let place = tables.iter().position(|known| known.key == table).unwrap_or_else(|| {
@@ -46,7 +46,7 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
             body_part(&mut table.values, &format!("bodies[{number}"), (input, name), language);
             continue;
         }
-        // `points[2][1]`: the values of a row stand on one line.
+        // `points[2][1]`: the values of a row form one line.
         let row = name.rfind("][").map(|end| &name[..=end]);
         let value = value(input, row.unwrap_or(name), language);
         match table.values.last_mut().filter(|last| row.is_some_and(|row| last.name == row)) {
@@ -57,7 +57,7 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
     tables
 }
 
-/// Adds a key of a body to its line: the shape, or the quantity with its value.
+/// Adds a key of a body to the line of the body: the shape, or the quantity with its value.
 fn body_part(values: &mut Vec<answers::Input>, line: &str, (input, name): (&Input, &str), language: Language) {
     let value = value(input, line, language);
     let text = match (name, value.tolerance) {
@@ -86,17 +86,17 @@ fn value(input: &Input, name: &str, language: Language) -> answers::Input {
     }
 }
 
-/// What a key is for.
+/// Returns the description of a key.
 fn label(path: &str, language: Language) -> Option<String> {
     input_label(path).map(|text| schema_text(text, language))
 }
 
-/// The unit of a difference: temperatures differ by kelvins.
+/// Returns the unit of a difference: kelvin for temperatures.
 fn half_unit(unit: &'static Unit) -> &'static str {
     if unit.symbol == "°C" { "K" } else { unit.symbol }
 }
 
-/// A number with all its digits and its unit, in the signs of the language.
+/// Formats a number with all its digits and its unit, in the format of the language.
 fn with_unit(digits: &str, unit: &str, language: Language) -> String {
     let digits = digits.replace('.', language.decimal_mark().encode_utf8(&mut [0; 4])).replace('-', "−");
     match unit {
@@ -106,7 +106,7 @@ fn with_unit(digits: &str, unit: &str, language: Language) -> String {
     }
 }
 
-/// What is no quantity: words of a fixed set in those of the language, lists without their brackets.
+/// Formats a value that is no quantity: words of a fixed set in the language, lists without brackets.
 fn written(path: &str, text: &str, language: Language) -> String {
     if path.contains(".bodies[") {
         return body(text, language);
@@ -125,7 +125,7 @@ fn written(path: &str, text: &str, language: Language) -> String {
     }
 }
 
-/// A body as it is written, in words: `disc diameter=420mm` as “disc, diameter 420 mm”.
+/// Formats a body as text: `disc diameter=420mm` becomes “disc, diameter 420 mm”.
 fn body(text: &str, language: Language) -> String {
     let parts = text.split_whitespace().map(|part| match part.split_once('=') {
         None => BODY_SHAPES
@@ -148,7 +148,7 @@ fn body(text: &str, language: Language) -> String {
     parts.collect::<Vec<String>>().join(", ")
 }
 
-/// What a table of the project file is about.
+/// Returns the title of a table of the project file.
 fn table_title(table: &str, language: Language) -> String {
     let parts = table.split('.').filter(|part| *part != "mechanism").map(|part| {
         let number = part.split_once('[').map_or("", |(_, rest)| rest.trim_end_matches(']'));
@@ -160,12 +160,12 @@ fn table_title(table: &str, language: Language) -> String {
     parts.collect::<Vec<String>>().join(", ")
 }
 
-/// What hangs on the flange.
+/// Returns the mechanism driven by the output flange.
 pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language) -> Mechanism {
     let load = &project.axis.mechanism;
     let key = load.id().key();
     let table = if load.id() == MechanismId::Load { key.to_owned() } else { format!("mechanism.{key}") };
-    // `body` and `bodies` state the same.
+    // `body` and `bodies` are alternatives.
     let is_stated = |key: &str| {
         let named = |name: &str| {
             name.split(['.', '[']).next().is_some_and(|name| name == key || name == "body" && key == "bodies")

@@ -18,19 +18,19 @@ use quantities::{Language, Measure};
 use sizing::{Reserve, SAMPLES_ANEW, Verdict};
 use words::ranking_rule;
 
-/// What speaks against a candidate besides a failing check, in words.
+/// Returns the objections to a candidate besides failing checks, as text.
 #[must_use]
 pub fn objections(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
     candidate.objections.iter().map(|each| objection_text(candidate, each, language)).collect()
 }
 
-/// The verdict on a whole candidate.
+/// Returns the verdict on a candidate.
 #[must_use]
 pub fn fit(candidate: &Candidate<'_>) -> Fit {
     candidate.fit().into()
 }
 
-/// One judged actuator.
+/// Returns one judged actuator.
 #[must_use]
 pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Candidate {
     let (code, name) = match &candidate.id {
@@ -54,7 +54,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
     }
 }
 
-/// One actuator with the motion, the reserve and the tolerances of the project.
+/// Returns one actuator with the motion, the reserve and the tolerances of the project.
 #[must_use]
 pub fn judgement(
     project: &Project,
@@ -73,7 +73,7 @@ pub fn judgement(
     }
 }
 
-/// Why a candidate is rejected, in short.
+/// Returns the reason for the rejection of a candidate, in short form.
 fn rejection(candidate: &Candidate<'_>, language: Language) -> Rejection {
     let worst = candidate.judgement.worst_failure();
     let failing = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
@@ -89,7 +89,7 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Rejection {
     }
 }
 
-/// The catalogue judged for an axis: the best `top` in full, the rejected ones with their reason.
+/// Returns the catalogue judged for an axis: the best `top` in full, the rejected ones with their reason.
 #[must_use]
 pub fn sizing(
     sizing: &Sizing<'_>,
@@ -136,7 +136,7 @@ fn would_fit(mend: &Mend) -> WouldFit {
     }
 }
 
-/// The ratio of the stage between actuator and mechanism, and what others of the project would give.
+/// Returns the ratio of the stage between actuator and mechanism, and the results for the other ratios of the project.
 fn stage(project: &Project) -> Option<Stage> {
     let stage = project.axis.mechanism.stage.as_ref()?;
     let ratios = project.ratios.iter().map(|each| StageRatio {
@@ -148,7 +148,7 @@ fn stage(project: &Project) -> Option<Stage> {
     Some(Stage { ratio: Number(stage.ratio), ratios: ratios.collect() })
 }
 
-/// How far the axis may be changed, or the limits of its project.
+/// Returns the permissible changes of the axis, or of the limits of its project.
 #[must_use]
 pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language) -> answers::Reserve {
     let limit = |needed: NeededLimit| {
@@ -185,7 +185,7 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
     }
 }
 
-/// Samples, worst point and influences.
+/// Returns samples, worst point and influences of the tolerances.
 #[must_use]
 pub fn tolerance(project: &Project, assessment: &Assessment) -> Tolerance {
     let found = &assessment.utilisation;

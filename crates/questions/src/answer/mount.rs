@@ -13,16 +13,16 @@ use sizing::{Direction, Verdict};
 use words::mounting::{self, fit_word, load_case_title, side_title};
 use words::{cell_text, describe_uncovered, source_text, symbol_term};
 
-/// The erratum about the name of the recommended fit.
+/// Erratum about the name of the recommended fit.
 const FIT_NAME: &str = "T77.1-fit-name";
 
-/// The printed matter that the answer rests on where it is in doubt.
+/// Errata of doubtful statements of the manual on which every answer depends.
 const ERRATA: [&str; 2] = [FIT_NAME, "T79.1-securing"];
 
-/// The figure that shows what the tolerances of the flange measure.
+/// Figure that defines the tolerances of the flange.
 const TOLERANCES_DRAWN_IN: &str = "55.2";
 
-/// How an actuator is mounted; with the name of the axis whose loads take the place of the limits.
+/// Returns the mounting data of an actuator; with the name of an axis, its loads replace the limits of the manual.
 #[must_use]
 pub fn mount(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: Language) -> answers::Mount {
     let joints: Vec<Joint> = mount.joints.iter().map(|each| joint(each, language)).collect();
@@ -95,7 +95,7 @@ fn notes(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: Langua
     notes
 }
 
-/// Doubtful data and errata of the values shown.
+/// Returns doubtful data and errata of the values shown.
 fn errata(values: &[MountValue], joints: &[Joint], language: Language) -> Vec<CitedErratum> {
     let mut ids: Vec<&'static str> = ERRATA.to_vec();
     let of_joints = joints.iter().flat_map(|joint| {
@@ -153,7 +153,7 @@ fn value<Q: Measure>(symbol: &'static str, datum: &Datum<Q>, unit: &Unit, langua
     }
 }
 
-/// The errata of a datum.
+/// Returns the errata of a datum.
 fn errata_of<T>(datum: &Datum<T>) -> Vec<&'static str> {
     datum.known().map_or_else(Vec::new, |known| known.errata.to_vec())
 }
@@ -200,11 +200,12 @@ fn joint(joint: &installation::joint::Joint, language: Language) -> Joint {
     }
 }
 
-/// A joint under a load: torque alone is judged, the estimate with everything at once advises.
+/// Returns a joint under a load: the verdict refers to the torque alone, the estimate with all loads combined gives an
+/// advice.
 fn case(found: &CaseAnswer, language: Language) -> JointCase {
     let alone = found.alone.known();
     let together = found.together.known().map(|known| &known.value);
-    // The collision torque of another gear rejects nothing.
+    // The collision torque of another gear is no reason for rejection.
     let is_of_another_gear = found.torque.known().is_some_and(|torque| matches!(torque.source, Source::Published(_)));
     let verdict = alone.map_or(Verdict::NotChecked, |share| match Direction::AtMost.keeps(share.value.si(), 1.0) {
         true => Verdict::Pass,

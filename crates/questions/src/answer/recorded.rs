@@ -7,7 +7,7 @@ use installation::commission::recorded::{Judged, Verdict};
 use quantities::Language;
 use words::{band_text, cause_text, fact_source, measurand_name, source_text, unjudged_text};
 
-/// What was measured, judged.
+/// Returns the measured values with their verdicts.
 #[must_use]
 pub fn recorded(about: &Commissioning, judged: &[Judged], language: Language) -> Recorded {
     let off = judged.iter().filter(|each| each.verdict == Verdict::Fail).count();

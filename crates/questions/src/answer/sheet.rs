@@ -7,7 +7,7 @@ use provenance::Grade;
 use quantities::Language;
 use words::{cell_text, describe_uncovered, symbol_term, table_note, table_title};
 
-/// A data sheet.
+/// Returns a data sheet.
 #[must_use]
 pub fn sheet(sheet: &Sheet, language: Language) -> answers::Sheet {
     answers::Sheet {
@@ -54,7 +54,7 @@ fn note(note: &SheetNote, language: Language) -> answers::SheetNote {
     }
 }
 
-/// What a note on a data sheet says.
+/// Returns the text of a note on a data sheet.
 #[must_use]
 pub fn sheet_note_text(note: &SheetNote, language: Language) -> String {
     match note {
@@ -63,7 +63,7 @@ pub fn sheet_note_text(note: &SheetNote, language: Language) -> String {
     }
 }
 
-/// The value of a cell after errata.
+/// Returns the value of a cell after errata.
 pub(super) fn cell_value(cell: &Cell) -> TableCell {
     match cell.value {
         Value::NotPrinted => TableCell::Empty,
@@ -72,7 +72,7 @@ pub(super) fn cell_value(cell: &Cell) -> TableCell {
     }
 }
 
-/// The catalogue in long form.
+/// Returns the catalogue in long form, one record per cell.
 #[must_use]
 pub fn catalogue_cells() -> Vec<CatalogueCell> {
     let record = |cell: &'static Cell| CatalogueCell {

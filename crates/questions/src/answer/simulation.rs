@@ -15,7 +15,7 @@ use sizing::CheckId;
 use twin::{Averaged, Failed, Gains, LoopResponse, Operation, Parameter, ScenarioId};
 use words::{Word, check_title, schema_text, short_label, simulation, source_text};
 
-/// A run.
+/// Returns a run.
 #[must_use]
 pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
     let celsius = |kelvin: f64| Number::in_unit(kelvin, &DEGREE_CELSIUS);
@@ -79,7 +79,7 @@ fn happened(event: &twin::Event, language: Language) -> SimulatedEvent {
     }
 }
 
-/// The figures of a run, in their order.
+/// Returns the figures of a run, in their order.
 fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
     let (s, e) = (&run.summary, &run.summary.energies);
     let with_heat = s.winding_peak_k > 0.0;
@@ -124,7 +124,7 @@ fn figures(run: &Simulated<'_>, language: Language) -> Vec<Figure> {
     laid(&all, language)
 }
 
-/// Operation over days in figures.
+/// Returns the figures of operation over days.
 fn averaged(operation: &Operation, found: &Averaged, language: Language) -> Vec<Figure> {
     let ([winding, housing], [winding_swing, housing_swing]) = (found.peak_k, found.swing_k);
     let [copper, heat] = found.lost_j;
@@ -170,7 +170,7 @@ fn verdict(judged: &Judged, language: Language) -> SimulatedVerdict {
     }
 }
 
-/// What the sizing said of the cycle, and what the twin shows.
+/// Returns the figures of the cycle by the sizing beside those of the twin.
 fn comparison(run: &Simulated<'_>, language: Language) -> Vec<Compared> {
     if run.scenario.id != ScenarioId::Cycle {
         return Vec::new();

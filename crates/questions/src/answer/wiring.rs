@@ -16,7 +16,7 @@ use quantities::{Area, ElectricPotential, Language, Length, Measure};
 use sizing::Verdict;
 use words::{cell_text, source_text, table_note, wiring};
 
-/// The wiring of a code, with the losses on a cable of a length where one is given.
+/// Returns the wiring of a code, with the voltage drops on a cable if a length is given.
 #[must_use]
 pub fn wiring(wiring: &Wiring, cable: Option<(Length, Option<Area>)>, language: Language) -> answers::Wiring {
     let drops = cable.map(|(length, section)| drops(wiring, length, section, language));
@@ -110,7 +110,7 @@ fn record_of_cable(cable: &Cable, language: Language) -> answers::Cable {
     }
 }
 
-/// The tables that the answer is from, each once.
+/// Returns the tables of the answer, without repetitions.
 fn tables(wiring: &Wiring) -> Vec<&'static str> {
     let of_connectors = wiring.connectors.iter().flat_map(|each| [each.kind.place.table, each.table.id]);
     let mut found: Vec<&'static str> = Vec::new();
@@ -122,7 +122,7 @@ fn tables(wiring: &Wiring) -> Vec<&'static str> {
     found
 }
 
-/// What the tables say in their notes, and what of the answer needs a word.
+/// Returns the notes of the tables, and remarks on the answer.
 fn notes(wiring: &Wiring, language: Language) -> Vec<WiringNote> {
     let mut found = Vec::new();
     for table in tables(wiring).into_iter().filter_map(catalogue::table) {
@@ -146,7 +146,7 @@ fn notes(wiring: &Wiring, language: Language) -> Vec<WiringNote> {
     found
 }
 
-/// Errata of the cells that are shown and of their tables; slips of the recovered text are left out.
+/// Returns the errata of the cells that are shown and of their tables; slips of the recovered text are left out.
 fn errata(wiring: &Wiring) -> Vec<&'static str> {
     let pins = wiring.connectors.iter().flat_map(|connector| &connector.pins);
     let of_connectors = wiring.connectors.iter().map(|connector| connector.kind);
@@ -211,7 +211,7 @@ fn circuit_name(drop: &VoltageDrop, language: Language) -> &'static str {
     }
 }
 
-/// A list compared with the wiring.
+/// Returns a list compared with the wiring.
 #[must_use]
 pub fn wiring_check(wiring: &Wiring, comparison: &Comparison, language: Language) -> WiringCheck {
     let record = |finding: &Finding| WiringFinding {

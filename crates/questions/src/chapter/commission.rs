@@ -8,7 +8,7 @@ use answers::{
 use quantities::{Language, format_significant};
 use words::{capitalised, commission, decimal, grade_word, row_sign, terms};
 
-/// The commissioning of a code; with the objects of CiA 402 if requested.
+/// Returns the commissioning of a code; with the objects of CiA 402 if requested.
 #[must_use]
 pub fn commission(record: &Commissioning, objects: &[DriveObject], language: Language) -> Chapter {
     let mut chapter = Chapter::new(capitalised(&commission::title(&record.code, language)));
@@ -46,7 +46,7 @@ pub fn commission(record: &Commissioning, objects: &[DriveObject], language: Lan
     chapter
 }
 
-/// As many digits as the value has, four at the least.
+/// Formats a value with its own digits; from five digits on with five significant ones.
 pub(super) fn shown(value: f64, language: Language) -> String {
     let plain = value.to_string();
     let digits = plain.trim_start_matches(['0', '.', '-']).chars().filter(char::is_ascii_digit).count();

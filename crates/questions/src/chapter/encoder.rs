@@ -1,4 +1,4 @@
-//! What the encoders of a code send.
+//! Signals and words of the encoders of a code.
 
 use super::{grid, hazards, plain, significant};
 use answers::{Chapter, Column, DecodedWord, Encoder, EncoderPin, EncoderSignal, EncoderState, SignalForm, WordFault};
@@ -6,7 +6,7 @@ use installation::wiring::Role;
 use quantities::Language;
 use words::{capitalised, encoder, grade_word};
 
-/// Signals and words of a code.
+/// Returns the signals and words of a code.
 #[must_use]
 pub fn encoder(record: &Encoder, language: Language) -> Chapter {
     let mut chapter = Chapter::new(encoder::title(&record.code, language));
@@ -76,7 +76,7 @@ fn of_state(chapter: &mut Chapter, state: &EncoderState, is_seeded: bool, langua
     }
 }
 
-/// The value of a signal.
+/// Formats the value of a signal.
 fn shown(signal: &EncoderSignal, language: Language) -> String {
     let Some(value) = signal.value else { return String::new() };
     let number = significant(Some(value), 4, language);

@@ -1,4 +1,4 @@
-//! What a recorded run says, laid out.
+//! Results of a recorded run as a chapter.
 
 use super::{grid, significant, unit_shown};
 use crate::list::identify::{Identification, LeftOpen};
@@ -6,7 +6,7 @@ use answers::{Chapter, Column, Number};
 use quantities::Language;
 use words::{capitalised, identification, simulation};
 
-/// The estimates beside what project and tables say, and the lines for the project.
+/// Returns the estimates beside the values of project and tables, and the lines for the project.
 #[must_use]
 pub fn identification(record: &Identification, language: Language) -> Chapter {
     let mut chapter = Chapter::new(simulation::identified(&record.axis, &record.samples, language));

@@ -1,4 +1,4 @@
-//! How an actuator is mounted.
+//! Mounting of an actuator as a chapter.
 
 use super::{NOTHING, grid, hazards, plain, significant, unit_shown};
 use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
@@ -8,7 +8,7 @@ use words::{
     ERRATUM_MARK, capitalised, grade_word, marked, mounting, row_sign, step_title, terminal, terms, verdict_word,
 };
 
-/// The mounting of a code.
+/// Returns the mounting of a code.
 #[must_use]
 pub fn mount(record: &Mount, language: Language) -> Chapter {
     let mut chapter = Chapter::new(mounting::title(&record.code, language));
@@ -39,7 +39,7 @@ pub fn mount(record: &Mount, language: Language) -> Chapter {
     chapter
 }
 
-/// The errata of the values that are shown.
+/// Returns the errata of the values that are shown.
 fn marks(record: &Mount) -> impl Iterator<Item = &&'static str> {
     let values = record.tolerances.iter().chain(&record.dimensions).flat_map(|value| &value.errata);
     let joints = record.joints.iter().flat_map(|joint| {
@@ -49,7 +49,7 @@ fn marks(record: &Mount) -> impl Iterator<Item = &&'static str> {
     values.chain(joints)
 }
 
-/// A figure of a fit in µm: whole, or with a half.
+/// Formats a figure of a fit in µm: whole, or with a half.
 fn micrometres(value: Number, signed: bool, language: Language) -> String {
     let value = value.0;
     let digits = usize::from((value - value.round()).abs() > 0.01);

@@ -7,26 +7,26 @@ use quantities::Language;
 use sizing::Verdict;
 use words::{commission, grade_word};
 
-/// A measurement in words.
+/// A measurement as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RecordedLine {
-    /// What was measured; which of several.
+    /// Name of the measurand, with a number if there are several.
     pub name: String,
-    /// What comes out.
+    /// Verdict on the measurement.
     pub verdict: Verdict,
-    /// What was measured, or a dash.
+    /// Measured value, or a dash.
     pub value: String,
-    /// What it should be, with its band.
+    /// Expected value with its band.
     pub expected: String,
-    /// Unit of both.
+    /// Unit of both values.
     pub unit: String,
-    /// What the band rests on or why nothing is judged, grade and source.
+    /// Basis of the band, or the reason why nothing is judged; grade and source.
     pub remark: String,
-    /// The likely cause of what is off.
+    /// Likely cause of a deviation.
     pub cause: Option<String>,
 }
 
-/// The measurements of a record in their order.
+/// Returns the measurements of a record, in the same order.
 #[must_use]
 pub fn recorded(record: &Recorded, language: Language) -> Vec<RecordedLine> {
     let line = |each: &RecordedValue| RecordedLine {
@@ -41,7 +41,7 @@ pub fn recorded(record: &Recorded, language: Language) -> Vec<RecordedLine> {
     record.measurements.iter().map(line).collect()
 }
 
-/// Whether a measurement is a yes or no.
+/// Returns `true` if a measurement is a yes or no.
 fn is_direction(value: &RecordedValue) -> bool {
     value.expected.is_none() && value.high.is_none() && value.id.starts_with("direction_")
 }

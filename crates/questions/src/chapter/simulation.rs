@@ -1,11 +1,11 @@
-//! A run of the digital twin, laid out.
+//! A run of the digital twin as a chapter.
 
 use super::{grid, significant, unit_shown};
 use answers::{Chapter, Column, Figures, Grade, ModelParameter, Number, Simulation};
 use quantities::Language;
 use words::{capitalised, grade_word, simulation, verdict_word};
 
-/// The run: figures, verdicts, events, agreement with the sizing, loops, what is assumed.
+/// Returns the run: figures, verdicts, events, agreement with the sizing, loops, assumptions.
 #[must_use]
 pub fn simulation(record: &Simulation, language: Language) -> Chapter {
     let number = |value: Option<Number>| significant(value, 4, language);
@@ -128,5 +128,5 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
     chapter
 }
 
-/// So many events are shown; the record has them all.
+/// Largest number of events shown; the record has them all.
 const EVENTS_MOST: usize = 40;

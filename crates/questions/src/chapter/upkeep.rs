@@ -1,11 +1,11 @@
-//! What is to be done with an actuator, and by when.
+//! Maintenance of an actuator: tasks and dates.
 
 use super::{grid, hazards, remarks, significant};
 use answers::{Chapter, Column, Fact, Upkeep};
 use quantities::Language;
 use words::{capitalised, grade_word, signal_word, terminal, upkeep};
 
-/// The upkeep of a code.
+/// Returns the maintenance of a code.
 #[must_use]
 pub fn upkeep(record: &Upkeep, language: Language) -> Chapter {
     let mut chapter = Chapter::new(upkeep::title(&record.code, language));

@@ -1,4 +1,4 @@
-//! One argument of a question: what every face knows of it, and how its text is checked.
+//! One argument of a question: its description for every face, and the check of its text.
 
 use project::Hint;
 use std::borrow::Cow;
@@ -7,31 +7,31 @@ use words::{UsageHint, Word, help, help::values, requests};
 /// An argument of a question.
 #[derive(Clone, Copy, Debug)]
 pub struct Argument {
-    /// Its name: `--NAME` on the command line, `NAME` in the query of a request.
+    /// Name of the argument: `--NAME` on the command line, `NAME` in the query of a request.
     pub name: &'static str,
-    /// What it says.
+    /// Description of the argument.
     pub about: Word,
-    /// What stands for its value in the usage of a command.
+    /// Placeholder for the value in the usage of a command.
     pub value: Word,
-    /// What a value may be.
+    /// Kind of the value.
     pub kind: ArgumentKind,
-    /// How a call has it.
+    /// Form of the argument in a call.
     pub form: Form,
-    /// Whether there is no answer without it.
+    /// `true` if there is no answer without the argument.
     pub required: bool,
-    /// Whether it may be given several times.
+    /// `true` if the argument may be given several times.
     pub repeated: bool,
-    /// Its value where none is given.
+    /// Default value.
     pub usual: Option<&'static str>,
-    /// The argument without which it means nothing.
+    /// Argument that this one requires.
     pub needs: Option<&'static str>,
-    /// The argument in whose place it stands; one of the two is required.
+    /// Argument that this one replaces; one of the two is required.
     pub instead_of: Option<&'static str>,
-    /// Whether a value may begin with a minus sign.
+    /// `true` if a value may begin with a minus sign.
     pub signed: bool,
 }
 
-/// What a value may be.
+/// Kind of the value of an argument.
 #[derive(Clone, Copy, Debug)]
 pub enum ArgumentKind {
     /// A text, or a quantity with its unit.
@@ -40,31 +40,31 @@ pub enum ArgumentKind {
     Code,
     /// A day.
     Date,
-    /// A file beside those that are read; on a command line from where it is called.
+    /// A file besides the inputs; on a command line relative to the current folder.
     File,
     /// True or false; a name without a value is true.
     Flag,
-    /// A whole number from and to.
+    /// A whole number within a range, ends included.
     Whole(u64, u64),
-    /// One of these words; of an argument that may be given several times also some of them with commas between them.
+    /// One of these words; for an argument that may be given several times also several words separated by commas.
     Word(fn() -> Vec<&'static str>),
 }
 
-/// How a call has an argument.
+/// Form of an argument in a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Behind its name.
+    /// After its name.
     Option,
     /// Without a name, one word.
     Bare,
-    /// Without a name, several words that are one text.
+    /// Without a name, several words that form one text.
     Words,
-    /// Without a name, each word a value of its own.
+    /// Without a name, each word a separate value.
     Each,
 }
 
 impl Argument {
-    /// An optional text behind its name.
+    /// Creates an optional text after its name.
     #[must_use]
     pub const fn option(name: &'static str, value: Word, about: Word) -> Self {
         Self {
@@ -82,61 +82,61 @@ impl Argument {
         }
     }
 
-    /// True or false.
+    /// Creates a flag, true or false.
     #[must_use]
     pub const fn flag(name: &'static str, about: Word) -> Self {
         Self::option(name, values::what, about).of(ArgumentKind::Flag)
     }
 
-    /// The same with another kind of value.
+    /// Returns the argument with another kind of value.
     #[must_use]
     pub const fn of(self, kind: ArgumentKind) -> Self {
         Self { kind, ..self }
     }
 
-    /// The same, given in another form.
+    /// Returns the argument in another form.
     #[must_use]
     pub const fn form(self, form: Form) -> Self {
         Self { form, repeated: matches!(form, Form::Each), ..self }
     }
 
-    /// The same, required.
+    /// Returns the argument as a required one.
     #[must_use]
     pub const fn required(self) -> Self {
         Self { required: true, ..self }
     }
 
-    /// The same, several times.
+    /// Returns the argument as one that may be given several times.
     #[must_use]
     pub const fn repeated(self) -> Self {
         Self { repeated: true, ..self }
     }
 
-    /// The same with a value where none is given.
+    /// Returns the argument with a default value.
     #[must_use]
     pub const fn usually(self, usual: &'static str) -> Self {
         Self { usual: Some(usual), ..self }
     }
 
-    /// The same, only with another argument.
+    /// Returns the argument as one that requires another.
     #[must_use]
     pub const fn with(self, needs: &'static str) -> Self {
         Self { needs: Some(needs), ..self }
     }
 
-    /// The same, in the place of another argument.
+    /// Returns the argument as one that replaces another.
     #[must_use]
     pub const fn instead_of(self, other: &'static str) -> Self {
         Self { instead_of: Some(other), ..self }
     }
 
-    /// The same with values that may begin with a minus sign.
+    /// Returns the argument with values that may begin with a minus sign.
     #[must_use]
     pub const fn signed(self) -> Self {
         Self { signed: true, ..self }
     }
 
-    /// The words that a value may be; none where it may be another.
+    /// Returns the valid words; empty if other values are valid too.
     #[must_use]
     pub fn words(&self) -> Vec<&'static str> {
         match self.kind {
@@ -150,18 +150,21 @@ impl Argument {
         }
     }
 
-    /// Whether a value is a list of words with commas between them.
+    /// Returns `true` if a value is a list of words separated by commas.
     #[must_use]
     pub const fn is_list(&self) -> bool {
         self.repeated && matches!(self.kind, ArgumentKind::Word(_))
     }
 
-    /// The values that a text names: of a list its words.
+    /// Splits a text into the values that it names: the words of a list.
     pub(super) fn parts<'v>(&self, value: &'v str) -> Vec<&'v str> {
         if self.is_list() { value.split(',').map(str::trim).collect() } else { vec![value] }
     }
 
-    /// A value as it is kept, or what would be right.
+    /// Returns a value in the form in which it is stored.
+    ///
+    /// # Errors
+    /// The remedy, if there is one.
     pub(super) fn checked<'v>(&self, value: &'v str) -> Result<Cow<'v, str>, Option<UsageHint>> {
         match self.kind {
             ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File => {
@@ -192,16 +195,16 @@ impl Argument {
     }
 }
 
-/// How a flag that is set is kept.
+/// Stored value of a flag that is set.
 pub(super) const TRUE: &str = "true";
 
-/// Whether a text is a whole number, however large and of whatever sign.
+/// Returns `true` if a text is a whole number of any size and sign.
 fn is_whole(text: &str) -> bool {
     let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
     !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// The word that was probably meant, or all of them.
+/// Returns the word that was probably meant, or all valid words.
 pub(super) fn near(written: &str, words: &[&str]) -> Hint {
     let distance = |word: &&str| strsim::damerau_levenshtein(word, written);
     // A text much longer than every word is near none.
@@ -213,27 +216,27 @@ pub(super) fn near(written: &str, words: &[&str]) -> Hint {
     }
 }
 
-/// The axis of a project with several.
+/// Name of an axis in a project with several.
 pub const AXIS: Argument = Argument::option("axis", values::name, help::axis);
 
-/// The ordering code that a question is about.
+/// Ordering code to which a question refers.
 pub const CODE: Argument =
     Argument::option("code", values::code, help::ordering_code).of(ArgumentKind::Code).form(Form::Words).required();
 
-/// An ordering code that may be named.
+/// Creates an argument for an optional ordering code.
 pub(super) const fn code(about: Word) -> Argument {
     Argument::option("code", values::code, about).of(ArgumentKind::Code)
 }
 
-/// How many of a ranking.
+/// Creates an argument for a number of candidates of a ranking.
 pub(super) const fn top(usual: &'static str, about: Word) -> Argument {
     Argument::option("top", values::n, about).of(ArgumentKind::Whole(1, u16::MAX as u64)).usually(usual)
 }
 
-/// The language of the texts.
+/// Language of the texts.
 pub const LANG: Argument = Argument::option("lang", values::lang, requests::lang)
     .of(ArgumentKind::Word(|| quantities::Language::ALL.map(quantities::Language::id).to_vec()))
     .repeated();
 
-/// What the project is called in faults and files.
+/// Name of the project in faults and files.
 pub const FILE: Argument = Argument::option("file", values::file, requests::file);

@@ -1,4 +1,4 @@
-//! A question as it was put: what is given for its arguments, the texts it is about, and who waits for the answer.
+//! A call of a question: values of its arguments, its texts, and its cancellation.
 
 use super::cost::Cost;
 use super::given::Given;
@@ -14,24 +14,24 @@ use serde::Serialize;
 use std::borrow::Cow;
 use words::terminal;
 
-/// An axis with its place in its file.
+/// An axis with its place in the file.
 pub type Axis = (usize, Project);
 
-/// A text that a question is about.
+/// A text to which a question refers.
 pub struct Source<'a> {
-    /// What it is called in faults.
+    /// Name of the text in faults.
     pub name: String,
-    /// Its bytes, at least one more than a project file may have where it has more.
+    /// Bytes of the text; of a text beyond the limit of a project file at least one byte more than the limit.
     pub bytes: Cow<'a, [u8]>,
-    /// The files that it may name.
+    /// Files to which the text may refer.
     pub files: &'a dyn Files,
 }
 
 impl Source<'_> {
-    /// The text.
+    /// Returns the text.
     ///
     /// # Errors
-    /// Where it is too large or not UTF-8.
+    /// If the text is too large or not UTF-8.
     pub fn text(&self, language: Language) -> Result<&str, Unanswered> {
         let refused = |message, is_too_large| Unanswered::File { name: self.name.clone(), message, is_too_large };
         if self.bytes.len() > PROJECT_MAX_BYTES {
@@ -44,10 +44,10 @@ impl Source<'_> {
         })
     }
 
-    /// Every axis of a project file.
+    /// Reads every axis of a project file.
     ///
     /// # Errors
-    /// The faults of the text, or why it is not read.
+    /// Faults of the text, or the reason why it is not read.
     pub fn projects(&self, patience: &Patience, language: Language) -> Result<Vec<Project>, Unanswered> {
         let text = self.text(language)?;
         read_all_watched(text, self.files, patience)
@@ -55,72 +55,72 @@ impl Source<'_> {
     }
 }
 
-/// A question as it was put.
+/// A call of a question.
 pub struct Asked<'a> {
-    /// What is given for its arguments.
+    /// Values of the arguments.
     pub given: Given,
-    /// The texts that it is about: none, a project, two revisions of one, a list or a record.
+    /// Texts of the call: none, a project, two revisions of one, a list or a record.
     pub sources: Vec<Source<'a>>,
-    /// The days since the first of 1970, where there is a clock.
+    /// Days since 1 January 1970; `None` without a clock.
     pub days_since_1970: Option<u64>,
-    /// Cancels the work.
+    /// Cancellation of the work.
     pub patience: &'a Patience,
-    /// Whether an answer that would take long is refused before its work begins.
+    /// `true` if an answer that takes long is refused before its work begins.
     pub refuses_long: bool,
-    /// The language of the texts.
+    /// Language of the texts.
     pub language: Language,
 }
 
 impl<'a> Asked<'a> {
-    /// The text that it is about.
+    /// Returns the text of the call.
     ///
     /// # Errors
-    /// Where there is none.
+    /// If the call has no text.
     pub fn source(&self) -> Result<&Source<'a>, Unanswered> {
         self.sources.first().ok_or(Unanswered::Refused(crate::Refusal::NoData, None))
     }
 
-    /// The axes of the project, or the one of a name.
+    /// Returns the axes of the project, or the one with a name.
     ///
     /// # Errors
-    /// Faults of the project, an axis that it has not, a cost that is refused.
+    /// Faults of the project, an unknown axis, a cost that is refused.
     pub fn axes(&self, wanted: Option<&str>, cost: Cost) -> Result<Vec<Axis>, Unanswered> {
         let axes = self.axes_of(self.source()?, wanted)?;
         self.within(cost, axes.iter())?;
         Ok(axes)
     }
 
-    /// The same of one of the texts, whatever it costs.
+    /// Returns the axes of one of the texts, regardless of the cost.
     ///
     /// # Errors
-    /// Faults of the project, an axis that it has not.
+    /// Faults of the project, an unknown axis.
     pub fn axes_of(&self, source: &Source<'_>, wanted: Option<&str>) -> Result<Vec<Axis>, Unanswered> {
         let projects = source.projects(self.patience, self.language)?;
         picked(projects, wanted, self.language).map_err(Unanswered::message)
     }
 
-    /// The only axis, or the one of a name.
+    /// Returns the only axis, or the one with a name.
     ///
     /// # Errors
-    /// As [`Asked::axes`], and several axes where none is named.
+    /// As [`Asked::axes`], and several axes without a name.
     pub fn axis(&self, wanted: Option<&str>, cost: Cost) -> Result<Axis, Unanswered> {
         let axes = self.axes(wanted, cost)?;
         self.only(axes, |names| terminal::several_axes(&names, self.language))
     }
 
-    /// The only one of some axes.
+    /// Returns the only one of some axes.
     ///
     /// # Errors
-    /// The sentence about several.
+    /// The sentence about several axes.
     pub fn only(&self, axes: Vec<Axis>, several: impl FnOnce(&str) -> String) -> Result<Axis, Unanswered> {
         let one = <[Axis; 1]>::try_from(axes).map(|[one]| one);
         one.map_err(|axes| Unanswered::message(several(&names(axes.iter().map(|(_, project)| project)))))
     }
 
-    /// Refuses what takes long, unless a time limit is stated.
+    /// Refuses a cost beyond the usual time, unless the call states a time limit.
     ///
     /// # Errors
-    /// What [`Cost::is_quick`] says.
+    /// Errors of [`Cost::is_quick`].
     pub fn within<'p>(&self, cost: Cost, axes: impl IntoIterator<Item = &'p Axis> + Clone) -> Result<(), Unanswered> {
         if !self.refuses_long {
             return Ok(());
@@ -129,10 +129,10 @@ impl<'a> Asked<'a> {
         cost.is_quick(projects).map_err(Unanswered::from)
     }
 
-    /// The answer about each axis; where one has none, only the faults of all.
+    /// Returns the answer about each axis; if one of them fails, only the faults of all.
     ///
     /// # Errors
-    /// Why there is no answer about some of them.
+    /// Reasons why there is no answer about some of them.
     pub fn each<'p, T>(
         &self,
         axes: &'p [Axis],
@@ -148,10 +148,10 @@ impl<'a> Asked<'a> {
         if faults.is_empty() { Ok(found) } else { Err(Unanswered::together(faults)) }
     }
 
-    /// The record about each axis, with its verdict, as one.
+    /// Returns the records about all axes, with their verdict, as one answer.
     ///
     /// # Errors
-    /// Why there is no answer about some of them.
+    /// Reasons why there is no answer about some of them.
     pub fn record_of_each<'p, T: Serialize>(
         &self,
         axes: &'p [Axis],
@@ -167,19 +167,19 @@ impl<'a> Asked<'a> {
 pub mod media {
     /// A record.
     pub const JSON: &str = "application/json";
-    /// A picture.
+    /// An image.
     pub const SVG: &str = "image/svg+xml";
-    /// A picture in pixels.
+    /// An image in pixels.
     pub const PNG: &str = "image/png";
     /// A document.
     pub const PDF: &str = "application/pdf";
-    /// A table as text.
+    /// A table in text form.
     pub const CSV: &str = "text/csv; charset=utf-8";
     /// A project, or a record of measured values.
     pub const TOML: &str = "application/toml; charset=utf-8";
     /// A workbook.
     pub const XLSX: &str = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
-    /// Text for a machine.
+    /// Text for programs.
     pub const PLAIN: &str = "text/plain; charset=utf-8";
     /// A calendar.
     pub const CALENDAR: &str = "text/calendar; charset=utf-8";
@@ -187,41 +187,41 @@ pub mod media {
     pub const PARQUET: &str = "application/vnd.apache.parquet";
 }
 
-/// An answer as its bytes.
+/// An answer as bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Answer {
-    /// Their media type.
+    /// Media type of the bytes.
     pub media: &'static str,
     /// A record, or another text.
     pub text: String,
-    /// The name of the file that they are.
+    /// File name of the answer.
     pub file: Option<String>,
-    /// Whether what it is about fits.
+    /// `true` if the subject of the answer fits.
     pub fits: bool,
-    /// What is to be said beside it, a line each.
+    /// Remarks beside the answer, one per line.
     pub remarks: String,
 }
 
 impl Answer {
-    /// A record.
+    /// Creates an answer from a record.
     #[must_use]
     pub fn record(record: &impl Serialize) -> Self {
         Self::text(media::JSON, written(record))
     }
 
-    /// A text of a media type.
+    /// Creates an answer from a text of a media type.
     #[must_use]
     pub const fn text(media: &'static str, text: String) -> Self {
         Self { media, text, file: None, fits: true, remarks: String::new() }
     }
 
-    /// The same as a file of a name.
+    /// Returns the answer as a file with a name.
     #[must_use]
     pub fn saved_as(self, file: String) -> Self {
         Self { file: Some(file), ..self }
     }
 
-    /// The same with whether what it is about fits.
+    /// Returns the answer with the verdict on its subject.
     #[must_use]
     pub fn fits(self, fits: bool) -> Self {
         Self { fits, ..self }

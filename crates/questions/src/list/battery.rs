@@ -9,7 +9,7 @@ use quantities::{Measure, Time};
 use words::{help, help::values};
 
 arguments! {
-    /// How an actuator is used.
+    /// Arguments of `battery`: operation and storage of an actuator.
     pub struct Args {
         /// Hours of operation a day.
         hours_per_day: Time = Argument::option("hours-per-day", values::hours, help::battery_hours).required()
@@ -33,7 +33,7 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| Ok(Answer::record(&answer::battery(&found(asked)?)))),
 };
 
-/// The life of the battery.
+/// Returns the life of the battery.
 ///
 /// # Errors
 /// Every fault of the arguments.

@@ -13,7 +13,7 @@ use sizing::Verdict;
 use words::{help, terms};
 
 arguments! {
-    /// Which axis.
+    /// Arguments of `bearing`: the axis.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
@@ -40,23 +40,23 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// One actuator of each size, judged.
+/// Judges one actuator of each size.
 ///
 /// # Errors
-/// Where the project has no loads on the flange, or it was cancelled.
+/// If the project has no loads on the flange, or the work was cancelled.
 pub fn sizes<'p>(
     project: &'p Project,
     patience: &Patience,
     language: Language,
 ) -> Result<Vec<(Size, Candidate<'p>)>, Unanswered> {
-    // Where no load is known no size differs from another.
+    // Without a load no size differs from another.
     if !project.axis.bearing.as_ref().is_some_and(|duty| duty.has_loads) {
         return Err(Unanswered::message(terms::no_flange_loads(language)));
     }
     Ok(bearing_of_each_size(project, patience)?)
 }
 
-/// Whether the bearing of one size carries the loads.
+/// Returns `true` if the bearing of at least one size carries the loads.
 #[must_use]
 pub fn fits(sizes: &[(Size, Candidate<'_>)]) -> bool {
     let fails = |candidate| bearing_checks(candidate).any(|check| check.verdict == Verdict::Fail);

@@ -1,4 +1,4 @@
-//! `catalogue export`: every cell of the maker's tables.
+//! `catalogue export`: every cell of the manufacturer's tables.
 
 use super::given::{arguments, word};
 use super::{Answer, Argument, ArgumentKind, Entry, Gives, Reads, Record, media};
@@ -8,9 +8,9 @@ use words::help;
 use words::help::values;
 
 arguments! {
-    /// In which format.
+    /// Arguments of `catalogue export`: the format.
     pub struct Args {
-        /// Whether as CSV.
+        /// `true` for CSV.
         format: Option<bool> = Argument::option("format", values::format, help::catalogue_format)
             .of(ArgumentKind::Word(|| vec!["json", "csv"])) => word(|format| Some(format == "csv")),
     }

@@ -14,15 +14,15 @@ use sizing::{Reserve, SAMPLES_ANEW, reserve_watched};
 use words::help;
 
 arguments! {
-    /// Which axis, which actuator, how tolerances are sampled.
+    /// Arguments of `check`: axis, actuator, sampling of the tolerances.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own.
         code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
-        /// How many samples.
+        /// Number of samples.
         samples: Option<usize> = SAMPLES => number,
-        /// From which the samples follow.
+        /// Seed of the samples.
         seed: Option<u64> = SEED => number,
     }
 }
@@ -48,13 +48,13 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// What the answer costs.
+    /// Returns the cost of the answer.
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::Check { draw: draw(self.samples, self.seed) }
     }
 
-    /// The actuator judged for an axis.
+    /// Judges the actuator for an axis.
     ///
     /// # Errors
     /// As [`verification`].
@@ -63,23 +63,23 @@ impl Args {
     }
 }
 
-/// One actuator judged for an axis, with its reserve and what the tolerances mean.
+/// One actuator judged for an axis, with its reserve and the effect of the tolerances.
 #[derive(Clone, Debug)]
 pub struct Verification<'p> {
     /// The axis.
     pub project: &'p Project,
     /// The actuator with every check.
     pub candidate: Candidate<'p>,
-    /// How far one thing may be changed.
+    /// Largest permissible change of one quantity.
     pub reserve: Reserve,
-    /// What the tolerances mean; `None` without tolerances.
+    /// Effect of the tolerances; `None` without tolerances.
     pub assessment: Option<Assessment>,
 }
 
 /// Judges one actuator for an axis; without a code the project's own.
 ///
 /// # Errors
-/// Why it cannot be judged.
+/// The reason why it cannot be judged.
 pub fn verification<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
@@ -91,7 +91,8 @@ pub fn verification<'p>(
     Ok(Verification { project, candidate, reserve, assessment })
 }
 
-/// How far one thing may be changed until a candidate just fits, and what the tolerances mean for it.
+/// Computes the largest permissible change of one quantity up to which a candidate fits, and the effect of the
+/// tolerances.
 ///
 /// # Errors
 /// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
@@ -101,13 +102,13 @@ pub fn margins(
     draw: Draw,
     patience: &Patience,
 ) -> Result<(Reserve, Option<Assessment>), Refusal> {
-    // First what may be refused.
+    // The step that may be refused comes first.
     draw.sampling(project, 1, patience.is_limited())?;
     let reserve = reserve_within(project, candidate, patience)?;
     Ok((reserve, scatter(project, candidate, draw, patience)?))
 }
 
-/// What the tolerances of a project mean for a candidate; `None` without tolerances.
+/// Computes the effect of the tolerances of a project on a candidate; `None` without tolerances.
 ///
 /// # Errors
 /// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
@@ -121,8 +122,8 @@ pub fn scatter(
     Ok(assess_watched(project, &[candidate], sampling, patience)?.into_iter().next())
 }
 
-/// How far one thing may be changed until a candidate just fits: in full where the call states a time limit, else within the
-/// usual effort.
+/// Computes the largest permissible change of one quantity up to which a candidate fits: in full if the call states a
+/// time limit, else within the default effort.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
@@ -133,7 +134,7 @@ pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, patience: &P
     Ok(reserve_watched(&project.axis, candidate.parameters, usize::MAX, patience)?)
 }
 
-/// The same within the usual effort.
+/// Computes the reserve of [`reserve_within`] within the default effort.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
@@ -142,7 +143,7 @@ pub fn reserve_unasked(project: &Project, candidate: &Candidate<'_>, patience: &
 }
 
 impl Verification<'_> {
-    /// The record of it.
+    /// Returns the record of the verification.
     #[must_use]
     pub fn record(&self, language: Language) -> answers::Judgement {
         answer::judgement(self.project, &self.candidate, &self.reserve, self.assessment.as_ref(), language)

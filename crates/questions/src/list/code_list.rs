@@ -10,12 +10,12 @@ use words::help;
 use words::help::values;
 
 arguments! {
-    /// Which of the codes.
+    /// Arguments of `code list`: selection of the codes.
     pub struct Args {
         /// A partial code.
         pattern: Option<Pattern> =
             Argument::option("pattern", values::pattern, help::code_list_pattern).form(Form::Bare) => pattern,
-        /// Only those that are available without a request.
+        /// Restricts the list to codes without fields on request.
         available: bool = Argument::flag("available", help::code_list_available) => flag,
     }
 }
@@ -37,7 +37,7 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// The codes.
+    /// Returns the codes.
     #[must_use]
     pub fn codes(&self) -> Vec<&'static (OrderCode, Availability)> {
         let mut codes = list_codes(self.pattern.as_ref());

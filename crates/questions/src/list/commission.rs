@@ -1,4 +1,4 @@
-//! `commission CODE`: values for the drive, and check-lists.
+//! `commission CODE`: values for the drive, and checklists.
 
 use super::given::{arguments, by_id, code, some, word};
 use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
@@ -19,9 +19,9 @@ pub(super) const AMBIENT: Argument =
     Argument::option("ambient", values::temperature, help::commission_ambient).signed();
 
 arguments! {
-    /// An actuator, the drive, where it is measured.
+    /// Arguments of `commission`: actuator, drive, temperature of the measurement.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
         /// The form of the values.
         form: Option<DriveForm> = FORM.of(ArgumentKind::Word(|| DriveForm::ALL.map(DriveForm::id).to_vec()))
@@ -72,10 +72,10 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// The sheet of values, with the objects of CiA 402 where that is their form.
+/// Returns the sheet of values, with the objects of CiA 402 if this form is requested.
 ///
 /// # Errors
-/// Every fault of the arguments; no printed data.
+/// Every fault of the arguments; no data in the manual.
 pub fn found(asked: &Asked<'_>) -> Result<(answers::Commissioning, Vec<answers::DriveObject>), Unanswered> {
     let Args { code, form, ambient } = Args::read(&asked.given)?;
     let about = about(&code)?;
@@ -84,10 +84,10 @@ pub fn found(asked: &Asked<'_>) -> Result<(answers::Commissioning, Vec<answers::
     Ok((answer::commissioning(&about, form, ambient.unwrap_or_else(usual_ambient), asked.language), objects))
 }
 
-/// What is known for the commissioning of a code.
+/// Returns the data for the commissioning of a code.
 ///
 /// # Errors
-/// No printed data.
+/// No data in the manual.
 pub fn about(code: &OrderCode) -> Result<Commissioning, Unanswered> {
     Ok(commission(code).ok_or(Refusal::NoData)?)
 }

@@ -7,9 +7,9 @@ use order_code::OrderCode;
 use words::help;
 
 arguments! {
-    /// An actuator.
+    /// Arguments of `commission --blank`: the actuator.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
     }
 }

@@ -1,4 +1,4 @@
-//! `commission CODE --checklist FILE`: the check-lists as a form to fill in; a face typesets it.
+//! `commission CODE --checklist FILE`: the checklists as a form to fill in; a face typesets it.
 
 use super::given::{arguments, code, some};
 use super::{Asked, CODE, Entry, Gives, OutputFile, Reads, Unanswered, commission, media};
@@ -9,9 +9,9 @@ use quantities::ThermodynamicTemperature;
 use words::{help, requests};
 
 arguments! {
-    /// An actuator, and where it is measured.
+    /// Arguments of `commission --checklist`: actuator, temperature of the measurement.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
         /// Temperature of winding and sensors.
         ambient: Option<ThermodynamicTemperature> = commission::AMBIENT => some(commission::read_ambient),
@@ -31,10 +31,10 @@ pub static ENTRY: Entry = Entry {
     answer: None,
 };
 
-/// The sheet whose lists they are.
+/// Returns the sheet that contains the checklists.
 ///
 /// # Errors
-/// Every fault of the arguments; no printed data.
+/// Every fault of the arguments; no data in the manual.
 pub fn found(asked: &Asked<'_>) -> Result<answers::Commissioning, Unanswered> {
     let Args { code, ambient } = Args::read(&asked.given)?;
     let ambient = ambient.unwrap_or_else(usual_ambient);

@@ -1,4 +1,4 @@
-//! `commission CODE --for FORM --out FILE`: the values as a drive reads them.
+//! `commission CODE --for FORM --out FILE`: the values in the form of a drive.
 
 use super::given::{arguments, by_id, code, word};
 use super::{Answer, ArgumentKind, CODE, Entry, Gives, OutputFile, Reads, commission, media};
@@ -8,9 +8,9 @@ use order_code::OrderCode;
 use words::{help, requests};
 
 arguments! {
-    /// An actuator and the drive.
+    /// Arguments of `commission --out`: actuator and drive.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
         /// The form of the values.
         form: Option<DriveForm> = commission::FORM

@@ -10,9 +10,9 @@ use order_code::OrderCode;
 use words::requests;
 
 arguments! {
-    /// An actuator.
+    /// Arguments of `commission --record`: the actuator.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
     }
 }
@@ -33,7 +33,7 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// The measured values, judged.
+/// Returns the measured values with their verdicts.
 ///
 /// # Errors
 /// Faults of the code and of the record.

@@ -1,4 +1,4 @@
-//! `compare PROJECT`: several actuators side by side.
+//! `compare PROJECT`: comparison of several actuators.
 
 use super::given::{arguments, codes, text};
 use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
@@ -10,11 +10,11 @@ use order_code::OrderCode;
 use project::Project;
 use words::{help, terminal};
 
-/// How many are compared.
+/// Permissible numbers of actuators in a comparison.
 const COMPARED: std::ops::RangeInclusive<usize> = 2..=5;
 
 arguments! {
-    /// Which axis, which actuators.
+    /// Arguments of `compare`: axis and actuators.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
@@ -43,7 +43,7 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// The arguments and the axes.
+/// Reads the arguments and the axes.
 ///
 /// # Errors
 /// Every fault of them.
@@ -58,10 +58,10 @@ pub fn put(asked: &Asked<'_>) -> Result<(Args, Vec<Axis>), Unanswered> {
 }
 
 impl Args {
-    /// The actuators side by side for an axis.
+    /// Compares the actuators for an axis.
     ///
     /// # Errors
-    /// Why one of them cannot be judged, and which.
+    /// The reason why one of them cannot be judged, with its code.
     pub fn comparison<'p>(&self, project: &'p Project, asked: &Asked<'_>) -> Result<Comparison<'p>, Unanswered> {
         compare(project, &self.codes, asked.patience).map_err(|(index, refusal)| {
             let code = self.codes.get(index).filter(|_| refusal != Refusal::Stopped);

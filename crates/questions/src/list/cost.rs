@@ -1,4 +1,4 @@
-//! What an answer costs, by its question: known before the work for it begins.
+//! Cost of an answer, by its question: known before the work begins.
 
 use super::size::ASSESSED_MOST;
 use crate::sizing_use::Refusal;
@@ -6,19 +6,19 @@ use crate::tolerance::{Draw, work};
 use project::Project;
 use sizing::{INSTANTS_MOST, Operation};
 
-/// What is asked about the axes of a project, as far as its cost depends on it.
+/// Question about the axes of a project, as far as the cost depends on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cost {
     /// The catalogue ranked.
     Ranking {
-        /// How many are reported in full.
+        /// Number of candidates reported in full.
         complete: usize,
-        /// How the tolerances of the best of them are judged.
+        /// Sampling of the tolerances of the best candidates.
         draw: Draw,
     },
     /// One actuator judged.
     Check {
-        /// How its tolerances are.
+        /// Sampling of the tolerances.
         draw: Draw,
     },
     /// A report.
@@ -27,12 +27,12 @@ pub enum Cost {
     Workbook,
     /// The time course as a table.
     Course,
-    /// Anything else.
+    /// Any other answer.
     Other,
 }
 
 impl Cost {
-    /// How long an answer takes at most, about, on one core, where the call states no time limit \[s\].
+    /// Returns the approximate time limit of an answer on one core \[s\], if the call states none.
     const fn seconds(self) -> usize {
         match self {
             Self::Ranking { .. } | Self::Check { .. } => 5,
@@ -40,18 +40,20 @@ impl Cost {
         }
     }
 
-    /// The samples of recordings that are looked at within it, of all axes together, in the measure of [`sizing::Axis::samples`].
+    /// Returns the number of samples of recordings that all axes together may have within this time, in the measure of
+    /// [`sizing::Axis::samples`].
     #[must_use]
     pub const fn samples(self) -> usize {
         match self {
-            // A workbook has the candidates by every check.
+            // A workbook lists the candidates with every check.
             Self::Workbook => 1 << 20,
             Self::Ranking { .. } | Self::Check { .. } | Self::Report | Self::Course => 1 << 21,
             Self::Other => 1 << 22,
         }
     }
 
-    /// So many axes with cycles of no length are answered within it: the record of each takes time and memory.
+    /// Returns the number of axes with the shortest cycles that are answered within this time: the record of each takes
+    /// time and memory.
     #[allow(clippy::cast_precision_loss, reason = "the catalogue has no more")]
     fn axes(self) -> f64 {
         match self {
@@ -61,7 +63,7 @@ impl Cost {
         }
     }
 
-    /// The share of that time which an axis takes.
+    /// Returns the share of this time that an axis takes.
     #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     fn share(self, project: &Project) -> f64 {
         /// Instants of the walk by segments in a report that take its time: below a microsecond each, for one actuator.
@@ -82,11 +84,12 @@ impl Cost {
         1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes / instants + besides
     }
 
-    /// What an answer about an axis takes at most, about, on one core: seconds, and bytes of the process.
+    /// Returns the approximate upper limits of an answer about an axis on one core: time \[s\], and memory of the
+    /// process \[byte\].
     #[must_use]
     #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     pub fn predicted(self, project: &Project) -> (f64, f64) {
-        /// Of the process itself, of a sample with its position, speed and acceleration, and of an instant.
+        /// Bytes of the process itself, of a sample with its position, speed and acceleration, and of an instant.
         const BYTES: (f64, f64, f64) = (40e6, 128.0, 512.0);
         let [recorded, _] = project.axis.samples();
         let nodes = project.axis.instants().saturating_sub(recorded);
@@ -94,7 +97,8 @@ impl Cost {
         (self.share(project) * self.seconds() as f64, bytes)
     }
 
-    /// Whether the catalogue is judged in that time for each of several ratios of a stage, of which the axis has one.
+    /// Checks that the catalogue can be judged in this time for each of several ratios of a stage, of which the axis
+    /// has one.
     ///
     /// # Errors
     /// [`Refusal::TooManyRatios`]
@@ -104,11 +108,11 @@ impl Cost {
         if share > 1.0 { Err(Refusal::TooManyRatios { ratios, seconds: self.seconds() }) } else { Ok(()) }
     }
 
-    /// Whether an answer about some axes stays within the usual time.
+    /// Checks that an answer about some axes stays within the usual time.
     ///
     /// # Errors
-    /// [`Refusal::TooLong`] for recordings, [`Refusal::TooManyAxes`] for several axes that take longer together. What a single
-    /// axis is besides its recordings is bounded where it is read.
+    /// [`Refusal::TooLong`] for recordings, [`Refusal::TooManyAxes`] for several axes that take longer together. The
+    /// remaining size of a single axis is limited when it is read.
     #[allow(
         clippy::cast_precision_loss,
         clippy::cast_possible_truncation,
@@ -120,7 +124,7 @@ impl Cost {
         let each = projects.clone().into_iter().map(|project| project.axis.samples());
         let [samples, cost] = each.fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b]);
         if cost > most {
-            // For loads such as these.
+            // The limit for loads of this kind.
             let most = (most as f64 * samples as f64 / cost as f64) as usize;
             return Err(Refusal::TooLong { samples, most, seconds });
         }
@@ -133,8 +137,8 @@ impl Cost {
     }
 }
 
-/// The instants of an axis without its recordings, with those of the loads on its flange: an instant there costs less, since of all
-/// actuators only those with another bearing look at it again.
+/// Returns the instants of an axis without its recordings, with a share of those of the loads on its flange: these cost
+/// less, since only actuators with another bearing evaluate them again.
 #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
 fn instants_of(project: &Project) -> f64 {
     const ON_THE_FLANGE: f64 = 1.0 / 64.0;
@@ -168,7 +172,7 @@ mod tests {
         }
         let all = Cost::Ranking { complete: usize::MAX, draw };
         assert!(of(all, &few, 20).is_ok() && of(all, &few, 100).is_err());
-        // A long cycle and a tolerance cost more than nothing.
+        // A long cycle and a tolerance have a cost above zero.
         let (long, uncertain) = (project("1 kg m^2", 4000), project("1 kg m^2 ± 5 %", 1));
         assert!(of(ranking, &long, 2).is_ok() && of(ranking, &long, 20).is_err());
         assert!(of(ranking, &uncertain, 4).is_ok() && of(ranking, &uncertain, 40).is_err());

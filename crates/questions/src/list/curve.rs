@@ -11,9 +11,9 @@ use quantities::ElectricPotential;
 use words::{help, help::values};
 
 arguments! {
-    /// An actuator and its supply.
+    /// Arguments of `curve`: actuator and supply.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE.form(Form::Bare) => code,
         /// Terminal voltage of the motor.
         voltage: Option<ElectricPotential> =
@@ -37,10 +37,10 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// The plane of an actuator with its curves.
+/// Returns the torque-speed plane of an actuator with its curves.
 ///
 /// # Errors
-/// Every fault of the arguments; no printed data.
+/// Every fault of the arguments; no data in the manual.
 pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, Plane), Unanswered> {
     let Args { code, voltage } = Args::read(&asked.given)?;
     let plane = plane_of(&code, voltage).and_then(Result::ok).ok_or(Refusal::NoData)?;

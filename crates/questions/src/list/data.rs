@@ -9,9 +9,9 @@ use order_code::OrderCode;
 use words::help;
 
 arguments! {
-    /// An actuator.
+    /// Arguments of `data`: the actuator.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
     }
 }
@@ -29,10 +29,10 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| Ok(Answer::record(&answer::sheet(&found(asked)?, asked.language)))),
 };
 
-/// The data sheet.
+/// Returns the data sheet.
 ///
 /// # Errors
-/// Faults of the code; no printed data.
+/// Faults of the code; no data in the manual.
 pub fn found(asked: &Asked<'_>) -> Result<Sheet, Unanswered> {
     Ok(sheet(&Args::read(&asked.given)?.code).ok_or(Refusal::NoData)?)
 }

@@ -1,4 +1,4 @@
-//! `diff OLD NEW`: what another revision of a project does to an actuator.
+//! `diff OLD NEW`: effect of another revision of a project on an actuator.
 
 use super::given::{arguments, some_code, text};
 use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
@@ -11,7 +11,7 @@ use project::{InputChange, input_changes};
 use words::{help, terminal};
 
 arguments! {
-    /// Which axis, which actuator.
+    /// Arguments of `diff`: axis and actuator.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
@@ -44,22 +44,22 @@ pub static ENTRY: Entry = Entry {
 
 /// Two revisions of a project.
 pub struct Revisions<'a> {
-    /// The axes of the one before.
+    /// Axes of the first revision.
     pub old: Vec<Axis>,
-    /// The axes of the one after.
+    /// Axes of the second revision.
     pub new: Vec<Axis>,
-    /// The places of those that belong together.
+    /// Indices of the corresponding axes, first and second revision.
     pub paired: Vec<(usize, usize)>,
-    /// The text of the one before.
+    /// Text of the first revision.
     pub old_text: &'a str,
-    /// The text of the one after.
+    /// Text of the second revision.
     pub new_text: &'a str,
     /// The actuator.
     pub code: Option<OrderCode>,
 }
 
 impl Revisions<'_> {
-    /// A line for each axis that only one of the revisions has.
+    /// Returns a line for each axis that exists in one revision only.
     #[must_use]
     pub fn unpaired(&self, asked: &Asked<'_>) -> String {
         let line = |axis: &Axis, place: usize| {
@@ -71,11 +71,11 @@ impl Revisions<'_> {
         old.map(|(_, axis)| line(axis, 0)).chain(new.map(|(_, axis)| line(axis, 1))).collect()
     }
 
-    /// The answer about each two axes that belong together, by the name of the second, its difference and the inputs that
-    /// changed; where one has none, only the faults of all.
+    /// Returns the answers about corresponding axes, from the name of the second, the difference and the changed
+    /// inputs; if one of them fails, only the faults of all.
     ///
     /// # Errors
-    /// Where no axes belong together, and why there is no answer about some of them.
+    /// If there are no corresponding axes, or there is no answer about some of them.
     pub fn each<T>(
         &self,
         asked: &Asked<'_>,
@@ -97,12 +97,12 @@ impl Revisions<'_> {
     }
 }
 
-/// No axis stands in both revisions.
+/// Returns the fault that no axis exists in both revisions.
 fn none(asked: &Asked<'_>) -> Unanswered {
     Unanswered::message(terminal::no_common_axis(asked.language))
 }
 
-/// Both revisions, read.
+/// Reads both revisions.
 ///
 /// # Errors
 /// Every fault of the arguments, else those of the projects.

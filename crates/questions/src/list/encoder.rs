@@ -1,4 +1,4 @@
-//! `encoder CODE`: signals and words of its encoders at an angle, and a word read back.
+//! `encoder CODE`: signals and words of the encoders at an angle, and decoding of a word.
 
 use super::given::{Hinted, arguments, code, flag, number, one, some};
 use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
@@ -13,13 +13,13 @@ use quantities::{Angle, AngularVelocity, Language, Measure, seen};
 use words::help::values;
 use words::{encoder, help};
 
-/// As many turns as a shaft may have made.
+/// Largest number of turns of a shaft.
 const TURNS_MOST: i64 = 1_000_000_000_000;
 
-/// As many turns as an angle may have.
+/// Largest number of turns in an angle.
 const ANGLE_MOST_TURNS: f64 = 1e6;
 
-/// As fast as a motor may turn \[1/min\].
+/// Largest speed of a motor \[1/min\].
 const SPEED_MOST_PER_MIN: f64 = 1e6;
 
 pub(super) const ANGLE: Argument =
@@ -31,9 +31,9 @@ pub(super) const SEED: Argument =
     Argument::option("seed", values::n, help::encoder_seed).of(ArgumentKind::Whole(0, u64::MAX));
 
 arguments! {
-    /// An actuator, its motor shaft, and what is shown of its encoders.
+    /// Arguments of `encoder`: actuator, motor shaft, and the output.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
         /// Angle of the motor shaft.
         angle: Angle = ANGLE => one(read_angle),
@@ -45,11 +45,11 @@ arguments! {
         seed: Option<u64> = SEED => number,
         /// Angle over which signals are shown.
         window: Option<Angle> = Argument::option("window", values::angle, help::encoder_window) => some(read_window),
-        /// Whether battery and supply have failed together.
+        /// Simultaneous failure of battery and supply.
         battery_lost: bool = Argument::flag("battery-lost", help::encoder_battery_lost) => flag,
-        /// Whether the encoder reports an error.
+        /// Error reported by the encoder.
         error: bool = Argument::flag("error", help::encoder_error) => flag,
-        /// A word to read.
+        /// Word to decode.
         decode: Option<Word> = Argument::option("decode", values::bits, help::encoder_decode) => some(read_word),
     }
 }
@@ -71,16 +71,16 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// Whether nothing is wrong with the word that was read, if one was.
+/// Returns `true` if the decoded word is valid, or none was given.
 #[must_use]
 pub fn is_right(found: &answers::Encoder) -> bool {
     found.decoded.as_ref().is_none_or(|decoded| decoded.valid)
 }
 
-/// What the encoders send.
+/// Returns the signals and words of the encoders.
 ///
 /// # Errors
-/// Every fault of the arguments; a word, an error or a battery that the encoders do not have; no printed data.
+/// Every fault of the arguments; a word, an error or a battery that the encoders do not have; no data in the manual.
 pub fn found(asked: &Asked<'_>) -> Result<answers::Encoder, Unanswered> {
     let args = Args::read(&asked.given)?;
     let fitted = fitted(&args.code, args.seed)?;
@@ -98,10 +98,10 @@ pub fn found(asked: &Asked<'_>) -> Result<answers::Encoder, Unanswered> {
     answer::encoder(&args, &fitted, motor, language).ok_or_else(refused)
 }
 
-/// The encoders of a code, deviating by a seed.
+/// Returns the encoders of a code, with the deviations of a seed if one is given.
 ///
 /// # Errors
-/// No printed data.
+/// No data in the manual.
 pub(super) fn fitted(code: &OrderCode, seed: Option<u64>) -> Result<Vec<Fitted>, Unanswered> {
     let fitted = encoders(code).ok_or(Refusal::NoData)?;
     Ok(match seed {
@@ -110,7 +110,7 @@ pub(super) fn fitted(code: &OrderCode, seed: Option<u64>) -> Result<Vec<Fitted>,
     })
 }
 
-/// The angle of the motor shaft.
+/// Parses the angle of the motor shaft.
 pub(super) fn read_angle(text: &str, language: Language) -> Result<Angle, Hinted> {
     let angle: Angle = read_quantity(text, language)?;
     if angle.in_unit(&REVOLUTION).abs() <= ANGLE_MOST_TURNS {
@@ -119,14 +119,14 @@ pub(super) fn read_angle(text: &str, language: Language) -> Result<Angle, Hinted
     Err((encoder::angle_is_bounded(&ANGLE_MOST_TURNS, language), None))
 }
 
-/// Whole turns of the motor shaft.
+/// Parses the whole turns of the motor shaft.
 pub(super) fn read_turn(text: &str, language: Language) -> Result<i64, Hinted> {
     let turn = text.trim().parse::<i64>().ok();
     let fault = || (encoder::turn_is_whole(&TURNS_MOST, language), None);
     turn.filter(|turn| (-TURNS_MOST..=TURNS_MOST).contains(turn)).ok_or_else(fault)
 }
 
-/// The speed of the motor shaft.
+/// Parses the speed of the motor shaft.
 pub(super) fn read_speed(text: &str, language: Language) -> Result<AngularVelocity, Hinted> {
     let speed: AngularVelocity = read_quantity(text, language)?;
     if speed.in_unit(&REVOLUTION_PER_MINUTE).abs() <= SPEED_MOST_PER_MIN {
@@ -138,7 +138,7 @@ pub(super) fn read_speed(text: &str, language: Language) -> Result<AngularVeloci
 fn read_window(text: &str, language: Language) -> Result<Angle, Hinted> {
     let window: Angle = read_quantity(text, language)?;
     let degrees = window.in_unit(&DEGREE);
-    // A full turn in another unit may be a rounding more.
+    // A full turn in another unit may exceed the limit by rounding.
     if degrees > 0.0 && degrees <= 360.0 + 1e-9 {
         return Ok(window);
     }

@@ -12,23 +12,23 @@ use quantities::{Angle, AngularVelocity, Language, Measure, Time};
 use words::help::values;
 use words::{encoder, help, requests};
 
-/// A trace is no longer than this \[s\].
+/// Largest length of a trace \[s\].
 const TRACE_MOST_S: f64 = 3600.0;
 
-/// The words for the command sets.
+/// Names of the command sets.
 const SETS: [(&str, ErrorBits); 2] = [("2.2", ErrorBits::Both), ("2.1", ErrorBits::One)];
 
-/// Encoders that may be traced.
+/// Encoders that can be traced.
 const CONNECTORS: [Role; 2] = [Role::Feedback, Role::OutputEncoder];
 
 arguments! {
-    /// An actuator, its motor shaft, and the length of a trace.
+    /// Arguments of `encoder --vcd`: actuator, motor shaft, length of the trace.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
-        /// Angle of the motor shaft where the position is latched.
+        /// Angle of the motor shaft at which the position is latched.
         angle: Angle = ANGLE => one(read_angle),
-        /// Whole turns of the motor shaft there.
+        /// Whole turns of the motor shaft at this instant.
         turn: i64 = TURN => one(read_turn),
         /// Speed of the motor shaft.
         speed: AngularVelocity = SPEED => one(read_speed),
@@ -40,7 +40,7 @@ arguments! {
         endat: Option<ErrorBits> = Argument::option("endat", values::set, help::encoder_endat)
             .of(ArgumentKind::Word(|| SETS.map(|(name, _)| name).to_vec())).usually("2.2").with("vcd")
             => word(|text: &str| SETS.iter().find(|(name, _)| *name == text).map(|(_, errors)| *errors)),
-        /// Which encoder.
+        /// Encoder to trace.
         connector: Option<Role> = Argument::option("connector", values::connector, help::encoder_connector)
             .of(ArgumentKind::Word(|| CONNECTORS.map(Role::id).to_vec())).usually("feedback").with("vcd")
             => word(by_id(&CONNECTORS, Role::id)),
@@ -63,10 +63,10 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// The trace.
+/// Computes the trace.
 ///
 /// # Errors
-/// Every fault of the arguments; an encoder that the code has not, or without digital signals; too many edges.
+/// Every fault of the arguments; an encoder that the code does not have, or without digital signals; too many edges.
 pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, Trace), Unanswered> {
     let Args { code, angle, turn, speed, seed, time, endat, connector } = Args::read(&asked.given)?;
     let language = asked.language;

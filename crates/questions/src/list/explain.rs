@@ -1,4 +1,4 @@
-//! `explain PROJECT`: how value and limit of the checks of an actuator came about.
+//! `explain PROJECT`: computation of value and limit of the checks of an actuator.
 
 use super::given::{arguments, by_id, some_code_among, text, word};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Reads, Record, argument};
@@ -14,7 +14,7 @@ use words::help;
 use words::help::values;
 
 arguments! {
-    /// Which axis, which actuator, which of its checks.
+    /// Arguments of `explain`: axis, actuator, check.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
@@ -47,7 +47,7 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// The actuator judged with its workings.
+    /// Judges the actuator with its workings.
     ///
     /// # Errors
     /// As [`explanation`].
@@ -70,7 +70,8 @@ pub struct Explanation<'p> {
 /// Judges one actuator with its workings; without a code the project's own.
 ///
 /// # Errors
-/// Why it cannot be judged, [`Refusal::NotAsked`] where the check is not part of the judgement, [`Refusal::Stopped`].
+/// The reason why it cannot be judged, [`Refusal::NotAsked`] if the check is not part of the judgement,
+/// [`Refusal::Stopped`].
 pub fn explanation<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
@@ -90,14 +91,14 @@ pub fn explanation<'p>(
 }
 
 impl Explanation<'_> {
-    /// The requested checks.
+    /// Returns the requested checks.
     #[must_use]
     pub fn checks(&self) -> Vec<&Check> {
         let asked = |check: &&Check| self.wanted.is_none_or(|id| check.id == id);
         self.candidate.judgement.checks.iter().filter(asked).collect()
     }
 
-    /// The record of it.
+    /// Returns the record of the explanation.
     #[must_use]
     pub fn record(&self, language: Language) -> answers::Explanations {
         answer::explanations(self.project, &self.candidate, &self.checks(), language)

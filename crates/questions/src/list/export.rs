@@ -8,14 +8,14 @@ use super::{
 use order_code::OrderCode;
 use words::{help, help::values, requests, terminal};
 
-/// The names of the tables, in the order of a workbook.
+/// Names of the tables, in the order of a workbook.
 pub const TABLES: [&str; 7] = ["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"];
 
-/// The formats, by the endings of their files.
+/// Formats, by the extensions of their files.
 pub const FORMATS: [&str; 4] = ["json", "csv", "parquet", "xlsx"];
 
 arguments! {
-    /// Which axis, which actuator, which tables.
+    /// Arguments of `export`: axis, actuator, tables.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
@@ -24,10 +24,10 @@ arguments! {
         /// One table; without it the workbook.
         table: Option<String> = Argument::option("table", values::name, help::export_table)
             .of(ArgumentKind::Word(|| TABLES.to_vec())) => text,
-        /// The format; on the command line the ending of the file.
+        /// The format; on the command line the extension of the file.
         format: Option<String> = Argument::option("format", values::format, requests::format)
             .of(ArgumentKind::Word(|| FORMATS.to_vec())) => text,
-        /// How many of the ranking the tables hold.
+        /// Number of candidates of the ranking in the tables.
         top: usize = argument::top("20", help::export_top) => count,
         /// The revision for the first sheet.
         revision: Option<String> = Argument::option("revision", values::text, help::export_revision) => label,
@@ -50,10 +50,10 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// The axis that is written.
+    /// Returns the axis to write.
     ///
     /// # Errors
-    /// Faults of the project, several axes where none is named.
+    /// Faults of the project, several axes without a name.
     pub fn axis(&self, asked: &Asked<'_>) -> Result<Axis, Unanswered> {
         let axes = asked.axes_of(asked.source()?, self.axis.as_deref())?;
         let axis = asked.only(axes, |names| terminal::export_is_of_one_axis(&names, asked.language))?;

@@ -1,4 +1,4 @@
-//! The texts that a call or a request gives for the arguments of a question, and how they become values.
+//! Texts that a call or a request states for the arguments of a question, and their conversion to values.
 
 use super::argument::{Argument, FILE, LANG, TRUE, near};
 use super::unanswered::Unanswered;
@@ -9,10 +9,10 @@ use quantities::{Language, seen};
 use std::borrow::Cow;
 use words::{Usage, UsageHint, usage_hint, usage_text};
 
-/// What is wrong with a text, and a hint.
+/// A fault of a text, and a hint.
 pub type Hinted = (String, Option<String>);
 
-/// Texts for arguments, each of the kind that its argument takes.
+/// Texts for arguments, each checked for the kind of its argument.
 #[derive(Clone, Debug)]
 pub struct Given {
     values: Vec<(&'static str, String)>,
@@ -20,10 +20,10 @@ pub struct Given {
 }
 
 impl Given {
-    /// Checks what is given against what a question takes.
+    /// Checks the texts of a call against the arguments of a question.
     ///
     /// # Errors
-    /// Every name that is unknown, missing or given twice, and every value that is not of its kind.
+    /// Every name that is unknown, missing or repeated, and every value of the wrong kind.
     pub fn of<'g>(
         arguments: &[Argument],
         pairs: impl IntoIterator<Item = (Cow<'g, str>, Cow<'g, str>)>,
@@ -64,24 +64,24 @@ impl Given {
         if errors.is_empty() { Ok(given) } else { Err(Unanswered::Usage(errors)) }
     }
 
-    /// The value of an argument, or its usual one.
+    /// Returns the value of an argument, or its default.
     #[must_use]
     pub fn text(&self, argument: &Argument) -> Option<&str> {
         self.all(argument.name).next().or(argument.usual)
     }
 
-    /// Every value of a name.
+    /// Iterates over the values of a name.
     pub fn all(&self, name: &str) -> impl Iterator<Item = &str> {
         self.values.iter().filter(move |(known, _)| *known == name).map(|(_, value)| value.as_str())
     }
 
-    /// The language of the faults.
+    /// Returns the language of the faults.
     #[must_use]
     pub const fn language(&self) -> Language {
         self.language
     }
 
-    /// What the project is called.
+    /// Returns the name of the project.
     ///
     /// # Errors
     /// A name that is too long.
@@ -90,27 +90,27 @@ impl Given {
     }
 }
 
-/// A text as it is.
+/// Returns a text unchanged.
 pub(super) fn text(given: &Given, argument: &Argument) -> Result<Option<String>, Unanswered> {
     Ok(given.text(argument).map(str::to_owned))
 }
 
-/// Every text of an argument, a line each.
+/// Returns the texts of an argument, one per line.
 pub(super) fn lines(given: &Given, argument: &Argument) -> Result<String, Unanswered> {
     Ok(given.all(argument.name).collect::<Vec<_>>().join("\n"))
 }
 
-/// A text of a bounded length, without invisible signs.
+/// Returns a text of limited length, without invisible characters.
 pub(super) fn label(given: &Given, argument: &Argument) -> Result<Option<String>, Unanswered> {
     given.text(argument).map(|text| bounded(argument.name, text, given.language)).transpose()
 }
 
-/// The text of an option, of a bounded length and without invisible signs.
+/// Returns the text of an option, of limited length and without invisible characters.
 ///
 /// # Errors
 /// A text that is too long.
 pub fn bounded(name: &'static str, text: &str, language: Language) -> Result<String, Unanswered> {
-    // As many as a text of a project may have.
+    // The limit of a text in a project.
     const MOST: usize = 200;
     if text.chars().count() > MOST {
         let message = usage_text(&Usage::TooLong { most: MOST }, language);
@@ -119,32 +119,32 @@ pub fn bounded(name: &'static str, text: &str, language: Language) -> Result<Str
     Ok(seen(text).into_owned())
 }
 
-/// Whether a flag is set.
+/// Returns `true` if a flag is set.
 pub(super) fn flag(given: &Given, argument: &Argument) -> Result<bool, Unanswered> {
     Ok(given.text(argument) == Some(TRUE))
 }
 
-/// A whole number that may be given.
+/// Returns an optional whole number.
 pub(super) fn number<N: std::str::FromStr>(given: &Given, argument: &Argument) -> Result<Option<N>, Unanswered> {
     Ok(given.text(argument).and_then(|value| value.parse().ok()))
 }
 
-/// A whole number, the usual one where none is given.
+/// Returns a whole number, or its default.
 pub(super) fn count(given: &Given, argument: &Argument) -> Result<usize, Unanswered> {
     number(given, argument).map(Option::unwrap_or_default)
 }
 
-/// One of the words of an argument.
+/// Returns a reader for one of the words of an argument.
 pub(super) fn word<T>(of: impl Fn(&str) -> Option<T>) -> impl Fn(&Given, &Argument) -> Result<Option<T>, Unanswered> {
     move |given, argument| Ok(given.text(argument).and_then(&of))
 }
 
-/// The value of an identifier, of those that are.
+/// Returns a function that finds the value of an identifier.
 pub(super) fn by_id<T: Copy>(all: &'static [T], id: fn(T) -> &'static str) -> impl Fn(&str) -> Option<T> {
     move |text| all.iter().copied().find(|each| id(*each) == text)
 }
 
-/// A value that may be given, read by its reader.
+/// Returns a reader for an optional value.
 pub(super) fn some<T>(
     read: impl Fn(&str, Language) -> Result<T, Hinted>,
 ) -> impl Fn(&Given, &Argument) -> Result<Option<T>, Unanswered> {
@@ -154,7 +154,7 @@ pub(super) fn some<T>(
     }
 }
 
-/// A value that is required, read by its reader.
+/// Returns a reader for a required value.
 pub(super) fn one<T>(
     read: impl Fn(&str, Language) -> Result<T, Hinted>,
 ) -> impl Fn(&Given, &Argument) -> Result<T, Unanswered> {
@@ -164,27 +164,27 @@ pub(super) fn one<T>(
     }
 }
 
-/// The ordering code that is required; its faults are a record of their own.
+/// Returns the required ordering code; its faults form a record of their own.
 pub(super) fn code(given: &Given, argument: &Argument) -> Result<OrderCode, Unanswered> {
     code_of(given.text(argument).unwrap_or_default(), false, given.language)
 }
 
-/// The same with its faults among those of other arguments.
+/// Returns the required ordering code; its faults are reported with those of other arguments.
 pub(super) fn code_among(given: &Given, argument: &Argument) -> Result<OrderCode, Unanswered> {
     code_of(given.text(argument).unwrap_or_default(), true, given.language)
 }
 
-/// An ordering code that may be given.
+/// Returns an optional ordering code; its faults form a record of their own.
 pub(super) fn some_code(given: &Given, argument: &Argument) -> Result<Option<OrderCode>, Unanswered> {
     given.text(argument).map(|text| code_of(text, false, given.language)).transpose()
 }
 
-/// The same with its faults among those of the axes.
+/// Returns an optional ordering code; its faults are reported with those of the axes.
 pub(super) fn some_code_among(given: &Given, argument: &Argument) -> Result<Option<OrderCode>, Unanswered> {
     given.text(argument).map(|text| code_of(text, true, given.language)).transpose()
 }
 
-/// Ordering codes, in their order.
+/// Returns the ordering codes, in the same order.
 pub(super) fn codes(given: &Given, argument: &Argument) -> Result<Vec<OrderCode>, Unanswered> {
     given.all(argument.name).map(|text| code_of(text, false, given.language)).collect()
 }
@@ -198,7 +198,7 @@ fn code_of(text: &str, among: bool, language: Language) -> Result<OrderCode, Una
     })
 }
 
-/// A partial code that may be given.
+/// Returns an optional partial code.
 pub(super) fn pattern(given: &Given, argument: &Argument) -> Result<Option<Pattern>, Unanswered> {
     let Some(text) = given.text(argument) else { return Ok(None) };
     let refused = |refusal| Unanswered::Code { text: text.to_owned(), refusal, among: false };
@@ -215,7 +215,7 @@ fn usage(option: &str, usage: &Usage, hint: Option<UsageHint>, language: Languag
     }
 }
 
-/// As many characters of a value are repeated in a fault.
+/// Largest number of characters of a value that a fault repeats.
 const SHOWN_MOST: usize = 60;
 
 fn shown(text: &str) -> String {
@@ -229,7 +229,8 @@ fn unknown(name: &str, arguments: &[Argument], language: Language) -> Fault {
     usage(&shown(name), &Usage::UnknownOption { written: shown(name) }, Some(hint), language)
 }
 
-/// The arguments of a question: a plain struct, the list of its arguments, and the reader that reports every fault at once.
+/// Defines the arguments of a question: a plain struct, the list of its arguments, and the reader that reports every
+/// fault at once.
 macro_rules! arguments {
     (
         $(#[$about:meta])*
@@ -244,10 +245,10 @@ macro_rules! arguments {
         }
 
         impl Args {
-            /// What a face knows of them.
+            /// Arguments as the faces present them.
             pub const ARGUMENTS: &'static [$crate::list::Argument] = &[$($argument),*];
 
-            /// Reads them.
+            /// Reads the arguments.
             ///
             /// # Errors
             /// Every fault at once.

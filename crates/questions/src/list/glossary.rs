@@ -9,7 +9,7 @@ use words::help;
 use words::help::values;
 
 arguments! {
-    /// Which term.
+    /// Arguments of `glossary`: the term.
     pub struct Args {
         /// A symbol, a name or a word; all terms without it.
         term: Option<String> = Argument::option("term", values::term, help::glossary_term).form(Form::Bare) => label,
@@ -29,10 +29,10 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
 };
 
-/// The terms.
+/// Returns the terms.
 ///
 /// # Errors
-/// Where there is none of this name.
+/// If there is no term with this name.
 pub fn found(asked: &Asked<'_>) -> Result<Glossary, Unanswered> {
     let term = Args::read(&asked.given)?.term;
     let wanted = term.as_deref();

@@ -24,7 +24,7 @@ use twin::{Doubt, Estimate, Identified, Misread, Observed, Open, Stated, identif
 use words::{Word, help, help::values, identification, simulation};
 
 arguments! {
-    /// Which axis, which actuator, which run.
+    /// Arguments of `identify`: axis, actuator, recorded run.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
@@ -114,7 +114,7 @@ pub struct Identified95 {
     pub known: bool,
 }
 
-/// The estimates from a run.
+/// Returns the estimates from a run.
 ///
 /// # Errors
 /// Faults of the project and of the run.
@@ -147,7 +147,7 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     })
 }
 
-/// Assumptions, what the run leaves out and what the estimates belong to.
+/// Returns the assumptions, omissions and validity of the estimates.
 fn notes(
     found: &twin::Identification,
     mechanism: &Mechanism,
@@ -204,7 +204,7 @@ fn left_open(of: Identified, open: Open, language: Language) -> LeftOpen {
     LeftOpen { id: of.id(), title: title(language).to_owned(), reason: identification::open_reason(open, language) }
 }
 
-/// The doubt with its value in the unit of its sentence.
+/// Returns the doubt with its value in the unit of the sentence.
 fn doubted(doubt: &Doubt, language: Language) -> Doubted {
     let Doubt { column, misread, value } = *doubt;
     let shown = if misread == Misread::GravityOpposite { value.to_degrees() } else { value };
@@ -249,7 +249,7 @@ fn row(
     }
 }
 
-/// What project and tables say.
+/// Returns the value that project or tables state.
 fn stated(of: Identified, project: &Project, actuator: &Parameters, tabulated_nm_a: Option<f64>) -> Option<f64> {
     let mechanism = &project.axis.mechanism;
     let none = Extra::none();
@@ -273,13 +273,13 @@ fn stated(of: Identified, project: &Project, actuator: &Parameters, tabulated_nm
     }
 }
 
-/// Angle of a weight of positive size, within half a turn to both sides \[rad\].
+/// Returns the angle of a weight of positive magnitude, within half a turn to both sides \[rad\].
 fn weight_angle(plain: &Plain) -> f64 {
     let (sine, cosine) = plain.angle_rad.sin_cos();
     (plain.weight_nm.signum() * sine).atan2(plain.weight_nm.signum() * cosine)
 }
 
-/// Whether a measured value can stand in the place of what the mechanism says.
+/// Returns `true` if a measured value can replace the value of the mechanism.
 fn is_replaced(of: Identified, mechanism: &Mechanism) -> bool {
     let is_plain = mechanism.plain(&Extra::none()).is_some();
     match of {
@@ -293,7 +293,8 @@ fn is_replaced(of: Identified, mechanism: &Mechanism) -> bool {
     }
 }
 
-/// The key of `[twin.measured]`; `None` where a run alone does not say the value, as of a constant that follows the temperature.
+/// Returns the key of `[twin.measured]`; `None` if a run alone does not determine the value, as for a constant that
+/// depends on the temperature.
 const fn key(of: Identified) -> Option<&'static str> {
     Some(match of {
         Identified::LoadInertia => "load_inertia",
@@ -308,17 +309,17 @@ const fn key(of: Identified) -> Option<&'static str> {
     })
 }
 
-/// Lines of a project file: of each estimate that the run knows, none of what it leaves open.
+/// Returns lines of a project file: one for each estimate that the run determines, none for those it leaves open.
 fn overrides(estimates: &[Estimate], taken: impl Fn(Identified) -> bool) -> String {
     let known = |of: Identified| estimates.iter().any(|each| each.of == of && each.is_known());
     let mut lines = String::new();
     for estimate in estimates.iter().filter(|each| taken(each.of) && each.is_known()) {
-        // An angle without its weight is none.
+        // The angle of a weight has no meaning without the weight.
         let is_alone = estimate.of == Identified::GravityAngle && !known(Identified::Gravity);
         let Some(key) = key(estimate.of).filter(|_| !is_alone) else { continue };
         let (_, unit) = title_and_unit(estimate.of);
         let value = Number::in_unit(estimate.value, unit).written().unwrap_or(estimate.value);
-        // Five digits, of a small value too.
+        // Five significant digits, for small values too.
         let value: f64 = format!("{value:.4e}").parse().unwrap_or(value);
         lines.push_str(&format!("{key} = \"{value} {}\"\n", unit.ascii));
     }

@@ -1,4 +1,4 @@
-//! `licences`: whose work the program is, and under which terms.
+//! `licences`: licences of the program and of the third-party work in it.
 
 use super::given::arguments;
 use super::{Answer, Entry, Gives, Reads, Record};
@@ -6,7 +6,7 @@ use answers::{LicenceText, Licences};
 use words::help;
 
 arguments! {
-    /// Nothing.
+    /// Arguments of `licences`, which has none.
     pub struct Args {
     }
 }
@@ -24,14 +24,14 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|_| Ok(Answer::record(&licences()))),
 };
 
-/// The files of the repository that go with the program; they are part of the binary.
+/// Files of the repository that are shipped with the program; they are part of the binary.
 const TEXTS: [(&str, &str); 3] = [
     ("LICENSE", include_str!("../../../../LICENSE")),
     ("THIRD-PARTY.md", include_str!("../../../../THIRD-PARTY.md")),
     ("third-party/two-face.md", include_str!("../../../../third-party/two-face.md")),
 ];
 
-/// The licence of the program and those of the work of others in it.
+/// Returns the licence of the program and those of third-party work in it.
 #[must_use]
 pub fn licences() -> Licences {
     let text = |(name, text): (&str, &str)| LicenceText { name: name.to_owned(), text: text.to_owned() };

@@ -1,4 +1,4 @@
-//! `mount CODE`: how an actuator is mounted, under the limits of the manual.
+//! `mount CODE`: mounting of an actuator under the limits of the manual.
 
 use super::given::{arguments, code_among, some};
 use super::{Answer, Argument, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
@@ -20,9 +20,9 @@ pub(super) const BORE_HOUSING: Argument =
     Argument::option("bore-housing", values::bore, help::mount_bore_housing).signed();
 
 arguments! {
-    /// An actuator and the bores that it is mounted in.
+    /// Arguments of `mount`: actuator and bores.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code_among,
         /// Bore over both pilots.
         bore: Option<Bore> = BORE => some(read_bore),
@@ -54,17 +54,17 @@ pub(super) fn mounted(found: &Mount) -> Answer {
     Answer::record(found).fits(found.verdict == Fit::Fits)
 }
 
-/// How the actuator is mounted.
+/// Returns the mounting of the actuator.
 ///
 /// # Errors
-/// Every fault of the arguments; no printed data.
+/// Every fault of the arguments; no data in the manual.
 pub fn found(asked: &Asked<'_>) -> Result<Mount, Unanswered> {
     let Args { code, bore, bore_load, bore_housing } = Args::read(&asked.given)?;
     let question = bores(bore, bore_load, bore_housing, MountAsked::default());
     under(&code, &question, None, asked.language)
 }
 
-/// How an actuator is mounted, under the loads of an axis where one is named.
+/// Returns the mounting of an actuator, under the loads of an axis if one is named.
 pub(super) fn under(
     code: &OrderCode,
     question: &MountAsked,

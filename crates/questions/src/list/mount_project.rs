@@ -1,4 +1,4 @@
-//! `mount CODE --project FILE`: how an actuator is mounted, under the loads of a project.
+//! `mount CODE --project FILE`: mounting of an actuator under the loads of a project.
 
 use super::given::{arguments, code_among, some, text};
 use super::mount::{BORE, BORE_HOUSING, BORE_LOAD, bores, mounted};
@@ -11,9 +11,9 @@ use order_code::OrderCode;
 use words::requests;
 
 arguments! {
-    /// An actuator, the bores that it is mounted in, which axis.
+    /// Arguments of `mount --project`: actuator, bores, axis.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code_among,
         /// Bore over both pilots.
         bore: Option<Bore> = BORE => some(read_bore),
@@ -39,7 +39,7 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| found(asked).map(|found| mounted(&found))),
 };
 
-/// How the actuator is mounted.
+/// Returns the mounting of the actuator.
 ///
 /// # Errors
 /// Every fault of the arguments, else those of the project.

@@ -1,4 +1,4 @@
-//! `moves PROJECT`: the motion of an axis, every segment with what follows from it.
+//! `moves PROJECT`: the motion of an axis, with the solved values of every segment.
 
 use super::given::{arguments, text};
 use super::{AXIS, Answer, Cost, Entry, Gives, Reads, Record};
@@ -7,7 +7,7 @@ use crate::moves::moves;
 use words::requests;
 
 arguments! {
-    /// Which axis.
+    /// Arguments of `moves`: the axis.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,

@@ -9,21 +9,21 @@ use words::help::values;
 use words::{help, requests};
 
 arguments! {
-    /// Which kind.
+    /// Arguments of `new`: kind of the file, and columns of a table.
     pub struct Args {
         /// The kind.
         kind: Option<String> = Argument::option("kind", values::kind, requests::kind)
             .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP]).collect())).form(Form::Bare).required() => text,
-        /// Of a table: keys with their ranges, a line each.
+        /// Keys of a table with their ranges, one per line.
         key: String = Argument::option("key", values::text, help::new_key).repeated() => lines,
-        /// Of a table: how its ranges are covered.
+        /// Method of covering the ranges of a table.
         by: Option<Method> = Argument::option("by", values::name, help::new_by)
             .of(ArgumentKind::Word(|| Method::ALL.map(Method::id).to_vec())).usually("sobol")
             => word(by_id(&Method::ALL, Method::id)),
-        /// Of a table: its rows, or the steps of each range.
+        /// Rows of a table, or steps of each range.
         samples: usize = Argument::option("samples", values::n, help::new_samples)
             .of(ArgumentKind::Whole(1, SAMPLES_MOST)).usually("100") => count,
-        /// Of a table: from which the samples follow.
+        /// Seed of the samples of a table.
         seed: usize = Argument::option("seed", values::n, help::new_seed)
             .of(ArgumentKind::Whole(0, u32::MAX as u64)).usually("1") => count,
     }
@@ -49,13 +49,13 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// What the header of a new project calls its file, where it has no name.
+/// Default file name in the header of a new project.
 pub const USUAL_NAME: &str = "axis.toml";
 
-/// The project file, for a file of a name.
+/// Returns the project file for a file name.
 ///
 /// # Errors
-/// Where there is no such kind.
+/// If the kind does not exist.
 pub fn found(asked: &Asked<'_>, file: &str) -> Result<Template, Unanswered> {
     let args = Args::read(&asked.given)?;
     let kind = args.kind.unwrap_or_default();

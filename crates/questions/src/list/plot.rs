@@ -1,4 +1,4 @@
-//! `plot PROJECT`: a picture of an axis with an actuator; a face draws it.
+//! `plot PROJECT`: an image of an axis with an actuator; a face draws it.
 
 use super::given::{arguments, some, some_code, text, word};
 use super::{AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, PICTURE, Reads, Unanswered, argument, media};
@@ -11,20 +11,20 @@ use quantities::Length;
 use std::borrow::Cow;
 use words::{help, help::values, requests};
 
-/// The pictures of a project, by their identifiers.
+/// Images of a project, by their identifiers.
 pub const FIGURES: [&str; 6] = ["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"];
 
-/// The colours of a picture.
+/// Colours of an image.
 pub const THEME: Argument = Argument::option("theme", values::theme, help::theme)
     .of(ArgumentKind::Word(|| vec!["light", "dark"]))
     .usually("light");
-/// How wide a picture is.
+/// Width of an image.
 pub const WIDTH: Argument = Argument::option("width", values::length, help::width);
-/// How high a picture is.
+/// Height of an image.
 pub const HEIGHT: Argument = Argument::option("height", values::length, help::height);
 
 arguments! {
-    /// Which axis, which actuator, which picture, and how it looks.
+    /// Arguments of `plot`: axis, actuator, image and its layout.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
@@ -33,7 +33,7 @@ arguments! {
         /// The picture.
         figure: Option<String> = Argument::option("figure", values::figure, requests::figure)
             .of(ArgumentKind::Word(|| FIGURES.to_vec())).required() => text,
-        /// Whether the map of the candidates is laid out by length, not by mass.
+        /// `true` if the map of the candidates is laid out by length, not by mass.
         by: Option<bool> = Argument::option("by", values::what, help::plot_by)
             .of(ArgumentKind::Word(|| vec!["mass", "length"])).usually("mass") => word(|by| Some(by == "length")),
         /// Dark colours.
@@ -59,19 +59,19 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// The actuator that is drawn.
+    /// Returns the actuator to draw.
     ///
     /// # Errors
-    /// Why it cannot be judged.
+    /// The reason why it cannot be judged.
     pub fn candidate<'p>(&self, project: &'p Project, asked: &Asked<'_>) -> Result<Candidate<'p>, Unanswered> {
         let sizing = || super::size::sized(project, 0, Rejected::Nearest, asked.patience).map(Cow::Owned);
         Ok(candidate_for(project, self.code.as_ref(), sizing)?)
     }
 
-    /// The axis that is drawn.
+    /// Returns the axis to draw.
     ///
     /// # Errors
-    /// Faults of the project, several axes where none is named.
+    /// Faults of the project, several axes without a name.
     pub fn drawn(&self, asked: &Asked<'_>) -> Result<Project, Unanswered> {
         asked.axis(self.axis.as_deref(), Cost::Other).map(|(_, project)| project)
     }

@@ -35,15 +35,15 @@ pub struct Change {
 }
 
 arguments! {
-    /// Which axes, which actuator, which chapters.
+    /// Arguments of `report`: axes, actuator, chapters.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own, else the best.
         code: Option<OrderCode> = argument::code(help::own_or_best_code) => some_code,
-        /// With the derivations.
+        /// Includes the derivations.
         full: bool = Argument::flag("full", help::report_full) => flag,
-        /// With wiring, mounting and commissioning.
+        /// Includes wiring, mounting and commissioning.
         installation: bool = Argument::flag("installation", help::report_installation) => flag,
         /// The day of the document.
         date: Option<String> = DATE => label,
@@ -82,7 +82,7 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// The axes that are reported.
+    /// Returns the axes of the report.
     ///
     /// # Errors
     /// Faults of the project, a code for several axes.

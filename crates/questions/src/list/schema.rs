@@ -6,9 +6,9 @@ use crate::reading::schema;
 use words::help;
 
 arguments! {
-    /// Of what.
+    /// Arguments of `schema`: its subject.
     pub struct Args {
-        /// Of the answers.
+        /// Selects the schema of the answers.
         answers: bool = Argument::flag("answers", help::schema_answers) => flag,
     }
 }

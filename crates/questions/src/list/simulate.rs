@@ -21,42 +21,42 @@ use twin::{CURRENT_RATE_HZ, Operation, Reaction, Scenario};
 use words::{help, help::values, simulation};
 
 arguments! {
-    /// Which axis, which actuator, what happens to it.
+    /// Arguments of `simulate`: axis, actuator, scenario.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own.
         code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
-        /// What happens; without it what the project states, else the cycle.
+        /// Scenario; by default that of the project, else the cycle.
         scenario: Option<ScenarioId> = Argument::option("scenario", values::name, help::simulate_scenario)
             .of(ArgumentKind::Word(|| ScenarioId::ALL.iter().map(|each| each.id()).collect())) => word(ScenarioId::of),
-        /// When it happens.
+        /// Instant of the scenario.
         at: Option<Time> = Argument::option("at", values::time, help::simulate_at).signed() => some(read_quantity),
-        /// How the drive reacts.
+        /// Stop reaction of the drive.
         reaction: Option<Reaction> = Argument::option("reaction", values::name, help::simulate_reaction)
             .of(ArgumentKind::Word(|| Reaction::ALL.map(Reaction::id).to_vec())) => word(by_id(&Reaction::ALL, Reaction::id)),
-        /// How the encoder fails.
+        /// Encoder failure.
         failure: Option<Failure> = Argument::option("failure", values::name, help::simulate_failure)
             .of(ArgumentKind::Word(|| Failure::ALL.iter().map(|each| each.id()).collect())) => word(by_id(&Failure::ALL, Failure::id)),
-        /// Cycles that are run.
+        /// Number of cycles.
         cycles: Option<u32> = Argument::option("cycles", values::n, help::simulate_cycles)
             .of(ArgumentKind::Whole(1, 100_000)) => number,
-        /// Whether everything is as cold as the air at the start.
+        /// Start of all parts at ambient temperature.
         cold: bool = Argument::flag("cold", help::simulate_cold) => flag,
-        /// Days of operation by the mean losses of the cycle.
+        /// Days of operation with the mean losses of the cycle.
         days: Option<u32> = Argument::option("days", values::n, help::simulate_days)
             .of(ArgumentKind::Whole(1, DAYS_MOST as u64)) => number,
-        /// Operation a day.
+        /// Operation per day.
         hours_per_day: Option<Time> = Argument::option("hours-per-day", values::hours, help::simulate_hours) => some(read_hours),
         /// Time between two rows of the course.
         every: Option<Time> = Argument::option("every", values::time, help::simulate_every).signed() => some(read_quantity),
-        /// The signals of the course; none means all.
+        /// Signals of the course; empty for all.
         signals: Vec<&'static Signal> = Argument::option("signals", values::names, help::simulate_signals)
             .of(ArgumentKind::Word(Signal::ids)).repeated() => signals,
-        /// What is answered; on the command line the ending of the file.
+        /// Format of the answer; on the command line the extension of the file.
         format: Option<String> = Argument::option("format", values::format, help::simulate_format)
             .of(ArgumentKind::Word(|| FORMATS.to_vec())) => text,
-        /// The picture that is drawn.
+        /// Image to draw.
         figure: Option<String> = Argument::option("figure", values::figure, help::simulate_figure)
             .of(ArgumentKind::Word(|| FIGURES.to_vec())) => text,
         /// Dark colours.
@@ -71,19 +71,19 @@ arguments! {
     }
 }
 
-/// So many days are run at most: ten years.
+/// Largest number of days: ten years.
 const DAYS_MOST: u32 = 3660;
 
-/// The pictures of a run, by their identifiers.
+/// Images of a run, by their identifiers.
 pub const FIGURES: [&str; 2] = ["simulation", "control_loops"];
 
-/// What is answered: the record, the course as a table, or a picture.
+/// Formats of the answer: the record, the course as a table, or an image.
 const FORMATS: [&str; 4] = ["json", "csv", "parquet", PICTURE_FORMAT];
 
-/// The format that is a picture.
+/// The format of an image.
 pub const PICTURE_FORMAT: &str = "svg";
 
-/// Signals in the order in which they are named, each once.
+/// Returns the signals in the order of the call, without repetitions.
 fn signals(given: &Given, argument: &Argument) -> Result<Vec<&'static Signal>, Unanswered> {
     let mut named: Vec<&'static Signal> = Vec::new();
     for signal in given.all(argument.name).filter_map(Signal::of_id) {
@@ -114,10 +114,10 @@ pub static ENTRY: Entry = Entry {
     answer: None,
 };
 
-/// The record about each axis.
+/// Returns the record about each axis.
 ///
 /// # Errors
-/// Faults of project and arguments; why nothing is simulated.
+/// Faults of project and arguments; reasons why nothing is simulated.
 pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let axes = args.axes(asked)?;
     asked.record_of_each(&axes, |project| {
@@ -126,14 +126,14 @@ pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     })
 }
 
-/// Rows of a course without a stated time between them, at most.
+/// Default time between two rows of a course \[s\].
 const ROWS_USUAL_S: f64 = 1e-3;
 
 impl Args {
-    /// The axes that are simulated. The steps of all of them together are counted before the first is judged.
+    /// Returns the axes to simulate. The steps of all axes are counted before the first is judged.
     ///
     /// # Errors
-    /// Faults of the project; more steps than are run without a time limit.
+    /// Faults of the project; more steps than permitted without a time limit.
     pub fn axes(&self, asked: &Asked<'_>) -> Result<Vec<Axis>, Unanswered> {
         let axes = asked.axes(self.axis.as_deref(), Cost::Other)?;
         let of = |(_, project): &Axis| {
@@ -152,10 +152,10 @@ impl Args {
         self.cycles.unwrap_or_else(|| project.twin.scenario.cycles.max(1))
     }
 
-    /// The run; with its course where that is written.
+    /// Returns the run, with its course if that is written.
     ///
     /// # Errors
-    /// Why nothing is simulated.
+    /// The reason why nothing is simulated.
     pub fn simulated<'p>(
         &self,
         project: &'p Project,
@@ -212,10 +212,10 @@ impl Args {
     }
 }
 
-/// The run that a project states in `[twin]`, with its course, for a report; `None` where it states none.
+/// Returns the run that a project states in `[twin]`, with its course, for a report; `None` if it states none.
 ///
 /// # Errors
-/// Why it is not run, in a sentence.
+/// The reason why it is not run, in a sentence.
 pub fn of_the_project<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
@@ -229,10 +229,10 @@ pub fn of_the_project<'p>(
     Some(simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language)))
 }
 
-/// The run of a scenario, all else as the project states it; with its course.
+/// Returns the run of a scenario with its course; all other data as stated by the project.
 ///
 /// # Errors
-/// Why it is not run, in a sentence.
+/// The reason why it is not run, in a sentence.
 pub fn of_scenario<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,

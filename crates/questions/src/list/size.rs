@@ -17,17 +17,17 @@ pub(super) const SAMPLES: Argument =
 pub(super) const SEED: Argument = Argument::option("seed", values::n, help::seed).of(ArgumentKind::Whole(0, u64::MAX));
 
 arguments! {
-    /// Which axis, how many candidates, how tolerances are sampled.
+    /// Arguments of `size`: axis, number of candidates, sampling of the tolerances.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
-        /// How many candidates are reported in full.
+        /// Number of candidates reported in full.
         top: usize = argument::top("10", help::size_top) => count,
-        /// Every candidate.
+        /// Reports every candidate in full.
         all: bool = Argument::flag("all", help::size_all) => flag,
-        /// How many samples.
+        /// Number of samples.
         samples: Option<usize> = SAMPLES => number,
-        /// From which the samples follow.
+        /// Seed of the samples.
         seed: Option<u64> = SEED => number,
     }
 }
@@ -53,7 +53,7 @@ pub static ENTRY: Entry = Entry {
 };
 
 impl Args {
-    /// How many candidates are reported in full.
+    /// Returns the number of candidates reported in full.
     #[must_use]
     pub const fn complete(&self) -> usize {
         if self.all { usize::MAX } else { self.top }
@@ -63,13 +63,13 @@ impl Args {
         draw(self.samples, self.seed)
     }
 
-    /// What the answer costs.
+    /// Returns the cost of the answer.
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::Ranking { complete: self.complete(), draw: self.draw() }
     }
 
-    /// The catalogue ranked for an axis.
+    /// Ranks the catalogue for an axis.
     ///
     /// # Errors
     /// As [`ranking`].
@@ -78,26 +78,27 @@ impl Args {
     }
 }
 
-/// How tolerances are sampled.
+/// Returns the sampling of the tolerances.
 pub(super) fn draw(samples: Option<usize>, seed: Option<u64>) -> Draw {
     Draw { samples, seed: seed.unwrap_or(SEED_USUAL) }
 }
 
-/// Of so many candidates of a ranking at most the tolerances are judged.
+/// Largest number of candidates of a ranking whose tolerances are judged.
 pub(crate) const ASSESSED_MOST: usize = 10;
 
-/// The catalogue ranked for an axis, with what the tolerances mean for the best.
+/// The catalogue ranked for an axis, with the effect of the tolerances on the best candidates.
 #[derive(Clone, Debug)]
 pub struct Ranking<'p> {
     /// The axis.
     pub project: &'p Project,
     /// Every candidate, best first, and the project's own actuator.
     pub sizing: Sizing<'p>,
-    /// How many are reported in full.
+    /// Number of candidates reported in full.
     pub top: usize,
-    /// Where nothing fits: what would let an actuator fit.
+    /// Values of the gearing with which an actuator fits, if none does.
     pub mends: Vec<Mend>,
-    /// The tolerances judged for the first of those and for the project's own actuator; empty without tolerances.
+    /// Tolerances judged for the first of these candidates and for the project's own actuator; empty without
+    /// tolerances.
     pub assessed: Vec<(CandidateId, Assessment)>,
 }
 
@@ -110,16 +111,16 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
     let sampling = draw.sampling(project, complete, patience.is_limited())?;
     let sizing = sized(project, top, Rejected::All, patience)?;
     let chosen: Vec<&Candidate<'_>> = sizing.fitting().iter().take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
-    // Without tolerances there is no assessment, and so no pair.
+    // Without tolerances there is no assessment and no pair.
     let found = assess_watched(project, &chosen, sampling, patience)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
     let mends = if sizing.fits() { Vec::new() } else { mends(project, patience)? };
     Ok(Ranking { project, sizing, top, mends, assessed })
 }
 
-/// The catalogue judged and ranked for an axis, without its tolerances; it can be cancelled. The first `complete` are
-/// judged by every check where they fit; for the others the returned energy is omitted, unless the project limits it.
-/// `rejected` states of which of the others every failing check is needed.
+/// Judges and ranks the catalogue for an axis, without its tolerances; it can be cancelled. The first `complete` are
+/// judged by every check if they fit; for the others the regenerated energy is omitted, unless the project limits it.
+/// `rejected` states for which of the others every failing check is required.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
@@ -133,13 +134,13 @@ pub fn sized<'p>(
 }
 
 impl Ranking<'_> {
-    /// The candidates whose tolerances are judged.
+    /// Iterates over the candidates whose tolerances are judged.
     pub fn assessed(&self) -> impl Iterator<Item = (&Candidate<'_>, &Assessment)> {
         let candidates = || self.sizing.candidates.iter().chain(&self.sizing.own);
         self.assessed.iter().filter_map(move |(id, found)| Some((candidates().find(|each| each.id == *id)?, found)))
     }
 
-    /// The record of it.
+    /// Returns the record of the ranking.
     #[must_use]
     pub fn record(&self, language: Language) -> answers::Sizing {
         answer::sizing(&self.sizing, self.project, &self.assessed, &self.mends, self.top, language)

@@ -16,16 +16,16 @@ use std::io::{Cursor, Read as _};
 use words::{help, help::values, sweeps, terminal};
 
 arguments! {
-    /// Which axis, which table, what is answered.
+    /// Arguments of `sweep`: axis, table, kind of the answer.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The table.
         table: Option<String> = Argument::option("table", values::file, help::sweep_table).of(ArgumentKind::File).required() => text,
-        /// Every code of every row with these checks.
+        /// Checks of every code of every row.
         check: Vec<CheckId> = Argument::option("check", values::check, help::sweep_check)
             .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())).repeated() => checks,
-        /// The codes that no other beats.
+        /// The codes that no other code dominates.
         front: bool = Argument::flag("front", help::sweep_front) => flag,
     }
 }
@@ -47,17 +47,17 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
 };
 
-/// So many rows are judged where the answers are no file.
+/// Largest number of rows if the answers are not written to a file.
 const ROWS_MOST: usize = 10_000;
 
-/// So many bytes of a table are read there.
+/// Largest size of a table in this case \[byte\].
 const BYTES_MOST: u64 = 16 << 20;
 
 impl Args {
-    /// How the table is judged; `decimal_commas`: whether its numbers may have them.
+    /// Returns the options of the sweep; `decimal_commas` permits decimal commas in its numbers.
     ///
     /// # Errors
-    /// Two forms of the answer are requested.
+    /// If two forms of the answer are requested.
     pub fn options(&self, decimal_commas: bool, language: Language) -> Result<Options, Unanswered> {
         let wanted = match (self.front, self.check.is_empty()) {
             (true, false) => {
@@ -71,10 +71,10 @@ impl Args {
     }
 }
 
-/// The answers of a small table in CSV, as a record.
+/// Returns the answers of a small CSV table as a record.
 ///
 /// # Errors
-/// Faults of the project and of the table; one that is too long.
+/// Faults of the project and of the table; a table that is too long.
 pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
     let args = Args::read(&asked.given)?;
     let language = asked.language;
@@ -127,7 +127,7 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
     Ok(SweepSummary { answers: rows.collect(), ..tally.summary(None, language) })
 }
 
-/// The lines of a table, whose bytes are read at once.
+/// Opens the lines of a table, whose bytes are read at once.
 fn opened(source: &Source<'_>, name: &str, language: Language) -> Result<Lines<Cursor<Vec<u8>>>, Unanswered> {
     let mut bytes = Vec::new();
     let read = source.files.open(name).and_then(|file| file.take(BYTES_MOST + 1).read_to_end(&mut bytes));
@@ -148,11 +148,11 @@ fn cells(columns: &Columns) -> Vec<Cells<'_>> {
     texts.map(Cells::Texts).collect()
 }
 
-/// The recordings of a project, read once.
+/// Recordings of a project, each read once.
 struct Shelf(BTreeMap<String, Vec<u8>>);
 
 impl Shelf {
-    /// Those of the axes of a project; of one that is not read, none.
+    /// Reads the recordings of the axes of a project; empty if the project cannot be read.
     fn of(
         source: &Source<'_>,
         projects: Result<&[Project], &Unanswered>,

@@ -1,4 +1,4 @@
-//! Why a question has no answer, before a face puts it into its form.
+//! Reasons why a question has no answer, before a face formats them.
 
 use crate::answer::{
     code_faults, code_worded, fault, faults, file_fault, listed, option_fault, refusal_text, table_faults, written,
@@ -13,68 +13,68 @@ use order_code::OrderCode;
 use quantities::{Language, seen};
 use words::{Worded, terminal, worded};
 
-/// Why a question has no answer.
+/// Reason why a question has no answer.
 #[derive(Clone, Debug)]
 pub enum Unanswered {
     /// Faults of a text, each at its place.
     Text {
-        /// What the text is called.
+        /// Name of the text.
         name: String,
         /// The text.
         text: String,
-        /// Its faults.
+        /// Faults of the text.
         faults: Vec<Worded>,
     },
     /// A text is no ordering code.
     Code {
         /// The text.
         text: String,
-        /// Why, and what is near.
+        /// Reasons, and nearest codes.
         refusal: CodeRefusal,
-        /// Whether its faults stand among those of others; alone they are a record with the nearest codes.
+        /// `true` if the faults are reported with those of others; alone they are a record with the nearest codes.
         among: bool,
     },
     /// A file or a body is not read.
     File {
-        /// What it is called.
+        /// Name of the file or body.
         name: String,
-        /// Why.
+        /// Reason in one sentence.
         message: String,
-        /// Whether it is too large.
+        /// `true` if the size exceeds the limit.
         is_too_large: bool,
     },
     /// Faults of a table, each at its heading and row.
     Table {
-        /// What the table is called.
+        /// Name of the table.
         name: String,
-        /// Its faults.
+        /// Faults of the table.
         faults: TableFaults,
     },
-    /// A value of an argument is wrong.
+    /// The value of an argument is invalid.
     Option {
         /// The argument.
         name: &'static str,
-        /// What is wrong with it, and a hint.
+        /// The fault of the value, and a hint.
         fault: Hinted,
     },
-    /// Something else, in one sentence, and a hint.
+    /// Any other reason in one sentence, and a hint.
     Message(Hinted),
-    /// Names and values that the question does not take.
+    /// Names and values that the question does not accept.
     Usage(Vec<Fault>),
-    /// The project is not judged, and which actuator where it is one of several.
+    /// The project is not judged; with the actuator if it is one of several.
     Refused(Refusal, Option<OrderCode>),
     /// Several reasons.
     Together(Vec<Self>),
 }
 
 impl Unanswered {
-    /// A value of an argument is wrong.
+    /// Creates the fault of an argument.
     #[must_use]
     pub const fn option(name: &'static str, fault: Hinted) -> Self {
         Self::Option { name, fault }
     }
 
-    /// Refuses the options that are wrong, each with why it is.
+    /// Refuses the invalid options, each with its reason.
     pub(super) fn unless_right<T: Into<String>>(
         options: impl IntoIterator<Item = (&'static str, bool, T)>,
     ) -> Result<(), Self> {
@@ -83,19 +83,19 @@ impl Unanswered {
         if faults.is_empty() { Ok(()) } else { Err(Self::together(faults)) }
     }
 
-    /// One sentence.
+    /// Creates a reason from one sentence.
     #[must_use]
     pub fn message(text: impl Into<String>) -> Self {
         Self::Message((text.into(), None))
     }
 
-    /// Several reasons, one alone as it is.
+    /// Combines several reasons; a single one stays unchanged.
     #[must_use]
     pub fn together(all: Vec<Self>) -> Self {
         <[Self; 1]>::try_from(all).map_or_else(Self::Together, |[one]| one)
     }
 
-    /// Why a project was not read.
+    /// Converts the reason why a project was not read.
     #[must_use]
     pub fn unread(unread: Unread, name: &str, text: &str, language: Language) -> Self {
         match unread {
@@ -106,7 +106,7 @@ impl Unanswered {
         }
     }
 
-    /// Whether the work was stopped because its time was over.
+    /// Returns `true` if the work was cancelled, for example at its time limit.
     #[must_use]
     pub fn is_stopped(&self) -> bool {
         match self {
@@ -122,13 +122,13 @@ impl Unanswered {
         }
     }
 
-    /// Whether a text is too large.
+    /// Returns `true` if a text is too large.
     #[must_use]
     pub const fn is_too_large(&self) -> bool {
         matches!(self, Self::File { is_too_large: true, .. })
     }
 
-    /// The faults; `waited_s` is the time limit of the answer.
+    /// Returns the faults; `waited_s` is the time limit of the answer.
     #[must_use]
     pub fn faults(&self, waited_s: Option<f64>, language: Language) -> Faults {
         match self {
@@ -150,7 +150,7 @@ impl Unanswered {
         }
     }
 
-    /// The record of the faults.
+    /// Returns the record of the faults.
     #[must_use]
     pub fn record(&self, waited_s: Option<f64>, language: Language) -> String {
         match self {

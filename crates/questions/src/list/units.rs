@@ -1,4 +1,4 @@
-//! `units`: the units that are read, with every spelling and their value in SI.
+//! `units`: valid units, with every spelling and their value in SI.
 
 use super::argument::near;
 use super::given::{Hinted, arguments, some};
@@ -11,7 +11,7 @@ use words::help::values;
 use words::{help, hint_text, terminal};
 
 arguments! {
-    /// Which units.
+    /// Arguments of `units`: a selection.
     pub struct Args {
         /// A quantity or a spelling of a unit; all of them without it.
         quantity: Option<Vec<Dimension>> =
@@ -67,16 +67,16 @@ pub struct UnitRead {
     pub zero: Number,
 }
 
-/// The units of a quantity, of every quantity that is measured in a unit, or all of them.
+/// Returns the units of a quantity, of every quantity that is measured in a unit, or all of them.
 ///
 /// # Errors
-/// Where neither a quantity nor a unit is written so.
+/// If the text is neither a quantity nor a unit.
 pub fn found(asked: &Asked<'_>) -> Result<Units, Unanswered> {
     let dimensions = Args::read(&asked.given)?.quantity.unwrap_or_else(|| Dimension::ALL.to_vec());
     Ok(of(&dimensions, asked.language))
 }
 
-/// The quantities of a name in either language, or of a spelling of a unit.
+/// Returns the quantities with a name in either language, or with a spelling of a unit.
 fn dimensions(written: &str, language: Language) -> Result<Vec<Dimension>, Hinted> {
     let names = |dimension: &Dimension| Language::ALL.map(|language| dimension.name(language));
     let all = |keeps: &dyn Fn(&Dimension) -> bool| -> Vec<Dimension> {
@@ -105,7 +105,7 @@ fn of(dimensions: &[Dimension], language: Language) -> Units {
     Units { quantities: dimensions.iter().map(measured).collect() }
 }
 
-/// Whether values in it are values in SI.
+/// Returns `true` if values in the unit are values in SI.
 fn is_si(unit: &Unit) -> bool {
     [0.0, 1.0].iter().all(|value| (unit.to_si(*value) - value).abs() < f64::EPSILON)
 }

@@ -1,4 +1,4 @@
-//! `upkeep CODE`: what is to be done with an actuator, and by when.
+//! `upkeep CODE`: maintenance of an actuator, tasks and dates.
 
 use super::given::{arguments, code_among, one, some};
 use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
@@ -26,19 +26,19 @@ pub(super) const INSPECT: Argument = Argument::option("inspect", values::interva
 pub(super) const TODAY: Argument = Argument::option("today", values::date, help::upkeep_today).of(ArgumentKind::Date);
 
 arguments! {
-    /// An actuator and the days of its life.
+    /// Arguments of `upkeep`: actuator and dates of its life.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code_among,
         /// Day of delivery.
         delivered: Date = DELIVERED => one(read_date),
         /// Storage before service.
         storage: Option<Storage> = STORAGE => some(read_storage),
-        /// Hours of operation a day.
+        /// Hours of operation per day.
         hours_per_day: Option<Time> = HOURS => some(read_hours),
-        /// Interval of what the manual requires regularly.
+        /// Interval of the tasks that the manual requires regularly.
         inspect: Option<Interval> = INSPECT => some(read_interval),
-        /// Day to look from.
+        /// Reference day.
         today: Option<Date> = TODAY => some(read_date),
     }
 }
@@ -59,10 +59,10 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// The plan, and its record.
+/// Returns the plan, and its record.
 ///
 /// # Errors
-/// Every fault of the arguments; a delivery that has not been yet.
+/// Every fault of the arguments; a delivery in the future.
 pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswered> {
     let language = asked.language;
     let Args { code, delivered, storage, hours_per_day, inspect, today } = Args::read(&asked.given)?;
@@ -83,7 +83,8 @@ pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswered>
     Ok((plan, record))
 }
 
-/// The day of the clock where another has not come yet anywhere on earth: far east of it it may be tomorrow.
+/// Returns the day of the clock if another day is in the future everywhere on earth: in the far east it may already be
+/// tomorrow.
 fn before(day: Date, asked: &Asked<'_>) -> Option<Date> {
     let days = asked.days_since_1970?;
     let tomorrow = day_of_clock(days.checked_add(1)?)?;

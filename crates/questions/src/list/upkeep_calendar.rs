@@ -1,4 +1,4 @@
-//! `upkeep CODE --ical FILE`: the plan of upkeep as a calendar; a face writes it.
+//! `upkeep CODE --ical FILE`: the maintenance plan as a calendar; a face writes it.
 
 use super::given::{arguments, label};
 use super::upkeep::{DELIVERED, HOURS, INSPECT, STORAGE, TODAY};
@@ -9,7 +9,7 @@ use words::{help, help::values, requests};
 const NAME: Argument = Argument::option("name", values::text, help::upkeep_name);
 
 arguments! {
-    /// What the plan takes, and a name.
+    /// Arguments of `upkeep --ical`: those of the plan, and a name.
     pub struct Args {
         /// The name of the actuator in the calendar.
         name: Option<String> = NAME => label,
@@ -29,10 +29,10 @@ pub static ENTRY: Entry = Entry {
     answer: None,
 };
 
-/// The plan, its record, and the name of the actuator.
+/// Returns the plan, its record, and the name of the actuator.
 ///
 /// # Errors
-/// Every fault of the arguments; a delivery that has not been yet.
+/// Every fault of the arguments; a delivery in the future.
 pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep, Option<String>), Unanswered> {
     let name = Args::read(&asked.given)?.name;
     let (plan, record) = super::upkeep::found(asked)?;

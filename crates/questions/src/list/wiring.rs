@@ -12,9 +12,9 @@ use words::help;
 use words::help::values;
 
 arguments! {
-    /// An actuator and its cable.
+    /// Arguments of `wiring`: actuator and cable.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
         /// Length of the cable.
         length: Option<Length> = Argument::option("length", values::length, help::wiring_length) => some(cable_length),
@@ -37,10 +37,10 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| Ok(Answer::record(&found(asked)?.1))),
 };
 
-/// What is known of the wiring, and its record.
+/// Returns the wiring, and its record.
 ///
 /// # Errors
-/// Every fault of the arguments; no printed data.
+/// Every fault of the arguments; no data in the manual.
 pub fn found(asked: &Asked<'_>) -> Result<(Wiring, answers::Wiring), Unanswered> {
     let Args { code, length, cross_section } = Args::read(&asked.given)?;
     let found = wiring(&code).ok_or(Refusal::NoData)?;

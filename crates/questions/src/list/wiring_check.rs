@@ -1,4 +1,4 @@
-//! `wiring CODE --check FILE`: a list of pins compared with the print.
+//! `wiring CODE --check FILE`: a list of pins compared with the manual.
 
 use super::given::{arguments, code};
 use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
@@ -11,9 +11,9 @@ use order_code::OrderCode;
 use words::{file_trouble, requests};
 
 arguments! {
-    /// An actuator.
+    /// Arguments of `wiring --check`: the actuator.
     pub struct Args {
-        /// Its code.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
     }
 }
@@ -35,7 +35,7 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// The list compared with the print.
+/// Compares the list with the manual.
 ///
 /// # Errors
 /// Faults of the code and of the list.

@@ -1,4 +1,4 @@
-//! The cells of a table, and what is wrong with them.
+//! Cells of a table, and their faults.
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::{Column, Holds, Options, Value};
@@ -9,49 +9,49 @@ use recording::Thousands;
 use std::borrow::Cow;
 use words::{fault_text, hint_text};
 
-/// The cells of a column.
+/// Cells of a column.
 #[derive(Clone, Debug)]
 pub enum Cells<'c> {
-    /// Numbers; `None` where a cell is empty.
+    /// Numbers; `None` for an empty cell.
     Numbers(Vec<Option<f64>>),
-    /// Texts; `None` where a cell is empty.
+    /// Texts; `None` for an empty cell.
     Texts(Vec<Option<Cow<'c, str>>>),
-    /// Something else: its type, and how many cells.
+    /// Another type, with its name and the number of cells.
     Other(String, usize),
 }
 
-/// A fault of a table at a column, and at a row where it is one of a cell.
+/// A fault of a table at a column, and at a row if it is a fault of a cell.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CellFault {
-    /// The heading as it is written.
+    /// Original heading.
     pub heading: String,
     /// The row, counted from zero.
     pub row: Option<u64>,
-    /// Stable id of its kind.
+    /// Stable identifier of the kind of fault.
     pub id: &'static str,
-    /// What is wrong, one sentence.
+    /// The fault in one sentence.
     pub message: String,
-    /// What was expected, or the nearest valid choice.
+    /// Expected content, or the nearest valid choice.
     pub hint: Option<String>,
 }
 
-/// Faults of a table: the first of them, and how many more.
+/// Faults of a table: the first ones, and the number of further ones.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TableFaults {
-    /// In the order in which they were found.
+    /// Faults in the order of detection.
     pub listed: Vec<CellFault>,
-    /// How many more there are.
+    /// Number of further faults.
     pub more: usize,
 }
 
-/// Number of faults listed one by one.
+/// Largest number of faults listed individually.
 const LISTED_MOST: usize = 50;
 
 /// Number of further faults after which the rest of a table is not checked, because it gives no new information: as in a recording.
 const COUNTED_MOST: usize = 10_000;
 
 impl TableFaults {
-    /// Adds one.
+    /// Adds a fault.
     pub fn add(&mut self, fault: CellFault) {
         if self.listed.len() < LISTED_MOST {
             self.listed.push(fault);
@@ -74,7 +74,7 @@ impl TableFaults {
 }
 
 impl CellFault {
-    /// A fault in words.
+    /// Creates a fault with its texts.
     #[must_use]
     pub fn of(heading: &str, row: Option<u64>, (fault, hint): &(Fault, Option<Hint>), language: Language) -> Self {
         let own = || words::own_hint(fault, language);
@@ -89,7 +89,7 @@ impl CellFault {
 }
 
 impl Cells<'_> {
-    /// How many they are.
+    /// Returns the number of cells.
     #[must_use]
     pub const fn len(&self) -> usize {
         match self {
@@ -99,13 +99,13 @@ impl Cells<'_> {
         }
     }
 
-    /// Whether there is none.
+    /// Returns `true` if there is no cell.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Adds what is wrong with them under the heading at a place, until there are enough faults.
+    /// Adds the faults of the cells under a heading.
     pub(super) fn check(
         &self,
         (place, column): (usize, &Column),
@@ -175,7 +175,7 @@ impl Decimals {
         }
     }
 
-    /// The fault of a number whose sign is the other one.
+    /// Returns the fault of a number with the other mark.
     fn mixed(&mut self, column: &Column, cells: &Cells<'_>, row: usize) -> Option<Fault> {
         let Cells::Texts(texts) = cells else { return None };
         let text = texts.get(row)?.as_deref().filter(|text| self.may_be_commas && text.contains(['.', ',']))?;
@@ -188,7 +188,7 @@ impl Decimals {
     }
 }
 
-/// The number that a text is, where `1,5` may be one too.
+/// Parses a number, with `1,5` permitted on request.
 fn number(text: &str, may_have_comma: bool) -> Option<f64> {
     if may_have_comma && text.contains(',') {
         let has_point = text.contains('.');
@@ -205,7 +205,7 @@ impl Column {
         }
     }
 
-    /// Returns `true` if its cells are names of recordings.
+    /// Returns `true` if the cells are names of recordings.
     pub(super) fn names_recordings(&self) -> bool {
         matches!(&self.holds, Holds::Key(heading) if heading.path.ends_with(".file"))
     }
@@ -217,7 +217,7 @@ impl Column {
         }
     }
 
-    /// What stands in a cell.
+    /// Returns the content of a cell.
     fn cell<'c>(&self, cells: &'c Cells<'_>, row: usize, may_have_comma: bool) -> Result<Value<'c>, Fault> {
         let path = || self.key().to_owned();
         let empty = || Fault::Tabular(TabularFault::NoValue { path: path() });
@@ -248,7 +248,7 @@ impl Column {
         }
     }
 
-    /// A word or a code that there is not.
+    /// Returns the fault of an unknown word or code.
     fn wrong_word(&self, text: &str, row: u64, language: Language) -> Option<CellFault> {
         match &self.holds {
             Holds::Key(heading) => {
@@ -271,10 +271,10 @@ impl Column {
         }
     }
 
-    /// The value of a cell.
+    /// Returns the value of a cell.
     ///
     /// # Errors
-    /// Why a project file would be refused with it.
+    /// The reason why a project file with this value would be refused.
     pub(super) fn value<'c>(&self, cells: &'c Cells<'_>, row: usize, may_have_comma: bool) -> Result<Value<'c>, Fault> {
         let value = self.cell(cells, row, may_have_comma)?;
         if let (Holds::Key(heading), Value::Number(number)) = (&self.holds, &value)

@@ -1,4 +1,4 @@
-//! Tables in CSV: a line for each row, in the dialects of recordings; written with commas.
+//! Tables in CSV: a line for each row, read in the dialects of recordings, written with commas.
 
 use project::{Fault, TabularFault};
 use quantities::Language;
@@ -6,24 +6,24 @@ use recording::Records;
 use std::borrow::Cow;
 use std::io::Read;
 
-/// The rows of a table, some at a time.
+/// Reader of the rows of a table, some at a time.
 pub struct Lines<R> {
     records: Records<R>,
-    /// What is wrong with the line behind the rows that were handed out.
+    /// Fault of the line after the rows already returned.
     wrong: Option<TabularFault>,
 }
 
-/// Why there are no rows.
+/// Reasons why there are no rows.
 #[derive(Debug)]
 pub enum Broken {
-    /// The line of a row is wrong; the next rows are behind it.
+    /// The line of a row is invalid; further rows follow it.
     Line(TabularFault),
-    /// The table is not read further.
+    /// The table cannot be read further.
     Unread(recording::Fault),
 }
 
 impl Broken {
-    /// In one sentence.
+    /// Returns the reason in one sentence.
     #[must_use]
     pub fn text(&self, language: Language) -> String {
         match self {
@@ -46,32 +46,32 @@ impl From<recording::Fault> for Broken {
     }
 }
 
-/// The cells of some rows, by columns; `None` where a cell is empty.
+/// Cells of some rows, by columns; `None` for an empty cell.
 pub type Columns = Vec<Vec<Option<String>>>;
 
 impl<R: Read> Lines<R> {
     /// Reads the headings.
     ///
     /// # Errors
-    /// Where their line is wrong, or not read.
+    /// If their line is invalid or cannot be read.
     pub fn open(source: R) -> Result<Self, Broken> {
         Ok(Self { records: Records::open(source)?, wrong: None })
     }
 
-    /// The headings.
+    /// Returns the headings.
     pub fn headings(&self) -> &[String] {
         self.records.headings()
     }
 
-    /// Whether numbers may have decimal commas.
+    /// Returns `true` if numbers may have decimal commas.
     pub const fn has_decimal_commas(&self) -> bool {
         self.records.may_have_decimal_commas()
     }
 
-    /// Leaves rows out.
+    /// Skips rows.
     ///
     /// # Errors
-    /// Where a line of them is wrong, or not read.
+    /// If one of their lines is invalid or cannot be read.
     pub fn skip(&mut self, rows: u64) -> Result<(), Broken> {
         for _ in 0..rows {
             if !self.records.advance()? {
@@ -81,10 +81,10 @@ impl<R: Read> Lines<R> {
         Ok(())
     }
 
-    /// The next rows, at most so many; `None` behind the last.
+    /// Returns the next rows, at most `most`; `None` after the last.
     ///
     /// # Errors
-    /// Where the next line is wrong, or not read.
+    /// If the next line is invalid or cannot be read.
     pub fn rows(&mut self, most: usize) -> Result<Option<Columns>, Broken> {
         if let Some(wrong) = self.wrong.take() {
             return Err(Broken::Line(wrong));
@@ -105,7 +105,7 @@ impl<R: Read> Lines<R> {
         Ok(Some(columns))
     }
 
-    /// Adds the cells of the next row, where there is one.
+    /// Adds the cells of the next row, if there is one.
     fn row(&mut self, columns: &mut Columns) -> Result<bool, Broken> {
         if !self.records.advance()? {
             return Ok(false);
@@ -119,7 +119,7 @@ impl<R: Read> Lines<R> {
     }
 }
 
-/// A field (RFC 4180): in quotation marks where it holds a comma, a quotation mark or the end of a line.
+/// Formats a field (RFC 4180): in quotation marks if it contains a comma, a quotation mark or a line break.
 #[must_use]
 pub fn quoted(field: &str) -> Cow<'_, str> {
     if field.contains([',', '"', '\n', '\r']) {
@@ -129,7 +129,7 @@ pub fn quoted(field: &str) -> Cow<'_, str> {
     }
 }
 
-/// A cell as it is written in a line, whose end it may not hold.
+/// Formats a cell for a line; line breaks become spaces.
 #[must_use]
 pub fn written(cell: &str) -> Cow<'_, str> {
     let cell = quoted(cell);

@@ -1,4 +1,4 @@
-//! The head of a table: its headings, read for a project that may have faults of its own, and the faults of the cells below them.
+//! Headings of a table, read for a project that may have faults of its own, and the faults of the cells below them.
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::cells::Decimals;
@@ -10,13 +10,14 @@ use crate::subject::{names, picked};
 use project::{Counted, Fault, Files, Heading, Objection, Project, TabularFault, Written, written};
 use std::collections::BTreeSet;
 
-/// A project and the headings of a table before its cells are read: faults of all three are collected and reported together.
+/// A project and the headings of a table before its cells are read: faults of all three are collected and reported
+/// together.
 pub struct Head {
     text: String,
-    /// Why the project cannot be swept.
+    /// Reason why the project cannot be used.
     refused: Option<Unanswered>,
     axis: Axis,
-    /// Those whose headings are read.
+    /// Columns with readable headings.
     columns: Vec<Option<Column>>,
     faults: TableFaults,
     decimals: Decimals,
@@ -24,16 +25,16 @@ pub struct Head {
     options: Options,
 }
 
-/// The axis of a file.
+/// Axis of a file.
 #[derive(Clone, Copy)]
 struct Axis {
-    /// Its place, where it is known.
+    /// Place of the axis, if known.
     place: Option<usize>,
     is_of_several: bool,
 }
 
 impl Head {
-    /// Reads a project, by its name and text, and the headings of a table for it.
+    /// Reads a project, from its name and text, and the headings of a table for it.
     #[must_use]
     pub fn of((name, text): (&str, &str), files: &dyn Files, headings: &[&str], options: Options) -> Self {
         let unread = |faults| Unanswered::unread(Unread::Faults(faults), name, text, options.language);
@@ -41,7 +42,7 @@ impl Head {
         Self::read(text, projects, headings, options)
     }
 
-    /// Reads the headings of a table for a project, by its text and its axes or why they cannot be read.
+    /// Reads the headings of a table for a project, from its text and its axes, or the reason why they cannot be read.
     #[must_use]
     pub fn read(text: &str, projects: Result<Vec<Project>, Unanswered>, headings: &[&str], options: Options) -> Self {
         let known = written(text);
@@ -79,7 +80,7 @@ impl Head {
         let holds = if heading.trim() == CODE {
             Holds::Code
         } else {
-            // Which of several does not matter for what a key holds.
+            // Any axis of several serves for the kind of a key.
             let place = self.axis.is_of_several.then(|| self.axis.place.unwrap_or(0));
             Holds::Key(Heading::read(heading, counted, place)?)
         };
@@ -95,8 +96,8 @@ impl Head {
         Ok(column)
     }
 
-    /// Looks for faults of some rows, of which the first has this number, in every column whose heading is read: cells that are
-    /// empty, are no numbers, or name nothing that there is.
+    /// Adds the faults of some rows, the first of which has this number, in every column with a readable heading: cells
+    /// that are empty, no numbers, or unknown names.
     pub fn check(&mut self, cells: &[Cells<'_>], first_row: u64) {
         for (place, (column, cells)) in self.columns.iter().zip(cells).enumerate() {
             if self.faults.is_enough() {
@@ -118,7 +119,7 @@ impl Head {
         }
     }
 
-    /// Adds that the row of this number is no row of the table.
+    /// Adds the fault that the line with this row number is no row of the table.
     pub fn refuse_line(&mut self, fault: TabularFault, row: u64) {
         self.faults.add(CellFault::of("", Some(row), &(Fault::Tabular(fault), None), self.options.language));
     }
@@ -137,7 +138,7 @@ impl Head {
         }
     }
 
-    /// The sweep over tables with these headings.
+    /// Returns the sweep over tables with these headings.
     ///
     /// # Errors
     /// Every fault of the project, of the headings and of the cells that were checked; `table` is what the table is called.
@@ -164,13 +165,13 @@ impl Head {
 }
 
 impl Axis {
-    /// What its paths begin with in the file; `None` where it is not known.
+    /// Returns the prefix of the axis in paths of the file; `None` if the axis is not known.
     fn path(self) -> Option<String> {
         if self.is_of_several { self.place.map(|place| format!("axis[{}].", place + 1)) } else { Some(String::new()) }
     }
 }
 
-/// The only axis, or the one that is named; else why there is none.
+/// Returns the only axis, or the named one; else the reason why there is none.
 fn of_projects(projects: Vec<Project>, options: &Options) -> (Axis, Option<Unanswered>) {
     let language = options.language;
     let is_of_several = projects.iter().any(Project::is_of_several);
@@ -187,7 +188,7 @@ fn of_projects(projects: Vec<Project>, options: &Options) -> (Axis, Option<Unans
     (Axis { place, is_of_several }, refused.map(Unanswered::message))
 }
 
-/// The axis of a text that is no project.
+/// Returns the axis of a text that is no project.
 fn of_text(known: &[Written], wanted: Option<&str>) -> Axis {
     let has = |path: &str| known.iter().any(|each| each.path == path);
     let count = (1..).take_while(|number| has(&format!("axis[{number}]"))).count();
@@ -199,7 +200,7 @@ fn of_text(known: &[Written], wanted: Option<&str>) -> Axis {
     Axis { place, is_of_several: count > 0 }
 }
 
-/// An entry of a list that the project does not have.
+/// Returns the fault of an entry of a list that the project does not have.
 fn missing_entry(known: &[Written], own: &str, heading: &Heading) -> Option<TabularFault> {
     let path = format!("{own}{}", heading.path);
     for (at, _) in path.match_indices(']') {

@@ -18,27 +18,27 @@ pub enum Judged {
     Best(Best),
     /// Every code.
     Every(Vec<Every>),
-    /// The codes that no other beats.
+    /// The codes that no other dominates.
     Front(Vec<OnFront>),
 }
 
 /// The best of the codes of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Best {
-    /// How many codes fit within every limit.
+    /// Number of codes that fit within every limit.
     pub fit: u32,
-    /// How many others fit if an estimate holds.
+    /// Number of further codes that fit if an estimate holds.
     pub fit_if_estimate: u32,
-    /// The best of both; `None` where none fits.
+    /// Best of these codes; `None` if none fits.
     pub code: Option<OrderCode>,
-    /// Utilisation of its governing check; where none fits that of the nearest miss.
+    /// Utilisation of the governing check; if none fits, that of the actuator with the smallest excess.
     pub utilisation: Option<f64>,
-    /// Its governing check; where none fits that of the nearest miss.
+    /// Governing check; if none fits, that of the actuator with the smallest excess.
     pub tightest: Option<CheckId>,
 }
 
 impl Best {
-    /// Returns `true` if a code fits, be it by an estimate.
+    /// Returns `true` if a code fits, possibly if an estimate holds.
     #[must_use]
     pub const fn fits(&self) -> bool {
         self.fit > 0 || self.fit_if_estimate > 0
@@ -50,47 +50,47 @@ impl Best {
 pub struct Every {
     /// The code.
     pub code: OrderCode,
-    /// The verdict on it.
+    /// Verdict on the code.
     pub fit: Fit,
-    /// Utilisation of its governing check.
+    /// Utilisation of the governing check.
     pub utilisation: Option<f64>,
-    /// Its governing check.
+    /// Governing check.
     pub tightest: Option<CheckId>,
-    /// Verdict and utilisation of each requested check; `None` where the axis or the actuator does not have it.
+    /// Verdict and utilisation of each requested check; `None` if the axis or the actuator does not have it.
     pub checks: Vec<Option<(Verdict, Option<f64>)>>,
 }
 
-/// A code that fits and that no other beats in mass, length and margin.
+/// A fitting code that no other dominates in mass, length and margin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnFront {
     /// The code.
     pub code: OrderCode,
-    /// The verdict on it.
+    /// Verdict on the code.
     pub fit: Fit,
     /// Mass \[kg\].
     pub mass_kg: Option<f64>,
     /// Length \[m\].
     pub length_m: Option<f64>,
-    /// Utilisation of its governing check.
+    /// Utilisation of the governing check.
     pub utilisation: f64,
-    /// Its governing check.
+    /// Governing check.
     pub tightest: Option<CheckId>,
     /// Ids of the errata of its mass and its length: the figures may not be those of the manual.
     pub errata: [&'static [&'static str]; 2],
 }
 
-/// An actuator that is judged, with what holds of it for every row of a template.
+/// An actuator to judge, with its properties that are constant for every row of a template.
 pub(super) struct Entrant<'p> {
     code: OrderCode,
     parameters: &'p Parameters,
-    /// Whether its series has the required options.
+    /// `true` if the series has the required options.
     has_options: bool,
-    /// Whether its code breaks a rule with them.
+    /// `true` if the code breaks a rule with these options.
     is_barred: bool,
 }
 
 impl<'p> Entrant<'p> {
-    /// Every actuator of the catalogue.
+    /// Returns every actuator of the catalogue.
     pub(super) fn all(project: &'p Project) -> Vec<Self> {
         let of = |(code, parameters): &'p (OrderCode, Parameters)| {
             let ordered = with_options(project, code);
@@ -105,7 +105,7 @@ impl<'p> Entrant<'p> {
         actuators_of(project, project.option_1.is_some()).iter().map(of).collect()
     }
 
-    /// The actuators ranked for many axes.
+    /// Returns the actuators ranked for many axes.
     pub(super) fn screen(entrants: &[Self]) -> Screen {
         let of = |entrant: &Self| sizing::Entrant {
             parameters: entrant.parameters,
@@ -140,7 +140,7 @@ impl<'r> Row<'r> {
         Self { project, axis: &project.axis, requirements: &project.requirements }
     }
 
-    /// The best of the catalogue.
+    /// Returns the best of the catalogue.
     pub(super) fn best(&self, entrants: &[Entrant<'_>], screening: &mut Screening<'_>, meets: &[bool]) -> Best {
         let found = screening.found(self.axis, meets);
         let ranked = found.best.or(found.miss);
@@ -154,10 +154,10 @@ impl<'r> Row<'r> {
         }
     }
 
-    /// The answer of one code.
+    /// Returns the answer for one code.
     ///
     /// # Errors
-    /// Where there is no data for it.
+    /// If there are no data for it.
     pub(super) fn of_code(&self, code: &OrderCode, wanted: &Wanted, language: Language) -> Result<Judged, String> {
         let parameters = parameters_of(self.project, code).map_err(|why| refusal_text(&why, None, language))?;
         let entrant = Entrant { code: *code, parameters, has_options: true, is_barred: availability(code).is_err() };
@@ -228,20 +228,20 @@ fn errata_of<T>(datum: &Datum<T>) -> &'static [&'static str] {
 }
 
 impl OnFront {
-    /// What is not known counts as infinite.
+    /// Returns mass, length and utilisation; an unknown value is infinite.
     fn figures(&self) -> [f64; 3] {
         let or_infinite = |figure: Option<f64>| figure.unwrap_or(f64::INFINITY);
         [or_infinite(self.mass_kg), or_infinite(self.length_m), self.utilisation]
     }
 
-    /// Whether it is nowhere worse than another and somewhere better.
+    /// Returns `true` if the code dominates another: nowhere worse, and better in at least one figure.
     fn beats(&self, other: &Self) -> bool {
         let pairs = || self.figures().into_iter().zip(other.figures());
         pairs().all(|(own, other)| own <= other) && pairs().any(|(own, other)| own < other)
     }
 }
 
-/// A utilisation; `None` where a limit of zero or a range is exceeded.
+/// Returns a utilisation; `None` if a limit of zero or a range is exceeded.
 fn finite(utilisation: f64) -> Option<f64> {
     utilisation.is_finite().then_some(utilisation)
 }

@@ -9,28 +9,28 @@ use rand_pcg::rand_core::Rng;
 use words::{fault_text, hint_text, own_hint, sweeps};
 
 identified! {
-    /// How ranges are covered.
+    /// Method of covering ranges.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub enum Method {
-        /// The sequence of Sobol, shifted by the seed; zero leaves it as it is.
+        /// Sobol sequence, shifted by the seed; zero leaves it unshifted.
         #[default]
         Sobol = "sobol",
-        /// One value in each of as many equal parts of a range as there are rows, in seeded order.
+        /// One value in each of N equal parts of a range for N rows, in seeded order.
         LatinHypercube = "lhs",
-        /// Equal steps of each range, every combination.
+        /// Equal steps of each range, in every combination.
         Grid = "grid",
     }
 }
 
-/// So many rows are written at most.
+/// Largest number of rows.
 pub const SAMPLES_MOST: u64 = 1_000_000;
 
-/// What the cells of a column may be.
+/// Values of the cells of a column.
 #[derive(Clone, Debug, PartialEq)]
 enum Values {
-    /// From and to, and whether in equal ratios.
+    /// Lower and upper end; `true` for equal ratios instead of equal differences.
     Range(f64, f64, bool),
-    /// These.
+    /// Listed values.
     Listed(Vec<String>),
 }
 
@@ -39,10 +39,10 @@ struct Column {
     values: Values,
 }
 
-/// A table in CSV: `keys` are headings, each with its range or its values.
+/// Returns a table in CSV: `keys` are headings, each with its range or its values.
 ///
 /// # Errors
-/// Every key that is not understood; more rows than are written.
+/// Every invalid key; more rows than permitted.
 pub fn table<'k>(
     keys: impl Iterator<Item = &'k str>,
     method: Method,
@@ -88,7 +88,7 @@ pub fn table<'k>(
     let mut text = headings.join(",");
     text.push('\n');
     for row in 0..rows {
-        // The first column changes least often; within each combination of listed values all samples.
+        // The first column changes least often; all samples follow within each combination of listed values.
         let mut rest = row / drawn;
         let mut cells: Vec<String> = vec![String::new(); columns.len()];
         let mut range = ranges;
@@ -124,13 +124,13 @@ pub fn table<'k>(
     Ok(text)
 }
 
-/// The value at a share of a range, with nine digits: a table is read by people too.
+/// Returns the value at a share of a range, rounded to nine digits for legibility.
 fn at(low: f64, high: f64, is_log: bool, share: f64) -> f64 {
     let value = if is_log { low * (high / low).powf(share) } else { low + share * (high - low) };
     format!("{value:.8e}").parse().unwrap_or(value)
 }
 
-/// One key with its range or values: `load.inertia [kg m^2] = 0.1..10 log`.
+/// Parses one key with its range or values: `load.inertia [kg m^2] = 0.1..10 log`.
 fn column(written: &str, counted: Counted, language: Language) -> Result<Column, (String, Option<String>)> {
     let shown: String = written.chars().take(80).collect();
     let wrong = || (sweeps::sample_key(&shown, language), Some(sweeps::sample_key_hint(language).to_owned()));
@@ -159,7 +159,7 @@ fn column(written: &str, counted: Counted, language: Language) -> Result<Column,
     Ok(Column { heading: heading.to_owned(), values: Values::Listed(listed) })
 }
 
-/// Of each row the shares of its ranges.
+/// Returns the shares of the ranges for each row.
 fn shares(method: Method, ranges: usize, samples: usize, seed: u64) -> Vec<Vec<f64>> {
     match method {
         Method::Grid => Vec::new(),
@@ -172,13 +172,13 @@ fn generator(seed: u64, dimension: usize) -> Pcg64Mcg {
     Pcg64Mcg::new(u128::from(seed) << 64 | (dimension as u128 + 1) << 1 | 1)
 }
 
-/// A number from 0 to 1, without 1.
+/// Returns a uniform number in [0, 1).
 #[allow(clippy::cast_precision_loss, reason = "53 bits")]
 fn uniform(generator: &mut Pcg64Mcg) -> f64 {
     (generator.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// Latin hypercube: of each range one value in each of N equal parts.
+/// Computes a Latin hypercube: one value in each of N equal parts for each range.
 ///
 /// # Source
 /// McKay, Beckman, Conover: A comparison of three methods for selecting values of input variables, Technometrics 21 (1979) 239
@@ -193,7 +193,7 @@ fn latin_hypercube(ranges: usize, samples: usize, seed: u64) -> Vec<Vec<f64>> {
     for dimension in 0..ranges {
         let mut generator = generator(seed, dimension);
         let mut parts: Vec<usize> = (0..samples).collect();
-        // Fisher and Yates.
+        // Shuffle of Fisher and Yates.
         for last in (1..samples).rev() {
             let other = (uniform(&mut generator) * (last + 1) as f64) as usize;
             parts.swap(last, other.min(last));
@@ -232,10 +232,10 @@ const SOBOL: [Direction; 16] = [
     (6, 16, &[1, 3, 1, 13, 27, 49]),
 ];
 
-/// Bits of a number of the sequence.
+/// Number of bits of a number of the sequence.
 const BITS: u32 = 32;
 
-/// The direction numbers of a dimension: v_k = m_k 2^(32−k).
+/// Computes the direction numbers of a dimension: v_k = m_k 2^(32−k).
 ///
 /// m_k = 2 a_1 m_(k−1) ⊕ 4 a_2 m_(k−2) ⊕ … ⊕ 2^s m_(k−s) ⊕ m_(k−s)
 ///
@@ -265,7 +265,8 @@ fn directions((degree, coefficients, initial): Direction) -> Vec<u32> {
     numbers.iter().zip(0..).map(|(number, place): (&u32, u32)| number << (BITS - 1 - place)).collect()
 }
 
-/// The sequence of Sobol in the order of the Gray code, each dimension shifted by a seeded number (a digital shift keeps its nets).
+/// Computes the Sobol sequence in the order of the Gray code, each dimension shifted by a seeded number (a digital
+/// shift preserves its nets).
 fn sobol(ranges: usize, samples: usize, seed: u64) -> Vec<Vec<f64>> {
     let directions: Vec<Vec<u32>> = SOBOL.iter().take(ranges).map(|direction| directions(*direction)).collect();
     let shift = |dimension| if seed == 0 { 0 } else { (generator(seed, dimension).next_u64() >> BITS) as u32 };

@@ -1,4 +1,4 @@
-//! What a sweep found, counted.
+//! Numbers of the results of a sweep.
 
 use super::{Answer, Every, Judged};
 use answers::Number;
@@ -8,10 +8,10 @@ use serde::Serialize;
 use sizing::{CheckId, Fit};
 use std::collections::BTreeMap;
 
-/// So many different reasons are listed.
+/// Largest number of different reasons listed.
 const REASONS_MOST: usize = 20;
 
-/// So many different reasons are counted apart.
+/// Largest number of different reasons counted separately.
 const COUNTED_MOST: usize = 10_000;
 
 /// What the rows of a table were answered with.
@@ -77,7 +77,7 @@ pub struct SweepRow {
 }
 
 impl SweepRow {
-    /// The answer of a row; of several codes a line for each.
+    /// Returns the lines of the answer for a row, one for each code if there are several.
     #[must_use]
     pub fn of(row: u64, answer: &Answer) -> Vec<Self> {
         let empty = || Self {
@@ -117,7 +117,7 @@ impl SweepRow {
     }
 }
 
-/// Counts what rows are answered with.
+/// Counter of the answers for rows.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     rows: u64,
@@ -129,7 +129,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Adds the answer of a row.
+    /// Adds the answer for a row.
     pub fn add(&mut self, answer: &Answer) {
         match answer {
             Ok(Judged::Best(best)) => {
@@ -150,7 +150,7 @@ impl Tally {
         }
     }
 
-    /// Adds a row by the verdict on its best, or by the governing check of the nearest miss.
+    /// Adds a row by the verdict on its best code, or by the governing check of the actuator with the smallest excess.
     pub fn judged(&mut self, fit: Fit, tightest: Option<&str>) {
         self.rows += 1;
         match fit {
@@ -172,13 +172,13 @@ impl Tally {
         }
     }
 
-    /// Rows so far.
+    /// Returns the number of rows so far.
     #[must_use]
     pub const fn rows(&self) -> u64 {
         self.rows
     }
 
-    /// The summary in a language.
+    /// Returns the summary in a language.
     #[must_use]
     pub fn summary(&self, file: Option<String>, language: Language) -> SweepSummary {
         let title = |id: Option<CheckId>| {

@@ -1,4 +1,4 @@
-//! What rows have in common: the project with their words in it, and the actuators that are judged.
+//! Common part of rows: the project with their words, and the actuators to judge.
 
 use super::judged::{Entrant, Judged, Row};
 use super::{Answer, Holds, Sweep, Value, Wanted};
@@ -9,14 +9,14 @@ use sizing::{Screen, Screening};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// The project file with some words in it, read with the numbers of one row.
+/// The project file with some words inserted, read with the numbers of one row.
 pub(super) struct Template {
     project: Project,
-    /// Of the project's own catalogue, where it has one.
+    /// Screen of the project's own catalogue, if it has one.
     own_screen: OnceLock<Screen>,
 }
 
-/// The actuators of the catalogue ranked for many axes: without options, and with the encoder at the output.
+/// Actuators of the catalogue ranked for many axes: without options, and with the encoder at the output.
 static SCREENS: [OnceLock<Screen>; 2] = [const { OnceLock::new() }; 2];
 
 impl Template {
@@ -39,14 +39,14 @@ impl Template {
 #[derive(Default)]
 pub(super) struct Templates(Mutex<BTreeMap<Vec<String>, Arc<Template>>>);
 
-/// So many are kept; beyond them all are read anew.
+/// Largest number of templates kept; beyond it all are read anew.
 const KEPT_MOST: usize = 4096;
 
 impl Sweep {
-    /// The template of some words, made with the numbers of a row where there is none.
+    /// Returns the template for some words, created with the numbers of a row if it does not exist.
     ///
     /// # Errors
-    /// Why the project of that row cannot be read.
+    /// The reason why the project of that row cannot be read.
     pub(super) fn template(&self, words: &[String], values: &[Value<'_>]) -> Result<Arc<Template>, String> {
         let lock = || self.templates.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = lock().get(words) {
@@ -57,14 +57,14 @@ impl Sweep {
         if kept.len() >= KEPT_MOST {
             kept.clear();
         }
-        // Another thread may have been quicker: any of them serves.
+        // Another thread may have been faster: either template serves.
         Ok(Arc::clone(kept.entry(words.to_vec()).or_insert(made)))
     }
 
-    /// The project with the values of a row, read from its text.
+    /// Reads the project with the values of a row from its text.
     ///
     /// # Errors
-    /// Why it cannot be read.
+    /// The reason why it cannot be read.
     fn project_with(&self, values: &[Value<'_>]) -> Result<Project, String> {
         let text = self.text_with(values);
         let mut projects = read_all(&text, &*self.files).map_err(|faults| self.reasons(&faults))?;
@@ -92,7 +92,7 @@ pub(super) struct Judge<'s> {
     varied: Varied<'s>,
     entrants: Vec<Entrant<'s>>,
     screening: Screening<'s>,
-    /// Of each entrant whether it meets what the project requires besides the checks.
+    /// `true` for each actuator that meets the requirements of the project besides the checks.
     meets: Vec<bool>,
     numbers: Vec<f64>,
 }
@@ -113,10 +113,10 @@ impl<'s> Judge<'s> {
         }
     }
 
-    /// The answer of a row.
+    /// Returns the answer for a row.
     pub(super) fn row(&mut self, values: &[Value<'_>]) -> Answer {
         let code = self.sweep.code(values);
-        // Which of several ratios is the best takes a judgement of the catalogue for each: the row is read by itself.
+        // Selecting among several ratios requires a judgement of the catalogue for each: the row is read separately.
         if !self.project.ratios.is_empty() {
             let project = self.sweep.project_with(values)?;
             return self.judged(&Row::of(&project), code.as_ref(), true);

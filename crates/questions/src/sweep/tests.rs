@@ -22,7 +22,7 @@ fn best(answer: &Answer) -> Best {
     }
 }
 
-/// What `size` answers of a project.
+/// Returns the answer of `size` for a project.
 fn sized(text: &str) -> Result<Best, String> {
     let project = crate::read(text).map_err(|faults| {
         let each = words::worded(&faults, Language::default()).into_iter().map(|fault| fault.message);
@@ -69,8 +69,8 @@ fn a_row_is_answered_as_the_project_with_its_values() {
     assert!(best(&found[0]).fits() && best(&found[2]).code.is_none());
 }
 
-/// A row with a seeded value for every quantity and number of a project, near the stated one: `size` of the text with it says the
-/// same. Every example is taken, so every mechanism.
+/// A row with a seeded value for every quantity and number of a project, near the stated one, gives the result of
+/// `size` for the text with these values. Every example is used, and thus every mechanism.
 #[test]
 fn every_example_with_seeded_values_is_answered_as_by_size() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
@@ -100,7 +100,7 @@ fn every_example_with_seeded_values_is_answered_as_by_size() {
         let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
         let sweep = sweep(&text, &headings).unwrap_or_else(|faults| panic!("{}: {faults:?}", path.display()));
         for row in 0..ROWS {
-            // From hardly changed to far away.
+            // From nearly unchanged to distant values.
             let spread = [0.02, 0.2, 1.0, 2.5][row % 4];
             let values: Vec<f64> =
                 inputs.iter().map(|input| input.amount.unwrap().0 * (spread * (2.0 * share() - 1.0)).exp()).collect();

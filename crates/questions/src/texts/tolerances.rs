@@ -1,30 +1,30 @@
-//! What tolerances mean for an actuator, in short words and as a table.
+//! Effect of tolerances on an actuator, as text and as a table.
 
 use crate::tolerance::{Assessment, PointKind, Sampling, Worst};
 use project::{ALL_CORNERS_MOST, Project};
 use quantities::{Language, Unit, format_number, format_significant};
 use words::{check_title, percent_text, terminal, terms};
 
-/// A share in percent with one digit, infinite where no axis is possible.
+/// Formats a share in percent with one digit; infinite if no axis is possible.
 #[must_use]
 pub fn share_text(share: f64, language: Language) -> String {
     if share.is_finite() { percent_text(share, language) } else { "∞".to_owned() }
 }
 
-/// The share of samples that pass; 100 % only where every sample passes.
+/// Formats the share of samples that pass; 100 % only if every sample passes.
 #[must_use]
 pub fn passing_text(assessment: &Assessment, language: Language) -> String {
     format_number((assessment.share() * 1e4).floor() / 1e2, 2, language)
 }
 
-/// How was sampled.
+/// Describes the sampling.
 #[must_use]
 pub fn sampling_text(sampling: Sampling, language: Language) -> String {
     let Sampling { samples, seed } = sampling;
     terminal::tolerances_head(&samples, &seed, language)
 }
 
-/// Whether it fits at the worst point, and by which check.
+/// Returns the verdict at the worst point, and its check.
 #[must_use]
 pub fn worst_text(worst: &Worst, language: Language) -> String {
     let verdict = super::fit_text(worst.fit, language);
@@ -38,7 +38,7 @@ pub fn worst_text(worst: &Worst, language: Language) -> String {
     word
 }
 
-/// The quantity that dominates and its share.
+/// Returns the dominating quantity and its share.
 #[must_use]
 pub fn dominating(project: &Project, assessment: &Assessment, language: Language) -> [String; 2] {
     let found = assessment.influence.first().and_then(|first| Some((first, project.tolerances.get(first.quantity)?)));
@@ -48,7 +48,7 @@ pub fn dominating(project: &Project, assessment: &Assessment, language: Language
     }
 }
 
-/// Everything about the tolerances of one actuator but its quantities, a sentence each.
+/// Returns the results of the tolerances of one actuator without its quantities, one sentence per line.
 #[must_use]
 pub fn tolerance_lines(project: &Project, assessment: &Assessment, language: Language) -> Vec<String> {
     let (low, high) = assessment.interval;
@@ -73,7 +73,7 @@ pub fn tolerance_lines(project: &Project, assessment: &Assessment, language: Lan
     lines
 }
 
-/// What stands above the columns of [`tolerance_rows`].
+/// Returns the headings of the columns of [`tolerance_rows`].
 #[must_use]
 pub fn tolerance_heads(language: Language) -> [&'static str; 6] {
     [
@@ -86,8 +86,8 @@ pub fn tolerance_heads(language: Language) -> [&'static str; 6] {
     ]
 }
 
-/// Each quantity with its band, its value at the worst point and its influence: by influence; where nothing depends on any, as
-/// in the file.
+/// Returns the quantities with band, value at the worst point and influence, sorted by influence; in the order of the
+/// file if none has an influence.
 #[must_use]
 pub fn tolerance_rows(project: &Project, assessment: &Assessment, language: Language) -> Vec<[String; 6]> {
     let shown = |si: f64, unit: &Unit| format_significant(unit.from_si(si), 5, language);

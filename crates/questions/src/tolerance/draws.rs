@@ -1,4 +1,4 @@
-//! The samples: one stream of numbers from a seed, of which sample i takes the draws i k to i k + k − 1.
+//! Samples: one stream of numbers from a seed, of which sample i uses the draws i k to i k + k − 1.
 
 use project::Tolerance;
 use rand_pcg::Pcg64;
@@ -7,23 +7,23 @@ use rand_pcg::rand_core::Rng;
 /// Increment of the generator, any fixed number: only the seed distinguishes the streams.
 const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7_ac28_fa16_a64a_bf96;
 
-/// Steps that separate seeds which differ by one, so that their streams do not begin alike.
+/// Steps that separate seeds differing by one, so that their streams begin differently.
 const MIX: u128 = 0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835;
 
-/// Which numbers are drawn.
+/// Generator settings of the samples.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Draws {
     pub(super) seed: u64,
-    /// How many each sample takes.
+    /// Number of draws of each sample.
     pub(super) quantities: usize,
 }
 
-/// The numbers from one sample on.
+/// Stream of numbers from one sample on.
 #[derive(Clone, Debug)]
 pub(super) struct Stream(Pcg64);
 
 impl Draws {
-    /// The stream from the first number of a sample on.
+    /// Returns the stream from the first number of a sample on.
     pub(super) fn from(self, sample: usize) -> Stream {
         Stream(self.generator(sample as u128 * self.quantities as u128))
     }
@@ -34,14 +34,14 @@ impl Draws {
         generator
     }
 
-    /// The values of one sample in SI.
+    /// Returns the values of one sample in SI.
     pub(super) fn sample(self, sample: usize, tolerances: &[Tolerance]) -> Vec<f64> {
         let mut values = vec![0.0; self.quantities];
         self.from(sample).next_into(tolerances, &mut values);
         values
     }
 
-    /// The draws of one quantity over the samples, in their order; they grow as the values do.
+    /// Iterates over the draws of one quantity in the order of the samples; they increase with the values.
     pub(super) fn column(self, quantity: usize, samples: usize) -> impl Iterator<Item = u64> {
         let mut generator = self.generator(quantity as u128);
         let others = self.quantities.saturating_sub(1) as u128;
@@ -54,10 +54,10 @@ impl Draws {
 }
 
 impl Stream {
-    /// The values of the next sample in SI: uniform within each band.
+    /// Writes the values of the next sample in SI: uniform within each band.
     pub(super) fn next_into(&mut self, tolerances: &[Tolerance], values: &mut [f64]) {
         for (value, tolerance) in values.iter_mut().zip(tolerances) {
-            // 53 bits are what the fraction of a double holds: 0 to 1 − 2⁻⁵³.
+            // 53 bits are the fraction of a double: 0 to 1 − 2⁻⁵³.
             #[allow(clippy::cast_precision_loss, reason = "53 bits are exact")]
             let share = drawn(&mut self.0) as f64 / (1_u64 << 53) as f64;
             *value = tolerance.at(2.0 * share - 1.0);
@@ -65,7 +65,7 @@ impl Stream {
     }
 }
 
-/// 53 bits.
+/// Returns 53 random bits.
 fn drawn(generator: &mut Pcg64) -> u64 {
     generator.next_u64() >> 11
 }

@@ -1,29 +1,30 @@
-//! What judging tolerances costs, known before it begins.
+//! Cost of judging tolerances, known before the work begins.
 
 use super::{Draw, SAMPLES_MOST, SAMPLES_USUAL};
 use project::{ALL_CORNERS_MOST, Project};
 
-/// The unit is the work of one instant of a cycle under a load that depends on the position, about a microsecond on a slow
-/// core. The default limit: some seconds.
+/// Default limit of the work: some seconds. The unit is the work for one instant of a cycle under a load that depends
+/// on the position, about a microsecond on a slow core.
 const USUAL: f64 = 3e6;
 
-/// So much is done where no time is named, however few samples that is: ten seconds of a long recording, less of others.
+/// Largest work without a time limit, independent of the number of samples: ten seconds for a long recording, less for
+/// others.
 const MOST: f64 = 1e7;
 
-/// So much a search for the worst corner may take.
+/// Largest work of a search for the worst corner.
 pub(super) const FOR_CORNERS: f64 = 1e6;
 
-/// An instant of a cycle whose load does not depend on the position is made this much faster.
+/// Work of an instant whose load does not depend on the position.
 const PLAIN: f64 = 0.2;
 
-/// Work of an instant at which the loads on the flange are found for one bearing.
+/// Work of an instant at which the loads on the flange are computed for one bearing.
 const ON_THE_FLANGE: f64 = 0.15;
 
-/// Bearings of the actuators that are judged for a variant: neighbours in a ranking share theirs.
+/// Number of bearings of the actuators judged for a variant: neighbours in a ranking share theirs.
 const BEARINGS: usize = 4;
 
-/// Work to make one variant of the axis and to judge some actuators for it: each looks at all blocks of the cycle and into
-/// some of them.
+/// Returns the work for creating one variant of the axis and judging some actuators for it: each evaluates the bounds
+/// of all blocks of the cycle and the content of some of them.
 #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
 pub(super) fn cost_of_a_variant(project: &Project, actuators: usize) -> f64 {
     let instants = project.axis.instants() as f64;
@@ -32,18 +33,20 @@ pub(super) fn cost_of_a_variant(project: &Project, actuators: usize) -> f64 {
     1.5 * made + actuators as f64 * (10.0 + 0.125 * instants) + ON_THE_FLANGE * flange * actuators.min(BEARINGS) as f64
 }
 
-/// Limit of the work while the user types: up to a second.
+/// Limit of the work during typing: up to a second.
 const QUICK: f64 = 1e6;
 
-/// Whether so many samples are judged quickly.
+/// Returns `true` if this number of samples can be judged during typing.
 pub(super) fn is_quick(project: &Project, actuators: usize, samples: usize) -> bool {
     work(project, actuators, samples) <= QUICK
 }
 
-/// So much is done in five seconds: of a long recording a variant is slower, since all of its samples pass once more.
+/// Work of five seconds, without and with a recording: with a long recording a variant is slower, since all of its
+/// samples are processed again.
 const FIVE_SECONDS: [f64; 2] = [1.4e7, 5e6];
 
-/// The share of five seconds that judging the tolerances of a project takes; none of what is refused by itself.
+/// Returns the share of five seconds that judging the tolerances of a project takes; zero for a sampling that is
+/// refused.
 pub(crate) fn share(project: &Project, actuators: usize, draw: Draw) -> f64 {
     let Ok(sampling) = draw.sampling(project, actuators, false) else { return 0.0 };
     let [recorded, _] = project.axis.samples();
@@ -52,30 +55,29 @@ pub(crate) fn share(project: &Project, actuators: usize, draw: Draw) -> f64 {
     if project.tolerances.is_empty() { 0.0 } else { work(project, actuators, sampling.samples) / most }
 }
 
-/// Work to judge so many samples and the corners.
+/// Returns the work for this number of samples and the corners.
 fn work(project: &Project, actuators: usize, samples: usize) -> f64 {
     #[allow(clippy::cast_precision_loss, reason = "at most a million")]
     let points = (samples + corners(project)) as f64;
     points * cost_of_a_variant(project, actuators)
 }
 
-/// How many corners are looked at, at most.
+/// Returns the largest number of corners that are evaluated.
 fn corners(project: &Project) -> usize {
     1_usize << project.tolerances.len().min(ALL_CORNERS_MOST)
 }
 
-/// The numbers of samples that are taken unless the user says otherwise, the largest first.
+/// Default numbers of samples, the largest first.
 const STEPS: [usize; 7] = [SAMPLES_USUAL, 5_000, 2_000, 1_000, 500, 200, 100];
 
-/// How many samples of a project are judged for some actuators unless the user says otherwise: ten thousand, or fewer where
-/// that would take longer than some seconds.
+/// Returns the default number of samples of a project for some actuators: ten thousand, or fewer if these would exceed
+/// some seconds.
 pub(super) fn samples_usual(project: &Project, actuators: usize) -> usize {
     let fits = |samples: &&usize| work(project, actuators, **samples) <= USUAL;
     STEPS.iter().find(fits).copied().unwrap_or(100)
 }
 
-/// The most samples of a project that are judged for some actuators, beside the corners, without a word about the time they
-/// may take.
+/// Returns the largest number of samples of a project for some actuators, besides the corners, without a time limit.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a million")]
 pub(super) fn samples_most(project: &Project, actuators: usize) -> usize {
     let points = (MOST / cost_of_a_variant(project, actuators)) as usize;
