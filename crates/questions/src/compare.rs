@@ -92,7 +92,8 @@ pub struct Comparison<'p> {
 /// Compares the judgements of several actuators.
 ///
 /// # Errors
-/// [`Refusal`] of the first code that cannot be judged, with its place in the list, or [`Refusal::Stopped`] at its place.
+/// [`Refusal`] of the first code that cannot be judged, with its place in the list, or [`Refusal::Stopped`] at its
+/// place.
 pub fn compare<'p>(
     project: &'p Project,
     codes: &[OrderCode],

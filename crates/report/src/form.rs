@@ -2,7 +2,8 @@
 //!
 //! The typesetting engine knows no fields. The template marks each place with a link to `field:NAME`; here the link
 //! becomes the widget of that field, and its tag a form element. The file of the engine stays as it is, and what
-//! changes is appended to it, as the incremental update of ISO 32000-1, 7.5.6 (docs/decisions/0016-form-fields-appended.md).
+//! changes is appended to it, as the incremental update of ISO 32000-1, 7.5.6
+//! (docs/decisions/0016-form-fields-appended.md).
 
 use crate::Fault;
 use hayro_syntax::Pdf;
@@ -46,7 +47,8 @@ pub(crate) struct Field {
 /// A field that is marked at several places is one field: text entered at one of them appears at all.
 ///
 /// # Errors
-/// [`Fault::Export`] when the file is not built as the engine builds it or a field is marked nowhere, which is a defect.
+/// [`Fault::Export`] when the file is not built as the engine builds it or a field is marked nowhere, which is a
+/// defect.
 pub(crate) fn with_fields(file: Vec<u8>, fields: &[Field]) -> Result<Vec<u8>, Fault> {
     let fault = |what: &str| Fault::Export { message: format!("form: {what}") };
     let pdf = Pdf::new(file.clone()).map_err(|_| fault("not read"))?;

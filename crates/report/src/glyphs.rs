@@ -1,7 +1,7 @@
 //! Characters that the embedded fonts can show.
 //!
-//! An archive file must show every character, and a name may contain any. A character without a glyph is written as its code
-//! point instead of a blank box.
+//! An archive file must show every character, and a name may contain any. A character without a glyph is written as its
+//! code point instead of a blank box.
 
 use serde_json::Value;
 use typst::text::{Coverage, FontBook};

@@ -102,7 +102,8 @@ pub enum DiagramPlace {
     Alternatives,
 }
 
-/// Width of the text on a page \[mm\]. A diagram of this width is placed without scaling, so that its letters keep their size.
+/// Width of the text on a page \[mm\]. A diagram of this width is placed without scaling, so that its letters keep
+/// their size.
 const TEXT_WIDTH_MM: f64 = 168.0;
 
 impl DiagramPlace {

@@ -26,8 +26,8 @@ use words::{
 
 /// Collects all results for an axis and the chosen actuator.
 ///
-/// `text` is that of the project file, `place` the number of the axis in it from zero, `program` the name and version of
-/// the program.
+/// `text` is that of the project file, `place` the number of the axis in it from zero, `program` the name and version
+/// of the program.
 #[must_use]
 pub fn dossier(
     project: &Project,

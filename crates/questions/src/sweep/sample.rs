@@ -181,7 +181,8 @@ fn uniform(generator: &mut Pcg64Mcg) -> f64 {
 /// Computes a Latin hypercube: one value in each of N equal parts for each range.
 ///
 /// # Source
-/// McKay, Beckman, Conover: A comparison of three methods for selecting values of input variables, Technometrics 21 (1979) 239
+/// McKay, Beckman, Conover: A comparison of three methods for selecting values of input variables, Technometrics 21
+/// (1979) 239
 #[allow(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
@@ -207,12 +208,13 @@ fn latin_hypercube(ranges: usize, samples: usize, seed: u64) -> Vec<Vec<f64>> {
     rows
 }
 
-/// Degree, coefficients of the primitive polynomial without its ends, initial numbers of each dimension from the second.
+/// Degree, coefficients of the primitive polynomial without its ends, initial numbers of each dimension from the
+/// second.
 type Direction = (u32, u32, &'static [u32]);
 
 /// # Source
-/// S. Joe, F. Y. Kuo: Constructing Sobol sequences with better two-dimensional projections, SIAM J. Sci. Comput. 30 (2008) 2635;
-/// file new-joe-kuo-6.21201
+/// S. Joe, F. Y. Kuo: Constructing Sobol sequences with better two-dimensional projections, SIAM J. Sci. Comput. 30
+/// (2008) 2635; file new-joe-kuo-6.21201
 const SOBOL: [Direction; 16] = [
     (0, 0, &[]),
     (1, 0, &[1]),
@@ -290,7 +292,8 @@ fn sobol(ranges: usize, samples: usize, seed: u64) -> Vec<Vec<f64>> {
 mod tests {
     use super::*;
 
-    /// Row 1000 of the sequence in sixteen dimensions, by scipy 1.17.1: `scipy.stats.qmc.Sobol(d=16, scramble=False).random(1024)[1000]`.
+    /// Row 1000 of the sequence in sixteen dimensions, by scipy 1.17.1: `scipy.stats.qmc.Sobol(d=16,
+    /// scramble=False).random(1024)[1000]`.
     #[test]
     fn the_sequence_is_that_of_another_tool() {
         let expected = [
