@@ -1,4 +1,4 @@
-//! Single chapters answered alone: output bearing, battery.
+//! Single chapters as separate answers: output bearing, battery.
 
 use crate::patience::Patience;
 use crate::sizing_use::{Candidate, Refusal, check_part};
@@ -10,18 +10,18 @@ use quantities::unit::HOUR;
 use quantities::{Language, Measure, Time, parse_as};
 use sizing::{Check, Part, Watch as _};
 
-/// Reads a quantity of the command line.
+/// Reads a quantity from the command line.
 ///
 /// # Errors
-/// What is wrong with the text, and a hint.
+/// The fault of the text, and a hint.
 pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (String, Option<String>)> {
     parse_as(text).map_err(|error| (words::quantity_fault(&error, language), words::quantity_hint(&error, language)))
 }
 
-/// Reads hours a day; they may go without a unit: their name says it.
+/// Reads hours per day; the unit may be omitted, since the name of the option states it.
 ///
 /// # Errors
-/// What is wrong with the text, and a hint.
+/// The fault of the text, and a hint.
 pub(crate) fn read_hours(text: &str, language: Language) -> Result<Time, (String, Option<String>)> {
     match text.trim().parse::<f64>() {
         Ok(hours) => Ok(Time::new_in(hours, &HOUR)),
@@ -29,22 +29,22 @@ pub(crate) fn read_hours(text: &str, language: Language) -> Result<Time, (String
     }
 }
 
-/// Life of the battery of a buffered encoder for hours of operation a day, after a storage.
+/// Computes the life of the battery of a buffered encoder from the hours of operation per day and the storage before.
 ///
 /// # Errors
-/// What is out of range.
+/// The value that is out of range.
 pub(crate) fn battery(operation_per_day: Time, storage: Time, language: Language) -> Result<BatteryLife, String> {
     let battery = configurator::battery();
     let model = battery.require("battery_capacity").map_err(|missing| missing.symbol.to_owned())?;
     model.value.life(operation_per_day, storage).map_err(|fault| words::battery_fault(&fault, language))
 }
 
-/// The checks of the output bearing for one code.
+/// Iterates over the checks of the output bearing of one code.
 pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = &'c Check> {
     candidate.judgement.checks.iter().filter(|check| check.id.part() == Part::OutputBearing)
 }
 
-/// One code of each size, judged by the checks of its output bearing alone: the bearing is the same for all of a size.
+/// Judges one code of each size by the checks of its output bearing alone: all codes of a size have the same bearing.
 ///
 /// # Errors
 /// [`Refusal::Stopped`]

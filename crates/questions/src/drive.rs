@@ -1,4 +1,4 @@
-//! The virtual drive of a code: what it drives, and its electronic data sheet.
+//! The virtual drive of a code: its axis, and its electronic data sheet.
 
 use crate::eds::{self, MANDATORY, Variable};
 use crate::list::Unanswered;
@@ -18,13 +18,14 @@ pub use drive::can::{Frame, Node};
 pub use drive::line::{self, Time};
 pub use drive::{self as room, HALF_MS_S, socketcand};
 
-/// The largest number of a node of CANopen.
+/// Largest node number of CANopen.
 pub const NODE_MOST: u8 = 127;
 
-/// An axis without a project: a load of a moment of inertia, by default that of the actuator itself, which nothing else moves.
+/// Returns an axis without a project: a load with a moment of inertia, by default that of the actuator itself, without
+/// any other torque.
 ///
 /// # Errors
-/// The manual prints no data for the code.
+/// The manual states no data for the code.
 pub fn bare_axis(
     code: &OrderCode,
     inertia: Option<MomentOfInertia>,
@@ -42,10 +43,10 @@ pub fn bare_axis(
     crate::read(&text).map_err(faults)
 }
 
-/// A drive with the axis of a project, handed to a function while it lives.
+/// Passes a drive with the axis of a project to a function.
 ///
 /// # Errors
-/// The manual prints no data for the code, the project is not judged, or the twin cannot run.
+/// The manual states no data for the code, the project is not judged, or the twin cannot run.
 pub fn with_drive<T>(
     project: &Project,
     code: &OrderCode,
@@ -73,7 +74,7 @@ pub fn with_drive<T>(
     Ok(run(drive))
 }
 
-/// Communication objects whose value depends on the number of the node.
+/// Communication objects whose value depends on the node number.
 const OF_NODE: [(u16, u8); 9] = [
     (0x1014, 0),
     (0x1400, 1),
@@ -86,8 +87,8 @@ const OF_NODE: [(u16, u8); 9] = [
     (0x1803, 1),
 ];
 
-/// The electronic data sheet of the virtual drive, for any number of its node; without a date, so that the same call gives the same
-/// bytes.
+/// Returns the electronic data sheet of the virtual drive, for any node number; without a date, so that the same call
+/// gives the same bytes.
 ///
 /// # Source
 /// cia-306

@@ -1,13 +1,13 @@
-//! The catalogue in long form: one row per printed cell.
+//! The catalogue in long form: one row per cell of the manual.
 
 use crate::sweep::csv::quoted;
 use catalogue::Cell;
 
-/// The columns of the long form, part of the contract with scripts.
+/// Columns of the long form, part of the contract with scripts.
 pub(crate) const EXPORT_COLUMNS: [&str; 10] =
     ["drive", "feedback", "ratio", "symbol", "condition", "printed", "value", "unit", "table", "erratum"];
 
-/// Every printed cell, in the order of [`EXPORT_COLUMNS`]; several errata of one cell are joined by `;`.
+/// Iterates over the cells, in the order of [`EXPORT_COLUMNS`]; several errata of one cell are joined by `;`.
 pub(crate) fn export_rows() -> impl Iterator<Item = (&'static Cell, [String; 10])> {
     catalogue::cells().map(|cell| {
         let row = [
@@ -26,7 +26,7 @@ pub(crate) fn export_rows() -> impl Iterator<Item = (&'static Cell, [String; 10]
     })
 }
 
-/// The long form as CSV (RFC 4180), with a line of the columns' names.
+/// Returns the long form as CSV (RFC 4180), with a header line.
 #[must_use]
 pub fn export_csv() -> String {
     let mut out = EXPORT_COLUMNS.join(",");

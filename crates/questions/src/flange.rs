@@ -1,12 +1,12 @@
-//! The loads on the output bearing over the cycle.
+//! Loads on the output bearing over the cycle.
 
 use crate::sizing_use::Candidate;
 use project::Project;
 use sizing::FlangeSample;
 
-/// The loads on the output bearing of a candidate at instants over the cycle; `None` where they are not known.
+/// Returns the loads on the output bearing of a candidate at instants over the cycle; `None` if they are not known.
 ///
-/// Loads that are stated are constant within a segment, of which both ends are returned.
+/// Stated loads are constant within a segment, of which both ends are returned.
 #[must_use]
 pub fn flange_course(project: &Project, candidate: &Candidate<'_>) -> Option<Vec<FlangeSample>> {
     let offset = candidate.parameters.output_bearing.offset.known().map(|offset| offset.value);

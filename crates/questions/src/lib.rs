@@ -1,8 +1,8 @@
-//! The facade: every question with its answer ([`list`]), and what a face needs to lay an answer out.
+//! The facade: every question with its answer ([`list`]), and the types with which a face lays out an answer.
 //!
-//! Results come as data ([`Sizing`], [`Candidate`]) and as records ([`answer`]), their sentences as [`texts`] in English and
-//! German. What belongs to one question alone is in its module of [`list`]. Nothing here touches a file, the clock, the
-//! environment or the terminal.
+//! Results are available as data ([`Sizing`], [`Candidate`]) and as records ([`answer`]), their sentences as [`texts`]
+//! in English and German. Items of one question alone are in its module of [`list`]. Nothing here accesses a file, the
+//! clock, the environment or the terminal.
 
 pub mod answer;
 mod candidate;
@@ -45,7 +45,7 @@ mod torsion;
 mod upkeep;
 mod wiring;
 
-// Reading: projects, codes, quantities; how long an answer may take; which actuator is meant.
+// Reading: projects, codes, quantities; progress and cancellation; the actuator of an answer.
 pub use chapters::read_quantity;
 pub use codes::{CodeRefusal, read_code};
 pub use fingerprint::project_fingerprint;
@@ -53,7 +53,7 @@ pub use patience::Patience;
 pub use reading::{Unread, read, read_all, read_all_watched};
 pub use subject::candidate_for;
 
-// The judgement of an axis.
+// Judgement of an axis.
 pub use configurator::Unmet;
 pub use limits::limits_needed;
 pub use signal::{SIGNALS, Signal, TIME};
@@ -65,7 +65,7 @@ pub use sizing_use::{
 };
 pub use tolerance::{Assessment, Draw, SAMPLES_MOST, SAMPLES_USUAL, Sampling, assess};
 
-// What a picture needs.
+// Data of pictures.
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use flange::flange_course;
 pub use grips::grips;
@@ -89,7 +89,7 @@ mod tests {
     use crate::sheet::sheet;
     use quantities::Language;
 
-    /// Every condition on every German data sheet is symbols, numbers and German words.
+    /// Every condition on every German data sheet consists of symbols, numbers and German words.
     #[test]
     fn no_english_condition_is_left_on_a_german_data_sheet() {
         let mut seen: Vec<String> = Vec::new();

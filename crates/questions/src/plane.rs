@@ -1,4 +1,4 @@
-//! The limits of the torque-speed plane, for pictures.
+//! Limits of the torque-speed plane, for pictures.
 
 use crate::sizing_use::Candidate;
 use actuator::{CurveKind, CurvePoint, Parameters, PerformanceCurve};
@@ -7,17 +7,17 @@ use project::Project;
 use provenance::Missing;
 use quantities::{AngularVelocity, ElectricPotential, Measure, Torque};
 
-/// Shares of the terminal voltage at which the short-time limit is shown besides, as the DC link sags.
+/// Shares of the terminal voltage at which the short-time limit is also shown, for a sagging DC link.
 const SAGGED: [f64; 2] = [0.8, 0.6];
 
-/// The limits of an actuator in the torque-speed plane.
+/// Limits of an actuator in the torque-speed plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    /// Continuous duty, S3, short time at the terminal voltage, in this order; what is not known is left out.
+    /// Continuous duty, S3, short-time duty at the terminal voltage, in this order; unknown curves are left out.
     pub curves: Vec<PerformanceCurve>,
-    /// Short-time limits at lower terminal voltages that differ, the highest first; none where no voltage is given.
+    /// Short-time limits at lower terminal voltages, if they differ, the highest first; empty without a voltage.
     pub sagged: Vec<PerformanceCurve>,
-    /// The limit while braking: its largest speed and T_max, which the voltage does not lower.
+    /// Limit while braking: its largest speed and T_max, which the voltage does not lower.
     pub braking: Option<(AngularVelocity, Torque)>,
 }
 
@@ -41,23 +41,24 @@ impl Plane {
     }
 }
 
-/// The limits of a candidate at the terminal voltage of the project's supply.
+/// Returns the limits of a candidate at the terminal voltage of the project's supply.
 ///
 /// # Errors
-/// The first datum that is missing if no curve can be drawn.
+/// The first missing datum if no curve can be drawn.
 pub fn plane(project: &Project, candidate: &Candidate<'_>) -> Result<Plane, Missing> {
     Plane::of(candidate.parameters, project.axis.terminal_voltage())
 }
 
-/// The limits of a code at a terminal voltage; `None` where the manual prints no data.
+/// Returns the limits of a code at a terminal voltage; `None` if the manual states no data.
 ///
 /// # Errors
-/// The first datum that is missing if no curve can be drawn.
+/// The first missing datum if no curve can be drawn.
 pub fn plane_of(code: &OrderCode, terminal: Option<ElectricPotential>) -> Option<Result<Plane, Missing>> {
     Some(Plane::of(&configurator::parameters(code)?, terminal))
 }
 
-/// Both edges of a curve at every speed of either, straight between their points: they need not share their speeds.
+/// Returns both edges of a curve at every speed of either, interpolated linearly between their points, which may have
+/// different speeds.
 #[must_use]
 pub fn curve_rows(curve: &PerformanceCurve) -> Vec<(AngularVelocity, Option<Torque>, Option<Torque>)> {
     rows(&curve.points, curve.upper.as_deref().unwrap_or_default())
@@ -77,7 +78,7 @@ fn rows(lower: &[CurvePoint], upper: &[CurvePoint]) -> Vec<(AngularVelocity, Opt
     let mut rows = Vec::with_capacity(speeds.len());
     let mut last: Option<AngularVelocity> = None;
     for speed in speeds {
-        // Where a curve drops, two of its points have one speed: both are returned.
+        // At a drop of a curve two of its points have the same speed: both are returned.
         let again = last.is_some_and(|last| last.si() == speed.si());
         rows.push((speed, at_speed(lower, speed, again), at_speed(upper, speed, again)));
         last = Some(speed);
@@ -85,7 +86,8 @@ fn rows(lower: &[CurvePoint], upper: &[CurvePoint]) -> Vec<(AngularVelocity, Opt
     rows
 }
 
-/// The torque at a speed; of two points at one speed the first, or the last where it comes `again`. None beyond the last.
+/// Returns the torque at a speed; of two points at the same speed the first, or the last if `again` is set. `None`
+/// beyond the last point.
 fn at_speed(points: &[CurvePoint], speed: AngularVelocity, again: bool) -> Option<Torque> {
     let near = |point: &&CurvePoint| (point.speed.si() - speed.si()).abs() <= 1e-9 * speed.si().abs();
     let found = if again { points.iter().rfind(near) } else { points.iter().find(near) };

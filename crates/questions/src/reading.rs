@@ -1,4 +1,4 @@
-//! Reading a project file, with the best of several ratios.
+//! Reading of a project file, with the best of several ratios.
 
 #[cfg(test)]
 mod bodies_tests;
@@ -38,16 +38,16 @@ pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagn
     Project::read_all(text, files, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
 }
 
-/// Why there is no project.
+/// Reasons why there is no project.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unread {
     /// Every fault of the file, each with its place, in the order of the file.
     Faults(Vec<Diagnostic>),
-    /// The best of several ratios was not sought: the call was cancelled, or it takes longer than the usual time.
+    /// The best of several ratios was not searched: the call was cancelled, or the search exceeds the usual time.
     Refused(Refusal),
 }
 
-/// Reads as [`read_all`] does, and can be cancelled: among several ratios of a stage the best is sought, and the
+/// Reads like [`read_all`], but can be cancelled: among several ratios of a stage the best is searched, and the
 /// catalogue judged for each.
 ///
 /// # Errors
@@ -56,7 +56,7 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
     let refused = Cell::new(None);
     let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
         let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !patience.is_limited());
-        // The work comes before that of the question itself.
+        // This work precedes that of the question itself.
         let ranking = Cost::Ranking { complete: 0, draw: Draw::default() };
         let quick = first.map_or(Ok(()), |first| ranking.is_quick_for(&first, ratios.len()));
         let found = quick.and_then(|()| best_ratio(ratios, with, patience).map_err(Refusal::from));
@@ -67,7 +67,7 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
     };
     let cancellable = Cancellable { files, patience, opened: Cell::new(false) };
     let read = Project::read_all(text, &cancellable, &choose);
-    // Only the reading of a file can be cut short; the faults of a text alone are complete.
+    // Only the reading of a file can be interrupted; the faults of a text alone are complete.
     let stopped = || (read.is_err() && cancellable.opened.get() && patience.is_over()).then(|| Refusal::from(Stopped));
     refused
         .take()
@@ -75,7 +75,7 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
         .map_or_else(|| read.map_err(Unread::Faults), |refusal| Err(Unread::Refused(refusal)))
 }
 
-/// Files that are read until the call is cancelled.
+/// Files that can be read until the call is cancelled.
 struct Cancellable<'f> {
     files: &'f dyn Files,
     patience: &'f Patience,
@@ -101,20 +101,20 @@ impl Files for Cancellable<'_> {
     }
 }
 
-/// The JSON Schema of the project file (draft 2020-12).
+/// Returns the JSON Schema of the project file (draft 2020-12).
 #[must_use]
 pub(crate) fn schema(language: Language) -> Value {
     project::schema(&|text| words::schema_text(text, language))
 }
 
-/// The project with the ratio that gives the best actuator of the catalogue, by the rule of the ranking: a smaller actuator
-/// first, then the wider margin. Of equals the first in the file.
+/// Returns the project with the ratio that gives the best actuator of the catalogue, by the rule of the ranking: a
+/// smaller actuator first, then the wider margin. Among equals the first in the file is taken.
 ///
-/// Each ratio is judged by itself, because it changes the axis and not the actuator: all that is reported of the axis (demand,
-/// motion, checks, report) is then of one ratio, and each candidate of the ranking is judged under the same.
+/// Each ratio is judged separately, because it changes the axis and not the actuator: all results for the axis (demand,
+/// motion, checks, report) then belong to one ratio, and each candidate of the ranking is judged under the same.
 ///
 /// # Errors
-/// Where it was stopped.
+/// If it was cancelled.
 fn best_ratio<W: Watch>(
     ratios: &[f64],
     with: &dyn Fn(f64) -> Option<Project>,

@@ -1,18 +1,18 @@
-//! Project files to begin with, commented in either language.
+//! Project files to start from, commented in either language.
 
 use mechanism::MechanismId;
 use quantities::Language;
 
-/// A kind of project file and the example that it is taken from.
+/// A kind of project file and its example.
 #[derive(Clone, Copy)]
 struct TemplateKind {
     name: &'static str,
     text: &'static str,
-    /// A recording that the project names.
+    /// Recording that the project names.
     recording: Option<(&'static str, &'static str)>,
 }
 
-/// The recording of the example of a joint.
+/// Recording of the example of a joint.
 const ROBOT_JOINT: (&str, &str) = ("robot-joint.csv", include_str!("../../../examples/robot-joint.csv"));
 
 static TEMPLATES: [TemplateKind; 6] = [
@@ -28,15 +28,16 @@ static TEMPLATES: [TemplateKind; 6] = [
     },
 ];
 
-/// The kinds of project files to begin with: those of the list, and every other mechanism under its own name.
+/// Iterates over the kinds of project files to start from: those of the list, and every other mechanism under its own
+/// name.
 pub fn template_kinds() -> impl Iterator<Item = &'static str> {
     let named = |name: &str| TEMPLATES.iter().any(|kind| kind.name == name);
-    // A load by its inertia alone is that of the manual's example.
+    // A load stated by its inertia alone is that of the manual's example.
     let mechanisms = MechanismId::ALL.iter().filter(|id| **id != MechanismId::Load).map(|id| id.key());
     TEMPLATES.iter().map(|kind| kind.name).chain(mechanisms.filter(move |name| !named(name)))
 }
 
-/// The example of a kind.
+/// Returns the example of a kind.
 fn kind_of(name: &str) -> Option<TemplateKind> {
     let listed = TEMPLATES.iter().find(|kind| kind.name == name).copied();
     listed.or_else(|| {
@@ -49,16 +50,16 @@ fn kind_of(name: &str) -> Option<TemplateKind> {
     })
 }
 
-/// A project file to begin with.
+/// A project file to start from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Template {
     /// The project file.
     pub text: String,
-    /// The recording that it names: the file beside it, and what stands in it.
+    /// Recording that the project names: file name and content.
     pub recording: Option<(String, String)>,
 }
 
-/// A project file of a kind, with comments in a language, for a file of a name; `None` if there is no such kind.
+/// Returns a project file of a kind, with comments in a language, for a file name; `None` if the kind does not exist.
 #[must_use]
 pub fn template(kind: &str, file: &str, language: Language) -> Option<Template> {
     let kind = kind_of(kind)?;
@@ -88,7 +89,7 @@ fn recording_in(text: &str, language: Language) -> String {
     format!("{}\n{rest}", worded(head, language))
 }
 
-/// A line with its comment, or its name, in a language.
+/// Returns a line with its comment, or its name, in a language.
 fn worded(line: &str, language: Language) -> String {
     let head = ["# ", "name = "].into_iter().find_map(|mark| line.find(mark).map(|at| at + mark.len()));
     let Some((before, text)) = head.and_then(|head| line.split_at_checked(head)) else { return line.to_owned() };

@@ -1,4 +1,4 @@
-//! The torsion of a gear under a torque, alone.
+//! The torsion of a gear under a torque as a separate answer.
 
 use crate::chapters::read_quantity;
 use crate::list::Hinted;
@@ -12,9 +12,9 @@ use quantities::{Angle, Language, Measure, Torque};
 /// The known quantity of a twisted gear; the other one is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Twist {
-    /// The torque on it.
+    /// Torque on the gear.
     Torque(Torque),
-    /// The angle by which it yields.
+    /// Angle of torsion.
     Angle(Angle),
 }
 
@@ -29,14 +29,14 @@ pub struct TorsionAnswer {
     pub angle: Angle,
     /// Stiffness region of the torque: 1, 2 or 3.
     pub region: u8,
-    /// Width of the curve at no torque after full torque to both sides: an upper bound.
+    /// Width of the curve at zero torque after full torque in both directions: an upper bound.
     pub hysteresis_loss: Datum<Angle>,
     /// Width of the curve under a few per cent of the rated torque: an upper bound.
     pub lost_motion: Datum<Angle>,
 }
 
 impl TorsionAnswer {
-    /// The curve with the point that is asked about.
+    /// Returns the curve with the requested point.
     #[must_use]
     pub const fn at(&self) -> TorsionCurve {
         TorsionCurve { curve: self.curve, torque: self.torque, angle: self.angle }
@@ -46,7 +46,7 @@ impl TorsionAnswer {
 /// Reads a torque such as `60 N m` or an angle such as `1 arcmin`; one of the two, not both.
 ///
 /// # Errors
-/// The option, what is wrong with its text, and a hint.
+/// The option, the fault of its text, and a hint.
 pub(crate) fn read_twist(
     torque: Option<&str>,
     angle: Option<&str>,
@@ -59,8 +59,8 @@ pub(crate) fn read_twist(
     }
 }
 
-/// The torsion of a code's gear under a torque, or the torque that twists it by an angle; `None` where the stiffness is not
-/// printed.
+/// Computes the torsion of a code's gear under a torque, or the torque that twists it by an angle; `None` if the manual
+/// does not state the stiffness.
 ///
 /// # Source
 /// cha-manual eq. 73.1 to 73.4, tables 54.1 to 54.4
@@ -85,19 +85,19 @@ pub(crate) fn torsion(code: &OrderCode, twist: Twist) -> Option<TorsionAnswer> {
     Some(TorsionAnswer { curve, torque, angle, region, hysteresis_loss, lost_motion })
 }
 
-/// The torsion curve of a gear with the point at which an axis works.
+/// Torsion curve of a gear with the operating point of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TorsionCurve {
     /// The curve: T_1, T_2, K_1, K_2, K_3.
     pub curve: Torsion,
     /// Largest torque on the gear.
     pub torque: Torque,
-    /// Torsion under it.
+    /// Torsion under this torque.
     pub angle: Angle,
 }
 
 impl TorsionCurve {
-    /// The corners of the curve from `−end` to `end`.
+    /// Returns the corners of the curve from `−end` to `end`.
     #[must_use]
     pub fn points(&self, end: Torque) -> Vec<(Torque, Angle)> {
         let (one, two, end) = (self.curve.torque_1.si(), self.curve.torque_2.si(), end.si().abs());
@@ -107,7 +107,7 @@ impl TorsionCurve {
     }
 }
 
-/// The torsion curve of a candidate's gear and its working point; `None` where the stiffness is not known.
+/// Returns the torsion curve of a candidate's gear and its operating point; `None` if the stiffness is not known.
 ///
 /// # Source
 /// cha-manual eq. 73.1 to 73.3; the torque is that of the torsion check, without the actuator's own inertia

@@ -1,4 +1,4 @@
-//! A list of pins and the sizes of a cable, as a user gives them.
+//! A list of pins and the dimensions of a cable, as stated by the user.
 
 use crate::chapters::read_quantity;
 use installation::wiring::{Comparison, ListFault, Wiring, compare, read_pin_list};
@@ -6,17 +6,17 @@ use quantities::unit::{METRE, SQUARE_MILLIMETRE};
 use quantities::{Area, Language, Length, Measure};
 use words::{Worded, wiring};
 
-/// A cable is no longer than this \[m\].
+/// Largest length of a cable \[m\].
 pub(crate) const CABLE_LENGTH_MAX_M: f64 = 1000.0;
 
-/// A wire is no thicker than this \[mm²\].
+/// Largest cross-section of a wire \[mm²\].
 pub(crate) const CROSS_SECTION_MAX_MM2: f64 = 1000.0;
 
-/// Reads a list of pins, in whatever encoding a spreadsheet wrote it, and compares it with the wiring; where it has faults
-/// its text as it was understood with the faults in it.
+/// Reads a list of pins, in the encoding of any spreadsheet program, and compares it with the wiring; for a list with
+/// faults, returns the decoded text with its faults.
 ///
 /// # Errors
-/// Of the source; bytes in memory have none.
+/// Errors of the source; bytes in memory have none.
 pub(crate) fn read_list(
     wiring: &Wiring,
     bytes: &[u8],
@@ -32,10 +32,10 @@ pub(crate) fn read_list(
     Ok(compared.map_err(|faults| (text, faults)))
 }
 
-/// The length of a cable.
+/// Parses the length of a cable.
 ///
 /// # Errors
-/// What is wrong with the text, and a hint.
+/// The fault of the text, and a hint.
 pub(crate) fn cable_length(text: &str, language: Language) -> Result<Length, (String, Option<String>)> {
     let length: Length = read_quantity(text, language)?;
     let metres = length.in_unit(&METRE);
@@ -45,10 +45,10 @@ pub(crate) fn cable_length(text: &str, language: Language) -> Result<Length, (St
     Err((wiring::length_must_be_positive(&CABLE_LENGTH_MAX_M, language), None))
 }
 
-/// The cross-section of a wire.
+/// Parses the cross-section of a wire.
 ///
 /// # Errors
-/// What is wrong with the text, and a hint.
+/// The fault of the text, and a hint.
 pub(crate) fn cross_section(text: &str, language: Language) -> Result<Area, (String, Option<String>)> {
     let area: Area = read_quantity(text, language)?;
     let section = area.in_unit(&SQUARE_MILLIMETRE);

@@ -1,4 +1,4 @@
-//! Sizes of the letters of a document as they stand on its pages, in the text and in the diagrams.
+//! Sizes of the letters on the pages of a document, in the text and in the diagrams.
 
 use crate::press::{forget, typeset};
 use crate::{Content, Fault, Settings};
@@ -12,7 +12,7 @@ pub struct Letter {
     pub page: usize,
     /// Size on the page \[pt\].
     pub size_pt: f64,
-    /// The text; of a diagram the line of its SVG.
+    /// The text; for a diagram the line of its SVG.
     pub text: String,
 }
 
@@ -36,7 +36,7 @@ fn collect(frame: &Frame, scale: f64, page: usize, found: &mut Vec<Letter>) {
         match item {
             FrameItem::Group(group) => {
                 let (x, y) = (group.transform.sx.get(), group.transform.sy.get());
-                // Turned text has its size in the other two terms.
+                // Rotated text has its size in the other two terms.
                 let (kx, ky) = (group.transform.kx.get(), group.transform.ky.get());
                 collect(&group.frame, scale * x.hypot(ky).min(y.hypot(kx)), page, found);
             }
@@ -55,14 +55,14 @@ fn collect(frame: &Frame, scale: f64, page: usize, found: &mut Vec<Letter>) {
     }
 }
 
-/// Width and height of the coordinates of an SVG.
+/// Returns width and height of the coordinates of an SVG.
 fn viewed(svg: &str) -> (f64, f64) {
     let sizes = svg.split("viewBox=").nth(1).and_then(|rest| rest.split(['"', '\'']).nth(1)).unwrap_or_default();
     let mut sizes = sizes.split_whitespace().skip(2).filter_map(|size| size.parse().ok());
     (sizes.next().unwrap_or(f64::NAN), sizes.next().unwrap_or(f64::NAN))
 }
 
-/// Every size of letters that an SVG states, in its coordinates, with the text that follows.
+/// Iterates over the sizes of letters that an SVG states, in its coordinates, each with the text that follows.
 fn of_svg(svg: &str) -> impl Iterator<Item = (f64, String)> {
     svg.match_indices("font-size").filter_map(|(at, key)| {
         let rest = svg.get(at + key.len()..)?.trim_start_matches(['=', ':', '"', '\'', ' ']);

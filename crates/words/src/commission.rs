@@ -1,4 +1,4 @@
-//! Words of the commissioning: headings, names of objects and files, and the phrases around figures.
+//! Words for the commissioning: headings, names of objects and files, and the phrases around figures.
 
 use crate::texts::texts;
 

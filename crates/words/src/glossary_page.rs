@@ -4,7 +4,7 @@ use crate::{pages, parameter_name, step_terms, symbol_shown, term_remark, word_m
 use installation::commission::ParameterId;
 use quantities::Language;
 
-/// The page in a language; terms stand in both.
+/// Returns the page in a language; terms are listed in both.
 #[must_use]
 pub fn glossary_page(language: Language) -> String {
     let mut page = format!("# {}\n\n{}\n", pages::glossary_title(language), pages::glossary_about(language));
@@ -35,8 +35,8 @@ pub fn glossary_page(language: Language) -> String {
     page
 }
 
-/// Every symbol beside those of the tables with its meaning, English and German: of the derivations, then of the values for
-/// a drive.
+/// Iterates over the symbols besides those of the tables with their meaning, English and German: those of the
+/// derivations, then those of the values for a drive.
 pub fn glossary_symbols() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     let of_tables = |symbol: &str| catalogue::glossary().iter().any(|term| term.symbol == symbol);
     let listed = ParameterId::ALL.iter().filter(move |id| !of_tables(id.symbol()));
@@ -44,7 +44,7 @@ pub fn glossary_symbols() -> impl Iterator<Item = (&'static str, &'static str, &
     step_terms().chain(listed)
 }
 
-/// The meaning of one of them in a language.
+/// Returns the meaning of one of these symbols in a language.
 #[must_use]
 pub fn glossary_symbol(symbol: &str, language: Language) -> Option<&'static str> {
     let (_, en, de) = glossary_symbols().find(|(known, ..)| *known == symbol)?;

@@ -1,4 +1,4 @@
-//! Words about the identification of an axis from a recorded run.
+//! Words for the identification of an axis from a recorded run.
 
 use crate::pick;
 use crate::texts::texts;
@@ -55,7 +55,7 @@ texts! {
         | "die Bewegungen des Projekts haben verschiedene Nutzlasten oder Prozessmomente, und der Lauf stimmt ab mehreren Zeitpunkten des Zyklus mit ihnen überein: die Zeit des Laufs mit der ersten Bewegung bei 0 beginnen lassen";
 }
 
-/// Reason why a parameter has no estimate.
+/// Returns the reason why a parameter has no estimate.
 #[must_use]
 pub fn open_reason(open: Open, language: Language) -> String {
     let (en, de) = match open {
@@ -80,7 +80,7 @@ pub fn open_reason(open: Open, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// Heading of the column of a signal.
+/// Returns the heading of the column of a signal.
 #[must_use]
 pub const fn column_heading(column: Column) -> &'static str {
     match column {
@@ -92,7 +92,7 @@ pub const fn column_heading(column: Column) -> &'static str {
     }
 }
 
-/// Sign of another convention, with what to do; `value` is printed as it is.
+/// Returns the symptom of another sign or unit convention, with the remedy; `value` is inserted unchanged.
 #[must_use]
 pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) -> String {
     let (en, de) = match (column, misread) {

@@ -1,11 +1,11 @@
-//! Words about the cycle on the chosen actuator: the duty types of IEC 60034-1.
+//! Words for the cycle on the chosen actuator: the duty types of IEC 60034-1.
 
 use crate::operation;
 use crate::texts::texts;
 use quantities::Language;
 use sizing::DutyType;
 
-/// Designation of a duty type.
+/// Returns the designation of a duty type.
 #[must_use]
 pub const fn duty_id(duty: DutyType) -> &'static str {
     match duty {
@@ -19,7 +19,7 @@ pub const fn duty_id(duty: DutyType) -> &'static str {
     }
 }
 
-/// Name of a duty type.
+/// Returns the name of a duty type.
 #[must_use]
 pub const fn duty_name(duty: DutyType, language: Language) -> &'static str {
     match duty {
@@ -33,7 +33,7 @@ pub const fn duty_name(duty: DutyType, language: Language) -> &'static str {
     }
 }
 
-/// Properties of the cycle from which its duty type follows.
+/// Returns the properties of the cycle from which its duty type follows.
 #[must_use]
 pub const fn duty_reason(duty: DutyType, language: Language) -> &'static str {
     match duty {

@@ -1,4 +1,4 @@
-//! Words of the web workbench.
+//! Words for the web workbench.
 
 use crate::texts::texts;
 

@@ -1,4 +1,4 @@
-//! Words of the reference pages that are made from the program: of the commands, of the project file.
+//! Words for the reference pages generated from the program: commands and project file.
 
 use crate::texts::texts;
 

@@ -1,4 +1,4 @@
-//! Words in pictures: axes, legends, captions, and descriptions.
+//! Words for pictures: axes, legends, captions, and descriptions.
 
 use crate::texts::texts;
 

@@ -1,4 +1,4 @@
-//! Texts for readers who never see the project file: a report that is signed, a workbook that is passed on.
+//! Texts for readers without the project file: a signed report, a distributed workbook.
 
 use crate::pick;
 use crate::project_file::short_label;
@@ -7,9 +7,11 @@ use project::input_label;
 use quantities::Language;
 use std::borrow::Cow;
 
-/// Returns the text with what a key of the project file is for in place of the key; a key in parentheses behind its words is left out.
+/// Returns the text with each key of the project file replaced by its purpose; a key in parentheses after its words is
+/// left out.
 ///
-/// `no limit stated: requirements.torsion_max` becomes `no limit stated: maximum torsion …`. A word that is no key stays as it is.
+/// `no limit stated: requirements.torsion_max` becomes `no limit stated: maximum torsion …`. A word that is no key
+/// stays unchanged.
 #[must_use]
 pub fn without_keys(text: &str, language: Language) -> Cow<'_, str> {
     if !text.contains(['.', '_']) {
@@ -25,7 +27,7 @@ pub fn without_keys(text: &str, language: Language) -> Cow<'_, str> {
                 out.push_str(before);
                 rest = behind;
             }
-            // A key without its table may be a word of anything else.
+            // A key without its table may be an ordinary word.
             _ => {
                 out.push_str(before);
                 let key = rest.get(found.from..found.to).unwrap_or_default();
@@ -65,14 +67,14 @@ fn next_key(text: &str, language: Language) -> Option<Found> {
         {
             return Some(Found { from: start, to: start + word.len(), label });
         }
-        // The rest of a word is no word of its own.
+        // The rest of a word is no separate word.
         from = start + length.max(1);
         from += text.get(from..)?.find(|sign: char| !sign.is_alphanumeric()).unwrap_or(0);
     }
     None
 }
 
-/// Returns the rest behind the parenthesis that a key fills, alone or with its value: `)`, ` = "ignore")`.
+/// Returns the rest after the parenthesis that a key fills, alone or with its value: `)`, ` = "ignore")`.
 fn end_of_aside(behind: &str) -> Option<&str> {
     let behind = match behind.strip_prefix(" = \"") {
         Some(value) => value.split_once('"')?.1,
@@ -81,7 +83,7 @@ fn end_of_aside(behind: &str) -> Option<&str> {
     behind.strip_prefix(')')
 }
 
-/// Tables whose keys a text names without their table.
+/// Tables whose keys appear in texts without their table.
 const BARE: [&str; 6] = ["motion", "bearing", "requirements", "mechanism.arm", "mechanism.screw", "stage"];
 
 fn label(key: &str, language: Language) -> Option<String> {

@@ -1,4 +1,4 @@
-//! Words of the records: reasons in short, what is to be bought, what was not found.
+//! Words for the records: reasons in short form, parts to order, missing results.
 
 use crate::texts::texts;
 

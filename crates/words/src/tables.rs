@@ -1,4 +1,4 @@
-//! Words of the tables and of the workbook: titles, what a column means, the first sheet, the charts.
+//! Words for the tables and the workbook: titles, meanings of columns, the first sheet, the charts.
 
 use crate::texts::texts;
 

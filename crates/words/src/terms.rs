@@ -1,4 +1,4 @@
-//! Words that stand in more than one place: one word for one thing.
+//! Words used in more than one place: one word for one thing.
 
 use crate::texts::texts;
 

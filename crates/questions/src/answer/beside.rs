@@ -31,7 +31,7 @@ fn rows(rows: &[DatumRow]) -> Vec<answers::DatumRow> {
     rows.iter().map(row).collect()
 }
 
-/// Several actuators side by side.
+/// Returns the comparison of several actuators.
 #[must_use]
 pub fn comparison(found: &Comparison<'_>, axis: &str, language: Language) -> answers::Comparison {
     let checks = found.checks.iter().map(|row| CheckRow {
@@ -51,7 +51,7 @@ pub fn comparison(found: &Comparison<'_>, axis: &str, language: Language) -> ans
     }
 }
 
-/// One actuator before and after.
+/// Returns one actuator before and after a change of the project.
 #[must_use]
 pub fn difference(
     found: &Difference<'_>,

@@ -1,4 +1,4 @@
-//! A check, and what an axis demands, as records.
+//! A check, and the demand of an axis, as records.
 
 use crate::explain::derivation;
 use crate::sizing_use::Candidate;
@@ -9,7 +9,7 @@ use quantities::{Language, Measure};
 use sizing::{Amount, Check, Demand, ManualDemand, Note};
 use words::{assumption_text, check_title, note_text, source_text};
 
-/// One check.
+/// Returns one check.
 #[must_use]
 pub fn check(check: &Check, language: Language) -> answers::Check {
     let number = |figure: Option<Amount>| figure.map(|figure| Number(figure.value()));
@@ -43,13 +43,13 @@ pub fn check(check: &Check, language: Language) -> answers::Check {
     }
 }
 
-/// A check with the derivation of its value and its limit.
+/// Returns a check with the derivation of its value and its limit.
 #[must_use]
 pub fn explained(found: &Check, language: Language) -> answers::Explained {
     answers::Explained { check: check(found, language), derivation: derivation(found, language) }
 }
 
-/// Checks of an actuator with their derivations.
+/// Returns checks of an actuator with their derivations.
 #[must_use]
 pub fn explanations(
     project: &Project,
@@ -65,7 +65,7 @@ pub fn explanations(
     }
 }
 
-/// The assumptions in words.
+/// Returns the assumptions as text.
 pub(super) fn assumptions(assumptions: &[project::Assumption], language: Language) -> Vec<String> {
     assumptions.iter().map(|assumption| assumption_text(*assumption, language)).collect()
 }
@@ -86,7 +86,7 @@ fn torques(torques: &sizing::MoveTorques) -> MoveTorques {
     MoveTorques { accelerate, run, brake }
 }
 
-/// The demand: the manual's figures with T_1, T_2, T_3 of the governing move, the exact integrals beside them.
+/// Returns the demand: the figures of the manual with T_1, T_2, T_3 of the governing move, beside the exact integrals.
 pub(super) fn demand(manual: Option<&ManualDemand>, integral: Option<&Demand>) -> Option<answers::Demand> {
     let units = Units::of(&[("T", &NEWTON_METRE), ("n", &REVOLUTION_PER_MINUTE), ("ED", &PERCENT)]);
     let exact = integral.map(figures);

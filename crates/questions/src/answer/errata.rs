@@ -6,18 +6,18 @@ use catalogue::Erratum;
 use quantities::Language;
 use words::evidence_text;
 
-/// The requested errata.
+/// Returns the requested errata.
 #[must_use]
 pub fn errata(found: &ErrataFound, language: Language) -> Errata {
     Errata { about: found.about.clone(), errata: found.errata.iter().map(|each| erratum(each, language)).collect() }
 }
 
-/// An erratum as figures cite it.
+/// Returns an erratum as cited by figures.
 pub(crate) fn cited(id: &str, language: Language) -> CitedErratum {
     CitedErratum { id: id.to_owned(), evidence: evidence_text(id, language).to_owned() }
 }
 
-/// One erratum.
+/// Returns one erratum.
 #[must_use]
 pub fn erratum(erratum: &'static Erratum, language: Language) -> answers::Erratum {
     let cell = erratum.cell();

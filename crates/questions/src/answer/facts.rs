@@ -5,7 +5,7 @@ use catalogue::Fact;
 use quantities::Language;
 use words::{fact_source, fact_text};
 
-/// The facts with their texts.
+/// Returns the facts with their texts.
 #[must_use]
 pub fn facts(facts: &[&'static Fact], language: Language) -> Vec<answers::Fact> {
     let value = |value: &catalogue::FactValue| FactValue {

@@ -8,7 +8,7 @@ use quantities::{Language, Measure};
 use recording::{Encoding, KnownBy, Role};
 use words::law_text;
 
-/// Every segment with what was given and what followed from it.
+/// Returns every segment with stated and derived values.
 #[must_use]
 pub fn motion(moves: &Moves<'_>, language: Language) -> answers::Motion {
     let [distance, speed, acceleration] = moves.units;

@@ -1,4 +1,4 @@
-//! The cycle on the chosen actuator and the printed data of that actuator, as records.
+//! The cycle on the chosen actuator and the data of that actuator in the manual, as records.
 
 use crate::sheet::{SheetRow, sheet, sheet_value_text};
 use answers::{DataLine, Duty, MotorSide, Number, Operation, SegmentLoad};
@@ -74,7 +74,7 @@ fn load(of: &sizing::SegmentLoad, cycle: &sizing::SegmentLoad) -> SegmentLoad {
     }
 }
 
-/// Symbols of the data sheet, in their order, each with its letters in print; empty where the print has none.
+/// Symbols of the data sheet, in their order, each with its letters in the manual; empty if the manual has none.
 const SHEET: [(&str, &str); 60] = [
     ("T_max", "T_max"),
     ("T_0", "T_0"),
@@ -138,7 +138,8 @@ const SHEET: [(&str, &str); 60] = [
     ("temperature_sensors", ""),
 ];
 
-/// Printed data of an actuator of the catalogue: drive, brake, gear, output bearing, encoder, dimensions, environment.
+/// Returns the data of an actuator of the catalogue: drive, brake, gear, output bearing, encoder, dimensions,
+/// environment.
 pub(super) fn data_sheet(code: &OrderCode, language: Language) -> Vec<DataLine> {
     let Some(sheet) = sheet(code) else { return Vec::new() };
     let rows: Vec<&SheetRow> = sheet.sections.iter().flat_map(|section| &section.rows).collect();

@@ -1,4 +1,4 @@
-//! Upkeep as a record.
+//! Maintenance as a record.
 
 use crate::answer::{battery, cited, facts};
 use answers::{Fit, Id, Planned};
@@ -8,10 +8,10 @@ use quantities::Language;
 use words::upkeep::{date_text, plan_note, rule_text, task_title};
 use words::{fact_source, fact_text, source_text};
 
-/// The erratum of the chapter that the plan rests on.
+/// Erratum of the chapter on which the plan is based.
 const GENERIC_TEXT: &str = "text-9.8-generic";
 
-/// The plan of an actuator.
+/// Returns the maintenance plan of an actuator.
 #[must_use]
 pub fn upkeep(upkeep: &Upkeep, language: Language) -> answers::Upkeep {
     answers::Upkeep {

@@ -3,15 +3,16 @@
 use quantities::is_unseen;
 use serde::Serialize;
 
-/// A record as a file, standard output or an answer over HTTP has it: JSON, indented, with a line feed at its end. Signs that
-/// are not seen stand in its texts as JSON escapes them, so that the record is the same and a terminal stays as it is.
+/// Returns a record in the form of a file, of standard output or of an answer over HTTP: JSON, indented, with a line
+/// feed at its end. Invisible characters in its texts are written as JSON escapes, so that the record is unchanged and
+/// a terminal unaffected.
 pub fn written(record: &impl Serialize) -> String {
-    // A record has string keys and finite numbers only: nothing in it can fail.
+    // A record has string keys and finite numbers only, so nothing can fail.
     let mut text = serde_json::to_string_pretty(record).unwrap_or_default();
     text.push('\n');
     if text.chars().any(|sign| sign != '\n' && is_unseen(sign)) {
         let escape = |sign: char| match sign {
-            // Between texts there is no other sign that is not seen than the end of a line, and in them it is escaped.
+            // The only invisible character between texts is the line feed; within texts it is escaped.
             '\n' => sign.to_string(),
             sign if is_unseen(sign) => {
                 let mut units = [0; 2];

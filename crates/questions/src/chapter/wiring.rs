@@ -1,4 +1,4 @@
-//! Connectors, pins and cables.
+//! Connectors, pins and cables as a chapter.
 
 use super::{NOTHING, Shown, grid, hazards};
 use answers::{
@@ -8,7 +8,7 @@ use quantities::{Language, format_number, format_significant};
 use std::fmt::Write as _;
 use words::{capitalised, evidence_text, terminal, terms, verdict_word, wiring};
 
-/// The wiring of a code, with the drawings of its mating faces if the face can show them.
+/// Returns the wiring of a code, with the drawings of its mating faces if the face can show them.
 #[must_use]
 pub fn wiring(record: &Wiring, drawings: Vec<Picture>, language: Language) -> Chapter {
     let mut chapter = Chapter::new(wiring::title(&record.code, language));

@@ -1,4 +1,4 @@
-//! `code complete CODE`: what a partial code may become.
+//! `code complete CODE`: completions of a partial code.
 
 use super::given::{arguments, pattern};
 use super::{Answer, Argument, ArgumentKind, CODE, Entry, Gives, Reads, Record, Unanswered};
@@ -9,9 +9,9 @@ use order_code::Pattern;
 use words::help;
 
 arguments! {
-    /// A partial code.
+    /// Arguments of `code complete`: the partial code.
     pub struct Args {
-        /// It.
+        /// The partial code.
         code: Option<Pattern> =
             Argument { about: help::code_complete_pattern, ..CODE }.of(ArgumentKind::Text) => pattern,
     }
@@ -34,10 +34,10 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// The partial code.
+/// Returns the partial code.
 ///
 /// # Errors
-/// Why it is none.
+/// The reason why the text is no partial code.
 pub fn pattern_of(given: &super::Given) -> Result<Pattern, Unanswered> {
     Args::read(given)?.code.ok_or(Unanswered::Refused(crate::Refusal::NoData, None))
 }

@@ -1,4 +1,4 @@
-//! `code parse CODE`: what an ordering code says, field by field.
+//! `code parse CODE`: meaning of an ordering code, field by field.
 
 use super::given::{arguments, text};
 use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
@@ -9,9 +9,9 @@ pub use configurator::uncovered;
 use words::help;
 
 arguments! {
-    /// A code.
+    /// Arguments of `code parse`: the code.
     pub struct Args {
-        /// The code as it is written.
+        /// The code in the spelling of the user.
         code: Option<String> = super::Argument { about: help::code_example, ..CODE } => text,
     }
 }
@@ -29,10 +29,10 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| Ok(Answer::record(&answer::code_reading(&reading(asked)?, asked.language)))),
 };
 
-/// The code that is read.
+/// Reads the code.
 ///
 /// # Errors
-/// Why it is none.
+/// The reason why the text is no code.
 pub fn reading(asked: &Asked<'_>) -> Result<CodeReading, Unanswered> {
     let text = Args::read(&asked.given)?.code.unwrap_or_default();
     read_code(&text, asked.language).map_err(|refusal| Unanswered::Code { text, refusal, among: false })

@@ -1,4 +1,4 @@
-//! `errata`: what is wrong or in doubt in the print, and what is used.
+//! `errata`: errors and doubtful statements of the manual, and the values in use.
 
 use super::given::{arguments, label};
 use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
@@ -10,9 +10,9 @@ use words::help;
 use words::help::values;
 
 arguments! {
-    /// About what.
+    /// Arguments of `errata`: their subject.
     pub struct Args {
-        /// A code, the number of a table, the id of an erratum; all errata without it.
+        /// A code, the number of a table, the identifier of an erratum; all errata without it.
         about: Option<String> = Argument::option("about", values::code_table_or_id, help::errata_about)
             .form(Form::Words) => label,
     }
@@ -31,10 +31,10 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| Ok(Answer::record(&answer::errata(&found(asked)?, asked.language)))),
 };
 
-/// The errata.
+/// Returns the errata.
 ///
 /// # Errors
-/// Where the text names nothing that has errata.
+/// If the text names nothing that has errata.
 pub fn found(asked: &Asked<'_>) -> Result<ErrataFound, Unanswered> {
     let text = Args::read(&asked.given)?.about.unwrap_or_default();
     errata_about(Some(&text), asked.language).map_err(|refusal| match refusal {

@@ -8,9 +8,9 @@ use project::{InertiaAnswer, inertia};
 use words::{help, help::values};
 
 arguments! {
-    /// Bodies about an axis.
+    /// Arguments of `inertia`: bodies about an axis.
     pub struct Args {
-        /// One a line: the line of a fault is the number of the body.
+        /// Bodies, one per line: the line of a fault is the number of the body.
         body: String = Argument::option("body", values::body, help::inertia_body).form(Form::Each).required() => lines,
     }
 }
@@ -28,7 +28,7 @@ pub static ENTRY: Entry = Entry {
     answer: Some(|asked| Ok(Answer::record(&answer::inertia(&found(asked)?)))),
 };
 
-/// The moment of inertia.
+/// Computes the moment of inertia.
 ///
 /// # Errors
 /// Every fault of the bodies.

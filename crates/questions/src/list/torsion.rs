@@ -9,13 +9,13 @@ use order_code::OrderCode;
 use words::{help, help::values};
 
 arguments! {
-    /// A gear, and a torque or an angle.
+    /// Arguments of `torsion`: a gear, and a torque or an angle.
     pub struct Args {
-        /// The actuator of the gear.
+        /// Ordering code of the actuator.
         code: OrderCode = CODE.form(Form::Bare) => code,
-        /// The torque at the output.
+        /// Torque at the output.
         torque: Option<String> = Argument::option("torque", values::torque, help::torsion_torque).signed() => text,
-        /// The angle of torsion.
+        /// Angle of torsion.
         angle: Option<String> =
             Argument::option("angle", values::angle, help::torsion_angle).signed().instead_of("torque") => text,
     }
@@ -37,10 +37,10 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// A gear under a torque, or twisted by an angle.
+/// Returns a gear under a torque, or twisted by an angle.
 ///
 /// # Errors
-/// Every fault of the arguments; no printed stiffness.
+/// Every fault of the arguments; no stiffness in the manual.
 pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, TorsionAnswer), Unanswered> {
     let Args { code, torque, angle } = Args::read(&asked.given)?;
     let twist = read_twist(torque.as_deref(), angle.as_deref(), asked.language)

@@ -4,10 +4,10 @@ use super::{Judged, Point, PointKind, Worst};
 use project::{ALL_CORNERS_MOST, Project, Varied, sign};
 use sizing::Watch;
 
-/// Passes over all quantities of a search; each but the last has found something worse.
+/// Largest number of passes of a search over all quantities; each pass but the last finds a worse corner.
 const PASSES_MOST: usize = 20;
 
-/// The worst corner for each actuator.
+/// Returns the worst corner for each actuator.
 pub(super) fn worst<W: Watch>(
     (project, varied): (&Project, &Varied<'_>),
     judged: &[Judged<'_>],
@@ -32,7 +32,7 @@ fn values(project: &Project, sign: impl Fn(usize) -> f64) -> Vec<f64> {
     project.tolerances.iter().enumerate().map(|(index, each)| each.at(sign(index))).collect()
 }
 
-/// Every corner, each built once for all actuators; of equally bad ones the first.
+/// Returns the worst of all corners, each created once for all actuators; among equally bad ones the first.
 fn of_all<W: Watch>(
     project: &Project,
     varied: &mut Varied<'_>,
@@ -60,9 +60,10 @@ fn of_all<W: Watch>(
     Ok(found)
 }
 
-/// Ascent by one quantity at a time, from everything low, everything high, and the corner to which the samples rise.
+/// Returns the worst corner found by changing one quantity at a time, from all quantities low, all high, and the corner
+/// towards which the samples become worse.
 ///
-/// Number of evaluations after which the search ends; the starts are always evaluated.
+/// `looks`: number of evaluations after which the search ends; the starts are always evaluated.
 fn searched<W: Watch>(
     (project, varied): (&Project, &mut Varied<'_>),
     judged: &Judged<'_>,

@@ -3,17 +3,18 @@
 /// z of a two-sided 95 % interval of the normal distribution.
 const Z_95: f64 = 1.959_963_984_540_054;
 
-/// The ranks of a series, mid-ranks where values are equal, about their mean.
+/// Ranks of a series, mid-ranks for equal values, relative to their mean.
 #[derive(Clone, Debug)]
 pub(super) struct Ranks {
     centred: Vec<f64>,
     square: f64,
-    /// The values in ascending order.
+    /// Values in ascending order.
     sorted: Vec<u64>,
 }
 
 impl Ranks {
-    /// The ranks of values that are compared as whole numbers; the bits of a non-negative float do as well.
+    /// Creates the ranks of values that are compared as whole numbers; the bits of a non-negative float are suitable
+    /// too.
     #[allow(clippy::cast_precision_loss, reason = "ranks are bounded by SAMPLES_MOST")]
     pub(super) fn of(values: impl Iterator<Item = u64>) -> Self {
         let mut order: Vec<(u64, usize)> = values.zip(0..).collect();
@@ -34,7 +35,7 @@ impl Ranks {
         Self { centred, square, sorted: order.into_iter().map(|(value, _)| value).collect() }
     }
 
-    /// The smallest value that at least this share of the values does not exceed; `None` without values.
+    /// Returns the smallest value that at least this share of the values does not exceed; `None` without values.
     #[allow(
         clippy::cast_precision_loss,
         clippy::cast_possible_truncation,
@@ -46,7 +47,7 @@ impl Ranks {
         self.sorted.get(rank.saturating_sub(1)).copied()
     }
 
-    /// ρ: Pearson's correlation of the ranks; zero where one of them does not vary.
+    /// Computes ρ: Pearson's correlation of the ranks; zero if one of the series is constant.
     ///
     /// # Source
     /// Spearman, The proof and measurement of association between two things, 1904
@@ -57,7 +58,7 @@ impl Ranks {
     }
 }
 
-/// The interval of a share by Wilson, 95 %.
+/// Computes the 95 % interval of a share by Wilson.
 ///
 /// (p + z²/2n ± z √(p (1 − p)/n + z²/4n²)) / (1 + z²/n)
 ///
@@ -70,7 +71,7 @@ pub(super) fn wilson(passes: usize, samples: usize) -> (f64, f64) {
     let scale = 1.0 + square / n;
     let centre = (p + square / (2.0 * n)) / scale;
     let half = Z_95 * (p * (1.0 - p) / n + square / (4.0 * n * n)).sqrt() / scale;
-    // At the ends of the scale only rounding would leave it.
+    // At the ends of the scale only rounding would exceed it.
     let low = if passes == 0 { 0.0 } else { (centre - half).max(0.0) };
     let high = if passes == samples { 1.0 } else { (centre + half).min(1.0) };
     (low, high)

@@ -1,4 +1,4 @@
-//! Chapters that come laid out, as the template reads them: units tied to their numbers, pictures as names of files.
+//! Chapters of the answers in the form of the template: units tied to their numbers, pictures as names of files.
 
 use super::shown::tied;
 use answers::{Block, Chapter, Column, Grid, Hazard, Task};
@@ -18,27 +18,28 @@ enum Placed {
     Picture {
         kind: &'static str,
         file: String,
-        /// It takes the width of the text; else that of a column, so that its letters keep their size.
+        /// `true` if the picture takes the width of the text; otherwise it takes that of a column, so that its letters
+        /// keep their size.
         is_wide: bool,
         caption: String,
         alternative: String,
     },
 }
 
-/// Width of a picture that stands beside another one \[mm\].
+/// Width of a picture beside another one \[mm\].
 const COLUMN_MM: f64 = 81.0;
 
-/// The width that a picture states \[mm\].
+/// Returns the width that a picture states \[mm\].
 fn width_mm(svg: &str) -> Option<f64> {
     svg.split_once("width=\"")?.1.split_once("mm\"")?.0.parse().ok()
 }
 
-/// The name under which the template finds a picture of the chapters of an axis.
+/// Returns the name by which the template finds a picture of the chapters of an axis.
 pub(crate) fn picture_file(axis: usize, index: usize) -> String {
     format!("chapter-{axis}-{index}.svg")
 }
 
-/// The pictures of chapters, in the order of their names.
+/// Iterates over the pictures of chapters, in the order of their names.
 #[cfg(feature = "pdf")]
 pub(crate) fn pictures(chapters: &[Chapter]) -> impl Iterator<Item = &answers::Picture> {
     chapters.iter().flat_map(|chapter| &chapter.blocks).filter_map(|block| match block {
@@ -47,7 +48,7 @@ pub(crate) fn pictures(chapters: &[Chapter]) -> impl Iterator<Item = &answers::P
     })
 }
 
-/// The chapters of an axis.
+/// Returns the chapters of an axis in the form of the template.
 pub(super) fn laid_out(axis: usize, chapters: &[Chapter]) -> Vec<LaidOut> {
     let mut index = 0;
     let mut placed = |block: &Block| match block {
@@ -80,7 +81,7 @@ fn capitalised_block(block: &Block) -> Block {
         Block::Points { items } => Block::Points { items: all(items) },
         Block::Steps { items } => Block::Steps { items: all(items) },
         Block::Grid(grid) => {
-            // A head begins with a capital, as everywhere in the report.
+            // A heading begins with a capital, as everywhere in the report.
             let column = |column: &Column| Column { head: capitalised(&column.head), ..column.clone() };
             Block::Grid(Grid {
                 columns: grid.columns.iter().map(column).collect(),

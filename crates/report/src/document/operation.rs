@@ -1,4 +1,4 @@
-//! The cycle on the chosen actuator by segments, the shaft of the motor, the duty type, and the printed data.
+//! The cycle on the chosen actuator by segments, the motor shaft, the duty type, and the data of the manual.
 
 use super::ends::Ends;
 use super::shown::{Shown, tied};
@@ -34,7 +34,7 @@ struct OperationFact {
     value: String,
 }
 
-/// A printed value.
+/// A value of the manual.
 #[derive(Serialize)]
 pub(super) struct DataRow {
     symbol: &'static str,
@@ -44,7 +44,7 @@ pub(super) struct DataRow {
     table: &'static str,
 }
 
-/// The printed values.
+/// The values of the manual, with their errata.
 #[derive(Serialize)]
 pub(super) struct DataSheet {
     rows: Vec<DataRow>,

@@ -1,9 +1,10 @@
-//! Words around the library of the command line: of its usage lines and headings the English is its own, word for word.
+//! Words for the output of the library of the command line: the English of its usage lines and headings is that of the
+//! library, word for word.
 
 use crate::texts::texts;
 use quantities::Language;
 
-/// The language that the library speaks.
+/// Language of the library.
 pub const LANGUAGE: Language = Language::En;
 
 texts! {
@@ -21,7 +22,7 @@ texts! {
     version_of_a_page = "VERSION";
 }
 
-/// The headings of a manual page.
+/// Headings of a manual page.
 pub const HEADINGS: [crate::Word; 8] = [
     name_of_a_page,
     synopsis_of_a_page,

@@ -1,10 +1,10 @@
-//! Words about files of another format that were given as a recording.
+//! Words for files of another format that were given as a recording.
 
 use crate::texts::said;
 use quantities::Language;
 use recording::Foreign;
 
-/// The format with its article, and how its content becomes a recording.
+/// Returns the format with its article, and the conversion of its content to a recording.
 pub(super) fn foreign(format: Foreign, language: Language) -> (String, String) {
     let (what, remedy) = match format {
         Foreign::Zip => (

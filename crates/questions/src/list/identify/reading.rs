@@ -1,4 +1,4 @@
-//! The columns of a recorded run, read and checked row by row.
+//! Columns of a recorded run, read and checked row by row.
 
 use super::super::{Asked, Unanswered};
 use crate::Refusal;
@@ -15,14 +15,15 @@ const TRACE_MOST: u64 = 256 << 20;
 /// Largest number of faults that are reported.
 const FAULTS_MOST: usize = 20;
 
-/// A column with its heading, as `simulate --out` writes it, and the largest value that a machine can show, in its unit.
+/// A column with its heading, as written by `simulate --out`, and the largest value that a machine can show, in its
+/// unit.
 struct Column {
     heading: &'static str,
     most: f64,
     required: bool,
 }
 
-/// The columns that are read. An acceleration is not: it follows from the position.
+/// Columns of a run. There is no column of the acceleration, which follows from the position.
 ///
 /// The bounds are a choice: a million revolutions, a motor of 10⁶ 1/min not divided by i, times since 1970.
 const COLUMNS: [Column; 6] = [
@@ -41,7 +42,7 @@ pub(super) struct Run {
     lines: Vec<usize>,
 }
 
-/// The columns of a file and what is wrong in them.
+/// Columns of a file, and their faults.
 #[derive(Default)]
 struct Columns {
     values: [Option<Vec<f64>>; COLUMNS.len()],
@@ -49,7 +50,7 @@ struct Columns {
     faults: Vec<String>,
 }
 
-/// Reads the run of a file: the same packings and dialects as recordings have, within the memory of the project.
+/// Reads the run of a file, in the packings and dialects of recordings, within the memory of the project.
 ///
 /// # Errors
 /// Every fault, each with its line and column.
@@ -59,7 +60,7 @@ pub(super) fn run(asked: &Asked<'_>, name: &str) -> Result<Run, Unanswered> {
     let source = asked.source()?;
     let mut memory = Memory::new(source.files.grant().memory).until(Some(asked.patience.flag()));
     let (content, file) = source.files.open(name).and_then(recording::opened).map_err(unread)?;
-    // One byte more than is read shows that there is more.
+    // One byte above the limit shows that the file is larger.
     let mut file = file.take(TRACE_MOST + 1);
     let columns = match content {
         Content::Parquet => {
@@ -84,7 +85,7 @@ impl Run {
         self.lines.get(row).copied().unwrap_or(row + 1)
     }
 
-    /// Returns why nothing is estimated.
+    /// Returns the reason why nothing is estimated.
     pub(super) fn refused(&self, why: &IdentifyFault, language: Language) -> String {
         let degrees = |angle: f64| format_significant(angle.to_degrees(), 2, language);
         match why {
@@ -101,7 +102,7 @@ impl Run {
 }
 
 impl Columns {
-    /// Why the file is not read. What is missing besides is not known.
+    /// Returns the faults of a file that cannot be read; further faults are unknown.
     fn unread(why: &[Fault], language: Language) -> Self {
         let mut found = Self { values: COLUMNS.map(|_| Some(Vec::new())), ..Self::default() };
         found.add(why, language);
@@ -132,7 +133,7 @@ impl Columns {
     }
 }
 
-/// Why a value is refused that no machine shows.
+/// Returns the fault of a value that no machine shows.
 fn out_of_range(line: usize, column: &Column, value: f64, language: Language) -> String {
     let number = |value: f64| format_significant(value, 4, language);
     identification::out_of_range(&line, &column.heading, &number(value), &number(column.most), language)
@@ -159,7 +160,7 @@ fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, language: Language) -> Column
     found
 }
 
-/// Bytes that a row takes: its numbers and its line.
+/// Bytes of a row: its numbers and its line.
 const ROW_BYTES: u64 = 8 * (COLUMNS.len() as u64 + 1);
 
 /// Number of rows that are counted together.
@@ -170,7 +171,7 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
         Ok(records) => records,
         Err(fault) => return Columns::unread(&[fault], language),
     };
-    // Of a heading that is there twice the first counts.
+    // If a heading is repeated, its first column is used.
     let heads = records.headings().iter().enumerate();
     let is_first =
         |index: usize, head: &String| records.headings().iter().position(|other| other == head) == Some(index);
@@ -195,7 +196,7 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
         match records.advance() {
             Ok(true) => {}
             Ok(false) => break,
-            // The next line is behind it.
+            // The next line follows it.
             Err(fault @ Fault::LineTooLong { .. }) => {
                 found.add(&[fault], language);
                 continue;
@@ -208,7 +209,7 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
         let row = records.numbers(|index, number| {
             let Some(place) = places.get(index).copied().flatten() else { return };
             let (Some(column), Some(Some(values))) = (COLUMNS.get(place), values.get_mut(place)) else { return };
-            // A fault keeps its place: rows and numbers stay beside each other.
+            // A fault keeps its place, so that rows and numbers stay aligned.
             values.push(number.unwrap_or_default());
             let fault = match number {
                 Some(value) if value.abs() > column.most => out_of_range(line, column, value, language),
