@@ -198,7 +198,7 @@ pub struct OutputFile {
     pub needs: Option<&'static str>,
 }
 
-/// An image as SVG and as PNG.
+/// A picture as SVG and as PNG.
 const PICTURE: [OutputFile; 2] =
     [OutputFile::of("svg", &[media::SVG], help::svg), OutputFile::of("png", &[media::PNG], help::png)];
 

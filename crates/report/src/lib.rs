@@ -201,7 +201,7 @@ pub enum Fault {
         /// Message of the engine.
         message: String,
     },
-    /// A page could not be drawn as an image.
+    /// A page could not be drawn as a picture.
     Picture {
         /// Number of the page, from 1.
         page: usize,

@@ -167,9 +167,9 @@ impl<'a> Asked<'a> {
 pub mod media {
     /// A record.
     pub const JSON: &str = "application/json";
-    /// An image.
+    /// A picture.
     pub const SVG: &str = "image/svg+xml";
-    /// An image in pixels.
+    /// A picture in pixels.
     pub const PNG: &str = "image/png";
     /// A document.
     pub const PDF: &str = "application/pdf";

@@ -1,4 +1,4 @@
-//! `plot PROJECT`: an image of an axis with an actuator; a face draws it.
+//! `plot PROJECT`: a picture of an axis with an actuator; a face draws it.
 
 use super::given::{arguments, some, some_code, text, word};
 use super::{AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, PICTURE, Reads, Unanswered, argument, media};
@@ -11,20 +11,20 @@ use quantities::Length;
 use std::borrow::Cow;
 use words::{help, help::values, requests};
 
-/// Images of a project, by their identifiers.
+/// Pictures of a project, by their identifiers.
 pub const FIGURES: [&str; 6] = ["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"];
 
-/// Colours of an image.
+/// Colours of a picture.
 pub const THEME: Argument = Argument::option("theme", values::theme, help::theme)
     .of(ArgumentKind::Word(|| vec!["light", "dark"]))
     .usually("light");
-/// Width of an image.
+/// Width of a picture.
 pub const WIDTH: Argument = Argument::option("width", values::length, help::width);
-/// Height of an image.
+/// Height of a picture.
 pub const HEIGHT: Argument = Argument::option("height", values::length, help::height);
 
 arguments! {
-    /// Arguments of `plot`: axis, actuator, image and its layout.
+    /// Arguments of `plot`: axis, actuator, picture and its layout.
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,

@@ -56,7 +56,7 @@ arguments! {
         /// Format of the answer; on the command line the extension of the file.
         format: Option<String> = Argument::option("format", values::format, help::simulate_format)
             .of(ArgumentKind::Word(|| FORMATS.to_vec())) => text,
-        /// Image to draw.
+        /// Picture to draw.
         figure: Option<String> = Argument::option("figure", values::figure, help::simulate_figure)
             .of(ArgumentKind::Word(|| FIGURES.to_vec())) => text,
         /// Dark colours.
@@ -74,13 +74,13 @@ arguments! {
 /// Largest number of days: ten years.
 const DAYS_MOST: u32 = 3660;
 
-/// Images of a run, by their identifiers.
+/// Pictures of a run, by their identifiers.
 pub const FIGURES: [&str; 2] = ["simulation", "control_loops"];
 
-/// Formats of the answer: the record, the course as a table, or an image.
+/// Formats of the answer: the record, the course as a table, or a picture.
 const FORMATS: [&str; 4] = ["json", "csv", "parquet", PICTURE_FORMAT];
 
-/// The format of an image.
+/// The format of a picture.
 pub const PICTURE_FORMAT: &str = "svg";
 
 /// Returns the signals in the order of the call, without repetitions.
