@@ -122,6 +122,7 @@ texts! {
     worst_at_about = "instant of the worst case within the cycle" | "Zeitpunkt des ungünstigsten Falls im Zyklus";
     grade_about = "lowest grade of the input values" | "niedrigste Güte der Eingangswerte";
     source_about = "source of the limit; source of the value" | "Quelle der Grenze; Quelle des Werts";
+    missing_data = "missing data" | "fehlende Angabe";
     missing_about = "data missing for a check that was not made" | "fehlende Angabe eines nicht geführten Nachweises";
     remarks_about = "remarks on the check" | "Bemerkungen zum Nachweis";
     checks_about = "all checks of the candidates shown" | "alle Nachweise der gezeigten Kandidaten";
