@@ -75,7 +75,7 @@ impl Means {
         let mut period_s = 0.0;
         for (node, share) in nodes.iter_mut().zip([0.0, 0.5, 1.0]) {
             let start_k = [cold + share * (hot - cold), cold + share * rise];
-            let mut twin = Twin::new(&Setup { start_k: Some(start_k), scenario, ..*setup })?;
+            let mut twin = Twin::untripped(&Setup { start_k: Some(start_k), scenario, ..*setup })?;
             let first = twin.periods() / 2;
             let mut run = |until: u64, twin: &mut Twin<'_>| {
                 let mut left = until;

@@ -101,6 +101,18 @@ pub(crate) struct Measured {
     pub(crate) position_rad: f64,
 }
 
+/// Steady state of an axis in motion, in which a control begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Steady {
+    /// Measured angle of the motor over i \[rad\].
+    pub(crate) angle_rad: f64,
+    /// Speed of the motor over i [rad/s].
+    pub(crate) speed: f64,
+    /// Torque of the motor at the output, and its part from the feedforward \[Nm\].
+    pub(crate) torque_nm: f64,
+    pub(crate) feed_nm: f64,
+}
+
 /// State of the control.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Control {
@@ -129,8 +141,19 @@ pub(crate) struct Control {
 impl Control {
     /// Creates the control at rest with a holding torque \[Nm\].
     pub(crate) fn at_rest(gains: Gains, plant: &Plant, delay: bool, angle_rad: f64, holding_nm: f64) -> Self {
-        let current = holding_nm / plant.torque_constant;
+        let still = Steady { angle_rad, speed: 0.0, torque_nm: holding_nm, feed_nm: 0.0 };
+        Self::steady(gains, plant, delay, &still)
+    }
+
+    /// Creates the control in a steady state: no error of speed and current, the integrals hold what the feedforward
+    /// leaves.
+    pub(crate) fn steady(gains: Gains, plant: &Plant, delay: bool, at: &Steady) -> Self {
+        let &Steady { angle_rad, speed, torque_nm, feed_nm } = at;
+        let current = torque_nm / plant.torque_constant;
         let voltage = [0.0, plant.resistance_ohm * current];
+        let electric = plant.electrical * speed;
+        #[allow(clippy::cast_precision_loss, reason = "four")]
+        let speed_period = SPEED_EVERY as f64 / CURRENT_RATE_HZ;
         Self {
             gains,
             resistance_l: [plant.resistance_ohm, plant.inductance_h],
@@ -139,13 +162,13 @@ impl Control {
             torque_constant: plant.torque_constant,
             delay,
             integral_v: voltage,
-            integral_nm: holding_nm,
-            last_angle: angle_rad,
-            speed: 0.0,
-            speed_wanted: 0.0,
-            feed_nm: 0.0,
+            integral_nm: torque_nm - feed_nm,
+            last_angle: angle_rad - speed * speed_period,
+            speed,
+            speed_wanted: speed,
+            feed_nm,
             current_wanted: current,
-            pending: voltage,
+            pending: [0.0 - electric * plant.inductance_h * current, voltage[1] + electric * plant.flux_vs],
             following_rad: 0.0,
             limited: false,
         }

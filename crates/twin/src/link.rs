@@ -32,6 +32,13 @@ pub(crate) struct Link {
     pub(crate) brake_j: f64,
 }
 
+impl Link {
+    /// Sets the energies to zero; voltage and braking resistor keep their state.
+    pub(crate) const fn forget(&mut self) {
+        (self.supplied_j, self.rectifier_j, self.brake_j) = (0.0, 0.0, 0.0);
+    }
+}
+
 impl LinkModel {
     pub(crate) fn start(&self) -> Link {
         Link { voltage_v: self.supply_v, chopping: false, supplied_j: 0.0, rectifier_j: 0.0, brake_j: 0.0 }

@@ -21,11 +21,30 @@ pub(crate) struct Course<'a> {
     period_s: f64,
     net_rad: f64,
     cycles: f64,
+    /// The axis moves at the first instant of a cycle.
+    pub(crate) begins_in_motion: bool,
+    /// The axis moves through the end of a cycle into the next one without a step of the speed.
+    runs_on: bool,
 }
+
+/// Largest speed at the beginning of a cycle that counts as rest, relative to its largest speed \[1\]. A choice: recorded
+/// speeds scatter.
+const RESTS: f64 = 1e-3;
+
+/// Largest difference between the speeds at both ends of a cycle that runs on without a step, relative to the speed at
+/// its beginning \[1\]. A choice: recorded speeds scatter.
+const RUNS_ON: f64 = 0.02;
 
 impl<'a> Course<'a> {
     pub(crate) fn of(motion: &'a Motion, cycles: u32) -> Self {
-        Self { motion, period_s: motion.duration().si(), net_rad: motion.net().si(), cycles: f64::from(cycles.max(1)) }
+        let (period_s, net_rad) = (motion.duration().si(), motion.net().si());
+        let cycles = f64::from(cycles.max(1));
+        let course = Self { motion, period_s, net_rad, cycles, begins_in_motion: false, runs_on: false };
+        let speed = |time: f64| course.state(time)[1];
+        let [begin, end] = [speed(0.0), speed(period_s)];
+        let begins_in_motion = begin != 0.0 && begin.abs() > RESTS * speed(course.fastest_s()).abs();
+        let runs_on = begins_in_motion && (end - begin).abs() <= RUNS_ON * begin.abs();
+        Self { begins_in_motion, runs_on, ..course }
     }
 
     /// Returns the duration of all cycles \[s\].
@@ -33,10 +52,13 @@ impl<'a> Course<'a> {
         self.period_s * self.cycles
     }
 
-    /// Returns the setpoint at a time; after the last cycle the axis is at rest.
+    /// Returns the setpoint at a time. Before the first cycle an axis that begins in motion runs up: through the cycle
+    /// before, if its end joins, otherwise at constant speed. After the last cycle it runs on if its end joins, otherwise
+    /// it is at rest.
     pub(crate) fn at(&self, time_s: f64) -> SetPoint {
-        let cycle = (time_s / self.period_s).floor().clamp(0.0, self.cycles - 1.0);
-        let is_over = time_s >= self.duration_s();
+        let cycle = (time_s / self.period_s).floor();
+        let cycle = if self.runs_on { cycle } else { cycle.clamp(0.0, self.cycles - 1.0) };
+        let is_over = !self.runs_on && time_s >= self.duration_s();
         let time = (time_s - cycle * self.period_s).clamp(0.0, self.period_s);
         let stretches = self.motion.stretches();
         let segment = stretches.partition_point(|each| each.start.si() <= time).saturating_sub(1);
@@ -45,11 +67,15 @@ impl<'a> Course<'a> {
             [since, each.duration.si() - since]
         });
         let [position, speed, acceleration] = self.state(time);
-        let state = [
-            position + cycle * self.net_rad,
-            if is_over { 0.0 } else { speed },
-            if is_over { 0.0 } else { acceleration },
-        ];
+        let state = if !self.runs_on && time_s < 0.0 {
+            [position + speed * time_s, speed, 0.0]
+        } else {
+            [
+                position + cycle * self.net_rad,
+                if is_over { 0.0 } else { speed },
+                if is_over { 0.0 } else { acceleration },
+            ]
+        };
         SetPoint { state, segment, braked }
     }
 

@@ -73,6 +73,10 @@ pub struct Twin<'a> {
     random: Random,
     voltage: [f64; 2],
     tick: u64,
+    /// Temperatures and I²t switch the drive off.
+    heat_trips: bool,
+    /// Periods of the run-up before the time 0; zero after it.
+    run_up: u64,
     end_tick: u64,
     happens_s: Option<f64>,
     happened: bool,
@@ -101,7 +105,25 @@ impl<'a> Twin<'a> {
     /// # Errors
     /// [`Fault`]: data are missing or contradictory, or the step is too long.
     pub fn new(setup: &Setup<'a>) -> Result<Self, Fault> {
-        Self::build(*setup, None)
+        Self::started(setup, true)
+    }
+
+    /// Creates a run whose heat trips nothing, for the mean losses of a repeated cycle at any temperature.
+    pub(crate) fn untripped(setup: &Setup<'a>) -> Result<Self, Fault> {
+        Self::started(setup, false)
+    }
+
+    fn started(setup: &Setup<'a>, heat_trips: bool) -> Result<Self, Fault> {
+        let mut twin = Self::build(*setup, None)?;
+        twin.heat_trips = heat_trips;
+        // A brake that does not open holds the axis from the beginning.
+        if twin.course.begins_in_motion && setup.scenario.id != ScenarioId::BrakeStuck {
+            twin.run_up();
+        }
+        if setup.scenario.id == ScenarioId::BatteryLoss {
+            twin.lose_turns();
+        }
+        Ok(twin)
     }
 
     fn build(setup: Setup<'a>, commanded: Option<Commanded>) -> Result<Self, Fault> {
@@ -268,6 +290,8 @@ impl<'a> Twin<'a> {
             random,
             voltage: [0.0; 2],
             tick: 0,
+            heat_trips: true,
+            run_up: 0,
             end_tick,
             happens_s,
             happened: false,
@@ -292,9 +316,6 @@ impl<'a> Twin<'a> {
         let measured = twin.angle();
         twin.offset_rad = twin.position_seen(measured) - position;
         twin.control = Control::at_rest(gains, &twin.plant, setup.switches.delay, measured, holding);
-        if scenario == ScenarioId::BatteryLoss && twin.commanded.is_none() {
-            twin.lose_turns();
-        }
         Ok(twin)
     }
 
@@ -339,11 +360,11 @@ impl<'a> Twin<'a> {
         self.setup.speed_step = Some(speed);
     }
 
-    /// Returns the simulated time \[s\].
+    /// Returns the simulated time \[s\]; negative during the run-up.
     #[must_use]
     #[allow(clippy::cast_precision_loss, reason = "far below 2^53")]
     pub fn time_s(&self) -> f64 {
-        self.tick as f64 * PERIOD_S
+        (self.tick as f64 - self.run_up as f64) * PERIOD_S
     }
 
     /// Returns `true` if the end is reached.

@@ -6,8 +6,8 @@ use crate::{Scenario, ScenarioId};
 use quantities::{Measure, ThermodynamicTemperature};
 
 /// Computes the temperatures of winding and housing \[K\] at which a repeated cycle settles: one cycle is run and its
-/// mean losses give the steady temperatures, until they change by less than a tenth of a kelvin; `goes_on` is polled
-/// before each cycle.
+/// mean losses give the steady temperatures, until they change by less than a tenth of a kelvin; heat trips nothing
+/// meanwhile, and `goes_on` is polled before each cycle.
 ///
 /// # Source
 /// docs/theory/twin.md; the network of docs/theory/thermal.md
@@ -20,7 +20,7 @@ pub fn settled(setup: &Setup<'_>, mut goes_on: impl FnMut() -> bool) -> Result<O
     let mut start_k = setup.start_k.unwrap_or([setup.ambient_k; 2]);
     let scenario = Scenario { id: ScenarioId::Cycle, cycles: 1, ..setup.scenario };
     for _ in 0..ROUNDS {
-        let mut twin = Twin::new(&Setup { start_k: Some(start_k), scenario, ..*setup })?;
+        let mut twin = Twin::untripped(&Setup { start_k: Some(start_k), scenario, ..*setup })?;
         while !twin.is_over() {
             if !goes_on() {
                 return Ok(None);

@@ -88,6 +88,21 @@ texts! {
     stop_angle = "stopping distance" | "Anhalteweg";
     brake_rest = "brake closed at standstill" | "Bremse im Stillstand geschlossen";
     brake_moving = "brake closed in motion" | "Bremse in Bewegung geschlossen";
+    data_ratio = "reduction ratio" | "Untersetzung";
+    data_pole_pairs = "number of pole pairs" | "Polpaarzahl";
+    data_torque_max = "maximum torque" | "maximales Drehmoment";
+    data_current_max = "maximum current" | "Maximalstrom";
+    data_current_demagnetisation = "demagnetisation current" | "Entmagnetisierungsstrom";
+    data_stall_torque = "continuous stall torque" | "Stillstandsdrehmoment";
+    data_stall_current = "continuous stall current" | "Stillstandsstrom";
+    data_dc_link_max = "maximum DC link voltage" | "maximale Zwischenkreisspannung";
+    data_collision_torque_max = "momentary peak torque of the gear" | "Kollisionsdrehmoment des Getriebes";
+    data_feedback_resolution = "resolution of the motor encoder" | "Auflösung des Motorgebers";
+    data_housing_share = "share of the housing in the thermal resistance" | "Anteil des Gehäuses am Wärmewiderstand";
+    data_winding_warning = "winding temperature, warning" | "Wicklungstemperatur, Warnung";
+    data_winding_shutdown = "winding temperature, shutdown" | "Wicklungstemperatur, Abschaltung";
+    data_brake_opening = "opening time of a brake whose table states none" | "Öffnungszeit einer Bremse ohne Angabe in der Tabelle";
+    data_brake_closing = "closing time of a brake whose table states none" | "Schließzeit einer Bremse ohne Angabe in der Tabelle";
     drive_faults = "drive faults" | "Störungen des Servoreglers";
     why_current =
         "the twin accelerates the rotor on the motor side of the gear, and the closed-loop control oscillates about the setpoint"

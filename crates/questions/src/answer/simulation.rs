@@ -232,6 +232,27 @@ fn parameter(each: Parameter, language: Language) -> ModelParameter {
 }
 
 fn parameter_title(key: &str, language: Language) -> String {
+    let data: Option<Word> = match key {
+        "ratio" => Some(simulation::data_ratio),
+        "pole_pairs" => Some(simulation::data_pole_pairs),
+        "torque_max" => Some(simulation::data_torque_max),
+        "current_max" => Some(simulation::data_current_max),
+        "current_demagnetisation" => Some(simulation::data_current_demagnetisation),
+        "stall_torque" => Some(simulation::data_stall_torque),
+        "stall_current" => Some(simulation::data_stall_current),
+        "dc_link_max" => Some(simulation::data_dc_link_max),
+        "collision_torque_max" => Some(simulation::data_collision_torque_max),
+        "feedback_resolution" => Some(simulation::data_feedback_resolution),
+        "housing_share" => Some(simulation::data_housing_share),
+        "winding_warning" => Some(simulation::data_winding_warning),
+        "winding_shutdown" => Some(simulation::data_winding_shutdown),
+        "brake_opening_usual" => Some(simulation::data_brake_opening),
+        "brake_closing_usual" => Some(simulation::data_brake_closing),
+        _ => None,
+    };
+    if let Some(data) = data {
+        return data(language).to_owned();
+    }
     let label = project::input_label(&format!("twin.measured.{key}")).map(|label| schema_text(label, language));
     label.map_or_else(|| key.to_owned(), |label| short_label(&label))
 }
@@ -254,4 +275,20 @@ fn notes(run: &Simulated<'_>, language: Language) -> Vec<String> {
     let rule = if run.gains_stated { simulation::gains_stated } else { simulation::gains_rule };
     notes.push(rule(language).to_owned());
     notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parameter_title;
+    use quantities::Language;
+
+    #[test]
+    fn no_parameter_is_titled_by_its_key() {
+        for (key, _) in twin::Parameters::keys() {
+            for language in Language::ALL {
+                let title = parameter_title(key, language);
+                assert!(!title.contains('_') && title != key, "{key}: {title}");
+            }
+        }
+    }
 }

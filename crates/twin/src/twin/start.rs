@@ -1,8 +1,14 @@
 //! Initial conditions of a run, and the instant of its event.
 
-use crate::scenario::ScenarioId;
-use crate::setpoint::Course;
+use super::{PERIOD_S, SLOW_EVERY, Slow, Twin};
+use crate::control::{Control, Steady};
+use crate::drive::Phase;
+use crate::gear::{Anchor, ELEMENTS};
+use crate::plant::{Energies, State};
+use crate::scenario::{EventKind, ScenarioId};
+use crate::setpoint::{Course, SetPoint};
 use crate::setup::{Fault, Setup};
+use crate::summary::Gathered;
 use quantities::{ElectricPotential, Measure};
 
 /// Returns the ambient temperature of a scenario \[K\].
@@ -58,5 +64,105 @@ pub(super) fn happens(setup: &Setup<'_>, course: &Course<'_>) -> Result<Option<f
         ScenarioId::HangingLoad if speed > 1e-9 => Err(Fault::NotAtRest),
         ScenarioId::Collision if speed < 1e-9 => Err(Fault::AtRest),
         _ => Ok(Some(at)),
+    }
+}
+
+/// Duration of the run-up over the sum of the time constants of load and control \[1\], and its limits \[s\]. A choice:
+/// transients of the first state decay to e⁻⁶, with heavy loads on soft gears to less.
+const RUN_UP: f64 = 6.0;
+const RUN_UP_S: [f64; 2] = [0.1, 2.0];
+
+impl Twin<'_> {
+    /// Brings an axis whose cycle begins in motion into the state of its first instant: a run-up before the time 0 that
+    /// counts nowhere.
+    ///
+    /// The run-up begins in the quasi-steady state of its setpoint and lasts 6 (2 J_L/D + 1/K_v + T_n), so that
+    /// oscillation and hysteresis of the gear, integrals, current and DC link are those of the motion. Temperatures and
+    /// overload supervision remain as at the start. If the drive faults during the run-up, the run begins in the
+    /// quasi-steady state at the time 0 and shows the fault.
+    pub(super) fn run_up(&mut self) {
+        let rested = self.clone();
+        let gains = self.control.gains;
+        let slowest =
+            2.0 * self.local.inertia_kgm2 / self.plant.damping_nms + 1.0 / gains.position_p + gains.speed_time_s;
+        let [least, most] = RUN_UP_S;
+        let wanted_s = if slowest.is_finite() { (RUN_UP * slowest).clamp(least, most) } else { most };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most two seconds")]
+        let periods = (wanted_s / PERIOD_S) as u64 / SLOW_EVERY * SLOW_EVERY;
+        self.run_up = periods;
+        self.end_tick = periods;
+        self.heat_trips = false;
+        self.set_in_motion(&self.course.at(self.time_s()));
+        self.advance(periods);
+        let runs = self.phase == Phase::Running && self.state.pulses && !self.has(EventKind::Diverged);
+        if !runs {
+            *self = rested;
+            self.set_in_motion(&self.course.at(0.0));
+        } else {
+            (self.tick, self.run_up, self.end_tick) = (0, 0, rested.end_tick);
+            self.heat_trips = rested.heat_trips;
+            (self.temperatures, self.sensor_k, self.ptc_k) = (rested.temperatures, rested.sensor_k, rested.ptc_k);
+            (self.overload, self.slow, self.coil_j) = (0.0, Slow::default(), 0.0);
+            self.machine.warm(&mut self.plant, self.temperatures.winding.si(), self.temperatures.housing.si());
+            self.gathered = Gathered::new(self.setup.settled_rad);
+            self.events.clear();
+            self.brake.closings = [0; 2];
+            self.state.energies = Energies::default();
+            self.state.slipped_rad = 0.0;
+            self.control.limited = false;
+            let high = self.link_high.as_mut().map(|(_, link)| link);
+            for link in std::iter::once(&mut self.link).chain(high) {
+                link.forget();
+            }
+            self.point = self.course.at(0.0);
+        }
+        self.stored_at_start_j = self.plant.stored(&self.state);
+    }
+
+    /// Sets the state of a setpoint in motion: load and motor at its speed, gear, current and integrals in balance with
+    /// load, friction and acceleration.
+    fn set_in_motion(&mut self, point: &SetPoint) {
+        let [wanted, speed, acceleration] = point.state;
+        let Some(local) = self.load.near(point.segment, wanted, speed, acceleration) else { return };
+        let gains = self.control.gains;
+        let direction = if speed == 0.0 { 0.0 } else { speed.signum() };
+        let gear_nm = local.inertia_kgm2 * acceleration + local.torque(wanted, speed) + local.coulomb_nm * direction;
+        let twist = self.plant.spring.angle(gear_nm);
+        // Without a complete feedforward of the speed the axis lags.
+        let lag = if gains.position_p > 0.0 { (1.0 - gains.feed_speed) * speed / gains.position_p } else { 0.0 };
+        let error = |theta: f64| self.plant.kinematic.map_or(0.0, |error| error.at(theta));
+        let controlled = wanted + self.offset_rad - lag;
+        let (theta, position) = if self.setup.loop_at_output {
+            // e depends weakly on the angle itself: a few iterations suffice.
+            let theta = (0..6).fold(controlled + twist, |theta, _| controlled + twist + error(theta));
+            (theta, controlled)
+        } else {
+            (controlled, controlled - twist - error(controlled))
+        };
+        let plant = &self.plant;
+        let rubbed = plant.friction_nm + plant.viscous_nms * speed.abs() + plant.mesh * gear_nm.abs();
+        let torque_nm = plant.inertia_kgm2 * acceleration + gear_nm + rubbed * direction;
+        let free = |held: f64| if held > 0.0 { direction } else { 1.0 };
+        self.state = State {
+            x: [0.0, torque_nm / plant.torque_constant, theta, speed, position, speed],
+            force: [0.0; ELEMENTS],
+            sliding: [free(plant.friction_nm + plant.mesh), free(local.coulomb_nm)],
+            energies: Energies::default(),
+            slipped_rad: 0.0,
+            turning: 0.0,
+            pull: 0.0,
+            gear_nm,
+            twist_rad: 0.0,
+            acceleration_rad_s2: acceleration,
+            pulses: true,
+        };
+        self.plant.place(&mut self.state);
+        self.anchor = self.plant.kinematic.map_or(Anchor::none(), |error| error.anchor(theta));
+        self.local = local;
+        self.point = *point;
+        self.phase = Phase::Running;
+        let feed_nm = gains.feed_inertia * acceleration;
+        let steady = Steady { angle_rad: self.angle(), speed, torque_nm, feed_nm };
+        self.control = Control::steady(gains, &self.plant, self.setup.switches.delay, &steady);
     }
 }

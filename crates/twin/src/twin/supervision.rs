@@ -88,13 +88,13 @@ impl Twin<'_> {
             return;
         }
         let reaction = self.limits.reaction;
-        if shuts_down {
+        if shuts_down && self.heat_trips {
             self.fault(EventKind::WindingShutdown, reaction);
         }
-        if responds {
+        if responds && self.heat_trips {
             self.fault(EventKind::PtcResponse, reaction);
         }
-        if !at_most(self.overload, 1.0) {
+        if !at_most(self.overload, 1.0) && self.heat_trips {
             self.fault(EventKind::Overload, reaction);
         }
         if self.phase == Phase::Running

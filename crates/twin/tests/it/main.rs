@@ -9,6 +9,7 @@ mod foreign;
 mod identify;
 mod linear;
 mod link;
+mod moving;
 mod runs;
 mod steady;
 
