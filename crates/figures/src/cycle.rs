@@ -270,13 +270,23 @@ fn limited(
     Some(signal)
 }
 
+/// Room above the warmest value and below the coldest one, as a share of what lies between them.
+const LABEL_SHARE: f64 = 0.4;
+
 fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) -> Option<Panel> {
-    extremes(course, |sample| sample.winding_k)?;
     let line = |of: fn(&Sample) -> Option<f64>| {
         let points = course.samples.iter();
         Line::new(points.filter_map(move |sample| Some((sample.time_s, DEGREE_CELSIUS.from_si(of(sample)?)))))
     };
-    let axis = Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(pictures::temperature(language)).without_zero();
+    let mut axis = Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(pictures::temperature(language)).without_zero();
+    let (coldest, _) = extremes(course, |sample| sample.housing_k.or(sample.winding_k))?;
+    let (_, warmest) = extremes(course, |sample| sample.winding_k)?;
+    if let Some(limit) = limit_of(candidate, CheckId::Thermal) {
+        let (low, high) = (DEGREE_CELSIUS.from_si(coldest), DEGREE_CELSIUS.from_si(warmest).max(limit.value()));
+        // Room for the name of the limit, on either side of its line.
+        let room = LABEL_SHARE * (high - low).max(1.0);
+        axis = axis.range(low - room, high + room);
+    }
     let mut panel = Panel::new(axis)
         .with(line(|sample| sample.winding_k).tone(Tone::Trace).label(terms::winding(language)))
         .with(line(|sample| sample.housing_k).tone(Tone::Series(1)).label(terms::housing(language)));

@@ -20,17 +20,19 @@ fn is_in_order(name: &str, content: &Content) {
     let warnings = report::warnings(content, &settings).unwrap();
     assert!(warnings.is_empty(), "{name}, {language:?}: {warnings:?}");
     let axes = content.axes.len();
-    let pages = if axes == 1 {
-        // The last sentence before the appendices.
-        let last = match language {
-            Language::En => "Identical program",
-            Language::De => "Gleiches Programm",
-        };
-        letters.iter().find(|letter| letter.text.contains(last)).unwrap().page
+    let most = if axes == 1 { MOST } else { 1 + MOST * axes };
+    // The last sentence before the appendices.
+    let last = match language {
+        Language::En => "Identical program",
+        Language::De => "Gleiches Programm",
+    };
+    let with_appendices = letters.iter().rfind(|letter| letter.text.contains(last)).unwrap().page;
+    // The full form has notes on its documents, which take a few lines more, and with several axes appendices between them.
+    let pages = if with_appendices <= most {
+        with_appendices
     } else {
         report::page_fills(content, &Settings { full: false, ..settings }).unwrap().len()
     };
-    let most = if axes == 1 { MOST } else { 1 + MOST * axes };
     assert!(pages <= most, "{name}, {language:?}: {pages} pages");
 }
 

@@ -38,7 +38,13 @@ pub fn are_readable(name: &str, content: &Content, letters: &[report::Letter]) {
             let documents = content.axes.iter().flat_map(|axis| &axis.dossier.documents);
             let titles: String = documents.map(|found| format!(" {} ", found.title)).collect();
             let of_a_title = |found: &String| found.split_once(':').is_some_and(|(word, _)| titles.contains(word));
-            faults.extend(english(text).into_iter().filter(|found| !of_a_title(found)));
+            // What the user wrote stays as written: names of axes and of columns.
+            let recordings = content.axes.iter().flat_map(|axis| &axis.dossier.judgement.motion.segments);
+            let columns = recordings.filter_map(|segment| segment.recording.as_ref()).flat_map(|each| &each.columns);
+            let columns = columns.map(|column| column.name.as_str());
+            let names = content.axes.iter().map(|axis| axis.dossier.judgement.axis.as_str()).chain(columns);
+            let own = names.filter(|name| !name.is_empty()).fold(text.clone(), |text, name| text.replace(name, ""));
+            faults.extend(english(&own).into_iter().filter(|found| !of_a_title(found)));
         }
     }
     faults.sort();
