@@ -29,7 +29,9 @@ class Flange:
         rub = load.get("friction_force") + load.key.get("friction_coefficient", 0.0) * mass * G * abs(cos(slope))
         push = load.get("process_force") + load.extra(segment, "process_force") + recorded / k
         force = (mass + counter) * k * a + (mass - counter) * G * sin(slope) + push + rub * sign
-        return force, force + load.get("inertia") * a / k
+        # Where the inertia of a segment's payload turns is known no better than that of the mechanism.
+        turning = load.get("inertia") + load.extra(segment, "payload_inertia")
+        return force, force + turning * a / k
 
     def rod(self, segment, q, w, a):
         """Force of the rod along the line of the slider, its slope, and the travel of the slider per angle."""

@@ -98,11 +98,13 @@ pub(crate) fn battery(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unan
     Ok(Answer::lines(&battery_lines(&battery::found(asked)?, call.language)))
 }
 
-/// Returns `true` if there is something at a path other than a file with these bytes.
-fn is_of_the_user(path: &Path, bytes: &[u8]) -> bool {
+/// Returns `true` if there is something at a path other than the recording of a template, in any language.
+fn is_of_the_user(path: &Path, kind: &str) -> bool {
     let Ok(about) = std::fs::symlink_metadata(path) else { return false };
-    let is_alike = about.is_file() && about.len() == bytes.len() as u64;
-    !is_alike || std::fs::read(path).map_or(true, |found| found != bytes)
+    let written = |language| new::template(kind, new::USUAL_NAME, language)?.recording.map(|(_, text)| text);
+    let is_as_long = |text: &String| about.is_file() && about.len() == text.len() as u64;
+    let mut alike = Language::ALL.into_iter().filter_map(written).filter(is_as_long);
+    !alike.any(|text| std::fs::read(path).is_ok_and(|found| found == text.as_bytes()))
 }
 
 /// `antrieb new KIND`
@@ -122,7 +124,8 @@ pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     };
     let beside = template.recording.map(|(name, text)| (out.with_file_name(name), text));
     // `--force` is about the file that is named: a recording of the user with the name of the example's is not replaced.
-    if let Some((path, _)) = beside.as_ref().filter(|(path, text)| is_of_the_user(path, text.as_bytes())) {
+    let kind = call.text("kind").unwrap_or_default();
+    if let Some((path, _)) = beside.as_ref().filter(|(path, _)| is_of_the_user(path, &kind)) {
         let message = words::file_trouble(&std::io::ErrorKind::AlreadyExists.into(), language);
         return Err(Unanswered::File { name: path_text(path), message, is_too_large: false });
     }

@@ -315,7 +315,7 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
     // A row that the tables name in words has no sign.
     let shown = match row_sign(symbol) {
         _ if term == symbol => term,
-        Some(_) => format!("{symbol}, {term}"),
+        Some(sign) => format!("{sign}, {term}"),
         None => term,
     };
     said!(language => "not known: {shown}" | "nicht bekannt: {shown}")

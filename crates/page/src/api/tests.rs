@@ -268,7 +268,7 @@ fn resolve(value: &Value, document: &Value, looked: &mut usize) {
     }
 }
 
-/// A shell whose report is what it was asked for.
+/// A shell whose report is the request.
 struct Asking;
 
 impl Shell for Asking {

@@ -551,6 +551,15 @@ def report(
     full: bool = False,
     installation: bool = False,
     date: str | None = None,
+    revision: str | None = None,
+    title: str | None = None,
+    number: str | None = None,
+    author: str | None = None,
+    company: str | None = None,
+    customer: str | None = None,
+    order: str | None = None,
+    change: str | Sequence[str] | None = None,
+    archive: bool = False,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
@@ -566,6 +575,15 @@ def report(
         full: Include the derivation of every check, all sources and all ordering codes as appendices.
         installation: Include wiring, mounting and commissioning of the ordering code, and maintenance if --delivered is given.
         date: Date of the document, for example 2026-11-21; default: none, so that the same call gives the same bytes.
+        revision: Revision of the document.
+        title: Project, plant or order.
+        number: Document number.
+        author: Author.
+        company: Company or office.
+        customer: Customer.
+        order: Number of the order.
+        change: Line of the list of changes, for example "B; 2026-11-21; E. Example; longer stroke"; may be repeated.
+        archive: As PDF/A for archiving; requires --date.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
@@ -581,7 +599,7 @@ def report(
         object,
         "report",
         (text,),
-        [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date)],
+        [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date), ("revision", revision), ("title", title), ("number", number), ("author", author), ("company", company), ("customer", customer), ("order", order), ("change", change), ("archive", archive)],
         lang,
         file=file,
         folder=folder,

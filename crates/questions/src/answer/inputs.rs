@@ -221,7 +221,7 @@ mod tests {
                 "Bewegung, Abschnitt 1|law|Rast",
                 "Bewegung, Abschnitt 1|time|1,5 s ± 0,15 s",
                 "Bewegung, Abschnitt 1|hold|durch den Motor",
-                "Anforderungen|brake|mit",
+                "Anforderungen|brake|gefordert",
                 "Anforderungen|feedback|C1024, M512P",
                 "Anforderungen|ambient|−5 °C ± 5 K",
             ]

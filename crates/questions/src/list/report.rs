@@ -120,7 +120,7 @@ mod tests {
 
     fn read(pairs: &[(&'static str, &'static str)]) -> Result<Args, Unanswered> {
         let pairs = pairs.iter().map(|(name, value)| ((*name).into(), (*value).into()));
-        Args::read(&Given::of(Args::ARGUMENTS, pairs, Language::En)?)
+        Args::read(&Given::of(Args::ARGUMENTS, pairs, Language::default())?)
     }
 
     #[test]
@@ -133,7 +133,10 @@ mod tests {
             ("archive", "true"),
         ])
         .unwrap();
-        assert_eq!((found.customer.as_deref(), found.order.as_deref()), (Some("Example Machines"), Some("4711/26")));
+        assert_eq!(
+            (found.customer.as_deref(), found.order.as_deref()),
+            (Some("Example\\u{202e} Machines"), Some("4711/26"))
+        );
         let [first, second] = &found.changes[..] else { panic!("{found:?}") };
         assert_eq!((first.author.as_str(), first.text.as_str()), ("E. Example", "longer stroke; see 4"));
         assert_eq!((second.author.as_str(), second.text.as_str()), ("", "heavier load"));

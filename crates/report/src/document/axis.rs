@@ -10,10 +10,9 @@ use super::operation::{DataSheet, Operation, data_sheet, operation};
 use super::origins::{Derived, Source, derived, sources};
 use super::shown::{Shown, tied};
 use crate::{AxisContent, Diagram, DiagramPlace};
-use answers::{Check, CheckId, Dossier, Fit, Identified, Item, Number, Part, ScrewJoint, Tolerance, Verdict};
-use quantities::Language;
+use answers::{Check, Dossier, Fit, Item, Number, ScrewJoint, Tolerance, Verdict};
 use serde::Serialize;
-use words::{capitalised, check_title, marked, terms};
+use words::{capitalised, marked};
 
 /// Data of the chapters of one axis, for the template.
 #[derive(Serialize)]
@@ -162,12 +161,7 @@ impl Axis {
             name: judgement.axis.clone(),
             cover: cover(content, &checks, &titles, shown),
             inputs: groups(&dossier.inputs),
-            assumptions: judgement
-                .assumptions
-                .iter()
-                .map(|text| tied(text))
-                .chain(unstated_place(dossier, shown.0))
-                .collect(),
+            assumptions: judgement.assumptions.iter().map(|text| tied(text)).collect(),
             mechanism: Mechanism::build(dossier, shown),
             motion: MotionTable::build(&judgement.motion, shown),
             single_move: dossier.single_move,
@@ -186,15 +180,6 @@ impl Axis {
             checks,
         }
     }
-}
-
-/// The properties of the place of installation that the project does not state, in one line: they are not checked.
-fn unstated_place(dossier: &Dossier, language: Language) -> Option<String> {
-    let checked = |id: CheckId| dossier.judgement.candidate.checks.iter().any(|check| *check.id == id);
-    let of_place = |id: &CheckId| id.part() == Part::Environment && !checked(*id);
-    let titles = <CheckId as Identified>::ALL.iter().filter(|id| of_place(id)).map(|id| check_title(*id, language));
-    let titles = titles.collect::<Vec<_>>().join(", ");
-    (!titles.is_empty()).then(|| format!("{titles}: {}", terms::not_checked(language)))
 }
 
 fn tied_joint(joint: &ScrewJoint) -> ScrewJoint {
