@@ -77,7 +77,9 @@ fn the_output_bearing_agrees() {
         "bearing_static",
         "tilt_angle",
     ];
-    hold(&keys.map(|key| (key, INTEGRAL)), |_| true);
+    // The life is the power 10/3 of the mean load, and deviates by as much more.
+    let allowed = |key| if key == "bearing_life" { 10.0 / 3.0 * INTEGRAL } else { INTEGRAL };
+    hold(&keys.map(|key| (key, allowed(key))), |_| true);
 }
 
 /// Figures of the drive: their invariance is held in `drive`.
