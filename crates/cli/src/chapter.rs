@@ -125,7 +125,7 @@ pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let beside = template.recording.map(|(name, text)| (out.with_file_name(name), text));
     // `--force` is about the file that is named: a recording of the user with the name of the example's is not replaced.
     let kind = call.text("kind").unwrap_or_default();
-    if let Some((path, _)) = beside.as_ref().filter(|(path, _)| is_of_the_user(path, &kind)) {
+    if let Some((path, _)) = beside.as_ref().filter(|(path, _)| is_of_the_user(path, kind)) {
         let message = words::file_trouble(&std::io::ErrorKind::AlreadyExists.into(), language);
         return Err(Unanswered::File { name: path_text(path), message, is_too_large: false });
     }
