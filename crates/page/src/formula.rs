@@ -54,7 +54,7 @@ fn amount(operand: &Node, language: Language) -> Inserted {
     Inserted { markup: html! { mrow { (inside) } }, is_compound: unit != "1" }
 }
 
-/// What a symbol of a formula is written as.
+/// The written form of a symbol in a formula.
 struct Inserted {
     markup: Markup,
     /// Consists of several parts, which a power encloses in parentheses.

@@ -110,7 +110,7 @@ pub(crate) fn schema(language: Language) -> Value {
 /// Returns the project with the ratio that gives the best actuator of the catalogue, by the rule of the ranking: a
 /// smaller actuator first, then the wider margin. Among equals the first in the file is taken.
 ///
-/// Each ratio is judged separately, because it changes the axis and not the actuator: all results for the axis (demand,
+/// Every ratio is judged separately, because it changes the axis and not the actuator: all results for the axis (demand,
 /// motion, checks, report) then belong to one ratio, and each candidate of the ranking is judged under the same.
 ///
 /// # Errors

@@ -34,8 +34,8 @@ fn varied(text: &str) -> Vec<Input> {
     counted.filter(is_number).collect()
 }
 
-/// The same values in a text that differs from `text` in amounts alone, without reading their headings again: of a value that is no
-/// heading the nearest one is searched, which costs more than the answers.
+/// Returns the numbers `keys` of a text that differs in amounts alone, without reading their headings again: for a value
+/// that is no heading the nearest one is searched, which costs more than the answers.
 fn varied_again(text: &str, keys: &[Input]) -> Vec<Input> {
     let is_one = |input: &Input| keys.iter().any(|key| key.path == input.path);
     inputs(text).into_iter().filter(is_one).collect()

@@ -2,32 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
 
-use project::NoFiles;
-use quantities::{Language, Measure};
-use questions::list::{Asked, Given, Source, simulate};
-use questions::{Patience, Verdict, check};
-use std::borrow::Cow;
+mod simulated;
 
-/// The answer of the twin about a project.
-fn simulated(text: &str, code: &str) -> (serde_json::Value, bool) {
-    let given = Given::of(
-        simulate::Args::ARGUMENTS,
-        [("code", code), ("cold", "true")].map(|(name, value)| (Cow::Borrowed(name), Cow::Borrowed(value))),
-        Language::En,
-    )
-    .unwrap();
-    let patience = Patience::endless();
-    let asked = Asked {
-        given,
-        sources: vec![Source { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files: &NoFiles }],
-        days_since_1970: None,
-        patience: &patience,
-        refuses_long: true,
-        language: Language::En,
-    };
-    let answer = simulate::record(&simulate::Args::read(&asked.given).unwrap(), &asked).unwrap();
-    (serde_json::from_str(&answer.text).unwrap(), answer.fits)
-}
+use quantities::{Language, Measure};
+use questions::{Verdict, check};
+use simulated::simulated;
 
 /// A move to and fro that gives energy back, on some supply.
 fn axis(inertia: f64, speed: f64, supply: &str) -> String {
@@ -84,7 +63,7 @@ fn dc_link_and_twin_agree_over_windings_and_supplies() {
             let found = judged.judgement.checks.iter().find(|check| check.id.id() == "dc_link").unwrap();
             assert_eq!(found.verdict, expected, "{code} {supply}");
             assert!((found.value.unwrap().value() - most).abs() < 0.01, "{code} {supply}: {:?}", found.value);
-            let (record, _) = simulated(&text, code);
+            let (record, _) = simulated(&text, &[("code", code), ("cold", "true")]).unwrap();
             let verdicts = record["verdicts"].as_array().unwrap();
             let of = |id: &str| verdicts.iter().find(|row| row["id"] == id).unwrap();
             let link = of("link_high");
@@ -115,7 +94,7 @@ fn a_winding_of_48_volt_runs_at_its_printed_supply() {
     let code = "CHA-17A-50-E-RES";
     let judged = check(&project, &order_code::parse(code).unwrap().code).unwrap();
     assert!(judged.fits(), "{:?}", judged.judgement.worst_failure().map(|check| check.id));
-    let (record, fits) = simulated(text, code);
+    let (record, fits) = simulated(text, &[("code", code), ("cold", "true")]).unwrap();
     assert!(fits, "{} {}", record["verdicts"], record["events"]);
 }
 

@@ -2,33 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
 
-use project::NoFiles;
+mod simulated;
+
 use quantities::Language;
-use questions::Patience;
-use questions::list::{Asked, Given, Source, Unanswered, simulate};
+use questions::list::{Given, Unanswered, simulate};
+use simulated::simulated;
 use std::borrow::Cow;
 
 const TABLE: &str = include_str!("../../../examples/indexing-table.toml");
-
-/// The answer about a project as JSON.
-fn answered(text: &str, pairs: &[(&str, &str)]) -> Result<(serde_json::Value, bool), Unanswered> {
-    let given = Given::of(
-        simulate::Args::ARGUMENTS,
-        pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value))),
-        Language::En,
-    )?;
-    let patience = Patience::endless();
-    let asked = Asked {
-        given,
-        sources: vec![Source { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files: &NoFiles }],
-        days_since_1970: None,
-        patience: &patience,
-        refuses_long: true,
-        language: Language::En,
-    };
-    let answer = simulate::record(&simulate::Args::read(&asked.given)?, &asked)?;
-    Ok((serde_json::from_str(&answer.text).unwrap(), answer.fits))
-}
 
 fn message(why: &Unanswered) -> String {
     why.faults(None, Language::En).errors.iter().map(|fault| fault.message.clone()).collect::<Vec<_>>().join("; ")
@@ -39,7 +20,7 @@ const CODE: (&str, &str) = ("code", "CHA-25A-100-H-C1024");
 /// The record has what its contract says, and sizing and twin agree on temperature and torque within a few per cent.
 #[test]
 fn a_cycle_is_summed_up_and_compared_with_the_sizing() {
-    let (record, _) = answered(TABLE, &[CODE]).unwrap();
+    let (record, _) = simulated(TABLE, &[CODE]).unwrap();
     for part in ["summary", "events", "comparison", "verdicts", "loops", "gains", "parameters"] {
         assert!(!record[part].is_null(), "{part}: {record}");
     }
@@ -62,7 +43,7 @@ fn the_project_states_scenario_gains_and_measured_values() {
     let text = format!(
         "{TABLE}\n[twin]\nscenario = \"emergency_stop\"\nat = \"0.15 s\"\nposition_gain = 12\n[twin.measured]\nresistance_ll = \"2.5 ohm\"\n"
     );
-    let (record, _) = answered(&text, &[CODE]).unwrap();
+    let (record, _) = simulated(&text, &[CODE]).unwrap();
     assert_eq!((&record["scenario"], &record["at"]), (&"emergency_stop".into(), &0.15.into()));
     assert_eq!(record["gains"]["position_gain"]["value"], 12.0);
     assert_eq!(record["gains_by_rule"], false);
@@ -70,14 +51,14 @@ fn the_project_states_scenario_gains_and_measured_values() {
         record["parameters"].as_array().unwrap().iter().find(|each| each["key"] == "resistance_ll").unwrap().clone();
     assert_eq!((resistance["value"].as_f64(), resistance["grade"].as_str()), (Some(2.5), Some("published")));
     assert!(record["comparison"].as_array().unwrap().is_empty());
-    let (other, _) = answered(&text, &[CODE, ("scenario", "cycle")]).unwrap();
+    let (other, _) = simulated(&text, &[CODE, ("scenario", "cycle")]).unwrap();
     assert_eq!(other["scenario"], "cycle");
 }
 
 /// What cannot run is refused with its reason.
 #[test]
 fn what_cannot_run_is_refused_with_its_reason() {
-    let refused = |text: &str, pairs: &[(&str, &str)]| message(&answered(text, pairs).unwrap_err());
+    let refused = |text: &str, pairs: &[(&str, &str)]| message(&simulated(text, pairs).unwrap_err());
     assert!(refused(TABLE, &[CODE, ("scenario", "brake_stuck")]).contains("brake"));
     assert!(refused(TABLE, &[CODE, ("scenario", "emergency_stop"), ("at", "9 s")]).contains("1.3"));
     assert!(refused(TABLE, &[CODE, ("cycles", "100000")]).contains("steps"));
@@ -92,7 +73,7 @@ fn what_cannot_run_is_refused_with_its_reason() {
 /// Ten days of two shifts: temperatures of the settled cycle, energies in proportion; what does not fit is refused.
 #[test]
 fn days_of_operation_are_summed_up() {
-    let of = |pairs: &[(&str, &str)]| answered(TABLE, &[&[CODE], pairs].concat());
+    let of = |pairs: &[(&str, &str)]| simulated(TABLE, &[&[CODE], pairs].concat());
     let (record, _) = of(&[("days", "10"), ("hours-per-day", "16")]).unwrap();
     let figure = |id: &str| record["averaged"][id]["value"].as_f64().unwrap_or_else(|| panic!("{id}: {record}"));
     assert_eq!((figure("days"), figure("starts")), (10.0, 10.0));
@@ -105,7 +86,7 @@ fn days_of_operation_are_summed_up() {
     let share = record["averaged"]["energy_supply"]["value"].as_f64().unwrap()
         / always["averaged"]["energy_supply"]["value"].as_f64().unwrap();
     assert!((share - 16.0 / 24.0).abs() < 0.02, "{share}");
-    assert!(answered(TABLE, &[CODE]).unwrap().0["averaged"].is_null());
+    assert!(simulated(TABLE, &[CODE]).unwrap().0["averaged"].is_null());
     let refused = |pairs: &[(&str, &str)]| message(&of(pairs).unwrap_err());
     assert!(refused(&[("days", "10"), ("hours-per-day", "25")]).contains("24"));
     assert!(refused(&[("hours-per-day", "8")]).contains("--days"));
@@ -117,7 +98,7 @@ fn days_of_operation_are_summed_up() {
 fn a_missing_parameter_is_named() {
     let own = "\n[actuator]\nname = \"own\"\nratio = 100\ntorque_max = \"60 N m\"\n";
     let text = TABLE.to_owned() + own;
-    let why = message(&answered(&text, &[]).unwrap_err());
+    let why = message(&simulated(&text, &[]).unwrap_err());
     assert!(why.contains("p is not known"), "{why}");
 }
 
@@ -126,7 +107,7 @@ fn a_missing_parameter_is_named() {
 fn an_encoder_that_fails_is_answered_with_what_is_noticed() {
     let failure = |code: &str, more: &[(&str, &str)]| {
         let (code, scenario) = (("code", code), ("scenario", "encoder_failure"));
-        answered(TABLE, &[&[code, scenario], more].concat()).map(|(record, _)| record)
+        simulated(TABLE, &[&[code, scenario], more].concat()).map(|(record, _)| record)
     };
     let record = failure("CHA-25A-100-H-M512P", &[("failure", "check")]).unwrap();
     let found = &record["encoder_failure"];
@@ -135,14 +116,14 @@ fn an_encoder_that_fails_is_answered_with_what_is_noticed() {
     assert!((0.05..0.7).contains(&after), "{found}");
     assert!(found["title"].as_str().unwrap().contains(" ms"), "{found}");
     assert!(record["events"].as_array().unwrap().iter().any(|event| event["event"] == "no_position"));
-    assert!(answered(TABLE, &[CODE]).unwrap().0["encoder_failure"].is_null());
+    assert!(simulated(TABLE, &[CODE]).unwrap().0["encoder_failure"].is_null());
     let stated = format!("{TABLE}\n[twin]\nscenario = \"encoder_failure\"\nfailure = \"amplitude\"\n");
-    assert_eq!(answered(&stated, &[CODE]).unwrap().0["encoder_failure"]["failure"], "amplitude");
+    assert_eq!(simulated(&stated, &[CODE]).unwrap().0["encoder_failure"]["failure"], "amplitude");
     let refused = |found: Result<serde_json::Value, Unanswered>| message(&found.unwrap_err());
     assert!(refused(failure("CHA-25A-100-H-C1024", &[("failure", "check")])).contains("track, amplitude, cable"));
-    let other = answered(TABLE, &[CODE, ("failure", "track")]).map(|(record, _)| record);
+    let other = simulated(TABLE, &[CODE, ("failure", "track")]).map(|(record, _)| record);
     assert!(refused(other).contains("encoder_failure"));
-    let lost = answered(TABLE, &[("code", "CHA-17A-100-H-M128S"), ("scenario", "battery_loss")]).unwrap().0;
+    let lost = simulated(TABLE, &[("code", "CHA-17A-100-H-M128S"), ("scenario", "battery_loss")]).unwrap().0;
     assert_eq!(lost["encoder_failure"]["failure"], "battery");
     assert!(
         lost["encoder_failure"]["finding"].is_null() && lost["encoder_failure"]["error"].as_f64().unwrap() < -7000.0
@@ -154,7 +135,7 @@ fn an_encoder_that_fails_is_answered_with_what_is_noticed() {
 fn wrong_options_are_reported_together() {
     let wrong =
         [CODE, ("scenario", "collision"), ("every", "20 us"), ("at", "-1 s"), ("days", "3"), ("failure", "track")];
-    let faults = answered(TABLE, &wrong).unwrap_err().faults(None, Language::En).errors;
+    let faults = simulated(TABLE, &wrong).unwrap_err().faults(None, Language::En).errors;
     let options: Vec<_> = faults.iter().filter_map(|fault| fault.option.as_deref()).collect();
     assert_eq!(options, ["every", "at", "days", "failure"], "{faults:?}");
     assert!(faults[0].message.contains("62.5"), "{faults:?}");

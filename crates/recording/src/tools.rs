@@ -20,7 +20,7 @@ pub(crate) struct Headers {
 }
 
 impl Headers {
-    /// Takes note of a line; returns `true` if the table begins behind it, or later.
+    /// Records a line; returns `true` if the table begins behind it, or later.
     pub(crate) fn end_with(&mut self, line: &[u8], is_first: bool) -> bool {
         if is_first && line.trim_ascii_start().starts_with(LABVIEW) {
             self.labview = 2;

@@ -1,0 +1,27 @@
+//! Answers of the twin about a project in a text.
+
+use project::NoFiles;
+use quantities::Language;
+use questions::Patience;
+use questions::list::{Asked, Given, Source, Unanswered, simulate};
+use std::borrow::Cow;
+
+/// Returns the answer of `simulate` as JSON, and whether the actuator fits.
+///
+/// # Errors
+/// Faults of options and project.
+pub(crate) fn simulated(text: &str, options: &[(&str, &str)]) -> Result<(serde_json::Value, bool), Unanswered> {
+    let pairs = options.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
+    let given = Given::of(simulate::Args::ARGUMENTS, pairs, Language::En)?;
+    let patience = Patience::endless();
+    let asked = Asked {
+        given,
+        sources: vec![Source { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files: &NoFiles }],
+        days_since_1970: None,
+        patience: &patience,
+        refuses_long: true,
+        language: Language::En,
+    };
+    let answer = simulate::record(&simulate::Args::read(&asked.given)?, &asked)?;
+    Ok((serde_json::from_str(&answer.text).unwrap(), answer.fits))
+}
