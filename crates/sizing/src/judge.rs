@@ -136,7 +136,7 @@ pub type Naming<'n> = &'n mut dyn FnMut(&mut Check, usize);
 /// Judges one actuator after another for one axis.
 ///
 /// Neighbours in the catalogue have the same drivetrain or the same output bearing; answers that depend on it alone are
-/// computed once (see [`Shared`]).
+/// computed once (see `Shared`).
 pub struct Judge<'a> {
     axis: &'a Axis,
     scope: Scope,
