@@ -97,7 +97,8 @@ def handed(text: Text, name: str | None, folder: Path | None) -> tuple[str | Non
     """A text with its name and folder; of a path no text."""
     if isinstance(text, str) and ("\n" in text or not text or ("=" in text and not os.path.exists(text))):
         return text, name or "text", os.fspath(folder) if folder is not None else ""
-    if not isinstance(text, (str, os.PathLike)):
+    # Callers without a type checker.
+    if not isinstance(text, (str, os.PathLike)):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise TypeError(f"a text or the path of its file is expected, not {type(text).__name__}")
     return None, os.fspath(text), ""
 
@@ -122,7 +123,7 @@ def _written(value: Any) -> str:
 def each_of(value: Any) -> list[Any]:
     """One value, or those of a list, a tuple, an array or a series; a text is one value."""
     is_one = isinstance(value, (str, bytes, Mapping, os.PathLike)) or not isinstance(value, Iterable)
-    return [value] if is_one else list(value)  # pyright: ignore[reportUnknownArgumentType]
+    return [value] if is_one else list(value)  # pyright: ignore[reportUnknownArgumentType, reportArgumentType]
 
 
 def unit_text(name: str, value: str | None) -> str | None:

@@ -94,7 +94,7 @@ def unpacked(stream: bytes) -> Table:
 def _again(of: type[Sweep], *made_of: Any) -> Sweep:
     """A sweep made anew in another process."""
     sweep = of.__new__(of)
-    sweep._sweep = _antrieb.Sweep(*made_of)
+    sweep._sweep = _antrieb.Sweep(*made_of)  # pyright: ignore[reportPrivateUsage]
     return sweep
 
 

@@ -203,7 +203,7 @@ class Faults(unittest.TestCase):
     def test_the_language_is_that_of_the_call(self) -> None:
         with self.assertRaises(antrieb.AntriebError) as caught:
             antrieb.size("nowhere.toml", lang="de")
-        self.assertIn("gibt es nicht", str(caught.exception))
+        self.assertIn("existiert nicht", str(caught.exception))
 
 
 class Arguments(unittest.TestCase):
