@@ -104,14 +104,26 @@ impl Table {
         out
     }
 
-    /// Returns the width below which a column is not wrapped; numbers are not wrapped.
+    /// Returns the width below which a column is not wrapped; numbers are not wrapped, only their headings, nor are
+    /// ordering codes, whose first part alone would read as another code.
     fn floor(&self, index: usize) -> usize {
         let words = index > 3 && index + 1 == self.columns.len();
-        match self.columns.get(index) {
+        let cells = self.rows.iter().filter_map(|row| row.get(index));
+        let narrowest = match self.columns.get(index) {
             Some((_, Align::Left)) if words => NARROWEST_WORDS,
             Some((_, Align::Left)) => NARROWEST,
-            _ => usize::MAX,
-        }
+            Some((head, Align::Right)) => {
+                return head
+                    .split(' ')
+                    .chain(cells.map(String::as_str))
+                    .map(|text| text.chars().count())
+                    .max()
+                    .unwrap_or(0);
+            }
+            None => return usize::MAX,
+        };
+        let codes = cells.flat_map(|cell| cell.split([' ', ','])).filter(|word| is_code(word));
+        codes.map(|code| code.chars().count()).fold(narrowest, usize::max)
     }
 
     fn line(&self, out: &mut String, cells: &[String], widths: &[usize]) {
@@ -142,6 +154,12 @@ impl Table {
             out.push('\n');
         }
     }
+}
+
+/// Returns `true` for a word in the form of an ordering code: three or more hyphens between capitals and digits.
+fn is_code(word: &str) -> bool {
+    let is_sign = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '-';
+    word.matches('-').count() > 2 && word.chars().all(is_sign)
 }
 
 /// Narrows columns, the widest first and none below its minimum, until all of them fit.
@@ -343,6 +361,24 @@ mod tests {
                 let end = line.split(' ').next_back().unwrap_or_default();
                 assert!(!["80.5", "12", "(table", "3", "="].contains(&end), "{width}: {line}");
             }
+        }
+    }
+
+    /// The first part of an ordering code would read as another code.
+    #[test]
+    fn ordering_codes_are_never_broken() {
+        let heads = ["#", "code", "util. %", "governing check", "T_rms Nm", "remark"].map(str::to_owned);
+        let columns = heads
+            .into_iter()
+            .enumerate()
+            .map(|(place, head)| (head, if [0, 2, 4].contains(&place) { Align::Right } else { Align::Left }));
+        let mut table = Table::new(columns.collect::<Vec<_>>());
+        for code in ["CHA-17A-120-H-RES-B", "CHA-20A-100-H-C1024-B-EC-K"] {
+            table.row(["1", code, "72.2", "torque-speed trace", "18.16", "advice: inertia ratio"].map(str::to_owned));
+        }
+        for most in 30..140 {
+            let text = table.render_to(most);
+            assert!(text.contains("CHA-17A-120-H-RES-B") && text.contains("CHA-20A-100-H-C1024-B-EC-K"), "{text}");
         }
     }
 
