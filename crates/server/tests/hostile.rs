@@ -230,7 +230,7 @@ fn bodies_that_are_too_large_are_not_read() {
 /// Many idle clients do not block others, and are disconnected in time.
 #[test]
 fn slow_ones_keep_nobody_waiting() {
-    let limits = Limits { head_time: Duration::from_secs(2), body_time: Duration::from_secs(2), ..Limits::default() };
+    let limits = Limits { head_time: Duration::from_secs(4), body_time: Duration::from_secs(4), ..Limits::default() };
     let up = Up::new(limits);
     let mut slow: Vec<TcpStream> = (0..200).map(|_| up.connect()).collect();
     for (index, stream) in slow.iter_mut().enumerate() {
@@ -241,7 +241,7 @@ fn slow_ones_keep_nobody_waiting() {
     }
     let begun = Instant::now();
     up.is_up();
-    assert!(begun.elapsed() < Duration::from_secs(2), "{:?}", begun.elapsed());
+    assert!(begun.elapsed() < Duration::from_secs(3), "{:?}", begun.elapsed());
     for stream in &mut slow {
         let mut answer = String::new();
         let _ = stream.read_to_string(&mut answer);
@@ -263,10 +263,11 @@ fn half_sent_requests_hold_no_place() {
         let _ = write!(stream, "{head}{rest}");
         halves.push(stream);
     }
+    // Well before the halves time out by themselves; a system that drops a first packet under load sends it again after a second.
     for _ in 0..3 {
         let begun = Instant::now();
         up.is_up();
-        assert!(begun.elapsed() < Duration::from_secs(1), "{:?}", begun.elapsed());
+        assert!(begun.elapsed() < Limits::default().head_time / 2, "{:?}", begun.elapsed());
     }
 }
 

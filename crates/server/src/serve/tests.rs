@@ -289,7 +289,8 @@ fn a_stranger_without_the_token_does_not_slow_the_user() {
     let idle: Vec<std::net::TcpStream> = (0..90).map(|_| up.connect()).collect();
     let begun = Instant::now();
     assert!(up.ask("GET /health", &bearer).starts_with("HTTP/1.1 200 "));
-    assert!(begun.elapsed() < Duration::from_secs(1), "{:?}", begun.elapsed());
+    // Well before the idle ones time out by themselves.
+    assert!(begun.elapsed() < limits.head_time / 2, "{:?}", begun.elapsed());
     drop(idle);
 }
 
