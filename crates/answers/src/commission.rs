@@ -1,6 +1,6 @@
 //! Records of `commission`.
 
-use crate::{Fact, Fit, Id, Number, TableCell};
+use crate::{CitedErratum, Fact, Fit, Id, Number, TableCell};
 use catalogue::{Signal, Step};
 use provenance::Grade;
 use schemars::JsonSchema;
@@ -41,6 +41,8 @@ pub struct DriveObject {
     pub grade: Id<Grade>,
     /// Source of the figures, then the document that defines the object.
     pub source: String,
+    /// Ids of the errata that concern the value.
+    pub errata: Vec<&'static str>,
 }
 
 /// Known values for the commissioning of a code.
@@ -69,6 +71,8 @@ pub struct Commissioning {
     pub overload: OverloadSupervision,
     /// Checklists: before power, first motion, after a day.
     pub lists: Vec<CommissionList>,
+    /// Errata of the values shown, with their evidence.
+    pub errata: Vec<CitedErratum>,
 }
 
 /// A value to enter in a servo drive.
@@ -122,6 +126,8 @@ pub struct DriveParameter {
     pub grade: Id<Grade>,
     /// Source of the figure, then the document that defines the parameter.
     pub source: String,
+    /// Ids of the errata that concern the value.
+    pub errata: Vec<&'static str>,
 }
 
 /// A value stated for an encoder.
@@ -145,6 +151,8 @@ pub struct EncoderValue {
     pub table: &'static str,
     /// Notes on the value.
     pub notes: Vec<String>,
+    /// Ids of the errata that concern the value.
+    pub errata: Vec<&'static str>,
 }
 
 /// A threshold of a temperature sensor.
@@ -164,6 +172,8 @@ pub struct SensorThreshold {
     pub grade: Id<Grade>,
     /// Source of temperature and resistance.
     pub source: String,
+    /// Ids of the errata that concern the value.
+    pub errata: Vec<&'static str>,
 }
 
 /// Settings of the overload supervision.
@@ -179,6 +189,8 @@ pub struct OverloadSupervision {
     pub trips: Vec<OverloadTrip>,
     /// Basis of the values, as text.
     pub text: String,
+    /// Ids of the errata that concern the stall current.
+    pub errata: Vec<&'static str>,
 }
 
 /// Response of the overload supervision.
@@ -226,6 +238,8 @@ pub struct CommissionEntry {
     pub grade: Id<Grade>,
     /// Source of the entry.
     pub source: String,
+    /// Ids of the errata that concern the value.
+    pub errata: Vec<&'static str>,
 }
 
 /// `commission --record`: measured values with their verdicts.
@@ -241,6 +255,8 @@ pub struct Recorded {
     pub not_checked: usize,
     /// The measurements.
     pub measurements: Vec<RecordedValue>,
+    /// Errata of the expected values, with their evidence.
+    pub errata: Vec<CitedErratum>,
 }
 
 /// One measurement with its verdict.
@@ -276,6 +292,8 @@ pub struct RecordedValue {
     pub grade: Option<Id<Grade>>,
     /// Source of the expected value.
     pub source: String,
+    /// Ids of the errata that concern the value.
+    pub errata: Vec<&'static str>,
 }
 
 /// `commission --out`, `--checklist` or `--blank`: a file written.

@@ -156,6 +156,8 @@ pub struct EncoderSignal {
     pub periods_per_turn: Option<u32>,
     /// Source: the table of its level or its lines.
     pub source: String,
+    /// Ids of the errata that concern the value.
+    pub errata: Vec<&'static str>,
     /// Values over the angle; `null` if it does not depend on the angle.
     pub curve: Option<EncoderCurve>,
 }

@@ -122,6 +122,8 @@ pub struct Cable {
     pub table: &'static str,
     /// Cell that lists the cable.
     pub source: String,
+    /// Ids of the errata that concern the material number.
+    pub errata: Vec<&'static str>,
 }
 
 /// A part that does not exist.

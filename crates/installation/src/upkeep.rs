@@ -215,8 +215,9 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
     let mut storage_permitted = true;
     if let Some(end) = years_of("storage", "duration").and_then(|years| years.after(delivered, 1)) {
         storage_permitted = in_service <= end;
-        // Concerns a stored actuator only, not one in service.
-        if asked.storage.is_some() && asked.today.is_none_or(|today| today < in_service) {
+        // Concerns an actuator in store, or a planned storage that is too long; in service it is no date.
+        let concerns = asked.today.map_or(!storage_permitted, |today| today < in_service);
+        if asked.storage.is_some() && concerns {
             plan.once(Task::StorageEnd, Rule::AtTheLatest, end);
         }
     }

@@ -127,7 +127,7 @@ fn every_code_has_a_plan_by_date_and_encoders_with_a_battery_their_exchange() {
         assert!(found.plan.windows(2).all(|pair| pair[0].next <= pair[1].next), "{code}");
         assert!(found.storage_permitted && found.in_service == read_date("2026-09-01").unwrap(), "{code}");
         let date = |task: Task| found.plan.iter().find(|line| line.task == task).map(|line| line.next.to_string());
-        assert_eq!(date(Task::StorageEnd).as_deref(), Some("2028-03-01"), "{code}");
+        assert_eq!(date(Task::StorageEnd), None, "{code}: in service");
         for task in [Task::Cleaning, Task::Cables, Task::ProtectiveEarth, Task::Screws, Task::Seals] {
             assert_eq!(date(task).as_deref(), Some("2027-03-01"), "{code} {task:?}");
         }
@@ -189,7 +189,8 @@ fn today_moves_the_series_and_marks_what_has_passed() {
     assert_eq!(passed, [Task::EncoderRecommended]);
 }
 
-/// The end of the storage is a date for what is stored: none once it is in service, nor where it goes into service on delivery.
+/// The end of the storage is a date while the actuator is stored, or if the plan exceeds it: none in service, nor where service
+/// begins on delivery.
 #[test]
 fn the_storage_ends_for_what_is_stored_alone() {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
@@ -200,7 +201,9 @@ fn the_storage_ends_for_what_is_stored_alone() {
     };
     // Delivered on 2026-03-01, in service from 2026-09-01 on.
     let stored = asked().storage;
-    assert!(has(stored, None) && has(stored, Some("2026-08-31")));
+    assert!(has(stored, Some("2026-08-31")) && !has(stored, None));
+    let too_long = Some(Storage::Until(read_date("2028-03-02").unwrap()));
+    assert!(has(too_long, None) && has(too_long, Some("2028-03-01")) && !has(too_long, Some("2028-03-02")));
     assert!(!has(stored, Some("2026-09-01")) && !has(None, None) && !has(None, Some("2026-03-01")));
 }
 

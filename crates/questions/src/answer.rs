@@ -30,7 +30,7 @@ pub use commission::{commissioning, drive_objects};
 pub(crate) use dossier::document;
 pub use dossier::dossier;
 pub use encoder::encoder;
-pub(crate) use errata::cited;
+pub(crate) use errata::{cited, cited_once};
 pub use errata::{errata, erratum};
 pub use facts::facts;
 pub use fault::{code_worded, fault, faults, file_fault, not_in_glossary, option_fault, refusal_text, table_faults};

@@ -22,7 +22,7 @@ use crate::answer::document;
 use answers::{Block, Chapter, CitedErratum, Column, Document, Fact, Hazard, Id, Number};
 use catalogue::Signal;
 use quantities::{Language, Unit, format_significant};
-use words::signal_word;
+use words::{ERRATUM_MARK, signal_word};
 
 /// Creates a hazard or a rule with its signal word.
 fn hazard(signal: Option<Id<Signal>>, text: &str, source: String, language: Language) -> Hazard {
@@ -37,6 +37,12 @@ fn hazard(signal: Option<Id<Signal>>, text: &str, source: String, language: Lang
 /// Converts facts to hazards and rules, in the same order.
 fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
     facts.iter().map(|fact| hazard(fact.signal, fact.text, fact.source.clone(), language)).collect()
+}
+
+/// Returns errata with their evidence, each behind the mark of the values that it concerns.
+#[must_use]
+pub fn marked_errata(errata: &[CitedErratum]) -> Vec<String> {
+    errata.iter().map(|each| format!("{ERRATUM_MARK} {}: {}", each.id, each.evidence)).collect()
 }
 
 /// Returns notes, and errata with their evidence.

@@ -1,5 +1,7 @@
 //! The commissioning of a code: its values in the form of a drive, and a record of measured values.
 
+use crate::answer::cited_once;
+use crate::chapter::marked_errata;
 use crate::eds;
 use installation::commission as room;
 use installation::commission::cia402::{self, Object};
@@ -8,7 +10,7 @@ use order_code::FeedbackKind;
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{Language, Measure, ThermodynamicTemperature, identified};
 use std::fmt::Write as _;
-use words::{commission, conversion_text, gap_text, measured_key_text, object_name, parameter_name};
+use words::{ERRATUM_MARK, commission, conversion_text, gap_text, measured_key_text, object_name, parameter_name};
 
 pub use project::measured;
 pub use room::recorded::judge;
@@ -48,18 +50,26 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
     remark(&mut out, commission::script_use(language));
     remark(&mut out, commission::script_identify(language));
     out.push('\n');
+    let mut doubts: Vec<&'static str> = Vec::new();
     for line in sinamics::lines(about) {
         let number = format!("{} = {}", line.entry.name(), line.value);
+        let mut errata: &[&'static str] = &[];
         let comment = match line.entry.setting {
             Setting::Value(id, unit) => {
+                errata = about.get(id).map_or(&[], |known| &known.errata);
                 let unit = if unit.json == "1" { String::new() } else { format!("{}  ", unit.json) };
                 format!("{unit}{}; {}", parameter_name(id, language), conversion_text(id.conversion(), language))
             }
             Setting::Choice(choice) => words::choice_text(choice, language).to_owned(),
         };
-        let _ = writeln!(out, "{number:<28} ; {comment}");
+        let mark = if errata.is_empty() { String::new() } else { format!("; {ERRATUM_MARK} {}", errata.join(", ")) };
+        let _ = writeln!(out, "{number:<28} ; {comment}{mark}");
+        doubts.extend(errata);
     }
     out.push('\n');
+    for line in marked_errata(&cited_once(doubts, language)) {
+        remark(&mut out, &line);
+    }
     remark(&mut out, commission::script_missing(language));
     if about.code.feedback.kind() != Some(FeedbackKind::EndatMultiturn) {
         remark(&mut out, commission::encoder_configuration(language));
@@ -145,6 +155,9 @@ fn object_section(out: &mut String, head: &str, object: &Object, language: Langu
         mappable: false,
     };
     eds::variable(out, head, &variable);
+    for line in marked_errata(&cited_once(object.errata(), language)) {
+        eds::remark(out, &line);
+    }
 }
 
 /// Returns an empty record to fill in, with a remark on each key; brake, KTY and PTC only if the code has them.

@@ -16,6 +16,24 @@ pub(crate) fn file_info(out: &mut String, name: &str, description: &str) {
     );
 }
 
+/// Longest line of a remark, within the 255 characters that `CiA 306` permits.
+const LINE: usize = 120;
+
+/// Writes a remark, which no reader of the sheet evaluates, on as many lines as it needs.
+pub(crate) fn remark(out: &mut String, text: &str) {
+    let mut length = 0;
+    for word in text.split_whitespace() {
+        let wide = word.chars().count() + 1;
+        if length == 0 || length + wide > LINE {
+            out.push_str(if length == 0 { ";" } else { "\n;" });
+            length = 1;
+        }
+        let _ = write!(out, " {word}");
+        length += wide;
+    }
+    out.push('\n');
+}
+
 /// Content of the section of an object.
 pub(crate) struct Variable<'a> {
     pub(crate) name: &'a str,

@@ -46,5 +46,8 @@ fn text(recorded: &Recorded, language: Language) -> String {
     for (line, cause) in lines.iter().filter_map(|line| Some((line, line.cause.as_ref()?))) {
         out.push_str(&paragraph(&format!("{}: ", line.name), cause));
     }
+    for erratum in chapter::marked_errata(&recorded.errata) {
+        out.push_str(&paragraph("", &erratum));
+    }
     out
 }

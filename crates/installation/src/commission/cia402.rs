@@ -131,6 +131,20 @@ pub struct Object {
     pub document: &'static str,
 }
 
+impl Object {
+    /// Returns the errata that concern the value, each once.
+    #[must_use]
+    pub fn errata(&self) -> Vec<&'static str> {
+        let mut found = Vec::new();
+        for id in self.from.iter().flat_map(|parameter| &parameter.errata) {
+            if !found.contains(id) {
+                found.push(*id);
+            }
+        }
+        found
+    }
+}
+
 /// Bits 7 (position) and 6 (velocity) of 0x607E, which multiply the demand value by −1 (synapticon-circulo).
 const BOTH_REVERSED: u8 = 0b1100_0000;
 

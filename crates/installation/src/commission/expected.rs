@@ -130,6 +130,8 @@ pub struct Expected {
     pub sources: Vec<Source>,
     /// Grade of trust in value and band.
     pub grade: Grade,
+    /// Errata that concern the value.
+    pub errata: Vec<&'static str>,
 }
 
 /// Half widths of the bands, relative to the value \[1\].
@@ -155,6 +157,7 @@ impl Commissioning {
             band,
             sources: parameter.sources.clone(),
             grade: parameter.grade.worst(band.grade()),
+            errata: parameter.errata.clone(),
         })
     }
 
@@ -193,8 +196,9 @@ impl Commissioning {
             low,
             high,
             band: Band::KtySheet,
-            sources: place.map(|cell| Source::Published(&cell.place)).into_iter().collect(),
+            sources: place.iter().map(|cell| Source::Published(&cell.place)).collect(),
             grade: Band::KtySheet.grade(),
+            errata: errata_of(place),
         })
     }
 
@@ -215,6 +219,7 @@ impl Commissioning {
             band: Band::Din44081,
             sources: vec![Source::Published(&cold.place), Source::Cell(&response.place)],
             grade: Band::Din44081.grade(),
+            errata: errata_of([cold, response]),
         })
     }
 
@@ -271,6 +276,7 @@ impl Commissioning {
             sources: [start.sources.clone(), growth.sources.clone(), vec![Source::Model { name: "current" }], band]
                 .concat(),
             grade: start.grade.worst(growth.grade).worst(Band::Friction.grade()),
+            errata: [start.errata.clone(), growth.errata.clone()].concat(),
         })
     }
 
@@ -299,6 +305,11 @@ pub const KTY_OPEN_OHM: f64 = 2120.0;
 
 /// Resistance below which a drive considers a KTY short-circuited \[Ω\] (sinamics-g115d).
 pub const KTY_SHORT_OHM: f64 = 50.0;
+
+/// Returns the errata of some cells.
+fn errata_of(cells: impl IntoIterator<Item = &'static Cell>) -> Vec<&'static str> {
+    cells.into_iter().flat_map(|cell| cell.errata).copied().collect()
+}
 
 /// Returns the relative deviation of identified friction from the catalogue, with its cell.
 fn deviation(symbol: &str) -> Option<(f64, &'static Cell)> {

@@ -1,5 +1,6 @@
 //! The commissioning of a code as records.
 
+use super::errata::cited_once;
 use super::facts::facts;
 use super::sheet::cell_value;
 use crate::commission::DriveForm;
@@ -21,7 +22,7 @@ use quantities::unit::{DEGREE_CELSIUS, MINUTE, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, ThermodynamicTemperature, Unit, format_significant};
 use words::{
     cell_text, choice_text, commission, condition_text, conversion_text, document_short, fact_source, fact_text,
-    gap_text, measurand_name, object_name, parameter_name, source_text, symbol_term, table_note,
+    gap_text, marked, measurand_name, object_name, parameter_name, source_text, symbol_term, table_note,
 };
 
 /// Returns the commissioning sheet of a code.
@@ -35,7 +36,7 @@ pub fn commissioning(
     let listed = |fact: &&'static catalogue::Fact| fact.step.is_none_or(|step| !checklist::STEPS.contains(&step));
     let hazards: Vec<_> =
         facts_about(Topic::Commission, &about.code, Order::Gravest).into_iter().filter(listed).collect();
-    answers::Commissioning {
+    let mut sheet = answers::Commissioning {
         code: about.code.to_string(),
         form: form.id(),
         hazards: facts(&hazards, language),
@@ -47,7 +48,19 @@ pub fn commissioning(
         thresholds: thresholds(about, language),
         overload: overload(about, language),
         lists: checklist::lists(about, ambient).iter().map(|each| list(each, language)).collect(),
-    }
+        errata: Vec::new(),
+    };
+    sheet.errata = cited_once(shown_errata(&sheet), language);
+    sheet
+}
+
+/// Returns the errata of all values of a sheet.
+fn shown_errata(sheet: &answers::Commissioning) -> Vec<&'static str> {
+    let values = sheet.parameters.iter().flat_map(|each| &each.errata);
+    let encoder = sheet.encoder.iter().flat_map(|each| &each.errata);
+    let thresholds = sheet.thresholds.iter().flat_map(|each| &each.errata);
+    let lists = sheet.lists.iter().flat_map(|list| &list.entries).flat_map(|entry| &entry.errata);
+    values.chain(encoder).chain(thresholds).chain(&sheet.overload.errata).chain(lists).copied().collect()
 }
 
 fn joined(sources: &[Source], document: Option<&str>, language: Language) -> String {
@@ -90,6 +103,7 @@ fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParam
                 conversion_text: String::new(),
                 grade: Id(Grade::Published),
                 source: joined(&[], document, language),
+                errata: Vec::new(),
             },
             Setting::Value(id, unit) => {
                 let known = about.get(id);
@@ -101,6 +115,7 @@ fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParam
                     conversion_text: conversion_text(id.conversion(), language).to_owned(),
                     grade: Id(known.map_or(Grade::Assumed, |known| known.grade)),
                     source: joined(known.map_or(&[], |known| known.sources.as_slice()), document, language),
+                    errata: known.map_or_else(Vec::new, |known| known.errata.clone()),
                 }
             }
         }
@@ -138,6 +153,7 @@ pub fn drive_objects(about: &Commissioning, language: Language) -> Vec<DriveObje
             rounding: object.rounding.id(),
             grade: Id(grade),
             source: object_source(&sources, object, language),
+            errata: object.errata(),
         }
     };
     cia402::objects(about).iter().map(record).collect()
@@ -158,6 +174,7 @@ fn encoder(row: &EncoderRow, language: Language) -> EncoderValue {
         unit: cell.unit,
         table: cell.place.table,
         notes: row.notes.iter().map(|note| table_note(note, language).to_owned()).collect(),
+        errata: cell.errata.to_vec(),
     }
 }
 
@@ -203,6 +220,7 @@ fn thresholds(about: &Commissioning, language: Language) -> Vec<SensorThreshold>
             bound: "typical",
             grade: Id(expected.grade),
             source: joined(&sources, None, language),
+            errata: [known.errata.clone(), expected.errata].concat(),
         });
     }
     let Some(response) = configurator::ptc_cell(&about.code).filter(|_| about.has_ptc()) else { return found };
@@ -224,6 +242,7 @@ fn thresholds(about: &Commissioning, language: Language) -> Vec<SensorThreshold>
             bound: if offset < 0.0 { "at_most" } else { "at_least" },
             grade: Id(Grade::Published),
             source: joined(&sources, None, language),
+            errata: [response.errata, cell.errata].concat(),
         });
     }
     found
@@ -246,6 +265,7 @@ fn overload(about: &Commissioning, language: Language) -> OverloadSupervision {
         stall_current: about.get(ParameterId::StallCurrent).map(|known| Number(known.value())),
         time_constant: constant.map(|known| Number(known.value.in_unit(&SECOND))),
         grade: Id(constant.map_or(Grade::Assumed, |known| known.grade)),
+        errata: about.get(ParameterId::StallCurrent).map_or_else(Vec::new, |known| known.errata.clone()),
         trips: FACTORS.into_iter().filter_map(trip).collect(),
         text: match constant {
             Some(_) => commission::overload_text(language).to_owned(),
@@ -275,6 +295,7 @@ fn tick(id: &'static str, text: String, grade: Grade, source: String) -> Commiss
         field: false,
         grade: Id(grade),
         source,
+        errata: Vec::new(),
     }
 }
 
@@ -295,9 +316,10 @@ fn entry(step: catalogue::Step, item: &Item, language: Language) -> CommissionEn
             };
             CommissionEntry {
                 expected: Some(Number(parameter.value())),
-                shown,
+                shown: marked(shown, &parameter.errata),
                 unit: Some(parameter.id.unit().json),
                 field,
+                errata: parameter.errata.clone(),
                 ..tick(parameter.id.id(), text, parameter.grade, joined(&parameter.sources, None, language))
             }
         }
@@ -337,7 +359,8 @@ fn to_measure(expected: &Expected, at: Condition, language: Language) -> Commiss
         expected: expected.nominal.map(|nominal| in_unit(nominal, unit)),
         low: Some(in_unit(expected.low, unit)),
         high: Some(in_unit(expected.high, unit)),
-        shown: band_shown(expected, language),
+        shown: marked(band_shown(expected, language), &expected.errata),
+        errata: expected.errata.clone(),
         unit: Some(unit.json),
         field: true,
         ..tick(expected.what.id(), text, expected.grade, joined(&expected.sources, None, language))

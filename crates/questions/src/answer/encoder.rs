@@ -6,7 +6,7 @@ use answers::{
     DecodedWord, EncoderAssumption, EncoderCarrier, EncoderCurve, EncoderPin, EncoderShaft, EncoderSignal,
     EncoderState, EncoderWord, Id, Number, SignalForm, WordFault, WordField,
 };
-use catalogue::Topic;
+use catalogue::{Cell, Topic};
 use feedback::endat::{CRC_BITS, ErrorBits, Fault, Mode, Opening, Parameter, Timing};
 use feedback::ssi::Position;
 use feedback::{Absolute, Interface, Protocol, Shaft, Signal, SinePair, Value, Windings, Word};
@@ -280,6 +280,7 @@ fn signal(
     };
     let level = pair.and_then(|pair| pair.level);
     let periods = each.encoder.periods(signal);
+    let cell = source(each, signal);
     EncoderSignal {
         meaning: carried.map_or_else(String::new, |carried| {
             let whole = installation::wiring::Signal { polarity: None, ..carried };
@@ -296,7 +297,8 @@ fn signal(
         level_v: level.map(|level| Number(level.nominal.si())),
         level_bounds_v: level.and_then(|level| level.bounds).map(|bounds| bounds.map(|volts| Number(volts.si()))),
         periods_per_turn: periods,
-        source: source(each, signal, language),
+        source: cell.map_or_else(String::new, |cell| words::source_text(&Source::Cell(&cell.place), language)),
+        errata: cell.map_or_else(Vec::new, |cell| cell.errata.to_vec()),
         curve: shown_periods(each, signal).and_then(|periods| curve(shaft, periods, window, &at)),
     }
 }
@@ -326,8 +328,8 @@ fn number(value: Value) -> Number {
 }
 
 /// Returns the source cell of a signal.
-fn source(each: &Fitted, signal: Signal, language: Language) -> String {
-    let cell = match signal {
+fn source(each: &Fitted, signal: Signal) -> Option<&'static Cell> {
+    match signal {
         Signal::A | Signal::B => each.cell("u_pp", "incremental").or_else(|| each.cell("n_1_lines", "")),
         Signal::C | Signal::D => each.cell("u_pp", "commutation"),
         Signal::U | Signal::V | Signal::W => each.cell("n_2_lines", ""),
@@ -335,8 +337,7 @@ fn source(each: &Fitted, signal: Signal, language: Language) -> String {
         Signal::Sine | Signal::Cosine => each.cell("transformation_ratio", ""),
         Signal::Excitation => each.cell("U_b", ""),
         Signal::Clock | Signal::Data => each.cell("protocol", ""),
-    };
-    cell.map_or_else(String::new, |cell| words::source_text(&Source::Cell(&cell.place), language))
+    }
 }
 
 /// Returns the course of a signal around the position of the shaft, which is in the middle.

@@ -17,6 +17,17 @@ pub(crate) fn cited(id: &str, language: Language) -> CitedErratum {
     CitedErratum { id: id.to_owned(), evidence: evidence_text(id, language).to_owned() }
 }
 
+/// Returns the errata with these identifiers, each once, in the order of their first mention.
+pub(crate) fn cited_once(ids: impl IntoIterator<Item = &'static str>, language: Language) -> Vec<CitedErratum> {
+    let mut found: Vec<CitedErratum> = Vec::new();
+    for id in ids {
+        if found.iter().all(|known| known.id != id) {
+            found.push(cited(id, language));
+        }
+    }
+    found
+}
+
 /// Returns one erratum.
 #[must_use]
 pub fn erratum(erratum: &'static Erratum, language: Language) -> answers::Erratum {

@@ -1,6 +1,7 @@
 //! A recorded commissioning as a record.
 
 use super::commission::in_unit;
+use super::errata::cited_once;
 use answers::{Fit, Id, Recorded, RecordedValue};
 use installation::commission::Commissioning;
 use installation::commission::recorded::{Judged, Verdict};
@@ -17,6 +18,7 @@ pub fn recorded(about: &Commissioning, judged: &[Judged], language: Language) ->
         off,
         not_checked: judged.iter().filter(|each| each.verdict == Verdict::NotChecked).count(),
         measurements: judged.iter().map(|each| value(each, language)).collect(),
+        errata: cited_once(judged.iter().flat_map(errata).copied(), language),
     }
 }
 
@@ -27,6 +29,11 @@ const fn verdict(verdict: Verdict) -> sizing::Verdict {
         Verdict::Advice => sizing::Verdict::Advice,
         Verdict::NotChecked => sizing::Verdict::NotChecked,
     }
+}
+
+/// Returns the errata of the expected value.
+fn errata(judged: &Judged) -> &[&'static str] {
+    judged.expected.as_ref().map_or(&[], |expected| &expected.errata)
 }
 
 fn value(judged: &Judged, language: Language) -> RecordedValue {
@@ -55,5 +62,6 @@ fn value(judged: &Judged, language: Language) -> RecordedValue {
         cause_text: judged.cause.map(|cause| cause_text(cause, language)),
         grade: judged.grade.map(Id),
         source: fact.map_or_else(|| sources.join("; "), |fact| fact_source(fact, language)),
+        errata: errata(judged).to_vec(),
     }
 }

@@ -107,6 +107,7 @@ fn record_of_cable(cable: &Cable, language: Language) -> answers::Cable {
         drive: Id(cable.goal),
         table: cable.number.place.table,
         source: cell_source(cable.number, language),
+        errata: cable.number.errata.to_vec(),
     }
 }
 

@@ -1,12 +1,12 @@
 //! Values of a motor for the drive, and checks of the first run.
 
-use super::{grid, hazard, hazards, unit_shown};
+use super::{grid, hazard, hazards, marked_errata, unit_shown};
 use answers::{
     Chapter, Column, CommissionEntry, CommissionParameter, Commissioning, DriveObject, DriveParameter, EncoderValue,
     OverloadSupervision, SensorThreshold, Task,
 };
 use quantities::{Language, format_significant};
-use words::{capitalised, commission, decimal, grade_word, row_sign, terms};
+use words::{capitalised, commission, decimal, grade_word, marked, report, row_sign, terms};
 
 /// Returns the commissioning of a code; with the objects of CiA 402 if requested.
 #[must_use]
@@ -23,6 +23,10 @@ pub fn commission(record: &Commissioning, objects: &[DriveObject], language: Lan
         parameters(&mut chapter, &record.parameters, language);
     } else {
         sinamics(&mut chapter, &record.sinamics, language);
+    }
+    if !record.errata.is_empty() {
+        chapter.section(report::c_errata(language));
+        chapter.points(marked_errata(&record.errata));
     }
     chapter.section(capitalised(commission::gaps(language)));
     chapter.points(record.gaps.iter().map(|gap| gap.text.clone()).collect());
@@ -65,7 +69,7 @@ fn parameters(chapter: &mut Chapter, parameters: &[CommissionParameter], languag
             (Column::wide(commission::parameter(language)), &|each| {
                 row_sign(each.symbol).map_or_else(|| each.name.clone(), |sign| format!("{sign} {}", each.name))
             }),
-            (Column::numbers(terms::value(language)), &|each| shown(each.value.0, language)),
+            (Column::numbers(terms::value(language)), &|each| marked(shown(each.value.0, language), &each.errata)),
             (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
             (Column::wide(commission::conversion(language)), &|each| each.conversion_text.clone()),
             (Column::text(terms::grade(language)), &|each| grade_word(*each.grade, language).to_owned()),
@@ -80,7 +84,7 @@ fn sinamics(chapter: &mut Chapter, parameters: &[DriveParameter], language: Lang
         parameters,
         &[
             (Column::text(terms::number(language)), &|each| each.number.clone()),
-            (Column::numbers(terms::value(language)), &|each| shown(each.value.0, language)),
+            (Column::numbers(terms::value(language)), &|each| marked(shown(each.value.0, language), &each.errata)),
             (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
             (Column::wide(commission::parameter(language)), &|each| each.name.clone()),
             (Column::wide(commission::conversion(language)), &|each| each.conversion_text.clone()),
@@ -98,7 +102,7 @@ fn drive_objects(chapter: &mut Chapter, objects: &[DriveObject], language: Langu
         &[
             (Column::wide(commission::object(language)), &|each| format!("{}:{} {}", each.index, each.sub, each.name)),
             (Column::text(commission::type_of_data(language)), &|each| each.data_type.to_owned()),
-            (Column::numbers(terms::value(language)), &|each| each.value.to_string()),
+            (Column::numbers(terms::value(language)), &|each| marked(each.value.to_string(), &each.errata)),
             (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
             (Column::numbers(commission::rounding(language)), &|each| shown(each.exact.0, language)),
             (Column::wide(terms::source(language)), &|each| each.source.clone()),
@@ -118,7 +122,7 @@ fn encoder(chapter: &mut Chapter, values: &[EncoderValue], language: Language) {
         values,
         &[
             (Column::wide(commission::parameter(language)), &name),
-            (Column::text(terms::value(language)), &|each| decimal(&each.text, language)),
+            (Column::text(terms::value(language)), &|each| marked(decimal(&each.text, language), &each.errata)),
             (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
             (Column::wide(terms::remark(language)), &|each| each.notes.join("; ")),
         ],
@@ -142,7 +146,7 @@ fn thresholds(chapter: &mut Chapter, thresholds: &[SensorThreshold], language: L
                 format!("{} {}", each.sensor.to_uppercase(), each.name)
             }),
             (Column::numbers(commission::temperature(language)), &|each| {
-                format!("{} °C", shown(each.temperature.0, language))
+                marked(format!("{} °C", shown(each.temperature.0, language)), &each.errata)
             }),
             (Column::numbers(commission::resistance(language)), &resistance),
             (Column::wide(terms::source(language)), &|each| {
@@ -155,7 +159,8 @@ fn thresholds(chapter: &mut Chapter, thresholds: &[SensorThreshold], language: L
 fn overload(chapter: &mut Chapter, overload: &OverloadSupervision, language: Language) {
     let number = |value: f64| shown(format!("{value:.2e}").parse().unwrap_or(value), language);
     if let (Some(current), Some(constant)) = (overload.stall_current, overload.time_constant) {
-        let line = commission::overload_line(&number(current.0), &number(constant.0), language);
+        let current = marked(number(current.0), &overload.errata);
+        let line = commission::overload_line(&current, &number(constant.0), language);
         chapter.text(format!("{line} ({})", grade_word(*overload.grade, language)));
     }
     let trip = |trip: &answers::OverloadTrip| {

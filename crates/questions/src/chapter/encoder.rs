@@ -4,7 +4,7 @@ use super::{grid, hazards, plain, significant};
 use answers::{Chapter, Column, DecodedWord, Encoder, EncoderPin, EncoderSignal, EncoderState, SignalForm, WordFault};
 use installation::wiring::Role;
 use quantities::Language;
-use words::{capitalised, encoder, grade_word};
+use words::{ERRATUM_MARK, capitalised, encoder, evidence_text, grade_word, marked, report};
 
 /// Returns the signals and words of a code.
 #[must_use]
@@ -19,6 +19,17 @@ pub fn encoder(record: &Encoder, language: Language) -> Chapter {
     if !record.notes.is_empty() {
         chapter.section(capitalised(encoder::notes(language)));
         chapter.points(record.notes.clone());
+    }
+    if !record.errata.is_empty() {
+        let states = std::iter::once(&record.motor).chain(&record.output_encoder);
+        let marks: Vec<&str> =
+            states.flat_map(|state| state.signals.values()).flat_map(|signal| &signal.errata).copied().collect();
+        let erratum = |id: &&'static str| {
+            let mark = if marks.contains(id) { format!("{ERRATUM_MARK} ") } else { String::new() };
+            format!("{mark}{id}: {}", evidence_text(id, language))
+        };
+        chapter.section(report::c_errata(language));
+        chapter.points(record.errata.iter().map(erratum).collect());
     }
     chapter.section(capitalised(encoder::assumptions(language)));
     let graded =
@@ -52,7 +63,7 @@ fn of_state(chapter: &mut Chapter, state: &EncoderState, is_seeded: bool, langua
             (Column::text(encoder::pins(language)), &|(_, signal)| {
                 signal.pins.iter().map(pin).collect::<Vec<_>>().join(", ")
             }),
-            (Column::text(encoder::value(language)), &|(_, signal)| shown(signal, language)),
+            (Column::text(encoder::value(language)), &|(_, signal)| marked(shown(signal, language), &signal.errata)),
             (Column::text(encoder::periods(language)), &|(_, signal)| {
                 signal.periods_per_turn.map_or_else(String::new, |periods| periods.to_string())
             }),

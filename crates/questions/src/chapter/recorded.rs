@@ -5,7 +5,7 @@ use super::{NOTHING, significant, unit_shown};
 use answers::{Recorded, RecordedValue};
 use quantities::Language;
 use sizing::Verdict;
-use words::{commission, grade_word};
+use words::{commission, grade_word, marked};
 
 /// A measurement as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,9 +61,9 @@ fn expected(value: &RecordedValue, language: Language) -> String {
     match (value.expected, value.low, value.high) {
         (Some(_), Some(_), Some(_)) => {
             let band = commission::between(&short(value.low), &short(value.high), language);
-            format!("{} ({band})", short(value.expected))
+            marked(format!("{} ({band})", short(value.expected)), &value.errata)
         }
-        (None, _, Some(_)) => commission::at_most_value(&short(value.high), language),
+        (None, _, Some(_)) => marked(commission::at_most_value(&short(value.high), language), &value.errata),
         _ => NOTHING.to_owned(),
     }
 }

@@ -6,14 +6,14 @@ use answers::{
 };
 use quantities::{Language, format_number, format_significant};
 use std::fmt::Write as _;
-use words::{capitalised, evidence_text, terminal, terms, verdict_word, wiring};
+use words::{ERRATUM_MARK, capitalised, evidence_text, marked, terminal, terms, verdict_word, wiring};
 
 /// Returns the wiring of a code, with the drawings of its mating faces if the face can show them.
 #[must_use]
 pub fn wiring(record: &Wiring, drawings: Vec<Picture>, language: Language) -> Chapter {
     let mut chapter = Chapter::new(wiring::title(&record.code, language));
     for connector in &record.connectors {
-        connected(&mut chapter, connector, language);
+        connected(&mut chapter, connector, record, language);
     }
     chapter.blocks.extend(drawings.into_iter().map(Block::Picture));
     cables(&mut chapter, record, language);
@@ -30,14 +30,25 @@ pub fn wiring(record: &Wiring, drawings: Vec<Picture>, language: Language) -> Ch
         format!("{by}{}{}", note.text, table.unwrap_or_default())
     };
     let mut remarks: Vec<String> = record.notes.iter().map(remark).collect();
-    remarks.extend(record.errata.iter().map(|id| format!("{id}: {}", evidence_text(id, language))));
+    let pins = record.connectors.iter().flat_map(|connector| &connector.pins).flat_map(|pin| &pin.errata);
+    let marks: Vec<&str> = pins.chain(record.cables.iter().flat_map(|cable| &cable.errata)).copied().collect();
+    let erratum = |id: &&'static str| {
+        let mark = if marks.contains(id) { format!("{ERRATUM_MARK} ") } else { String::new() };
+        format!("{mark}{id}: {}", evidence_text(id, language))
+    };
+    remarks.extend(record.errata.iter().map(erratum));
     chapter.points(remarks);
     chapter.section(capitalised(wiring::rules(language)));
     chapter.hazards(hazards(&record.rules, language));
     chapter
 }
 
-fn connected(chapter: &mut Chapter, connector: &Connector, language: Language) {
+/// Returns those errata whose evidence the chapter states; slips of the recovered text are none.
+fn listed(errata: &[&'static str], record: &Wiring) -> Vec<&'static str> {
+    errata.iter().filter(|id| record.errata.contains(id)).copied().collect()
+}
+
+fn connected(chapter: &mut Chapter, connector: &Connector, record: &Wiring, language: Language) {
     let exit = connector.exit.map(|exit| match exit {
         ConnectorExit::Cable => wiring::at_the_end_of_a_cable(language),
         ConnectorExit::Housing => wiring::in_the_housing(language),
@@ -54,7 +65,8 @@ fn connected(chapter: &mut Chapter, connector: &Connector, language: Language) {
     ];
     chapter.text(mating.into_iter().flatten().collect::<Vec<_>>().join(", "));
     let name = |pin: &ConnectorPin| {
-        pin.joined_with.as_ref().map_or_else(|| pin.pin.clone(), |other| format!("{} ({other})", pin.pin))
+        let name = pin.joined_with.as_ref().map_or_else(|| pin.pin.clone(), |other| format!("{} ({other})", pin.pin));
+        marked(name, &listed(&pin.errata, record))
     };
     let colour = |pin: &ConnectorPin| pin.colour.unwrap_or(NOTHING).to_owned();
     let mut columns: Vec<Shown<'_, ConnectorPin>> = vec![
@@ -85,7 +97,9 @@ fn cables(chapter: &mut Chapter, record: &Wiring, language: Language) {
         chapter,
         &record.cables,
         &[
-            (Column::text(wiring::material_number(language)), &|cable| cable.material_number.to_owned()),
+            (Column::text(wiring::material_number(language)), &|cable| {
+                marked(cable.material_number.to_owned(), &listed(&cable.errata, record))
+            }),
             (Column::numbers(wiring::length(language)), &length),
             (Column::text(wiring::connects(language)), &|cable| wiring::cable_role(*cable.role, language).to_owned()),
             (Column::wide(wiring::goes_to(language)), &|cable| cable.goal.clone()),

@@ -4,7 +4,7 @@ use crate::form::{Field, FieldKind};
 use answers::{CommissionEntry, CommissionList, Commissioning, Fact};
 use quantities::{Language, Unit};
 use serde::Serialize;
-use words::{capitalised, commission, grade_word, signal_word as word, terms};
+use words::{ERRATUM_MARK, capitalised, commission, grade_word, signal_word as word, terms};
 
 /// Data that the template of the checklists uses.
 #[derive(Serialize)]
@@ -21,6 +21,8 @@ pub(crate) struct CheckListDocument {
     disclaimer: &'static str,
     hazards: Vec<Hazard>,
     lists: Vec<List>,
+    /// Errata of the expected values.
+    errata: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -91,6 +93,7 @@ impl CheckListDocument {
                     entries: list.entries.iter().enumerate().map(|each| line(list, each)).collect(),
                 })
                 .collect(),
+            errata: errata(sheet),
         }
     }
 
@@ -115,6 +118,14 @@ impl CheckListDocument {
         }
         fields
     }
+}
+
+/// Returns the errata of the values that the lists show, with their evidence.
+fn errata(sheet: &Commissioning) -> Vec<String> {
+    let of_lists: Vec<&str> =
+        sheet.lists.iter().flat_map(|list| &list.entries).flat_map(|entry| &entry.errata).copied().collect();
+    let shown = sheet.errata.iter().filter(|each| of_lists.contains(&each.id.as_str()));
+    shown.map(|each| format!("{ERRATUM_MARK} {}: {}", each.id, each.evidence)).collect()
 }
 
 /// Returns the name of a field, such as `before_power-3-resistance_ll-measured`. The position, counted from 1,
