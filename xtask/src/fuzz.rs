@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use crate::{Error, ci};
+use crate::Error;
 use arguments::{Arguments, Work};
 use engine::{Engine, Run, Stop};
 
@@ -120,7 +120,7 @@ pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
 
 /// Runs a target to its end in several processes at once; a process that ends with a find is restarted.
 fn explored(engine: &Engine, target: &Target, stop: Stop, jobs: u32, seed: u32) -> Result<Run, Error> {
-    let (begin, worked) = (Instant::now(), ci::worked());
+    let begin = Instant::now();
     let finds = engine.finds(target)?;
     engine.unpack(target)?;
     let shares: Vec<Run> = std::thread::scope(|scope| {
@@ -133,13 +133,11 @@ fn explored(engine: &Engine, target: &Target, stop: Stop, jobs: u32, seed: u32) 
     })?;
     let sum = shares.into_iter().fold(Run::default(), Run::and);
     let seconds = begin.elapsed().as_secs_f64();
-    let worked = worked.zip(ci::worked()).map(|(before, now)| format!(", {:.0} s of processor time", now - before));
     println!(
-        "fuzz: {:<9} {:>9} cases in {seconds:.0} s, {:.0} in a second{}{}; {} of {} edges; finds: {}",
+        "fuzz: {:<9} {:>9} cases in {seconds:.0} s, {:.0} in a second{}; {} of {} edges; finds: {}",
         target.name,
         sum.cases,
         sum.cases as f64 / seconds.max(1e-3),
-        worked.unwrap_or_default(),
         target.gate.map(|gate| format!("; at least {} past {gate}", sum.past)).unwrap_or_default(),
         sum.reached,
         sum.edges,
