@@ -10,6 +10,7 @@ mod load;
 mod motor;
 mod moves;
 mod regression;
+mod scale;
 mod windows;
 
 use crate::Parameters;
@@ -214,7 +215,12 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
     let same = |a: usize, b: usize| extra(a) == extra(b);
     let differs = extras.iter().any(|each| extras.first() != Some(each));
     let followed = Followed::of(stated.motion, &run, differs.then_some(&same));
-    let signals = Signals::of(&run, &strokes, followed.as_ref().filter(|followed| followed.follows()), stated);
+    let limit = stated.parameters.actuator.current_max.known().map(|known| {
+        let rms: quantities::ElectricCurrent = known.value;
+        std::f64::consts::SQRT_2 * quantities::Measure::si(rms)
+    });
+    let accelerating = || load::accelerating(&Windows::of(&run, &strokes, limit, |_, _| true).ok()?);
+    let signals = Signals::of(&run, &strokes, followed.as_ref(), stated, accelerating);
     if !signals.doubts.is_empty() {
         // Signals with another unit do not satisfy an equation of motion.
         return Ok(Identification {
@@ -235,10 +241,6 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
         let time = run.time_s.get(sample).copied().unwrap_or(0.0);
         followed.filter(|_| differs).map_or(0, |followed| followed.segment(time))
     };
-    let limit = stated.parameters.actuator.current_max.known().map(|known| {
-        let rms: quantities::ElectricCurrent = known.value;
-        std::f64::consts::SQRT_2 * quantities::Measure::si(rms)
-    });
     let windows = Windows::of(&run, &strokes, limit, |a, b| !differs || same(segment(a), segment(b)))?;
     let mut found = Identification {
         both_ways: strokes.both_ways(),
@@ -249,9 +251,9 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
         shift_s: followed.filter(|_| differs).map(|followed| followed.shift_s),
         ..Identification::default()
     };
-    load::estimate(&run, &windows, stated.mechanism, |sample| extra(segment(sample)), extras, &mut found)?;
+    let shares = load::estimate(&run, &windows, stated.mechanism, |sample| extra(segment(sample)), extras, &mut found)?;
     motor::estimate(&windows, stated.parameters, &mut found);
-    doubts::of_estimates(stated, extras, &windows, &mut found);
+    doubts::of_estimates(stated, extras, &windows, &shares, &mut found);
     Ok(found)
 }
 

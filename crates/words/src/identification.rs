@@ -104,6 +104,10 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "the torque constant becomes negative ({value} times that of the table): current and torque have opposite signs; reverse the sign of the current",
             "die Drehmomentkonstante wird negativ (das {value}-Fache der Tabelle): Strom und Moment haben entgegengesetzte Vorzeichen; Vorzeichen des Stroms umkehren",
         ),
+        (Column::Position, Misread::Reversed) => (
+            "the position counts against motor speed and torque or against the motion of the project: reverse the sign of position_rad",
+            "die Position zählt entgegen Motordrehzahl und Moment oder entgegen der Bewegung des Projekts: Vorzeichen von position_rad umkehren",
+        ),
         (_, Misread::Reversed) => (
             "{value} times the speed of the position: opposite counting direction (the motor turns opposite to the output); reverse the sign",
             "das {value}-Fache der Drehzahl aus der Position: entgegengesetzte Zählrichtung (der Motor dreht entgegengesetzt zum Abtrieb); Vorzeichen umkehren",
@@ -125,8 +129,8 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "das {value}-Fache der Drehzahl aus der Position: offenbar Umdrehungen je Minute; mit 2π/60 multiplizieren",
         ),
         (Column::Torque, Misread::MotorShaft) => (
-            "{value} times what project or table give: the torque of the motor shaft, it seems; the column is the torque through the gear at the output, i times as large",
-            "das {value}-Fache dessen, was Projekt oder Tabelle ergeben: offenbar das Moment der Motorwelle; die Spalte ist das Moment durch das Getriebe am Abtrieb, i-mal so groß",
+            "{value} times what project or table give: the torque of the motor shaft, it seems; the column is the torque through the gear at the output: multiply torque_nm by i",
+            "das {value}-Fache dessen, was Projekt oder Tabelle ergeben: offenbar das Moment der Motorwelle; die Spalte ist das Moment durch das Getriebe am Abtrieb: torque_nm mit i multiplizieren",
         ),
         (Column::Position, Misread::MotorShaft) => (
             "{value} times the position of the project's motion: the angle of the motor shaft, it seems; divide by i",
@@ -155,6 +159,50 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
         (_, Misread::PeakTwice) => (
             "the torque constant is {value} times that of the table: √2 times the peak value of a phase, it seems; divide by √2",
             "die Drehmomentkonstante ist das {value}-Fache der Tabelle: offenbar das √2-Fache des Scheitelwerts eines Strangs; durch √2 teilen",
+        ),
+        (_, Misread::NewtonCentimetres) => (
+            "{value} times what current, payloads and project give: N cm, it seems; divide torque_nm by 100",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar N cm; torque_nm durch 100 teilen",
+        ),
+        (_, Misread::NewtonMillimetres) => (
+            "{value} times what current, payloads and project give: N mm (mN m), it seems; divide torque_nm by 1000",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar N mm (mN m); torque_nm durch 1000 teilen",
+        ),
+        (_, Misread::KilonewtonMetres) => (
+            "{value} times what current, payloads and project give: kN m, it seems; multiply torque_nm by 1000",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar kN m; torque_nm mit 1000 multiplizieren",
+        ),
+        (_, Misread::PoundForceFeet) => (
+            "{value} times what current, payloads and project give: lbf ft, it seems; multiply torque_nm by 1.3558",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar lbf ft; torque_nm mit 1,3558 multiplizieren",
+        ),
+        (_, Misread::PoundForceInches) => (
+            "{value} times what current, payloads and project give: lbf in, it seems; multiply torque_nm by 0.11298",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar lbf in; torque_nm mit 0,11298 multiplizieren",
+        ),
+        (_, Misread::OunceForceInches) => (
+            "{value} times what current, payloads and project give: ozf in, it seems; multiply torque_nm by 0.0070616",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar ozf in; torque_nm mit 0,0070616 multiplizieren",
+        ),
+        (_, Misread::KilogramForceMetres) => (
+            "{value} times what current, payloads and project give: kgf m or a tenth of N m, it seems; multiply torque_nm by 9.80665, or by 10",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar kgf m oder ein Zehntel von N m; torque_nm mit 9,80665 oder mit 10 multiplizieren",
+        ),
+        (_, Misread::KilogramForceCentimetres) => (
+            "{value} times what current, payloads and project give: kgf cm or ten times N m, it seems; multiply torque_nm by 0.0980665, or by 0.1",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar kgf cm oder das Zehnfache von N m; torque_nm mit 0,0980665 oder mit 0,1 multiplizieren",
+        ),
+        (_, Misread::Milliamperes) => (
+            "the torque constant is {value} times that of the table: milliamperes, it seems; divide current_q_a by 1000",
+            "die Drehmomentkonstante ist das {value}-Fache der Tabelle: offenbar Milliampere; current_q_a durch 1000 teilen",
+        ),
+        (_, Misread::PayloadMissing) => (
+            "payloads and process torques of the moves appear with {value} times what the project states: run and [[motion]] contradict each other; state the payload of this run in each [[motion]], none if it ran without",
+            "Nutzlasten und Prozessmomente der Bewegungen erscheinen mit dem {value}-Fachen der Angabe des Projekts: Lauf und [[motion]] widersprechen sich; in jedem [[motion]] die Nutzlast dieses Laufs angeben, keine, wenn er ohne Nutzlast war",
+        ),
+        (Column::Torque, Misread::Other) => (
+            "{value} times what current, payloads and project give: another unit or scale; divide torque_nm by this factor",
+            "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: eine andere Einheit oder ein anderer Maßstab; torque_nm durch diesen Faktor teilen",
         ),
         (_, Misread::GravityOpposite) => (
             "the direction of the weight deviates by {value}° from that of the project: opposite counting direction or another zero of the position, or wrong start_angle in the project",

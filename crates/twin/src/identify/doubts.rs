@@ -1,8 +1,10 @@
 //! Signals whose unit, sign or side differs from the convention of the columns: disagreement of two signals, or of an
 //! estimate with the tables.
 
+use super::load::Shares;
 use super::motor::Tabulated;
 use super::moves::Followed;
+use super::scale;
 use super::windows::{Strokes, Windows};
 use super::{Identification, Identified, Observed, Stated};
 use mechanism::Extra;
@@ -50,6 +52,26 @@ identified! {
         PowerInvariant = "power_invariant",
         /// √2 times the peak value of a phase.
         PeakTwice = "peak_twice",
+        /// Newton centimetres instead of newton metres.
+        NewtonCentimetres = "newton_centimetres",
+        /// Newton millimetres (millinewton metres) instead of newton metres.
+        NewtonMillimetres = "newton_millimetres",
+        /// Kilonewton metres instead of newton metres.
+        KilonewtonMetres = "kilonewton_metres",
+        /// Pound-force feet instead of newton metres.
+        PoundForceFeet = "pound_force_feet",
+        /// Pound-force inches instead of newton metres.
+        PoundForceInches = "pound_force_inches",
+        /// Ounce-force inches instead of newton metres.
+        OunceForceInches = "ounce_force_inches",
+        /// Kilogram-force metres, or a tenth of newton metres.
+        KilogramForceMetres = "kilogram_force_metres",
+        /// Kilogram-force centimetres, or ten times newton metres.
+        KilogramForceCentimetres = "kilogram_force_centimetres",
+        /// Milliamperes instead of amperes.
+        Milliamperes = "milliamperes",
+        /// Payloads and process torques that the project states are not in the run.
+        PayloadMissing = "payload_missing",
         /// The weight acts on the opposite side: the position counts in the opposite direction, or with an offset of
         /// half a turn.
         GravityOpposite = "gravity_opposite",
@@ -85,7 +107,7 @@ const CONSTANT: f64 = 0.15;
 ///
 /// # Source
 /// simodrive-611a, table 1-2: the voltage constant may be off by 7.5 %
-const SCATTER: f64 = 0.075;
+pub(super) const SCATTER: f64 = 0.075;
 
 /// Smallest angle between the stated and the estimated weight that causes a doubt \[rad\].
 const OPPOSITE: f64 = 0.75 * PI;
@@ -104,7 +126,17 @@ pub(super) struct Signals {
 
 impl Signals {
     /// Compares speeds with the position, and the position with the motion that it follows.
-    pub(super) fn of(run: &Observed, strokes: &Strokes, followed: Option<&Followed<'_>>, stated: &Stated<'_>) -> Self {
+    ///
+    /// `accelerating` returns the sign of the torque that accelerates in the direction of the position.
+    pub(super) fn of(
+        run: &Observed,
+        strokes: &Strokes,
+        followed: Option<&Followed<'_>>,
+        stated: &Stated<'_>,
+        accelerating: impl Fn() -> Option<f64>,
+    ) -> Self {
+        let direction = followed.and_then(Followed::direction);
+        let followed = followed.filter(|followed| followed.follows());
         let ratio = Tabulated::of(stated.parameters).map_or(f64::NAN, |tabulated| tabulated.ratio);
         let mut doubts = Vec::new();
         if let Some(slope) = followed.map(|followed| followed.slope) {
@@ -144,6 +176,14 @@ impl Signals {
             let value = all.first().map_or(0.0, |(_, value)| 1.0 / value);
             doubts.push(Doubt { column: Column::Position, misread: Misread::Degrees, value });
         }
+        // The motor turns against the position: the motion, else the torque, shows which of both is wrong.
+        let is_reversed = |value: f64| (value + 1.0).abs() < AGREE;
+        let is_against = all.iter().any(|(column, value)| *column == Column::MotorSpeed && is_reversed(*value));
+        let mut all = all;
+        if is_against && direction.or_else(accelerating) == Some(-1.0) {
+            doubts.push(Doubt { column: Column::Position, misread: Misread::Reversed, value: -1.0 });
+            all.iter_mut().for_each(|(_, value)| *value = -*value);
+        }
         for (column, value) in all {
             if (value - 1.0).abs() < AGREE || of_position(value) {
                 continue;
@@ -165,56 +205,47 @@ fn nearest(value: f64, names: &[(f64, Misread)]) -> Option<Misread> {
     near.min_by(|a, b| off(a).total_cmp(&off(b))).map(|(_, misread)| *misread)
 }
 
-/// Returns the signal and the convention that a torque constant over that of the table, with its half width, speaks for. If the
-/// inertia over the stated one deviates as much, the torque has another unit and the current is right.
-fn of_constant(
-    value: f64,
-    half: f64,
-    names: &[(f64, Misread)],
-    inertia_share: Option<f64>,
-) -> Option<(Column, Misread)> {
+/// Returns the convention of the current that a torque constant over that of the table, with its half width, speaks for.
+fn of_constant(value: f64, half: f64) -> Option<Misread> {
+    let names =
+        [(SQRT_2, Misread::Rms), (1.0 / SQRT_2, Misread::PeakTwice), ((2.0_f64 / 3.0).sqrt(), Misread::PowerInvariant)];
     let off = (value - 1.0).abs() - half;
     let near = |(ratio, _): &&(f64, Misread)| (value - ratio).abs() < half;
     let within = names.iter().find(|name| off > SCATTER && near(name)).map(|(_, misread)| *misread);
-    let misread = match nearest(value, names).or(within) {
-        Some(misread) if off > SCATTER => misread,
-        _ if off > CONSTANT => Misread::Other,
-        _ => return None,
-    };
-    let is_torque = inertia_share
-        .is_some_and(|share| (share - 1.0).abs() > NAMED && (share / value - 1.0).abs() < NAMED + half / value);
-    Some(match misread {
-        Misread::MotorShaft => (Column::Torque, misread),
-        _ if is_torque => (Column::Torque, Misread::Other),
-        _ => (Column::Current, misread),
-    })
+    match nearest(value, &names).or(within) {
+        Some(misread) if off > SCATTER => Some(misread),
+        _ if off > CONSTANT => Some(Misread::Other),
+        _ => None,
+    }
 }
 
 /// Compares the estimates with the physically possible sign, and with project and tables.
-pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Windows, found: &mut Identification) {
+pub(super) fn of_estimates(
+    stated: &Stated<'_>,
+    extras: &[Extra],
+    windows: &Windows,
+    shares: &Shares,
+    found: &mut Identification,
+) {
     let of = |of| found.estimates.iter().find(|each| each.of == of).copied();
     let mut doubts = Vec::new();
     let none = Extra::none();
     let plain = stated.mechanism.plain(extras.first().unwrap_or(&none));
     let tabulated = Tabulated::of(stated.parameters);
-    if let Some(inertia) = of(Identified::LoadInertia) {
-        if inertia.value < -inertia.half_width {
-            doubts.push(Doubt { column: Column::Torque, misread: Misread::Reversed, value: inertia.value });
-        } else if let (Some(plain), Some(tabulated)) = (plain, tabulated) {
-            let value = inertia.value / plain.inertia_kgm2;
-            // Angles that are all in degrees agree with each other, as a torque before the gear agrees with the motion.
-            let names = [(1.0 / DEGREES, Misread::Degrees), (1.0 / tabulated.ratio, Misread::MotorShaft)];
-            let column = |misread| if misread == Misread::Degrees { Column::Position } else { Column::Torque };
-            let named = nearest(value, &names);
-            doubts.extend(named.map(|misread| Doubt { column: column(misread), misread, value }));
-        }
+    if let Some(inertia) = shares.inertia.filter(|share| share.value < -share.half_width) {
+        let value = plain.map_or(inertia.value, |plain| inertia.value * plain.inertia_kgm2);
+        doubts.push(Doubt { column: Column::Torque, misread: Misread::Reversed, value });
+    } else {
+        let scale = tabulated.as_ref().and_then(|tabulated| scale::doubt(windows, tabulated, shares));
+        // Angles that are all in degrees agree with each other.
+        let degrees = shares.inertia.map(|share| share.value).filter(|value| {
+            scale.is_none_or(|doubt| doubt.misread == Misread::Other)
+                && nearest(*value, &[(1.0 / DEGREES, Misread::Degrees)]).is_some()
+        });
+        let of_degrees = |value| Doubt { column: Column::Position, misread: Misread::Degrees, value };
+        doubts.extend(degrees.map(of_degrees).or(scale).or_else(|| scale::payload(shares)));
     }
-    let inertia_share = of(Identified::LoadInertia)
-        .filter(|inertia| inertia.is_known())
-        .zip(plain)
-        .map(|(inertia, plain)| inertia.value / plain.inertia_kgm2);
-    // A reversed torque explains the signs of all estimates.
-    let is_reversed = !doubts.is_empty();
+    let has_doubt = !doubts.is_empty();
     #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
     let mean = |part: fn(&super::windows::Window) -> f64| {
         windows.all.iter().map(part).sum::<f64>() / (windows.all.len() as f64).max(1.0)
@@ -226,10 +257,10 @@ pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Wind
         let (value, half) = (start.value + with_speed.value * speed, start.half_width + with_speed.half_width * speed);
         (value < -half - least).then_some(value)
     };
-    if !is_reversed && let Some(value) = friction(Identified::Coulomb, Identified::Viscous, 0.02 * size) {
+    if !has_doubt && let Some(value) = friction(Identified::Coulomb, Identified::Viscous, 0.02 * size) {
         doubts.push(Doubt { column: Column::Torque, misread: Misread::NegativeFriction, value });
     }
-    if !is_reversed
+    if !has_doubt
         && let (Some(weight), Some(angle), Some(plain)) = (of(Identified::Gravity), of(Identified::GravityAngle), plain)
         && plain.weight_nm != 0.0
         && weight.is_known()
@@ -240,28 +271,15 @@ pub(super) fn of_estimates(stated: &Stated<'_>, extras: &[Extra], windows: &Wind
             doubts.push(Doubt { column: Column::Position, misread: Misread::GravityOpposite, value: between });
         }
     }
-    if let (Some(constant), Some(tabulated)) = (of(Identified::TorqueConstant), tabulated) {
+    if !has_doubt && let (Some(constant), Some(tabulated)) = (of(Identified::TorqueConstant), tabulated) {
         let value = constant.value / tabulated.output_nm_a;
         let half = constant.half_width / tabulated.output_nm_a;
-        let names = [
-            (SQRT_2, Misread::Rms),
-            (1.0 / SQRT_2, Misread::PeakTwice),
-            ((2.0_f64 / 3.0).sqrt(), Misread::PowerInvariant),
-            (1.0 / tabulated.ratio, Misread::MotorShaft),
-        ];
-        if value < 0.0 {
-            // With a reversed torque both signs are wrong together.
-            if !is_reversed {
-                doubts.push(Doubt { column: Column::Current, misread: Misread::Reversed, value });
-            }
-        } else if let Some((column, misread)) = of_constant(value, half, &names, inertia_share) {
-            doubts.push(Doubt { column, misread, value });
-        }
         let least = 0.02 * mean(|window| window.current.abs());
-        if value > 0.0
-            && !is_reversed
-            && let Some(value) = friction(Identified::StartingCurrent, Identified::CurrentConstant, least)
-        {
+        if value < 0.0 {
+            doubts.push(Doubt { column: Column::Current, misread: Misread::Reversed, value });
+        } else if let Some(misread) = of_constant(value, half) {
+            doubts.push(Doubt { column: Column::Current, misread, value });
+        } else if let Some(value) = friction(Identified::StartingCurrent, Identified::CurrentConstant, least) {
             doubts.push(Doubt { column: Column::Current, misread: Misread::NegativeFriction, value });
         }
     }

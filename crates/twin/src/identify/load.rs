@@ -14,6 +14,33 @@ const CIRCLE: f64 = 2.448 / 1.960;
 /// Relative error of an estimate caused by the trapezoidal rule where a torque jumps between two samples.
 const QUADRATURE: f64 = 1e-3;
 
+/// A part of the torque relative to the stated one, with half its 95 % interval \[1\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Share {
+    pub(super) value: f64,
+    pub(super) half_width: f64,
+}
+
+impl Share {
+    fn of(fit: &Fit, place: usize, stated: f64) -> Option<Self> {
+        let (value, half_width) = fit.estimate(place).filter(|_| fit.separates(place) && stated != 0.0)?;
+        Some(Self { value: value / stated, half_width: (half_width / stated).abs() })
+    }
+}
+
+/// Parts of the torque relative to what the project states.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Shares {
+    /// Differences of payloads and process torques from move to move.
+    pub(super) payload: Option<Share>,
+    /// Inertia of the load.
+    pub(super) inertia: Option<Share>,
+    /// Friction and external torque of the load, as far as stated.
+    pub(super) others: Vec<Share>,
+    /// Parts of the weight.
+    pub(super) weights: Vec<Share>,
+}
+
 /// Estimates the parameters of the load, including the payload of the first segment.
 ///
 /// # Valid
@@ -26,12 +53,12 @@ pub(super) fn estimate<'e>(
     extra: impl Fn(usize) -> Option<&'e Extra>,
     extras: &[Extra],
     found: &mut Identification,
-) -> Result<(), IdentifyFault> {
+) -> Result<Shares, IdentifyFault> {
     let none = Extra::none();
     let first = extras.first().unwrap_or(&none);
     match mechanism.plain(first) {
         Some(plain) => plainly(windows, mechanism, &plain, extra, found),
-        None => beside(run, windows, mechanism, extra, found),
+        None => beside(run, windows, mechanism, extra, extras, found),
     }
 }
 
@@ -41,13 +68,13 @@ fn plainly<'e>(
     first: &Plain,
     extra: impl Fn(usize) -> Option<&'e Extra>,
     found: &mut Identification,
-) -> Result<(), IdentifyFault> {
+) -> Result<Shares, IdentifyFault> {
     let (low, high) = windows.all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), window| {
         (low.min(window.position), high.max(window.position))
     });
     let hangs = high - low > SWING || first.weight_nm != 0.0;
     let both_ways = found.both_ways;
-    let row = |window: &Window| {
+    let row = |window: &Window, is_free: bool| {
         let mut regressors = vec![window.acceleration, window.sign, window.speed];
         if hangs {
             regressors.extend([window.cosine, window.sine]);
@@ -57,21 +84,41 @@ fn plainly<'e>(
         }
         let own = extra(window.samples.start).and_then(|extra| mechanism.plain(extra));
         let added = own.map_or(0.0, |own| difference(&own, first, window));
-        Row { regressors, value: window.torque - added, stroke: window.stroke }
+        if is_free {
+            regressors.push(added);
+        }
+        Row { regressors, value: if is_free { window.torque } else { window.torque - added }, stroke: window.stroke }
     };
-    let rows: Vec<Row> = windows.all.iter().map(row).collect();
-    let [of_acceleration, of_speed] = windows.noise;
-    let mut noise = vec![of_acceleration, 0.0, of_speed];
-    noise.resize(rows.first().map_or(0, |row| row.regressors.len()), 0.0);
-    let fit = fit(&rows, &noise, None).ok_or(IdentifyFault::NotExcited)?;
+    let fitted = |is_free: bool| {
+        let rows: Vec<Row> = windows.all.iter().map(|window| row(window, is_free)).collect();
+        let [of_acceleration, of_speed] = windows.noise;
+        let mut noise = vec![of_acceleration, 0.0, of_speed];
+        noise.resize(rows.first().map_or(0, |row| row.regressors.len()), 0.0);
+        fit(&rows, &noise, None)
+    };
+    let fit = fitted(false).ok_or(IdentifyFault::NotExcited)?;
     let constant = if hangs { 5 } else { 3 };
+    let last = constant + usize::from(both_ways);
+    let free = fitted(true).filter(|free| free.separates(last));
+    let of = free.as_ref().unwrap_or(&fit);
+    let (sine, cosine) = first.angle_rad.sin_cos();
+    let weights = [(3, cosine), (4, -sine)].map(|(place, part)| (place, first.weight_nm * part));
+    let others = [(1, first.coulomb_nm), (2, first.viscous_nms), (constant, first.constant_nm)];
+    let others = others.into_iter().filter(|(place, _)| both_ways || *place == 2);
+    let weights = weights.into_iter().filter(|(_, stated)| hangs && stated.abs() > 0.3 * first.weight_nm.abs());
+    let shares = Shares {
+        payload: free.as_ref().and_then(|free| Share::of(free, last, 1.0)),
+        inertia: Share::of(of, 0, first.inertia_kgm2),
+        others: others.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
+        weights: weights.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
+    };
     let mut taken = |of, place: Option<usize>| take(&fit, of, place, both_ways, found);
     taken(Identified::LoadInertia, Some(0));
     taken(Identified::Coulomb, both_ways.then_some(1));
     taken(Identified::Viscous, Some(2));
     taken(Identified::External, both_ways.then_some(constant));
     gravity(&fit, hangs, found);
-    if found.estimates.is_empty() { Err(IdentifyFault::NotExcited) } else { Ok(()) }
+    if found.estimates.is_empty() { Err(IdentifyFault::NotExcited) } else { Ok(shares) }
 }
 
 /// Returns the torque that a segment adds to that of the first in a window \[Nm\].
@@ -139,21 +186,26 @@ fn beside<'e>(
     windows: &Windows,
     mechanism: &Mechanism,
     extra: impl Fn(usize) -> Option<&'e Extra>,
+    extras: &[Extra],
     found: &mut Identification,
-) -> Result<(), IdentifyFault> {
+) -> Result<Shares, IdentifyFault> {
     let is_even = mechanism.travel_m_per_rad().is_some();
     let both_ways = found.both_ways;
-    let row = |window: &Window| {
-        // The flange turns with every load, so that the acceleration is a column in each case.
-        let regressors = vec![window.sign, window.speed, 1.0, window.acceleration];
-        let own = extra(window.samples.start).map_or(0.0, |extra| without_friction(run, window, mechanism, extra));
-        Row { regressors, value: window.torque - own, stroke: window.stroke }
-    };
-    let rows: Vec<Row> = windows.all.iter().map(row).collect();
+    let none = Extra::none();
+    let rows: Vec<Row> = windows
+        .all
+        .iter()
+        .map(|window| {
+            // The flange turns with every load, so that the acceleration is a column in each case.
+            let regressors = vec![window.sign, window.speed, 1.0, window.acceleration];
+            let own = extra(window.samples.start).map_or(0.0, |extra| without_friction(run, window, mechanism, extra));
+            Row { regressors, value: window.torque - own, stroke: window.stroke }
+        })
+        .collect();
     let noise = [0.0, windows.noise[1], 0.0, windows.noise[0]];
     let fit = fit(&rows, &noise, None).ok_or(IdentifyFault::NotExcited)?;
+    let shares = shares_beside(run, windows, mechanism, &extra, extras);
     if is_even {
-        let none = Extra::none();
         let stated = mechanism.inertia(0.0, extra(0).unwrap_or(&none));
         let of = Identified::LoadInertia;
         let stated = quantities::Measure::si(stated);
@@ -171,7 +223,46 @@ fn beside<'e>(
     take(&fit, Identified::Viscous, Some(1), both_ways, found);
     let others = [Identified::External, Identified::Gravity, Identified::GravityAngle];
     found.open.extend(others.map(|of| (of, Open::NotConstant)));
-    Ok(())
+    Ok(shares)
+}
+
+/// Returns the sign of the torque that accelerates in the direction of the position; `None` if the run does not show it.
+pub(super) fn accelerating(windows: &Windows) -> Option<f64> {
+    let row = |window: &Window| {
+        let regressors = vec![window.acceleration, window.sign, window.speed, window.cosine, window.sine, 1.0];
+        Row { regressors, value: window.torque, stroke: window.stroke }
+    };
+    let rows: Vec<Row> = windows.all.iter().map(row).collect();
+    let (value, half) = fit(&rows, &[], None)?.estimate(0)?;
+    (value.abs() > half).then(|| value.signum())
+}
+
+/// Returns the stated load of the first segment, and what the segments add to it, as shares of the torque.
+fn shares_beside<'e>(
+    run: &Observed,
+    windows: &Windows,
+    mechanism: &Mechanism,
+    extra: &impl Fn(usize) -> Option<&'e Extra>,
+    extras: &[Extra],
+) -> Shares {
+    let none = Extra::none();
+    let first = extras.first().unwrap_or(&none);
+    let differs = extras.iter().any(|each| each != first);
+    let row = |window: &Window| {
+        let own = without_friction(run, window, mechanism, first);
+        let mut regressors = vec![own, window.sign, window.speed, 1.0];
+        if differs {
+            let all = extra(window.samples.start).map_or(own, |extra| without_friction(run, window, mechanism, extra));
+            regressors.push(all - own);
+        }
+        Row { regressors, value: window.torque, stroke: window.stroke }
+    };
+    let rows: Vec<Row> = windows.all.iter().map(row).collect();
+    fit(&rows, &[], None).map_or_else(Shares::default, |fit| Shares {
+        payload: Share::of(&fit, 4, 1.0).filter(|_| differs),
+        inertia: Share::of(&fit, 0, 1.0),
+        ..Shares::default()
+    })
 }
 
 /// Returns the mean torque of the stated load without friction and losses in a window \[Nm\].

@@ -1,6 +1,6 @@
 //! Parameters of the motor: current as a function of torque, friction and rotor acceleration.
 
-use super::regression::{Prior, Row, fit};
+use super::regression::{Fit, Prior, Row, fit};
 use super::windows::{Window, Windows};
 use super::{Estimate, Identification, Identified, Open};
 use crate::gear::Spring;
@@ -48,6 +48,12 @@ const ROTOR_SPREAD: f64 = 0.02;
 /// every 62.5 µs or 312.5 µs by less than 0.1 %.
 const SAMPLED_SPREAD: f64 = 0.1;
 
+/// Standard deviation of the torque constant of a motor relative to the tables \[1\]. A choice.
+///
+/// # Source
+/// simodrive-611a, table 1-2: the voltage constant may be off by 7.5 %
+const MAGNETS: f64 = 0.075;
+
 /// Sampling interval below which a period of the speed loop has several samples \[s\].
 const RESOLVED_S: f64 = 2e-4;
 
@@ -56,7 +62,7 @@ const RESOLVED_S: f64 = 2e-4;
 const CONSTANT: f64 = 0.005;
 
 /// Smallest number of equations of the motor.
-const LEAST: usize = 12;
+pub(super) const LEAST: usize = 12;
 
 /// Share of the squares of the driven torque above which its own coefficient is estimated.
 const DRIVEN: f64 = 0.05;
@@ -65,21 +71,114 @@ const DRIVEN: f64 = 0.05;
 const LAG: f64 = 0.25;
 const LAG_LEAST_S: f64 = 1e-4;
 
-/// Returns the lag of the motor speed behind the position of the load \[s\]: the difference of two samples lags by half
-/// their distance, the filter of a drive by its time constant.
-///
-/// τ = −Σ (Ω − ω − T'/K) α/Σ α²
-///
-/// # Symbols
-/// T' rate of the torque through the gear \[Nm/s\], K its stiffness from the tables [Nm/rad]
-fn lag_s(windows: &Windows, spring: Option<&Spring>) -> f64 {
-    let [product, square] = windows.all.iter().fold([0.0; 2], |[product, square], window| {
-        let compliance = spring.map_or(0.0, |spring| spring.stiffness_at(spring.angle(window.torque)).recip());
-        let behind = window.speed + window.torque_rate * compliance - window.motor_speed;
-        [product + behind * window.acceleration, square + window.acceleration * window.acceleration]
-    });
-    let lag = product / square;
-    if lag.abs() > (LAG * windows.step_s).max(LAG_LEAST_S) { lag } else { 0.0 }
+/// Factors by which the signals of a run are larger than those that their columns state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Scale {
+    /// Of the torque \[1\].
+    pub(super) torque: f64,
+    /// Of the current \[1\].
+    pub(super) current: f64,
+}
+
+impl Scale {
+    /// Signals as their columns state.
+    pub(super) const NONE: Self = Self { torque: 1.0, current: 1.0 };
+}
+
+/// Reference of the coefficient c of the rotor's acceleration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tie {
+    /// c = J_M (a + d)/2: the scale of the current is open.
+    ToTorque,
+    /// c = J_M/(i k_TM) of the tables: the scale of the torque is open.
+    ToTable,
+}
+
+/// Equations of the motor.
+#[derive(Clone, Debug)]
+pub(super) struct Equations<'w> {
+    windows: Vec<&'w Window>,
+    step_s: f64,
+    tabulated: Option<Tabulated>,
+    /// The load drives for a considerable part of the run.
+    is_driven: bool,
+}
+
+impl<'w> Equations<'w> {
+    /// Returns the equations of windows.
+    pub(super) fn of(windows: Vec<&'w Window>, step_s: f64, tabulated: Option<Tabulated>) -> Self {
+        let squares = |part: fn(&Window) -> f64| windows.iter().map(|window| part(window).powi(2)).sum::<f64>();
+        let (driving, driven) = (squares(|window| window.driving), squares(|window| window.torque - window.driving));
+        Self { is_driven: driven > DRIVEN * driving, windows, step_s, tabulated }
+    }
+
+    /// Standard deviation of c relative to the tables \[1\].
+    fn spread(&self) -> f64 {
+        if self.step_s < RESOLVED_S { ROTOR_SPREAD } else { ROTOR_SPREAD.hypot(SAMPLED_SPREAD) }
+    }
+
+    /// Returns the lag of the motor speed behind the position of the load \[s\]: the difference of two samples lags by half
+    /// their distance, the filter of a drive by its time constant.
+    ///
+    /// τ = −Σ (Ω − ω − T'/K) α/Σ α²
+    ///
+    /// # Symbols
+    /// T' rate of the torque through the gear \[Nm/s\], K its stiffness from the tables [Nm/rad]
+    pub(super) fn lag_s(&self, scale: Scale) -> f64 {
+        let spring = self.tabulated.as_ref().map(|tabulated| &tabulated.spring);
+        let [product, square] = self.windows.iter().fold([0.0; 2], |[product, square], window| {
+            let torque = window.torque / scale.torque;
+            let compliance = spring.map_or(0.0, |spring| spring.stiffness_at(spring.angle(torque)).recip());
+            let rate = window.torque_rate / scale.torque;
+            let behind = window.speed + rate * compliance - window.motor_speed;
+            [product + behind * window.acceleration, square + window.acceleration * window.acceleration]
+        });
+        let lag = product / square;
+        if lag.abs() > (LAG * self.step_s).max(LAG_LEAST_S) { lag } else { 0.0 }
+    }
+
+    /// Solves I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω' with the signals divided by a scale.
+    pub(super) fn fit(&self, scale: Scale, lag: f64, tie: Tie) -> Option<Fit> {
+        let row = |window: &&Window| {
+            let speed = window.motor_speed + lag * window.motor_acceleration;
+            let acceleration = window.motor_acceleration + lag * window.motor_jerk;
+            let mut regressors = vec![window.driving / scale.torque, window.sign, speed, acceleration];
+            let mut value = window.current / scale.current;
+            let rest = (window.torque - window.driving) / scale.torque;
+            if self.is_driven {
+                regressors.push(rest);
+            } else if let Some(tabulated) = &self.tabulated {
+                // Insufficient for an estimate: the losses of the tables are used.
+                value -= rest * (2.0 / tabulated.motor_nm_a - 1.0 / tabulated.output_nm_a);
+            }
+            if let (Tie::ToTable, Some(tabulated)) = (tie, &self.tabulated) {
+                value -= acceleration * tabulated.rotor_kgm2 / tabulated.motor_nm_a;
+            }
+            Row { regressors, value, stroke: window.stroke }
+        };
+        let rows: Vec<Row> = self.windows.iter().map(row).collect();
+        let width = rows.first().map_or(0, |row| row.regressors.len());
+        let prior = self.tabulated.as_ref().map(|tabulated| {
+            let Tabulated { rotor_kgm2, motor_nm_a, output_nm_a, .. } = *tabulated;
+            let mut factors = vec![0.0; width];
+            if let Some(cell) = factors.get_mut(3) {
+                *cell = -1.0;
+            }
+            let shares = match (tie, self.is_driven) {
+                (Tie::ToTable, _) => [0.0, 0.0],
+                (Tie::ToTorque, true) => [0.5, 0.5],
+                (Tie::ToTorque, false) => [output_nm_a / motor_nm_a, 0.0],
+            };
+            for (place, share) in [0, 4].into_iter().zip(shares) {
+                if let Some(cell) = factors.get_mut(place) {
+                    *cell = rotor_kgm2 * share;
+                }
+            }
+            let spread = if tie == Tie::ToTable { self.spread().hypot(MAGNETS) } else { self.spread() };
+            Prior { factors, spread: spread * rotor_kgm2 / motor_nm_a }
+        });
+        fit(&rows, &[], prior.as_ref())
+    }
 }
 
 /// Estimates the parameters of the motor.
@@ -103,44 +202,11 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, found: &mut I
         found.open.extend(of.map(|of| (of, Open::AtLimit)));
         return;
     }
-    let squares = |part: fn(&Window) -> f64| free.iter().map(|window| part(window).powi(2)).sum::<f64>();
-    let (driving, driven) = (squares(|window| window.driving), squares(|window| window.torque - window.driving));
-    let is_driven = driven > DRIVEN * driving;
-    let lag = lag_s(windows, tabulated.as_ref().map(|tabulated| &tabulated.spring));
+    let equations = Equations::of(free, windows.step_s, tabulated);
+    let lag = equations.lag_s(Scale::NONE);
     found.motor_lag_s = lag;
-    let row = |window: &&Window| {
-        let speed = window.motor_speed + lag * window.motor_acceleration;
-        let acceleration = window.motor_acceleration + lag * window.motor_jerk;
-        let mut regressors = vec![window.driving, window.sign, speed, acceleration];
-        let mut value = window.current;
-        let rest = window.torque - window.driving;
-        if is_driven {
-            regressors.push(rest);
-        } else if let Some(tabulated) = tabulated {
-            // Insufficient for an estimate: the losses of the tables are used.
-            value -= rest * (2.0 / tabulated.motor_nm_a - 1.0 / tabulated.output_nm_a);
-        }
-        Row { regressors, value, stroke: window.stroke }
-    };
-    let rows: Vec<Row> = free.iter().map(row).collect();
-    let width = rows.first().map_or(0, |row| row.regressors.len());
-    let spread = if windows.step_s < RESOLVED_S { ROTOR_SPREAD } else { ROTOR_SPREAD.hypot(SAMPLED_SPREAD) };
-    let prior = tabulated.map(|tabulated| {
-        let Tabulated { rotor_kgm2, motor_nm_a, output_nm_a, .. } = tabulated;
-        found.rotor = Some([rotor_kgm2, spread]);
-        let mut factors = vec![0.0; width];
-        if let Some(cell) = factors.get_mut(3) {
-            *cell = -1.0;
-        }
-        let shares = if is_driven { [0.5, 0.5] } else { [output_nm_a / motor_nm_a, 0.0] };
-        for (place, share) in [0, 4].into_iter().zip(shares) {
-            if let Some(cell) = factors.get_mut(place) {
-                *cell = rotor_kgm2 * share;
-            }
-        }
-        Prior { factors, spread: spread * rotor_kgm2 / motor_nm_a }
-    });
-    let Some(fit) = fit(&rows, &[], prior.as_ref()) else {
+    found.rotor = tabulated.map(|tabulated| [tabulated.rotor_kgm2, equations.spread()]);
+    let Some(fit) = equations.fit(Scale::NONE, lag, Tie::ToTorque) else {
         found.open.extend(of.map(|of| (of, Open::NotSeparated)));
         return;
     };

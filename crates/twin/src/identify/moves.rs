@@ -17,6 +17,10 @@ pub(super) struct Followed<'a> {
     correlation: f64,
     /// Another shift fits equally well and yields other segments.
     pub(super) ambiguous: bool,
+    /// Correlation coefficients of the run and of the mirrored run, each at its best shift.
+    both: [f64; 2],
+    /// Correlation coefficient at the clock of the run, if it starts within the first cycle.
+    own: Option<f64>,
 }
 
 /// Smallest correlation coefficient of a run that follows a motion. A choice: it admits following errors of a tenth of
@@ -44,11 +48,12 @@ impl<'a> Followed<'a> {
         let course = Course::of(motion, cycles);
         let at = |shift_s: f64| {
             let (slope, correlation) = compared(&picked, &course, shift_s);
-            Self { course, shift_s, slope, correlation, ambiguous: false }
+            Self { course, shift_s, slope, correlation, ambiguous: false, both: [correlation, -correlation], own: None }
         };
         // A run written by the twin has the clock of the motion.
         let own = at(0.0);
-        if (0.0..period).contains(&first) && own.correlation > FOLLOWS {
+        let is_within = (0.0..period).contains(&first);
+        if is_within && own.correlation > FOLLOWS {
             return Some(own);
         }
         let step = period / f64::from(shifts);
@@ -60,6 +65,9 @@ impl<'a> Followed<'a> {
                 best = near;
             }
         }
+        let least = tried.iter().map(|other| other.correlation).fold(own.correlation, f64::min);
+        best.both = [best.correlation, -least];
+        best.own = is_within.then_some(own.correlation);
         let Some(same) = same else { return Some(best) };
         let differs = |other: &Self| {
             let pairs = picked.iter().filter(|(time, _)| !same(best.segment(*time), other.segment(*time)));
@@ -79,6 +87,18 @@ impl<'a> Followed<'a> {
     /// Returns `true` if the run follows the motion, in any unit.
     pub(super) fn follows(&self) -> bool {
         self.correlation > FOLLOWS
+    }
+
+    /// Returns the sign of the position relative to the motion: +1, −1 if only the mirrored run follows it.
+    pub(super) fn direction(&self) -> Option<f64> {
+        if self.own.is_some_and(|own| own < -FOLLOWS) {
+            return Some(-1.0);
+        }
+        match self.both.map(|correlation| correlation > FOLLOWS) {
+            [true, false] => Some(1.0),
+            [false, true] => Some(-1.0),
+            _ => None,
+        }
     }
 
     /// Returns the segment of the motion at an instant of the run.

@@ -1,0 +1,194 @@
+//! Scale of torque and current: balance of the motor, payloads and project under each known convention.
+
+use super::doubts::{Column, Doubt, Misread, SCATTER};
+use super::load::{Share, Shares};
+use super::motor::{Equations, LEAST, Scale, Tabulated, Tie};
+use super::windows::{Window, Windows};
+use std::f64::consts::SQRT_2;
+
+/// One lbf ft in Nm.
+const FOOT_POUND: f64 = 1.355_817_948_331_400_4;
+
+/// One kgf in N.
+const KILOGRAM_FORCE: f64 = 9.806_65;
+
+/// Returns the known conventions of torque and current, with the factor of the signal.
+fn conventions(ratio: f64) -> [(Column, Misread, f64); 13] {
+    use Column::{Current, Torque};
+    [
+        (Torque, Misread::MotorShaft, 1.0 / ratio),
+        (Torque, Misread::NewtonMillimetres, 1e3),
+        (Torque, Misread::NewtonCentimetres, 1e2),
+        (Torque, Misread::KilonewtonMetres, 1e-3),
+        (Torque, Misread::PoundForceFeet, 1.0 / FOOT_POUND),
+        (Torque, Misread::PoundForceInches, 12.0 / FOOT_POUND),
+        (Torque, Misread::OunceForceInches, 192.0 / FOOT_POUND),
+        (Torque, Misread::KilogramForceMetres, 1.0 / KILOGRAM_FORCE),
+        (Torque, Misread::KilogramForceCentimetres, 100.0 / KILOGRAM_FORCE),
+        (Current, Misread::Rms, 1.0 / SQRT_2),
+        (Current, Misread::PeakTwice, SQRT_2),
+        (Current, Misread::PowerInvariant, 1.224_744_871_391_589),
+        (Current, Misread::Milliamperes, 1e3),
+    ]
+}
+
+/// Largest deviation of the slope of current over torque from the tables that is no doubt, beyond its interval. A choice.
+const SLOPE: f64 = 0.2;
+
+/// Deviation of a torque constant beyond the usual scatter with which a convention is still named. A choice.
+const FURTHER: f64 = 0.03;
+
+/// Largest relative half interval of a slope that confirms a scale. A choice.
+const CONFIRMED: f64 = 0.3;
+
+/// Largest half interval of that slope relative to its value with which it excludes a scale. A choice.
+const VAGUE: f64 = 1.0;
+
+/// Largest difference of two shares that one scale explains. A choice.
+const ALIKE: f64 = 0.03;
+
+/// Smallest deviation of a scale from one that causes a doubt without the balance of the motor. A choice.
+const SCALED: f64 = 0.15;
+
+/// Standard deviations of what a project states, relative to the value: payloads, inertia, the rest. A choice.
+const STATED: [f64; 3] = [0.05, 0.15, 0.3];
+
+/// Largest contribution of one share, so that a single wrong entry of the project does not decide.
+const COST_MOST: f64 = 9.0;
+
+/// Slope of current over torque relative to the tables under a scale, for both references of the rotor.
+struct Slopes {
+    all: [Option<Share>; 2],
+}
+
+impl Slopes {
+    fn of(equations: &Equations<'_>, tabulated: &Tabulated, scale: Scale) -> Self {
+        let lag = equations.lag_s(scale);
+        let slope = |tie| {
+            let (value, half_width) = equations.fit(scale, lag, tie)?.estimate(0)?;
+            Some(Share { value: value * tabulated.output_nm_a, half_width: half_width * tabulated.output_nm_a })
+        };
+        Self { all: [slope(Tie::ToTorque), slope(Tie::ToTable)] }
+    }
+
+    /// Returns `true` if no slope excludes that the scale is right within a tolerance.
+    fn admits(&self, within: f64) -> bool {
+        let excludes = |slope: &Share| {
+            let vague = slope.half_width > VAGUE * slope.value.abs();
+            let low = slope.value - slope.half_width > 1.0 + within;
+            let high = slope.value + slope.half_width < 1.0 / (1.0 + within);
+            !vague && (low || high)
+        };
+        !self.all.iter().flatten().any(excludes)
+    }
+
+    /// Returns `true` if a slope lies near one, so that the scale is also confirmed.
+    fn confirms(&self) -> bool {
+        self.admits(SCATTER + FURTHER)
+            && self.all.iter().flatten().any(|slope| slope.half_width < CONFIRMED * slope.value.abs())
+    }
+
+    /// Returns the squared deviation from one over its variance.
+    fn cost(&self) -> f64 {
+        let [tied, _] = self.all;
+        tied.map_or(COST_MOST, |slope| off(slope, 1.0, SCATTER))
+    }
+}
+
+/// Returns the squared logarithm of a share over a scale, relative to its variance.
+fn off(share: Share, scale: f64, spread: f64) -> f64 {
+    let ratio = share.value / scale;
+    if ratio <= 0.0 {
+        return COST_MOST;
+    }
+    let own = 0.5 * share.half_width / share.value;
+    (ratio.ln().powi(2) / own.mul_add(own, spread * spread)).min(COST_MOST)
+}
+
+/// Returns how far payloads and project contradict a scale of the torque.
+fn contradiction(shares: &Shares, torque: f64) -> f64 {
+    let [payload, inertia, rest] = STATED;
+    let of = |share: Option<Share>, spread| share.map_or(0.0, |share| off(share, torque, spread));
+    let others = shares.others.iter().chain(&shares.weights).map(|share| off(*share, torque, rest));
+    of(shares.payload, payload) + of(shares.inertia, inertia) + others.sum::<f64>()
+}
+
+/// Returns the scale of the torque that the payloads, or the project's inertia and friction, show alike.
+fn of_load(shares: &Shares) -> Option<f64> {
+    let is_off = |share: &Share| {
+        share.value > 0.0
+            && (share.value.ln().abs() - share.half_width / share.value) > SCALED.ln_1p()
+            && share.half_width < 0.1 * share.value
+    };
+    let alike = |a: &Share, b: &Share| {
+        let within = (a.half_width / a.value).hypot(b.half_width / b.value);
+        (a.value / b.value - 1.0).abs() < ALIKE + within
+    };
+    let known: Vec<&Share> = shares.payload.iter().chain(&shares.inertia).chain(&shares.others).collect();
+    let first = shares.payload.as_ref().or(shares.inertia.as_ref()).filter(|share| is_off(share))?;
+    let witnesses = known.into_iter().filter(|share| !std::ptr::eq(*share, first));
+    let mut all = witnesses.filter(|share| is_off(share) && alike(first, share));
+    all.next().map(|_| first.value)
+}
+
+/// Returns the doubt of the scale of torque or current.
+///
+/// # Symbols
+/// The value of a doubt of the torque is its size relative to the expected one, of the current the torque constant relative to
+/// the tables.
+/// # Valid
+/// one of both signals has another scale
+pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares) -> Option<Doubt> {
+    let mut free: Vec<&Window> = windows.all.iter().filter(|window| !window.limited).collect();
+    if free.len() < LEAST {
+        // Currents beyond every limit are another unit.
+        free = windows.all.iter().collect();
+    }
+    let equations = Equations::of(free, windows.step_s, Some(*tabulated));
+    let plain = Slopes::of(&equations, tabulated, Scale::NONE);
+    let of_load = of_load(shares);
+    let scaled = |column, factor| match column {
+        Column::Torque => Scale { torque: factor, ..Scale::NONE },
+        _ => Scale { current: factor, ..Scale::NONE },
+    };
+    let is_wrong = !plain.admits(SLOPE);
+    if !is_wrong && of_load.is_none() {
+        return None;
+    }
+    let value = |column, factor: f64| if column == Column::Torque { factor } else { 1.0 / factor };
+    let named = conventions(tabulated.ratio)
+        .into_iter()
+        .filter_map(|(column, misread, factor)| {
+            let torque = if column == Column::Torque { factor } else { 1.0 };
+            // Without a contradiction of the motor only the load speaks, of the torque.
+            let near = of_load.is_some_and(|scale| (scale / torque).ln().abs() < 2.0 * ALIKE);
+            let slopes = Slopes::of(&equations, tabulated, scaled(column, factor));
+            let fits = if is_wrong { slopes.confirms() } else { near && slopes.admits(SCATTER) };
+            fits.then(|| (slopes.cost() + contradiction(shares, torque), column, misread, factor))
+        })
+        .min_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((_, column, misread, factor)) = named {
+        return Some(Doubt { column, misread, value: value(column, factor) });
+    }
+    if !is_wrong {
+        let factor = of_load
+            .filter(|factor| Slopes::of(&equations, tabulated, scaled(Column::Torque, *factor)).admits(SCATTER))?;
+        return Some(Doubt { column: Column::Torque, misread: Misread::Other, value: factor });
+    }
+    let [tied, loose] = plain.all;
+    let ratio = |slope: Option<Share>| slope.filter(|slope| slope.value != 0.0).map(|slope| slope.value.recip());
+    let (of_torque, of_current) = (ratio(loose).or(ratio(tied))?, ratio(tied).or(ratio(loose))?);
+    let is_torque = of_torque > 0.0 && contradiction(shares, of_torque) < contradiction(shares, 1.0);
+    let (column, value) = if is_torque { (Column::Torque, of_torque) } else { (Column::Current, of_current) };
+    (value > 0.0).then_some(Doubt { column, misread: Misread::Other, value })
+}
+
+/// Largest deviation of the payloads of a run from the stated ones, beyond its interval. A choice.
+const LADEN: f64 = 0.15;
+
+/// Returns the doubt of payloads that the run does not show.
+pub(super) fn payload(shares: &Shares) -> Option<Doubt> {
+    let Share { value, half_width } = shares.payload?;
+    let is_off = (value - 1.0).abs() - half_width > LADEN;
+    is_off.then_some(Doubt { column: Column::Torque, misread: Misread::PayloadMissing, value })
+}
