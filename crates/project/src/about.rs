@@ -10,7 +10,7 @@ use crate::mechanism::names::{
 };
 use crate::motion::SegmentName;
 use crate::own::ActuatorName;
-use crate::recorded::{ColumnsName, UnitsName};
+use crate::recorded::{ColumnsName, RatiosName, UnitsName};
 use crate::requirements::{DriveName, RequirementsName};
 use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
 use crate::stage::StageName;
@@ -57,6 +57,8 @@ pub enum About {
     Columns(ColumnsName),
     /// Key of the units of a recording.
     Units(UnitsName),
+    /// Key of the ratios of a recording.
+    Ratios(RatiosName),
     /// A load on the flange.
     FlangeLoads(FlangeLoadsName),
     /// Key of `[bearing]`.

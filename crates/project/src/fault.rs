@@ -295,6 +295,20 @@ pub enum Fault {
         /// Fault of the file.
         fault: recording::Fault,
     },
+    /// Columns recorded at the motor, without the ratio to the output.
+    MotorSide {
+        /// Name of the file.
+        name: String,
+        /// Headings, shortened.
+        headings: Vec<String>,
+        /// Keys of `recorded_ratio` with the stated ratios; `None` for a column at the motor without one.
+        ratios: Vec<(&'static str, Option<f64>)>,
+    },
+    /// A ratio for a role that no rotary column has.
+    NoColumnWithRatio {
+        /// Path of the ratio.
+        path: String,
+    },
     /// A recording that does not form a motion.
     Recorded {
         /// Name of its file.
@@ -400,6 +414,8 @@ impl Fault {
                 BatteryFault::OperationOutOfRange { .. } => "battery_operation_out_of_range",
                 BatteryFault::StorageOutOfRange { .. } => "battery_storage_out_of_range",
             },
+            Self::MotorSide { .. } => "recorded_at_the_motor",
+            Self::NoColumnWithRatio { .. } => "no_column_with_ratio",
             Self::WithoutEffect { .. } => "without_effect",
             Self::NoMechanism => "no_mechanism",
             Self::TooManyMechanisms => "too_many_mechanisms",

@@ -31,6 +31,7 @@ mod roles;
 mod root;
 mod schema;
 mod section;
+mod side;
 mod stage;
 mod stated;
 mod tabular;
@@ -49,7 +50,7 @@ pub mod names {
     pub use crate::mechanism::names::*;
     pub use crate::motion::SegmentName;
     pub use crate::own::ActuatorName;
-    pub use crate::recorded::{ColumnsName, UnitsName};
+    pub use crate::recorded::{ColumnsName, RatiosName, UnitsName};
     pub use crate::requirements::{DriveName, RequirementsName};
     pub use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
     pub use crate::stage::StageName;
@@ -181,6 +182,10 @@ pub enum Assumption {
     NoPayloadInDwell,
     /// The recorded torque is a process torque, added to the torque of the mechanism.
     RecordedTorqueAdds,
+    /// The recorded rotary quantities are those at the output.
+    RecordedAtOutput,
+    /// Inertia and friction of the recorded motor and gear are not removed from a torque recorded at the motor.
+    RecordedTorqueOfMotor,
     /// Speed and acceleration are differences of a recorded position, not smoothed.
     RecordedPositionDifferentiated,
     /// The recorded position is that of a modulo axis; its jumps of one revolution are removed.
@@ -206,7 +211,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 48] = [
+    pub const ALL: [Self; 50] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -247,6 +252,8 @@ impl Assumption {
         Self::MotorHolds,
         Self::NoPayloadInDwell,
         Self::RecordedTorqueAdds,
+        Self::RecordedAtOutput,
+        Self::RecordedTorqueOfMotor,
         Self::RecordedPositionDifferentiated,
         Self::RecordedModulo,
         Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0 }),

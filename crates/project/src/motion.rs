@@ -5,7 +5,7 @@ use crate::flange::{FlangeLoads, needs};
 use crate::key::{Column, Variants};
 use crate::mechanism::{Driven, Load};
 use crate::read::Reader;
-use crate::recorded::{Columns, File, Units};
+use crate::recorded::{Columns, File, Ratios, Units};
 use crate::root::AxisSection;
 use crate::section::{Fields, OfKinds, Section, names, section};
 use crate::stated::{Field, Stated};
@@ -42,6 +42,7 @@ section! {
         file: File => example("lift.csv");
         columns: Columns;
         units: Units;
+        recorded_ratio: Ratios;
         from: Time;
         to: Time;
         smoothing: Time => positive, example("20 ms");
@@ -85,7 +86,7 @@ const LAWS: [LawLine; 14] = [
     ("parabola", SegmentLaw::Law(Law::Triangle), &[], MOVE),
     ("constant", SegmentLaw::Law(Law::Constant), names!(Segment: speed), names!(Segment: time distance)),
     ("dwell", SegmentLaw::Dwell, names!(Segment: time), names!(Segment: hold)),
-    ("recorded", SegmentLaw::Recorded, names!(Segment: file), names!(Segment: columns units from to smoothing standstill gaps)),
+    ("recorded", SegmentLaw::Recorded, names!(Segment: file), names!(Segment: columns units recorded_ratio from to smoothing standstill gaps)),
     ("points", SegmentLaw::Points, names!(Segment: points spline ends), names!(Segment: master_speed start_speed end_speed start_acceleration end_acceleration)),
 ];
 
@@ -582,11 +583,7 @@ pub(crate) fn assumptions(axis: &AxisSection, driven: Option<&dyn Driven>, found
     }
     let splines = Spline::ALL.into_iter().filter(|each| segments.iter().any(|one| one.spline.value() == Some(*each)));
     found.extend(splines.map(Assumption::SplineThroughPoints));
-    let differences = |segment: &Segment| {
-        segment.recording().is_some_and(|read| read.recording.course.speed.is_none()) && !segment.smoothing.is_given()
-    };
-    found.extend(segments.iter().any(differences).then_some(Assumption::RecordedPositionDifferentiated));
-    found.extend(segments.iter().any(crate::recorded::is_modulo).then_some(Assumption::RecordedModulo));
+    crate::side::assumptions(segments, found);
     let rests = |segment: &&Segment| segment.law.value() == Some(SegmentLaw::Dwell);
     found.extend(segments.iter().filter(rests).find_map(|segment| segment.hold.note()));
     let carries = |one: &Segment| one.payload.or_zero().si() > 0.0 || one.payload_inertia.or_zero().si() > 0.0;

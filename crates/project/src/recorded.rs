@@ -49,6 +49,15 @@ section! {
     }
 }
 
+section! {
+    /// Ratios between the shaft at which a quantity is recorded and the output: 1 at the output.
+    Ratios, RatiosName of About::Ratios {
+        position: f64 => within(1e-4, 1e4), example("80");
+        speed: f64 => within(1e-4, 1e4), example("80");
+        torque: f64 => within(1e-4, 1e4), example("80");
+    }
+}
+
 /// File of a recording, and the recording.
 #[derive(Clone, Debug)]
 pub(crate) struct File {
@@ -326,22 +335,21 @@ pub(crate) fn samples(segment: &Segment) -> usize {
     segment.recording().map_or(0, |read| read.recording.time_s.len())
 }
 
-/// Returns `true` if the recorded position is that of a modulo axis.
-pub(crate) fn is_modulo(segment: &Segment) -> bool {
-    segment.recording().is_some_and(|read| read.recording.revolutions_removed > 0)
-}
-
 /// Returns the recorded motion of a segment at the output; `None` after a fault.
 ///
 /// `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
 pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Arc<Recorded>> {
     let RecordingRead { file, recording } = segment.recording()?;
     let before = reader.fault_count();
-    let mut turned = |series: &Option<Series>, per_metre: bool| -> Option<Arc<Vec<f64>>> {
+    let ratios = crate::side::ratios(segment, reader);
+    let mut turned = |series: &Option<Series>, role: Role| -> Option<Arc<Vec<f64>>> {
         let Series { along, values } = series.as_ref()?;
         let factor = match (along, travel) {
-            (Along::Turning, _) => return Some(Arc::clone(values)),
-            (Along::Line, Some(travel)) if per_metre => 1.0 / travel,
+            (Along::Turning, _) => match ratios.factor(role) {
+                1.0 => return Some(Arc::clone(values)),
+                factor => factor,
+            },
+            (Along::Line, Some(travel)) if role != Role::Torque => 1.0 / travel,
             (Along::Line, Some(travel)) => travel,
             (Along::Line, None) => {
                 reader.fault(segment.file.span(), Fault::NoLine { path: file.clone() }, None);
@@ -352,9 +360,9 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
     };
     let samples = Samples {
         time_s: Arc::clone(&recording.time_s),
-        position_rad: turned(&recording.course.position, true),
-        speed_rad_s: turned(&recording.course.speed, true),
-        torque_nm: turned(&recording.torque, false),
+        position_rad: turned(&recording.course.position, Role::Position),
+        speed_rad_s: turned(&recording.course.speed, Role::Speed),
+        torque_nm: turned(&recording.torque, Role::Torque),
     };
     if reader.fault_count() > before {
         return None;

@@ -36,6 +36,7 @@ mod plain;
 mod preview;
 mod records;
 mod series;
+mod side;
 mod thousands;
 mod tools;
 
@@ -54,6 +55,7 @@ pub use parquet::{
 pub use preview::{Preview, preview_csv};
 pub use records::Records;
 pub use series::{Along, ColumnRead, Course, Encoding, KnownBy, Recording, Series};
+pub use side::is_of_motor;
 pub use thousands::{Possible, Thousands};
 
 pub use ::bytes::Bytes;

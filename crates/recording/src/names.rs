@@ -269,7 +269,7 @@ fn unit_of(role: Role, written: &str) -> Option<&'static Unit> {
 
 /// Splits a name into words in lower case: at other characters, between a lower-case and an upper-case letter, and
 /// before digits.
-fn words(name: &str) -> Vec<String> {
+pub(crate) fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut before = ' ';
     for sign in name.chars() {

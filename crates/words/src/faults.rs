@@ -236,6 +236,18 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             | "eine Achse hat nur eine Last: entweder `[load]` oder eine Tabelle `[mechanism.…]`"
         ),
         Fault::Tabular(fault) => crate::sweeps::fault(fault, language),
+        Fault::MotorSide { name, headings, .. } => {
+            let headings: Vec<String> = headings.iter().map(|heading| format!("\"{heading}\"")).collect();
+            let headings = headings.join(", ");
+            said!(language =>
+                "{name}: {headings}: recorded at the motor, the ratio to the output is not stated"
+                | "{name}: {headings}: motorseitig aufgezeichnet, die Übersetzung zum Abtrieb ist nicht angegeben"
+            )
+        }
+        Fault::NoColumnWithRatio { path } => said!(language =>
+            "`{path}` has no effect: no column of angles, speeds or torques has this role"
+            | "`{path}` hat keine Wirkung: keine Spalte mit Winkeln, Drehzahlen oder Drehmomenten hat diese Rolle"
+        ),
         Fault::NoLine { path } => said!(language =>
             "`{path}` is stated as a linear quantity, but this load has no fixed travel per revolution"
             | "`{path}` ist als lineare Größe angegeben, diese Last hat aber keinen festen Weg je Umdrehung"
@@ -330,6 +342,15 @@ pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
         Fault::Body(BodyError::DistanceOutOfRange { .. }) => example("distance=80mm angle=180deg"),
         Fault::InBody { fault, .. } => own_hint(fault, language),
         Fault::ImpossibleWithin { why: Some(why), .. } => own_hint(why, language),
+        Fault::MotorSide { ratios, .. } => {
+            let ratio = |(key, ratio): &(&str, Option<f64>)| format!("{key} = {}", ratio.unwrap_or(80.0));
+            let ratios: Vec<String> = ratios.iter().map(ratio).collect();
+            let ratios = ratios.join(", ");
+            Some(said!(language =>
+                "recorded_ratio = {{ {ratios} }} with the ratio of the recorded gear instead of 80, with 1 where a column is recorded at the output after all"
+                | "recorded_ratio = {{ {ratios} }} mit der Übersetzung des aufgezeichneten Getriebes statt 80, mit 1, wo eine Spalte doch am Abtrieb aufgezeichnet ist"
+            ))
+        }
         _ => None,
     }
 }

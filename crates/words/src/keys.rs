@@ -2,12 +2,13 @@
 
 use crate::mechanism_keys::{mechanism_key_text, mechanism_text};
 use crate::pick;
+use crate::recorded_keys::{column_text, ratio_text, unit_text};
 use crate::texts::said;
 use crate::twin_keys::{replaced_key_text, twin_key_text};
 use project::names::{
-    ActuatorName, AxisName, BearingName, BodyName, ColumnsName, CounterweightName, CurveName, DriveName,
-    FlangeLoadsName, FrictionName, GuideName, LoadName, LossesName, OneOfSeveralName, PartsName, ProcessForceName,
-    RequirementsName, RootName, SegmentName, SlideName, StageName, StartAngleName, UnitsName,
+    ActuatorName, AxisName, BearingName, BodyName, CounterweightName, CurveName, DriveName, FlangeLoadsName,
+    FrictionName, GuideName, LoadName, LossesName, OneOfSeveralName, PartsName, ProcessForceName, RequirementsName,
+    RootName, SegmentName, SlideName, StageName, StartAngleName,
 };
 use project::{About, Key};
 use quantities::Language;
@@ -202,34 +203,12 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "number of equal bodies, evenly spaced on the circle",
             "Anzahl gleicher Körper, gleichmäßig auf dem Kreis verteilt",
         ),
-        About::Columns(ColumnsName::time) => ("name of the time column", "Name der Zeitspalte"),
-        About::Columns(ColumnsName::position) => (
-            "name of the position column; none: not present",
-            "Name der Positionsspalte; none: nicht vorhanden",
-        ),
-        About::Columns(ColumnsName::speed) => (
-            "name of the speed column; none: not present",
-            "Name der Drehzahl- oder Geschwindigkeitsspalte; none: nicht vorhanden",
-        ),
-        About::Columns(ColumnsName::torque) => (
-            "name of the torque or force column; none: not present",
-            "Name der Momenten- oder Kraftspalte; none: nicht vorhanden",
-        ),
-        About::Units(UnitsName::time) => (
-            "unit of time, if not stated in the file",
-            "Einheit der Zeit, wenn nicht in der Datei angegeben",
-        ),
-        About::Units(UnitsName::position) => (
-            "unit of position, if not stated in the file",
-            "Einheit der Position, wenn nicht in der Datei angegeben",
-        ),
-        About::Units(UnitsName::speed) => (
-            "unit of speed, if not stated in the file",
-            "Einheit der Drehzahl, wenn nicht in der Datei angegeben",
-        ),
-        About::Units(UnitsName::torque) => (
-            "unit of torque or force, if not stated in the file",
-            "Einheit des Moments oder der Kraft, wenn nicht in der Datei angegeben",
+        About::Columns(key) => return column_text(key, language),
+        About::Units(key) => return unit_text(key, language),
+        About::Ratios(key) => return ratio_text(key, language),
+        About::Segment(SegmentName::recorded_ratio) => (
+            "ratio of the recorded gear, for quantities recorded at the motor",
+            "Übersetzung des aufgezeichneten Getriebes, für motorseitig aufgezeichnete Größen",
         ),
         About::Segment(SegmentName::law) => ("motion law", "Bewegungsgesetz"),
         About::Segment(SegmentName::speed) => (

@@ -36,6 +36,7 @@ mod print;
 mod project_file;
 mod project_page;
 mod quantity;
+mod recorded_keys;
 mod recording;
 pub mod records;
 pub mod report;

@@ -212,8 +212,8 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
                     | "aufgezeichnete Position und aufgezeichnete Drehzahl weichen um {share} % des Wegs voneinander ab"
                 ),
                 Some(said!(language =>
-                    "check their units, or use only one of them: columns.speed = \"none\""
-                    | "Einheiten prüfen oder nur eine der beiden verwenden: columns.speed = \"none\""
+                    "check their units and the side of the gear (recorded_ratio), or use only one of them: columns.speed = \"none\""
+                    | "Einheiten und Getriebeseite (recorded_ratio) prüfen oder nur eine der beiden verwenden: columns.speed = \"none\""
                 )),
             )
         }

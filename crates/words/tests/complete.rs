@@ -444,6 +444,12 @@ fn other_faults() -> Vec<Fault> {
         Fault::Battery(BatteryFault::OperationOutOfRange { per_day: q(1e6) }),
         Fault::Battery(BatteryFault::StorageOutOfRange { storage: q(1e9) }),
         Fault::WithoutEffect { key: "payload" },
+        Fault::MotorSide {
+            name: word(),
+            headings: vec![word()],
+            ratios: vec![("position", Some(80.0)), ("speed", None)],
+        },
+        Fault::NoColumnWithRatio { path: path() },
         Fault::NoMechanism,
         Fault::TooManyMechanisms,
         Fault::NoLine { path: path() },

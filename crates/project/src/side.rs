@@ -1,0 +1,110 @@
+//! Side of the gear at which a recording was taken.
+
+use crate::motion::Segment;
+use crate::read::{Reader, shortened};
+use crate::recorded::Ratios;
+use crate::stated::{Field, Stated};
+use crate::{Assumption, Fault};
+use recording::{Along, Recording, Role, Series};
+
+/// Longest heading in a fault, in characters.
+const HEADING_SHOWN: usize = 60;
+
+/// Ratios of the recorded shaft to the output, 1 where none is stated.
+pub(crate) struct Side {
+    position: f64,
+    speed: f64,
+    torque: f64,
+}
+
+impl Side {
+    /// Returns the factor from the recorded quantity to that at the output.
+    ///
+    /// q = q_rec/i, ω = ω_rec/i, T = i T_rec
+    ///
+    /// # Symbols
+    /// i ratio of the gear at which was recorded \[1\]
+    /// # Valid
+    /// for rotary quantities; the ratio belongs to the recorded machine, independent of the gears of the candidates
+    pub(crate) fn factor(&self, role: Role) -> f64 {
+        match role {
+            Role::Time => 1.0,
+            Role::Position => 1.0 / self.position,
+            Role::Speed => 1.0 / self.speed,
+            Role::Torque => self.torque,
+        }
+    }
+}
+
+/// Returns the stated ratio of a role.
+fn stated(ratios: Option<&Ratios>, role: Role) -> Option<&Stated<f64>> {
+    let ratios = ratios?;
+    match role {
+        Role::Time => None,
+        Role::Position => Some(&ratios.position),
+        Role::Speed => Some(&ratios.speed),
+        Role::Torque => Some(&ratios.torque),
+    }
+}
+
+/// Roles with a side, and their keys.
+const SIDED: [(Role, &str); 3] = [(Role::Position, "position"), (Role::Speed, "speed"), (Role::Torque, "torque")];
+
+/// Returns `true` if a role has a rotary column.
+fn turns(recording: &Recording, role: Role) -> bool {
+    let series = match role {
+        Role::Time => &None,
+        Role::Position => &recording.course.position,
+        Role::Speed => &recording.course.speed,
+        Role::Torque => &recording.torque,
+    };
+    matches!(series, Some(Series { along: Along::Turning, .. }))
+}
+
+/// Returns the ratios of a recording; reports columns of the motor without one, and ratios without a column.
+pub(crate) fn ratios(segment: &Segment, reader: &mut Reader<'_>) -> Side {
+    let stated = |role: Role| stated(segment.recorded_ratio.get(), role);
+    let ratio = |role: Role| stated(role).and_then(Stated::value);
+    if let Some(read) = segment.recording() {
+        for (role, _) in SIDED {
+            if let Some(field) = stated(role).filter(|field| field.is_given() && !turns(&read.recording, role)) {
+                reader.fault(field.span(), Fault::NoColumnWithRatio { path: field.path() }, None);
+            }
+        }
+        let column = |role: Role| read.recording.columns.iter().find(|column| column.role == role);
+        let unstated = |role: Role| {
+            let heading = &column(role).filter(|_| turns(&read.recording, role))?.name;
+            let is_stated = stated(role).is_some_and(Field::is_given);
+            (!is_stated && recording::is_of_motor(heading)).then(|| shortened(heading, HEADING_SHOWN))
+        };
+        let headings: Vec<String> = SIDED.into_iter().filter_map(|(role, _)| unstated(role)).collect();
+        if !headings.is_empty() {
+            let line = SIDED.into_iter().filter(|(role, _)| ratio(*role).is_some() || unstated(*role).is_some());
+            let ratios = line.map(|(role, key)| (key, ratio(role))).collect();
+            let fault = Fault::MotorSide { name: read.file.clone(), headings, ratios };
+            reader.fault(segment.file.span(), fault, None);
+        }
+    }
+    let ratio = |role: Role| ratio(role).unwrap_or(1.0);
+    Side { position: ratio(Role::Position), speed: ratio(Role::Speed), torque: ratio(Role::Torque) }
+}
+
+/// Adds what the recordings of an axis leave open: the side of the gear, the origin of their speed, turns.
+pub(crate) fn assumptions(segments: &[Segment], found: &mut Vec<Assumption>) {
+    let recordings = || segments.iter().filter_map(|segment| Some((segment, &*segment.recording()?.recording)));
+    let stated = |segment: &Segment, role: Role| stated(segment.recorded_ratio.get(), role).and_then(Stated::value);
+    let is_open = |(segment, recording): (&Segment, &Recording)| {
+        SIDED.into_iter().any(|(role, _)| turns(recording, role) && stated(segment, role).is_none())
+    };
+    let of_motor = |(segment, _): (&Segment, &Recording)| {
+        stated(segment, Role::Torque).is_some_and(|ratio| (ratio - 1.0).abs() > f64::EPSILON)
+    };
+    let differences = |(segment, recording): (&Segment, &Recording)| {
+        recording.course.speed.is_none() && !segment.smoothing.is_given()
+    };
+    found.extend(recordings().any(is_open).then_some(Assumption::RecordedAtOutput));
+    found.extend(recordings().any(of_motor).then_some(Assumption::RecordedTorqueOfMotor));
+    found.extend(recordings().any(differences).then_some(Assumption::RecordedPositionDifferentiated));
+    let is_modulo = |(_, recording): (&Segment, &Recording)| recording.revolutions_removed > 0;
+    found.extend(recordings().any(is_modulo).then_some(Assumption::RecordedModulo));
+}
