@@ -16,6 +16,7 @@ pub(crate) const fn quantity(error: &QuantityError) -> &'static str {
         QuantityError::UnitMissing { .. } => "unit_missing",
         QuantityError::UnitUnknown { .. } => "unit_unknown",
         QuantityError::WrongQuantity { .. } => "unit_of_another_quantity",
+        QuantityError::FlywheelEffect { .. } => "unit_of_flywheel_effect",
         QuantityError::ToleranceMissing { .. } => "tolerance_missing",
         QuantityError::ToleranceNegative { .. } => "tolerance_negative",
         QuantityError::ToleranceOfOffsetScale { .. } => "tolerance_of_offset_scale",

@@ -92,6 +92,14 @@ pub enum QuantityError {
         /// Expected quantity.
         expected: Dimension,
     },
+    /// The unit of a flywheel effect GD² in place of a moment of inertia, four times as large.
+    #[error("\"{found}\" is a unit of GD², expected a moment of inertia J = GD²/4")]
+    FlywheelEffect {
+        /// Place of the unit in the text, in bytes.
+        span: Range<usize>,
+        /// Unit as written.
+        found: String,
+    },
     /// The sign of a tolerance is followed by nothing.
     #[error("the half-width of the tolerance is missing")]
     ToleranceMissing {
@@ -129,6 +137,7 @@ impl QuantityError {
             | Self::UnitMissing { span, .. }
             | Self::UnitUnknown { span, .. }
             | Self::WrongQuantity { span, .. }
+            | Self::FlywheelEffect { span, .. }
             | Self::ToleranceMissing { span }
             | Self::ToleranceNegative { span }
             | Self::ToleranceOfOffsetScale { span } => span.clone(),

@@ -23,6 +23,7 @@ mod algebra;
 mod dimension;
 mod error;
 mod expression;
+mod factors;
 mod format;
 mod ids;
 mod measure;

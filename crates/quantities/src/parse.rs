@@ -3,6 +3,7 @@
 use crate::dimension::Dimension;
 use crate::error::QuantityError;
 use crate::measure::Measure;
+use crate::spelling::Canonical;
 use crate::unit::ONE;
 use crate::units::Unit;
 use std::ops::Range;
@@ -139,16 +140,26 @@ fn no_end_of_number(trimmed: &str, number: &str, start: usize, expected: Dimensi
 /// Returns `true` if a text that begins with a digit looks like a unit: `1/min`, `10^-4 kg m^2`, `10⁻³ A/min⁻¹`.
 fn is_unit_with_digits_first(text: &str) -> bool {
     let after = text.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
-    after.starts_with(['/', '^', '⁻', '³'])
+    after.starts_with(['/', '^', '⁻', '³', '⁴', '⁶'])
 }
 
 /// Returns the fault of a text that is no unit of the expected dimension.
 fn no_unit(unit_text: &str, span: Range<usize>, expected: Dimension) -> QuantityError {
     let found = excerpt(unit_text);
+    if expected == Dimension::MomentOfInertia && is_flywheel_effect(unit_text) {
+        return QuantityError::FlywheelEffect { span, found };
+    }
     match Unit::of(unit_text) {
         Some(other) => QuantityError::WrongQuantity { span, found, measures: other.dimension, expected },
         None => QuantityError::UnitUnknown { span, found, expected, nearest: Unit::nearest(expected, unit_text) },
     }
+}
+
+/// Returns `true` for a weight times the square of a diameter, `kgf m²`: papers state GD² so, and no moment of inertia.
+fn is_flywheel_effect(unit_text: &str) -> bool {
+    let (weights, lengths) = (["kgf", "kp", "gf"], ["m2", "cm2"]);
+    let written = Canonical::of(unit_text).text;
+    weights.iter().any(|weight| written.strip_prefix(weight).is_some_and(|length| lengths.contains(&length)))
 }
 
 /// Returns the length in bytes of the number at the start of a text: sign, digits, point, digits, exponent; 0 without a

@@ -116,6 +116,8 @@ const WORDS: &[(&str, &[&str])] = &[
     ("min", &["minute", "minutes", "Minute", "Minuten"]),
     ("h", &["hr", "hrs", "hour", "hours", "Stunde", "Stunden"]),
     ("rpm", &["RPM", "Rpm"]),
+    ("krpm", &["kRPM", "KRPM"]),
+    ("slug", &["slugs"]),
     ("m", &["metre", "metres", "meter", "meters", "Meter"]),
     ("mm", &["millimetre", "millimetres", "millimeter", "millimeters", "Millimeter"]),
     ("in", &["inch", "inches", "Zoll"]),

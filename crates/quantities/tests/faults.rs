@@ -22,6 +22,7 @@ fn kind_and_place(dimension: Dimension, text: &str) -> (&'static str, &str) {
         QuantityError::UnitMissing { .. } => "unit missing",
         QuantityError::UnitUnknown { .. } => "unit unknown",
         QuantityError::WrongQuantity { .. } => "wrong quantity",
+        QuantityError::FlywheelEffect { .. } => "flywheel effect",
         _ => "new",
     };
     (kind, text.get(fault.span()).unwrap_or("no place in the text"))
@@ -178,5 +179,20 @@ fn no_text_makes_it_panic() {
                 }
             }
         }
+    }
+}
+
+/// GD² is four times the moment of inertia: its units are read only where it is named.
+#[test]
+fn a_flywheel_effect_is_read_by_its_name_only() {
+    for (text, place) in
+        [("5 kgf m^2", "kgf m^2"), ("5 kp·m²", "kp·m²"), ("5 kgf-cm²", "kgf-cm²"), ("5 gf cm^2", "gf cm^2")]
+    {
+        assert_eq!(kind_and_place(Dimension::MomentOfInertia, text), ("flywheel effect", place));
+    }
+    for (text, si) in
+        [("5 GD^2 kgf m^2", 1.25), ("5 GD² kgf·m²", 1.25), ("5 GD² kp m²", 1.25), ("5 GD² kgf cm²", 1.25e-4)]
+    {
+        assert_eq!(parse(Dimension::MomentOfInertia, text).map(|reading| reading.si), Ok(si), "{text}");
     }
 }

@@ -115,11 +115,11 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         ),
         Assumption::RecordedAtOutput => (
             "recorded angles, speeds and torques are those at the output of the actuator (motion.recorded_ratio is not stated), with a stage at the output of the stage",
-            "aufgezeichnete Winkel, Drehzahlen und Momente gelten am Abtrieb des Aktuators (motion.recorded_ratio nicht angegeben), bei einer Zwischenstufe an deren Abtrieb",
+            "aufgezeichnete Winkel, Drehzahlen und Momente gelten am Abtrieb (motion.recorded_ratio nicht angegeben), bei einer Zwischenstufe an deren Abtrieb",
         ),
         Assumption::RecordedTorqueOfMotor => (
             "inertia and friction of the recorded motor and gear are not removed from the torque recorded at the motor (motion.recorded_ratio); those of the actuator are added",
-            "Trägheit und Reibung des aufgezeichneten Motors und Getriebes sind im motorseitig aufgezeichneten Moment (motion.recorded_ratio) enthalten; die des Aktuators kommen hinzu",
+            "Trägheit und Reibung des aufgezeichneten Motors und Getriebes sind im motorseitig aufgezeichneten Moment (motion.recorded_ratio) enthalten; die des Antriebs kommen hinzu",
         ),
         Assumption::RecordedPositionDifferentiated => (
             "speed and acceleration are difference quotients of the recorded position, without smoothing: noise in the position increases the computed torque",

@@ -50,6 +50,10 @@ pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
                 ),
             }
         }
+        QuantityError::FlywheelEffect { found, .. } => said!(language =>
+            "\"{found}\" is a unit of the flywheel effect GD², expected a moment of inertia, J = GD²/4"
+            | "„{found}“ ist eine Einheit des Schwungmoments GD², erwartet wird ein Massenträgheitsmoment, J = GD²/4"
+        ),
         QuantityError::ToleranceMissing { .. } => {
             said!(language => "the half-width of the tolerance is missing" | "die halbe Breite der Toleranz fehlt")
         }
@@ -96,6 +100,10 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
             | "hier ist eine Gleichspannung anzugeben, „560 V“; für die Netzspannung eines Gleichrichters [requirements] mains = \"400 V\" verwenden"
         )),
         QuantityError::WrongQuantity { expected, .. } => Some(units(*expected, language)),
+        QuantityError::FlywheelEffect { found, .. } => Some(said!(language =>
+            "write \"GD^2 {found}\" behind the number if it is GD²: then it is divided by 4"
+            | "„GD^2 {found}“ hinter die Zahl schreiben, wenn sie GD² angibt: dann wird sie durch 4 geteilt"
+        )),
         QuantityError::ToleranceNegative { .. } => None,
         QuantityError::ToleranceMissing { .. } => Some(said!(language =>
             "for example \"± 10 %\", or a quantity of the same kind"
@@ -120,6 +128,7 @@ pub(crate) fn hint_of_several(error: &QuantityError, also: &[Dimension], languag
         QuantityError::NumberUnreadable { .. }
         | QuantityError::DecimalComma { .. }
         | QuantityError::NotFinite { .. }
+        | QuantityError::FlywheelEffect { .. }
         | QuantityError::ToleranceMissing { .. }
         | QuantityError::ToleranceNegative { .. }
         | QuantityError::ToleranceOfOffsetScale { .. } => false,
