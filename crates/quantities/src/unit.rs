@@ -111,13 +111,13 @@ units! {
         REVOLUTION_PER_MINUTE: "1/min", "min⁻¹", "1/min",
             ["min^-1", "rpm", "rev/min", "U/min", "r/min"],
             (is revolution_per_minute);
-        THOUSAND_REVOLUTIONS_PER_MINUTE: "krpm", "krpm", "krpm", ["10^3 rpm", "10^3 1/min", "10^3 min^-1"],
-            (times 1e3 * per_minute());
         RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", [], (is radian_per_second);
         DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", [], (is degree_per_second);
         ///
         /// Never written 1/s, which some read as rad/s.
         REVOLUTION_PER_SECOND: "rev/s", "rev/s", "rev/s", ["U/s", "r/s", "rps"], (is revolution_per_second);
+        THOUSAND_REVOLUTIONS_PER_MINUTE: "krpm", "krpm", "krpm", ["10^3 rpm", "10^3 1/min", "10^3 min^-1"],
+            (times 1e3 * per_minute());
     }
     AngularAcceleration [AngularAcceleration angular_acceleration] {
         RADIAN_PER_SECOND_SQUARED: "rad/s^2", "rad/s²", "rad/s^2", [], (is radian_per_second_squared);

@@ -36,6 +36,8 @@ pub(crate) struct Found {
     pub(crate) delimiter: u8,
     /// The file has no heading: its first line holds numbers.
     pub(crate) is_missing: bool,
+    /// A line of notes between the units and the rows, below the heading by so many lines.
+    notes: Option<usize>,
 }
 
 impl<R: Read> Ahead<R> {
@@ -54,6 +56,7 @@ impl<R: Read> Ahead<R> {
         let mut found = None;
         let mut is_end = false;
         let mut headers = Headers::default();
+        let mut comment = None;
         while found.is_none() && !is_end && seen.len() < LINES_MOST && bytes < BYTES_MOST {
             match self.lines.advance() {
                 Ok(true) => {}
@@ -78,12 +81,15 @@ impl<R: Read> Ahead<R> {
                     seen.clear();
                     continue;
                 }
+                if seen.is_empty() {
+                    comment = self.lines.comment().cloned();
+                }
                 seen.push((self.lines.number(), line));
             }
             // A row counts once the next one confirms it or the file ends.
             if let Some((row, number, headings, delimiter)) = headers.scope(&seen) {
                 self.queue = std::iter::once((number, headings)).chain(seen.drain(row..)).collect();
-                return Ok(Some(Found { delimiter, is_missing: false }));
+                return Ok(Some(Found { delimiter, is_missing: false, notes: None }));
             }
             let row = if is_end { seen.len().checked_sub(1) } else { seen.len().checked_sub(2) };
             let row = row.filter(|_| is_end || headers.are_over());
@@ -94,9 +100,19 @@ impl<R: Read> Ahead<R> {
         let found =
             found.or_else(|| rows.into_iter().find_map(|row| heading_above(&seen, row, (stated, is_mixed_row))));
         let Some((_, first)) = seen.first() else { return Ok(None) };
-        let (start, answer) = found
-            .unwrap_or_else(|| (0, Found { delimiter: stated.unwrap_or_else(|| delimiter(first)), is_missing: false }));
+        let (start, mut answer) = found.unwrap_or_else(|| {
+            (0, Found { delimiter: stated.unwrap_or_else(|| delimiter(first)), is_missing: false, notes: None })
+        });
+        // `# t [s],q [deg]` of np.savetxt.
+        let names = comment.filter(|(_, line)| answer.is_missing && is_heading_of(line, first, answer.delimiter));
         self.queue = seen.into_iter().skip(start).collect();
+        if let Some(notes) = answer.notes {
+            let _ = self.queue.remove(notes);
+        }
+        if let Some(names) = names {
+            self.queue.push_front(names);
+            answer.is_missing = false;
+        }
         Ok(Some(answer))
     }
 
@@ -159,6 +175,12 @@ pub(crate) fn is_spaced_row(line: &[u8]) -> bool {
     text.trim().contains(' ') && cells.all(|cell| Decimals::is_number(cell) || is_clock(cell))
 }
 
+/// Returns `true` if a comment has a name for each cell of a row, one of them usual.
+fn is_heading_of(comment: &[u8], row: &[u8], delimiter: u8) -> bool {
+    let (Some(names), Some(cells)) = (split(comment, delimiter), split(row, delimiter)) else { return false };
+    names.len() == cells.len() && values(&names).0 == 0 && names.iter().any(|name| is_usual_name(name))
+}
+
 pub(crate) fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
     let cells = Cells::new(delimiter).try_all(line)?;
     Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
@@ -199,16 +221,25 @@ fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<
         }
         let Some(head) = row.checked_sub(1) else {
             let (values, filled) = values(&cells);
-            return (values == filled).then_some((0, Found { delimiter, is_missing: true }));
+            return (values == filled).then_some((0, Found { delimiter, is_missing: true, notes: None }));
         };
         // A row with one number is a faulty row, or a line about the file.
         let heading = alike(head).filter(|cells| values(cells).0 == 0)?;
-        let at = |place| Some((place, Found { delimiter, is_missing: false }));
+        let at = |place| Some((place, Found { delimiter, is_missing: false, notes: None }));
         let Some((higher, names)) = head.checked_sub(1).and_then(|place| Some((place, alike(place)?))) else {
             return at(head);
         };
         // The lower of two lines of text may hold the units.
         let are_units = heading.iter().filter(|cell| !cell.is_empty()).all(|cell| is_unit(cell));
+        // catman writes a line of notes below the units: text in few of the columns.
+        let is_note = !are_units && 2 * heading.iter().filter(|cell| !cell.is_empty()).count() <= heading.len();
+        if is_note
+            && names.iter().all(|cell| !cell.is_empty() && is_unit(cell))
+            && let Some(top) = higher.checked_sub(1)
+            && alike(top).is_some_and(|cells| values(&cells).0 == 0)
+        {
+            return Some((top, Found { delimiter, is_missing: false, notes: Some(head - top) }));
+        }
         let usual = |cells: &[String]| cells.iter().filter(|cell| is_usual_name(cell)).count();
         let (own, above) = (usual(&heading), usual(&names));
         let is_higher = values(&names).0 == 0 && (are_units || above >= own.max(1) || own == 0 && higher == 0);

@@ -1,4 +1,5 @@
-//! Clock times in the notations of loggers: `2025-04-17T17:00:08.005`, `17.04.2025 17:00:08,005`, `17:00:08.005`.
+//! Clock times in the notations of loggers: `2025-04-17T17:00:08.005`, `17.04.2025 17:00:08,005`, `17:00:08.005`,
+//! `0 days 00:00:00.002`.
 
 use crate::number::Tick;
 
@@ -12,36 +13,97 @@ pub(crate) struct Clock {
     last: Option<i64>,
     /// Days elapsed, counted at midnight if no date is written.
     days: i64,
+    /// Order of day and month, one for the column, once a date shows it.
+    order: Option<Order>,
+    /// A date differs from the first one.
+    has_turned: bool,
 }
 
 /// An instant of a clock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Stamp {
-    /// Seconds since 1970, or since midnight if no date is written.
+    /// Seconds since midnight.
     seconds: i64,
     /// Fraction of a second.
     part: f64,
-    has_date: bool,
+    date: Option<Date>,
+}
+
+/// A date.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Date {
+    /// Days since 1970, or of a duration.
+    Days(i64),
+    /// Two numbers of which one is the month, and the year: `4/17/2025`.
+    Slashed(i64, i64, i64),
+}
+
+/// Order of day and month in a date with slashes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Order {
+    MonthFirst,
+    DayFirst,
+}
+
+impl Date {
+    /// Returns the order that the date shows: a number above 12 is no month.
+    const fn order(self) -> Option<Order> {
+        match self {
+            Self::Slashed(13.., _, _) => Some(Order::DayFirst),
+            Self::Slashed(_, 13.., _) => Some(Order::MonthFirst),
+            _ => None,
+        }
+    }
+
+    /// Returns the days since 1970; `None` for a date that does not exist.
+    fn days(self, order: Order) -> Option<i64> {
+        match (self, order) {
+            (Self::Days(days), _) => Some(days),
+            (Self::Slashed(month, day, year), Order::MonthFirst)
+            | (Self::Slashed(day, month, year), Order::DayFirst) => days_of(year, month, day),
+        }
+    }
+}
+
+impl Stamp {
+    /// Returns the seconds since 1970, or since midnight without a date.
+    fn since(self, order: Order) -> Option<i64> {
+        let days = self.date.map_or(Some(0), |date| date.days(order))?;
+        days.checked_mul(DAY_S)?.checked_add(self.seconds)
+    }
 }
 
 /// Returns `true` if a text is the time of a clock.
 pub(crate) fn is_clock(text: &str) -> bool {
-    read(text).is_some()
+    let exists =
+        |stamp: Stamp| [Order::MonthFirst, Order::DayFirst].into_iter().any(|order| stamp.since(order).is_some());
+    read(text).is_some_and(exists)
 }
 
 impl Clock {
-    /// Returns the time of a cell; `None` if the text is no clock time.
+    /// Returns the time of a cell; `None` if the text is no clock time, or if its date has another order of day and
+    /// month than those before.
     pub(crate) fn tick(&mut self, text: &str) -> Option<Tick> {
         let stamp = read(text)?;
+        let first = *self.first.get_or_insert(stamp);
+        if let Some(shown) = stamp.date.and_then(Date::order) {
+            // Dates read with the month first so far are those of one day, or their distance was wrong.
+            let was_wrong = self.has_turned && self.order.is_none() && shown == Order::DayFirst;
+            if was_wrong || *self.order.get_or_insert(shown) != shown {
+                return None;
+            }
+        }
+        self.has_turned |= stamp.date != first.date;
+        let order = self.order.unwrap_or(Order::MonthFirst);
+        let seconds = stamp.since(order)?;
         if let Some(last) = self.last
-            && !stamp.has_date
-            && stamp.seconds < last - DAY_S / 2
+            && stamp.date.is_none()
+            && seconds < last - DAY_S / 2
         {
             self.days += 1;
         }
-        self.last = Some(stamp.seconds);
-        let first = *self.first.get_or_insert(stamp);
-        let seconds = stamp.seconds.checked_add(self.days * DAY_S)?.checked_sub(first.seconds)?;
+        self.last = Some(seconds);
+        let seconds = seconds.checked_add(self.days * DAY_S)?.checked_sub(first.since(order)?)?;
         Some(Tick::of_parts(seconds, stamp.part - first.part))
     }
 }
@@ -52,20 +114,34 @@ fn read(text: &str) -> Option<Stamp> {
     let colon = text.find(':')?;
     let begin = text.get(..colon)?.rfind(|sign: char| !sign.is_ascii_digit()).map_or(0, |at| at + 1);
     let (date, time) = text.split_at_checked(begin)?;
-    let date = date.trim_end_matches(['T', ' ', '_', '\u{a0}']);
-    let days = if date.is_empty() { None } else { Some(days(date)?) };
+    let date = date.trim_end_matches(['T', ' ', '_', '\u{a0}', '+', ',']);
+    let date = if date.is_empty() { None } else { Some(date_of(date)?) };
     let (time, offset) = offset(time)?;
     let (time, afternoon) = match time.trim_end().to_ascii_uppercase() {
         time if time.ends_with("PM") => (time.trim_end_matches("PM").trim_end().to_owned(), Some(true)),
         time if time.ends_with("AM") => (time.trim_end_matches("AM").trim_end().to_owned(), Some(false)),
         time => (time, None),
     };
-    let mut parts = time.splitn(3, ':');
-    let (hour, minute, second) = (number(parts.next()?, 2)?, number(parts.next()?, 2)?, parts.next()?);
-    let (whole, part) = match second.find(['.', ',']) {
+    let parts: Vec<&str> = time.splitn(3, ':').collect();
+    let (hour, minute, second) = match parts.as_slice() {
+        [hour, minute, second] => (number(hour, 2)?, number(minute, 2)?, *second),
+        // Spreadsheets show times as `mm:ss,0`; without a fraction it may be hours and minutes.
+        [minute, second] if date.is_none() && afternoon.is_none() && second.contains(['.', ',']) => {
+            (0, number(minute, 2)?, *second)
+        }
+        _ => return None,
+    };
+    let (whole, part) = match second.find(['.', ',', ';', ':']) {
         Some(at) => {
-            let digits = second.get(at + 1..).filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()))?;
-            (second.get(..at)?, format!("0.{digits}0").parse().ok()?)
+            let (whole, rest) = second.split_at_checked(at)?;
+            let digits = rest.get(1..).filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()))?;
+            let part = match rest.as_bytes().first()? {
+                // Trends of Rockwell count milliseconds there, `10:11:12;2`.
+                b';' => number(digits, 3)? as f64 * 1e-3,
+                b':' if digits.len() != 3 => return None,
+                _ => format!("0.{digits}0").parse().ok()?,
+            };
+            (whole, part)
         }
         None => (second, 0.0),
     };
@@ -80,13 +156,16 @@ fn read(text: &str) -> Option<Stamp> {
     if hour > 23 || minute > 59 || whole > 60 {
         return None;
     }
-    let seconds = days.unwrap_or(0) * DAY_S + 3600 * hour + 60 * minute + whole - offset;
-    Some(Stamp { seconds, part, has_date: days.is_some() })
+    let seconds = 3600 * hour + 60 * minute + whole - offset;
+    Some(Stamp { seconds, part, date })
 }
 
 /// Splits the offset from UTC off a time and returns it in seconds.
 fn offset(time: &str) -> Option<(&str, i64)> {
     if let Some(time) = time.strip_suffix(['Z', 'z']) {
+        return Some((time, 0));
+    }
+    if let Some(time) = [" UTC", " GMT"].into_iter().find_map(|zone| time.strip_suffix(zone)) {
         return Some((time, 0));
     }
     let Some(at) = time.rfind(['+', '-', '−']) else { return Some((time, 0)) };
@@ -101,24 +180,62 @@ fn offset(time: &str) -> Option<(&str, i64)> {
     (hours <= 14 && minutes <= 59).then_some((time.trim_end(), sign * (3600 * hours + 60 * minutes)))
 }
 
-/// Returns the days since 1970 of a date: `2025-04-17`, `2025/04/17`, `17.04.2025`, `4/17/2025`.
-fn days(date: &str) -> Option<i64> {
-    let sign = ['-', '/', '.'].into_iter().find(|sign| date.contains(*sign))?;
-    let mut parts = date.split(sign);
-    let (first, second, third) = (parts.next()?, parts.next()?, parts.next()?);
-    if parts.next().is_some() {
-        return None;
+/// Months in the abbreviations of English and German.
+const MONTHS: [&[&str]; 12] = [
+    &["jan"],
+    &["feb"],
+    &["mar", "mär", "mrz"],
+    &["apr"],
+    &["may", "mai"],
+    &["jun"],
+    &["jul"],
+    &["aug"],
+    &["sep"],
+    &["oct", "okt"],
+    &["nov"],
+    &["dec", "dez"],
+];
+
+/// Returns a date: `2025-04-17`, `2025/04/17`, `17.04.2025`, `17.04.25`, `17-Apr-2025`, `4/17/2025`, `17/4/25`, or the
+/// days of a duration, `0 days`.
+fn date_of(date: &str) -> Option<Date> {
+    if let Some(days) = ["days", "day"].into_iter().find_map(|word| date.strip_suffix(word)) {
+        let days = days.trim_end();
+        let (sign, digits) = days.strip_prefix('-').map_or((1, days), |digits| (-1, digits));
+        return number(digits, 6).map(|days| Date::Days(sign * days));
     }
-    let (year, month, day) = match (first.len(), sign) {
-        (4, _) => (number(first, 4)?, number(second, 2)?, number(third, 2)?),
-        (_, '/') => {
-            // The month comes first unless the number is too large for one.
-            let (one, other) = (number(first, 2)?, number(second, 2)?);
-            let (month, day) = if one > 12 { (other, one) } else { (one, other) };
-            (number(third, 4)?, month, day)
-        }
-        _ => (number(third, 4)?, number(second, 2)?, number(first, 2)?),
+    let sign = ['-', '/', '.'].into_iter().find(|sign| date.contains(*sign))?;
+    let parts: Vec<&str> = date.split(sign).collect();
+    let [first, second, third] = parts.as_slice() else { return None };
+    // Two digits are a year of this century.
+    let year = || match third.len() {
+        2 => number(third, 2).map(|year| 2000 + year),
+        4 => number(third, 4),
+        _ => None,
     };
+    let of = |year, month, day| days_of(year, month, day).map(Date::Days);
+    match (first.len(), sign) {
+        (4, _) => of(number(first, 4)?, number(second, 2)?, number(third, 2)?),
+        (_, '/') => {
+            let (one, other) = (number(first, 2)?, number(second, 2)?);
+            Some(Date::Slashed(one, other, year()?))
+        }
+        (_, '.') => of(year()?, number(second, 2)?, number(first, 2)?),
+        _ => {
+            let name = second.to_lowercase();
+            let named = MONTHS.iter().position(|names| names.contains(&name.trim_end_matches('.')));
+            let month = match named {
+                Some(month) => i64::try_from(month).ok()? + 1,
+                None => number(second, 2)?,
+            };
+            let year = if named.is_some() { year()? } else { number(third, 4)? };
+            of(year, month, number(first, 2)?)
+        }
+    }
+}
+
+/// Returns the days since 1970 of a day of the calendar.
+fn days_of(year: i64, month: i64, day: i64) -> Option<i64> {
     let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
     let lengths = [31, if is_leap { 29 } else { 28 }, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
     let month = usize::try_from(month).ok()?.checked_sub(1)?;
@@ -162,13 +279,54 @@ mod tests {
             ("10:30:20.000", "10:30:20.005", 0.005),
             ("23:59:59.9", "00:00:00.1", 0.2),
             ("9:00:00", "10:00:00", 3600.0),
+            ("0 days 00:00:00.002000", "1 days 00:00:00.004000", 86_400.002),
+            ("-1 days +23:59:59.998", "0 days 00:00:00", 0.002),
+            ("00:01,5", "00:02,0", 0.5),
+            ("10:11:12;2", "10:11:12;402", 0.4),
+            ("10:11:12:005", "10:11:12:010", 0.005),
+            ("2025-03-14 23:59:58.000 UTC", "2025-03-15 00:00:00 UTC", 2.0),
+            ("14.03.25 23:59:58,000", "15.03.25 00:00:00,000", 2.0),
+            ("14-Mar-2025 23:59:58.000", "15-Mar-2025 00:00:00", 2.0),
+            ("14-Mrz-2025 23:59:58.000", "1-Mai-2025 23:59:58", 48.0 * 86_400.0),
+            ("3/14/25 11:59:59 PM", "3/15/25 12:00:00 AM", 1.0),
+            // Day and month have one order in a column.
+            ("31/03/2025 23:59:58", "01/04/2025 00:00:00", 2.0),
+            ("12/04/2025 23:59:58", "13/04/2025 00:00:00", 2.0),
+            ("03/31/2025 23:59:58", "04/01/2025 00:00:00", 2.0),
         ] {
             assert!((since(first, second) - expected).abs() < 1e-9, "{first} {second}: {}", since(first, second));
         }
         // Nanoseconds are preserved for present-day times.
         assert!((since("2025-04-17T17:00:08.000000001", "2025-04-17T17:00:08.000000003") - 2e-9).abs() < 1e-16);
-        assert_eq!(read("1970-01-01T00:00:00Z").unwrap().seconds, 0);
-        assert_eq!(read("2000-03-01T00:00:00Z").unwrap().seconds, 951_868_800);
+        assert_eq!(read("1970-01-01T00:00:00Z").unwrap().since(Order::DayFirst), Some(0));
+        assert_eq!(read("2000-03-01T00:00:00Z").unwrap().since(Order::DayFirst), Some(951_868_800));
+    }
+
+    /// A recording over midnight, at every day of a year, in both orders.
+    #[test]
+    fn a_midnight_is_a_midnight_in_both_orders() {
+        let lengths = [31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
+        let days: Vec<(i64, i64)> =
+            (1..).zip(lengths).flat_map(|(month, length)| (1..=length).map(move |day| (month, day))).collect();
+        for pair in days.windows(2) {
+            let [(month, day), (next, then)] = pair else { continue };
+            let late =
+                since(&format!("{month:02}/{day:02}/2025 23:59:59.5"), &format!("{next:02}/{then:02}/2025 00:00:00.5"));
+            assert_eq!(late, 1.0, "{month}/{day}");
+            let mut clock = Clock::default();
+            let late = ["23:59:59.5", "00:00:00.5"]
+                .into_iter()
+                .zip(pair)
+                .map(|(time, (month, day))| clock.tick(&format!("{day:02}/{month:02}/2025 {time}")).map(Tick::value));
+            let late: Vec<Option<f64>> = late.collect();
+            // Without a number above 12 the order cannot be known: the month comes first.
+            if *day > 12 || *then > 12 {
+                assert_eq!(late, [Some(0.0), Some(1.0)], "{day}.{month}.");
+            }
+        }
+        let mut clock = Clock::default();
+        assert!(clock.tick("31/03/2025 10:00:00").is_some());
+        assert!(clock.tick("03/31/2025 10:00:01").is_none(), "two orders");
     }
 
     #[test]
@@ -191,6 +349,12 @@ mod tests {
             "13:00:00 PM",
             "::",
             "1:2:3:4",
+            "10:11:12;4020",
+            "10:11:12:05",
+            "x days 10:00:00",
+            "14-Foo-2025 10:00:00",
+            "14-03-25 10:00:00",
+            "45/45/2025 10:00:00",
             "10:00:00+99:00",
         ] {
             assert!(!is_clock(text), "{text}");

@@ -118,7 +118,11 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     }
     let first_row = if more { cells.try_all(lines.line()).unwrap_or_default() } else { Vec::new() };
     let mut columns = Vec::new();
-    let mut wanted = Wanted { fields: headings.len(), ..Wanted::default() };
+    let mut wanted = Wanted { fields: headings.len(), named: headings.len(), ..Wanted::default() };
+    if !found.is_missing {
+        let blank = headings.iter().rev().take_while(|heading| heading.written.trim().is_empty());
+        wanted.named -= blank.count();
+    }
     for (role, picked) in Role::ALL.into_iter().zip(picks) {
         let Some(Pick { index, unit, .. }) = picked else { continue };
         let Some(heading) = headings.get(index) else { continue };
@@ -255,6 +259,10 @@ fn unbracketed(text: &str) -> String {
 #[derive(Default)]
 struct Wanted {
     fields: usize,
+    /// Number of columns without the nameless ones at the end.
+    named: usize,
+    /// Rows differ from the heading in empty cells at their end, which the reader of plain rows does not allow.
+    is_padded: bool,
     indices: Vec<usize>,
     names: Vec<String>,
     form: TimeForm,
@@ -284,7 +292,7 @@ impl Wanted {
 
     /// Returns `true` if a row consists of the time and the values, all plain numbers.
     const fn is_plain(&self) -> bool {
-        matches!(self.form, TimeForm::Number) && self.indices.len() == self.channels + 1
+        !self.is_padded && matches!(self.form, TimeForm::Number) && self.indices.len() == self.channels + 1
     }
 }
 
@@ -361,7 +369,9 @@ fn row(
     if count == 1 && wanted.fields > 1 && line.trim_ascii() == b"EOF" {
         return true;
     }
-    if count != wanted.fields {
+    if count != wanted.fields && is_padded(line, count, wanted, cells.delimiter) {
+        wanted.is_padded = true;
+    } else if count != wanted.fields {
         let (found, expected) = (count, wanted.fields);
         let is_whole = |cell: &[u8]| cell.iter().all(|sign| sign.is_ascii_digit() || b"+- ".contains(sign));
         let are_decimal = *decimals == Decimals::PointAlways
@@ -430,6 +440,13 @@ fn row(
         }
     }
     true
+}
+
+/// Returns `true` if a row differs from the heading in empty cells at its end only.
+fn is_padded(line: &[u8], count: usize, wanted: &Wanted, delimiter: u8) -> bool {
+    let Some(more) = count.checked_sub(wanted.fields) else { return count >= wanted.named };
+    let blanks = line.iter().rev().filter(|sign| **sign != b' ');
+    blanks.take(more).filter(|sign| **sign == delimiter).count() == more
 }
 
 fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {

@@ -12,6 +12,9 @@ use std::ops::Range;
 /// threads that read numbers.
 const BUFFER_BYTES: usize = 16 * LINE_BYTES_MAX;
 
+/// Lines at the beginning of a file among which a comment may be the heading.
+const COMMENTS_MOST: u64 = 200;
+
 /// Reader of lines with content; comments (`#`) and empty lines are skipped but counted.
 pub(crate) struct Lines<R> {
     source: Utf8<R>,
@@ -27,6 +30,8 @@ pub(crate) struct Lines<R> {
     end: Option<u8>,
     /// The rest of a line that is too long must still be skipped.
     in_long: bool,
+    /// The last comment before the current line, without its `#`, at the beginning of the file.
+    comment: Option<(u64, Vec<u8>)>,
 }
 
 impl<R: Read> Lines<R> {
@@ -41,6 +46,7 @@ impl<R: Read> Lines<R> {
             failed: None,
             end: None,
             in_long: false,
+            comment: None,
         }
     }
 
@@ -61,13 +67,23 @@ impl<R: Read> Lines<R> {
 
     /// Advances to the next line with content; returns `false` at the end.
     pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
+        self.comment = None;
         while self.next_physical()? {
+            let line = self.line();
+            if let Some(comment) = line.strip_prefix(b"#").filter(|_| self.number <= COMMENTS_MOST) {
+                self.comment = Some((self.number, comment.trim_ascii().to_vec()));
+            }
             let line = self.line();
             if !line.starts_with(b"#") && !line.iter().all(u8::is_ascii_whitespace) {
                 return Ok(true);
             }
         }
         Ok(false)
+    }
+
+    /// Returns the comment right before the current line, without its `#`.
+    pub(crate) fn comment(&self) -> Option<&(u64, Vec<u8>)> {
+        self.comment.as_ref()
     }
 
     /// Returns the line ending; valid once the first line was read.

@@ -49,11 +49,25 @@ pub enum Foreign {
     Sqlite,
     /// PDF.
     Pdf,
+    /// Text or data packed with bzip2, xz or 7-Zip.
+    Packed,
+    /// An array of NumPy.
+    Npy,
+    /// JSON, also one value a line.
+    Json,
+    /// XML or HTML, as some programs write it for a workbook.
+    Markup,
+    /// ORC.
+    Orc,
+    /// Avro.
+    Avro,
+    /// Text in UTF-32.
+    Utf32,
 }
 
 impl Foreign {
     /// The formats, in the order of their detection.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 17] = [
         Self::Zip,
         Self::Xls,
         Self::Mat,
@@ -64,11 +78,18 @@ impl Foreign {
         Self::Bag,
         Self::Sqlite,
         Self::Pdf,
+        Self::Packed,
+        Self::Npy,
+        Self::Json,
+        Self::Markup,
+        Self::Orc,
+        Self::Avro,
+        Self::Utf32,
     ];
 }
 
 /// First bytes of a file and the content they indicate.
-const MARKS: [(&[u8], Content); 16] = [
+const MARKS: [(&[u8], Content); 25] = [
     (b"PAR1", Content::Parquet),
     (b"\x1f\x8b", Content::Packed(Packing::Gzip)),
     (b"\x28\xb5\x2f\xfd", Content::Packed(Packing::Zstd)),
@@ -85,7 +106,31 @@ const MARKS: [(&[u8], Content); 16] = [
     (b"\x89MCAP0", Content::Foreign(Foreign::Bag)),
     (b"SQLite format 3", Content::Foreign(Foreign::Sqlite)),
     (b"%PDF-", Content::Foreign(Foreign::Pdf)),
+    (b"BZh", Content::Foreign(Foreign::Packed)),
+    (b"\xfd7zXZ\0", Content::Foreign(Foreign::Packed)),
+    (b"7z\xbc\xaf\x27\x1c", Content::Foreign(Foreign::Packed)),
+    (b"\x93NUMPY", Content::Foreign(Foreign::Npy)),
+    (b"ORC", Content::Foreign(Foreign::Orc)),
+    (b"Obj\x01", Content::Foreign(Foreign::Avro)),
+    (b"\xff\xfe\0\0", Content::Foreign(Foreign::Utf32)),
+    (b"\0\0\xfe\xff", Content::Foreign(Foreign::Utf32)),
+    (b"<?xml", Content::Foreign(Foreign::Markup)),
 ];
+
+/// Returns the format of a text that begins like JSON, XML or HTML: a bracket before a quote or another bracket, a tag.
+fn marked_up(head: &[u8]) -> Option<Foreign> {
+    let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start();
+    let (first, rest) = text.split_first()?;
+    let next = rest.trim_ascii_start().first();
+    match first {
+        b'{' if next == Some(&b'"') => Some(Foreign::Json),
+        b'[' if next.is_some_and(|next| b"[{".contains(next)) => Some(Foreign::Json),
+        b'<' if rest.first().is_some_and(|sign| sign.is_ascii_alphabetic() || b"?!".contains(sign)) => {
+            Some(Foreign::Markup)
+        }
+        _ => None,
+    }
+}
 
 /// Number of bytes examined.
 const HEAD: u64 = 16;
@@ -110,7 +155,8 @@ fn sniffed(mut source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
     let mut head = Vec::new();
     let _ = source.by_ref().take(HEAD).read_to_end(&mut head)?;
     let found = MARKS.iter().find(|(mark, _)| head.starts_with(mark));
-    let content = found.map_or(Content::Text, |(_, content)| *content);
+    let text = || marked_up(&head).map_or(Content::Text, Content::Foreign);
+    let content = found.map_or_else(text, |(_, content)| *content);
     Ok((content, Cursor::new(head).chain(source)))
 }
 
@@ -234,8 +280,32 @@ mod tests {
     }
 
     #[test]
+    fn other_formats_are_known_by_their_beginning() {
+        for (text, format) in [
+            (&b"BZh91AY&SY"[..], Foreign::Packed),
+            (b"\xfd7zXZ\0\0\x04", Foreign::Packed),
+            (b"7z\xbc\xaf\x27\x1c\0\x04", Foreign::Packed),
+            (b"\x93NUMPY\x01\0v\0{", Foreign::Npy),
+            (b"{\"t\": [0, 1]}", Foreign::Json),
+            (b"{ \"t\":0}\n{\"t\":1}", Foreign::Json),
+            (b"[\n  {\"t\": 0}]", Foreign::Json),
+            (b"[[0, 1], [0, 2]]", Foreign::Json),
+            (b"<?xml version=\"1.0\"?>", Foreign::Markup),
+            (b"\xef\xbb\xbf<html>", Foreign::Markup),
+            (b"<!DOCTYPE html>", Foreign::Markup),
+            (b"\n<table>", Foreign::Markup),
+            (b"ORC\x08\x01", Foreign::Orc),
+            (b"Obj\x01\x04", Foreign::Avro),
+            (b"\xff\xfe\0\0t\0\0\0", Foreign::Utf32),
+        ] {
+            let (content, _) = sniffed(Box::new(Cursor::new(text.to_vec()))).unwrap();
+            assert_eq!(content, Content::Foreign(format), "{text:?}");
+        }
+    }
+
+    #[test]
     fn a_text_is_a_text_however_short() {
-        for text in ["", "t", "t;q\n", "PA", "Zeit"] {
+        for text in ["", "t", "t;q\n", "PA", "Zeit", "[s];[deg]\n", "{t};{q}\n", "<1;2\n", "OR", "B"] {
             let (content, mut source) = sniffed(Box::new(Cursor::new(text.as_bytes().to_vec()))).unwrap();
             let mut found = String::new();
             source.read_to_string(&mut found).unwrap();

@@ -13,9 +13,9 @@ fn fault(dimension: Dimension, text: &str) -> QuantityError {
 
 #[test]
 fn messages_and_hints_speak_both_languages() {
-    let units_en = "units of torque: N m, kN m, mN m, N cm, N mm, lbf in, lbf ft, ozf in, kgf m, kgf cm, gf cm";
-    let units_de =
-        "Einheiten für Drehmoment: N m, kN m, mN m, N cm, N mm, lbf in, lbf ft, ozf in, kgf m, kgf cm, gf cm";
+    let units_en =
+        "units of torque: N m, kN m, daN m, mN m, N cm, cN m, N mm, lbf in, lbf ft, ozf in, kgf m, kgf cm, gf cm";
+    let units_de = "Einheiten für Drehmoment: N m, kN m, daN m, mN m, N cm, cN m, N mm, lbf in, lbf ft, ozf in, kgf m, kgf cm, gf cm";
     for (text, message, hint) in [
         (
             "",
@@ -92,11 +92,11 @@ fn the_nearest_unit_is_reported_with_those_that_are_valid() {
     let fault = fault(Dimension::Force, "5 kn");
     assert_eq!(
         quantity_hint(&fault, Language::En).unwrap(),
-        "did you mean \"kN\"? units of force: N, kN, MN, mN, lbf, kgf, ozf"
+        "did you mean \"kN\"? units of force: N, kN, daN, MN, mN, lbf, kgf, gf, ozf"
     );
     assert_eq!(
         quantity_hint(&fault, Language::De).unwrap(),
-        "gemeint ist vielleicht „kN“; Einheiten für Kraft: N, kN, MN, mN, lbf, kgf, ozf"
+        "gemeint ist vielleicht „kN“; Einheiten für Kraft: N, kN, daN, MN, mN, lbf, kgf, gf, ozf"
     );
 }
 

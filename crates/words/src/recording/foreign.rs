@@ -50,6 +50,37 @@ pub(super) fn foreign(format: Foreign, language: Language) -> (String, String) {
             said!(language => "a PDF" | "ein PDF"),
             said!(language => "a table of numbers is needed" | "nötig ist eine Tabelle aus Zahlen"),
         ),
+        Foreign::Packed => (
+            said!(language => "packed with bzip2, xz or 7-Zip" | "mit bzip2, xz oder 7-Zip gepackt"),
+            said!(language => "unpack it, or pack it with gzip or Zstandard" | "entpacken oder mit gzip oder Zstandard packen"),
+        ),
+        Foreign::Npy => (
+            said!(language => "an array of NumPy (.npy)" | "ein Feld von NumPy (.npy)"),
+            said!(language =>
+                "in Python: np.savetxt(\"run.csv\", a, delimiter=\",\", header=\"t [s],q [deg]\")"
+                | "in Python: np.savetxt(\"run.csv\", a, delimiter=\",\", header=\"t [s],q [deg]\")"
+            ),
+        ),
+        Foreign::Json => (
+            said!(language => "JSON" | "JSON"),
+            said!(language => "export the columns as CSV or Parquet" | "die Spalten als CSV oder Parquet ausgeben"),
+        ),
+        Foreign::Markup => (
+            said!(language => "XML or HTML, whatever its name" | "XML oder HTML, gleich wie die Datei heißt"),
+            said!(language => "export the table as CSV" | "die Tabelle als CSV ausgeben"),
+        ),
+        Foreign::Orc => (
+            said!(language => "an ORC file" | "eine ORC-Datei"),
+            said!(language => "save the table as Parquet" | "die Tabelle als Parquet speichern"),
+        ),
+        Foreign::Avro => (
+            said!(language => "an Avro file" | "eine Avro-Datei"),
+            said!(language => "save the table as Parquet" | "die Tabelle als Parquet speichern"),
+        ),
+        Foreign::Utf32 => (
+            said!(language => "text in UTF-32" | "Text in UTF-32"),
+            said!(language => "save it as UTF-8" | "als UTF-8 speichern"),
+        ),
     };
     (what, remedy)
 }

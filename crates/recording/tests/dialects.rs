@@ -1,0 +1,128 @@
+//! Exports of tools that differ from a plain table: trends, lines of notes, headings in comments, empty cells at the end.
+
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use recording::{ColumnSpec, Fault, Layout, Recording, read_csv};
+
+/// Number of samples, 2 ms apart.
+const COUNT: u64 = 2_000;
+
+fn read(text: &str, layout: &Layout) -> Result<Recording, Vec<Fault>> {
+    read_csv(text.as_bytes(), layout)
+}
+
+fn position(k: u64) -> f64 {
+    90.0 * (1.0 - (k as f64 * 2e-3).cos())
+}
+
+/// Checks times and positions against those of the samples.
+fn check(recording: &Recording, what: &str) {
+    assert_eq!(recording.time_s.len() as u64, COUNT, "{what}");
+    let positions = &recording.course.position.as_ref().unwrap().values;
+    for (k, (time, found)) in (0..).zip(recording.time_s.iter().zip(positions.iter())) {
+        assert!((time - 2e-3 * k as f64).abs() < 1e-9, "{what}: {time} s in row {k}");
+        assert!((found - position(k).to_radians()).abs() < 1e-6, "{what}: {found} rad in row {k}");
+    }
+}
+
+/// Every form of a clock, over midnight: the samples begin 2 s before it.
+#[test]
+fn clocks_of_every_form_count_the_same_times() {
+    let part = |k: u64| (k * 2) % 1000;
+    let time = |k: u64, between: char| match k {
+        0..1000 => format!("23:59:{}{between}{:03}", 58 + k / 500, part(k)),
+        _ => format!("00:00:{:02}{between}{:03}", k / 500 - 2, part(k)),
+    };
+    let day = |k: u64, first: u64| first + k / 1000;
+    let forms: [(&str, &dyn Fn(u64) -> String); 13] = [
+        ("ISO", &|k| format!("2025-03-{} {}", day(k, 14), time(k, '.'))),
+        ("UTC", &|k| format!("2025-03-{} {} UTC", day(k, 14), time(k, '.'))),
+        ("two digits of the year", &|k| format!("{}.03.25 {}", day(k, 14), time(k, ','))),
+        ("day and month", &|k| format!("{}/03/2025 {}", day(k, 14), time(k, '.'))),
+        ("day and month over the end of a month", &|k| {
+            format!("{}/2025 {}", if k < 1000 { "31/03" } else { "01/04" }, time(k, '.'))
+        }),
+        ("month and day over the end of a month", &|k| {
+            format!("{}/2025 {}", if k < 1000 { "03/31" } else { "04/01" }, time(k, '.'))
+        }),
+        ("the order shows late", &|k| format!("{}/04/2025 {}", day(k, 12), time(k, '.'))),
+        ("name of the month", &|k| format!("{}-Mar-2025 {}", day(k, 14), time(k, '.'))),
+        ("colon before the milliseconds", &|k| time(k, ':')),
+        ("duration of pandas", &|k| format!("{} days {}", day(k, 0), time(k, '.'))),
+        ("duration of Python", &|k| format!("{} day, {}", day(k, 0), time(k, '.'))),
+        ("minutes and seconds", &|k| format!("{:02}:{:02},{:03}", 59 - 59, k / 500, part(k))),
+        ("time of day", &|k| time(k, '.')),
+    ];
+    for (what, form) in forms {
+        let rows: String = (0..COUNT).map(|k| format!("{}\t{:.9}\n", form(k), position(k))).collect();
+        let text =
+            format!("Time\tq [deg]\n{}", if what.starts_with("minutes") { rows.replace('.', ",") } else { rows });
+        match read(&text, &Layout::default()) {
+            Ok(recording) => check(&recording, what),
+            Err(faults) => panic!("{what}: {faults:?}"),
+        }
+    }
+}
+
+/// A trend of Rockwell: lines about the file, the date in a column of its own, milliseconds behind a semicolon.
+#[test]
+fn a_trend_of_rockwell_is_read() {
+    let rows: String = (0..COUNT)
+        .map(|k| format!("Data: ,3/14/2025,10:11:{};{},{:.9}\n", 12 + k / 500, (k * 2) % 1000, position(k)))
+        .collect();
+    let text = format!(
+        "Controller Name: ,PLC1\nTrend Tags: ,2\nSample Period: ,2 ms\nStart Time: ,\"Friday, March 14, 2025 10:11:12 AM\"\n\
+         Header: ,Date,Time,Axis1.ActualPosition\n{rows}"
+    );
+    let unit = quantities::Unit::of("deg");
+    let layout = Layout { position: ColumnSpec { unit, ..ColumnSpec::default() }, ..Layout::default() };
+    check(&read(&text, &layout).unwrap(), "Rockwell");
+}
+
+/// catman: names, units and a line of notes above the rows.
+#[test]
+fn a_line_of_notes_below_the_units_is_passed_over() {
+    let rows: String = (0..COUNT).map(|k| format!("{:.3}\t{:.9}\t0\n", 2e-3 * k as f64, position(k))).collect();
+    let text =
+        format!("File\t\nCreated\t14.03.2025\n\nZeit\tWinkel\tTemperatur\ns\tdeg\t°C\nkein Startoffset\t\t\n{rows}");
+    check(&read(&text, &Layout::default()).unwrap(), "catman");
+}
+
+/// The heading in a comment, as NumPy writes it.
+#[test]
+fn a_comment_above_numbers_is_their_heading() {
+    let rows: String = (0..COUNT).map(|k| format!("{:e},{:e}\n", 2e-3 * k as f64, position(k))).collect();
+    for before in ["", "# run 7\n", "# a, b, c\n"] {
+        check(&read(&format!("{before}# t [s],q [deg]\n{rows}"), &Layout::default()).unwrap(), before);
+    }
+    // A comment that is no heading leaves the file without one.
+    for other in ["# run 7", "# a,b", "# t [s],q [deg],n [1/min]", "# t [s],q [deg]\n# run 7"] {
+        let faults = read(&format!("{other}\n{rows}"), &Layout::default()).unwrap_err();
+        assert!(matches!(faults.as_slice(), [Fault::HeadingMissing { .. }]), "{other}: {faults:?}");
+    }
+}
+
+/// Empty cells at the end of the rows or of the heading only.
+#[test]
+fn empty_cells_at_the_end_count_for_nothing() {
+    for delimiter in [";", "\t", ","] {
+        for (heading, row) in [("", delimiter), (delimiter, ""), ("", ";;;"), (";;", ""), (delimiter, delimiter)] {
+            let (heading, row) = (heading.replace(';', delimiter), row.replace(';', delimiter));
+            let line = |k: u64| format!("{:.3}{delimiter}{:.9}{row}\n", 2e-3 * k as f64, position(k));
+            let rows: String = (0..COUNT).map(line).collect();
+            let text = format!("t [s]{delimiter}q [deg]{heading}\n{rows}");
+            match read(&text, &Layout::default()) {
+                Ok(recording) => check(&recording, &format!("{heading:?} {row:?}")),
+                Err(faults) => panic!("{heading:?} {row:?}: {faults:?}"),
+            }
+            // A cell with content is one too many, unless a nameless column holds it.
+            if !heading.is_empty() {
+                continue;
+            }
+            let text =
+                text.replacen(&line(7), &format!("{}x\n", line(7).trim_end_matches('\n').to_owned() + delimiter), 1);
+            let faults = read(&text, &Layout::default()).unwrap_err();
+            assert!(faults.iter().any(|fault| matches!(fault, Fault::Ragged { line: 9, .. })), "{faults:?}");
+        }
+    }
+}
