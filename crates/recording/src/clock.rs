@@ -184,7 +184,7 @@ fn offset(time: &str) -> Option<(&str, i64)> {
 const MONTHS: [&[&str]; 12] = [
     &["jan"],
     &["feb"],
-    &["mar", "mär", "mrz"],
+    &["mar", "m\u{e4}r", "mrz"],
     &["apr"],
     &["may", "mai"],
     &["jun"],
