@@ -462,35 +462,6 @@ impl Fault {
     }
 }
 
-/// Hint that adds to the fault.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Hint {
-    /// A valid line.
-    Example(String),
-    /// The name that was probably meant.
-    DidYouMean(String),
-    /// List of the valid names.
-    ValidAre(Vec<String>),
-    /// A bare number with a unit behind it.
-    WithUnit {
-        /// The number as written.
-        written: String,
-        /// Dimension of the key.
-        dimension: Dimension,
-    },
-    /// The mechanisms from which loads on the flange follow.
-    MechanismsWithLoads,
-    /// Ways to make a recorded cycle close.
-    CloseTheRecording,
-}
-
-impl Hint {
-    /// Creates the list of the valid names.
-    pub(crate) fn valid(names: &[&str]) -> Self {
-        Self::ValidAre(names.iter().map(|name| (*name).to_owned()).collect())
-    }
-}
-
 /// Permissible range of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Range {

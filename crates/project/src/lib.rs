@@ -14,6 +14,7 @@ mod fault;
 mod flange;
 mod gearing;
 mod heading;
+mod hint;
 mod ids;
 mod inputs;
 mod key;
@@ -38,6 +39,7 @@ mod tabular;
 mod tolerance;
 mod twin;
 mod value;
+mod web;
 
 /// Names of the keys of each section, by which their texts are found.
 pub mod names {
@@ -63,9 +65,10 @@ pub use curves::OwnCatalogue;
 pub use diagnostic::{Diagnostic, place};
 pub use drawn::drawn_figures;
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
-pub use fault::{Expected, Fault, FileTrouble, Hint, Range, Unopened};
+pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
 pub use gearing::Gearing;
 pub use heading::{Counted, Heading, Objection};
+pub use hint::Hint;
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{Column, Key, Kind, Variants, example};
 pub use label::input_label;

@@ -476,6 +476,9 @@ pub(crate) fn turned<Q: Turning>(stated: &Stated<Along<Q>>, travel: Option<f64>,
 pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -> Option<(Motion, Vec<Extra>)> {
     let segments = axis.parts.motion.get()?.0.as_slice();
     let travel = load.mechanism.travel_m_per_rad();
+    if crate::web::is_along_a_web(segments, &load.mechanism.kind, reader) {
+        return None;
+    }
     let specs: Vec<Option<SegmentSpec>> = segments.iter().map(|segment| segment.spec(travel, reader)).collect();
     for segment in segments {
         without_effect(segment, load, reader);
@@ -557,15 +560,14 @@ fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
 /// Reports a payload that no part carries and a force without a line, which would otherwise be ignored silently.
 fn without_effect(segment: &Segment, load: &Load, reader: &mut Reader<'_>) {
     let Effects { payload: carries, payload_inertia: turns, process_force: has_line } = load.mechanism.effects();
-    let of_payload = if turns { "payload_inertia, or payload_distance" } else { "process_torque" };
-    let fields: [(&dyn Field, bool, &str); 3] = [
+    let of_payload: &[&str] = if turns { &["payload_inertia", "payload_distance"] } else { &["process_torque"] };
+    let fields: [(&dyn Field, bool, &[&str]); 3] = [
         (&segment.payload, carries, of_payload),
-        (&segment.payload_inertia, turns, "process_torque"),
-        (&segment.process_force, has_line, "process_torque"),
+        (&segment.payload_inertia, turns, &["process_torque"]),
+        (&segment.process_force, has_line, &["process_torque"]),
     ];
     for (field, _, instead) in fields.into_iter().filter(|(field, effect, _)| field.is_given() && !effect) {
-        let hint = Hint::DidYouMean(instead.to_owned());
-        reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(hint));
+        reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(Hint::instead(instead)));
     }
 }
 

@@ -35,6 +35,17 @@ pub(crate) fn meant(written: &str, keys: &'static [Key]) -> Option<Hint> {
     keys.iter().find(has).map(|key| Hint::DidYouMean(format!("{} = \"{written}\"", key.name)))
 }
 
+/// Returns the table of an axis that has a key, if only one has it.
+pub(crate) fn in_another_table(written: &str) -> Option<Hint> {
+    let named = |keys: &'static [Key]| keys.iter().find(|key| key.name == written).map(|key| key.name);
+    let mut found = crate::root::KEYS.iter().filter_map(|table| {
+        let is_list = matches!(table.kind, Kind::Variants(_));
+        let heading = if is_list { format!("[[{}]]", table.name) } else { format!("[{}]", table.name) };
+        Some(Hint::KeyOfTable { key: named(table.kind.keys(true))?, table: heading })
+    });
+    found.next().filter(|_| found.next().is_none())
+}
+
 /// Returns "did you mean …", or the whole list if no name is near.
 pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
     let written = shortened(written, WORD_SHOWN);
@@ -75,6 +86,11 @@ mod tests {
         assert!(of_dwell.contains(&meant("law = \"dwell\"")), "{of_dwell:?}");
         let is_list = |hint: &Hint| matches!(hint, Hint::ValidAre(words) if words.iter().any(|word| word == "dwell"));
         assert!(of_dwell.iter().any(is_list), "{of_dwell:?}");
+        // A key of another table is named with it.
+        let text = "format = 1\n[mechanism.hoist]\npayload = \"5 kg\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
+        let faults = Project::read(text, &|_, _| None).unwrap_err();
+        let motion = Hint::KeyOfTable { key: "payload", table: "[[motion]]".to_owned() };
+        assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&motion)), "{faults:?}");
         // A name without a meaning in this table is still in the list.
         assert!(hints("voltage = \"560 V\"").iter().all(|hint| !matches!(hint, Hint::DidYouMean(_))));
     }

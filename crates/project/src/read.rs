@@ -3,7 +3,7 @@
 use crate::bodies::BodySection;
 use crate::inputs::Input;
 use crate::key::{Key, Kind, Variants, example};
-use crate::nearest::{meant, nearest};
+use crate::nearest::{in_another_table, meant, nearest};
 use crate::section::{Fields, Section};
 use crate::stated::Head;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
@@ -157,7 +157,9 @@ impl<'t> Reader<'t> {
         let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
         let fault = Fault::UnknownKey { path: joined(path, &shortened(name.get_ref(), WORD_SHOWN)) };
         let hint = self.nearest(name.get_ref(), &names).map(|near| match near {
-            Hint::ValidAre(_) => meant(name.get_ref(), keys).unwrap_or(near),
+            Hint::ValidAre(_) => {
+                meant(name.get_ref(), keys).or_else(|| in_another_table(name.get_ref())).unwrap_or(near)
+            }
             near => near,
         });
         self.fault(name.span(), fault, hint);

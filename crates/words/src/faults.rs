@@ -377,6 +377,12 @@ pub fn hint_text(hint: &Hint, language: Language) -> String {
             "flange loads can be derived from every mechanism except table and joint"
             | "Flanschlasten lassen sich aus jeder Mechanik außer table und joint ableiten"
         ),
+        Hint::KeyOfTable { key, table } => said!(language =>
+            "`{key}` is a key of {table}" | "`{key}` gehört in {table}"
+        ),
+        Hint::WebOfWinder { web_m_s, start_m, core_m } => {
+            crate::motion::web_of_winder(*web_m_s, [*start_m, *core_m], language)
+        }
         Hint::CloseTheRecording => said!(language =>
             "choose the window with from and to, state standstill, or state single_move = true under [axis]"
             | "das Fenster mit from und to wählen, standstill angeben oder unter [axis] single_move = true angeben"

@@ -59,7 +59,7 @@ pub enum Usage {
 }
 
 /// Remedies for a fault of a call.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum UsageHint {
     /// A similar word, or all valid words.
     Words(Hint),

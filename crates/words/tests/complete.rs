@@ -489,6 +489,9 @@ fn faults_and_hints() {
         Hint::WithUnit { written: "1".to_owned(), dimension: SECOND.dimension },
         Hint::MechanismsWithLoads,
         Hint::CloseTheRecording,
+        Hint::KeyOfTable { key: "payload", table: "[[motion]]".to_owned() },
+        Hint::WebOfWinder { web_m_s: Some(0.4), start_m: 0.4, core_m: 0.076 },
+        Hint::WebOfWinder { web_m_s: None, start_m: 0.4, core_m: 0.076 },
     ];
     for hint in &hints {
         differ(&format!("{hint:?}"), |language| words::hint_text(hint, language));

@@ -1,0 +1,56 @@
+//! Remedies of faults.
+
+use quantities::Dimension;
+
+/// Hint that adds to the fault.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Hint {
+    /// A valid line.
+    Example(String),
+    /// The name that was probably meant.
+    DidYouMean(String),
+    /// List of the valid names.
+    ValidAre(Vec<String>),
+    /// A bare number with a unit behind it.
+    WithUnit {
+        /// The number as written.
+        written: String,
+        /// Dimension of the key.
+        dimension: Dimension,
+    },
+    /// The mechanisms from which loads on the flange follow.
+    MechanismsWithLoads,
+    /// Ways to make a recorded cycle close.
+    CloseTheRecording,
+    /// A key of another table.
+    KeyOfTable {
+        /// Key.
+        key: &'static str,
+        /// Heading of the table: `[[motion]]`.
+        table: String,
+    },
+    /// The turns of a winder for a length or speed of its web.
+    WebOfWinder {
+        /// Speed of the web \[m/s\], if the value is one.
+        web_m_s: Option<f64>,
+        /// Diameter at the start \[m\].
+        start_m: f64,
+        /// Diameter of the core \[m\].
+        core_m: f64,
+    },
+}
+
+impl Hint {
+    /// Creates a proposal of one name, or of several.
+    pub(crate) fn instead(names: &[&str]) -> Self {
+        match names {
+            [only] => Self::DidYouMean((*only).to_owned()),
+            several => Self::valid(several),
+        }
+    }
+
+    /// Creates the list of the valid names.
+    pub(crate) fn valid(names: &[&str]) -> Self {
+        Self::ValidAre(names.iter().map(|name| (*name).to_owned()).collect())
+    }
+}

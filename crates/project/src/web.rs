@@ -1,0 +1,28 @@
+//! Lengths and speeds of the web of a winder, whose diameter changes with every turn.
+
+use crate::motion::Segment;
+use crate::read::Reader;
+use crate::section::Fields;
+use crate::stated::Field;
+use crate::{Fault, Hint};
+use mechanism::MechanismKind;
+use quantities::Measure;
+
+/// Reports values along the web, with the turns of the roll that they are; returns `true` if there are some.
+pub(crate) fn is_along_a_web(segments: &[Segment], kind: &MechanismKind, reader: &mut Reader<'_>) -> bool {
+    let MechanismKind::Winder(winder) = kind else { return false };
+    let mut found = false;
+    for segment in segments {
+        for field in segment.fields().into_iter().filter(|field| field.is_of_a_line()) {
+            let speed = segment.speed.value().filter(|_| field.name() == segment.speed.name());
+            let hint = Hint::WebOfWinder {
+                web_m_s: speed.map(|speed| speed.si),
+                start_m: winder.start_diameter.si(),
+                core_m: winder.core_diameter.si(),
+            };
+            reader.fault(field.span(), Fault::NoLine { path: field.name().to_owned() }, Some(hint));
+            found = true;
+        }
+    }
+    found
+}
