@@ -215,6 +215,47 @@ fn every_wrong_cell_of_a_run_is_reported() {
     assert!(!lacking[0].contains("acceleration"), "{lacking:?}");
 }
 
+/// Headings of other loggers are answered with the content of the file and what to write, a preamble with its last line,
+/// dates with one fault, and separators of thousands are found.
+#[test]
+fn what_to_write_for_a_foreign_run_is_said() {
+    let text = arm("2.4 kg m^2", "5 kg", "");
+    let refused = |trace: &str| {
+        let (patience, files) = (Patience::endless(), One(trace.to_owned()));
+        let asked = asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &patience);
+        let faults = identify::found(&asked).unwrap_err().faults(None, Language::En).errors;
+        faults.into_iter().map(|fault| fault.message).collect::<Vec<_>>()
+    };
+    let holds = |trace: &str, parts: &[&str]| {
+        let all = refused(trace);
+        assert_eq!(all.len(), 1, "{all:?}");
+        for part in parts {
+            assert!(all[0].contains(part), "{part}: {all:?}");
+        }
+    };
+    holds(
+        "time [s],position [deg],motor speed [rad/s],torque [Nm],i_q [A]\n0,0,0,0,0\n",
+        &[
+            "time_s for",
+            "position_rad for",
+            "times 0.0174533",
+            "motor_speed_rad_s for",
+            "torque_nm for",
+            "current_q_a for",
+        ],
+    );
+    holds(
+        "time_ms;position_deg;Motordrehzahl (1/min);torque_nm;current_q_a\n0;0;0;0;0\n",
+        &["time_ms", "times 0.001", "times 0.0174533", "times 0.10472"],
+    );
+    let head = "time_s;position_rad;motor_speed_rad_s;torque_nm;current_q_a\n";
+    holds(&format!("Drive trace 14.03.2025\nsample time;1 ms\n\n{head}0;0;0;0;0\n"), &["line 4", "1 to 3"]);
+    let rows: String = (0..50).map(|k| format!("2025-03-14T10:00:00.{k:03};0;0;0;0\n")).collect();
+    holds(&format!("{head}{rows}"), &["line 2", "2025-03-14T10:00:00.000", "seconds"]);
+    let rows: String = (996..1010).map(|k| format!("{k};0;0;{};0\n", if k < 1000 { "998" } else { "1.002" })).collect();
+    holds(&format!("{head}{rows}"), &["1.002", "thousands", "torque_nm"]);
+}
+
 /// What a run at the limit of the current does not say is said.
 #[test]
 fn a_run_at_the_limit_says_what_it_leaves_open() {

@@ -3,11 +3,12 @@
 use crate::ahead::delimiter;
 use crate::csv::Cells;
 use crate::encoding;
-use crate::faults::Fault;
+use crate::faults::{Fault, excerpt};
 use crate::limits::{COLUMNS_MAX, Limit};
 use crate::lines::Lines;
 use crate::number::{Decimals, finite};
 use crate::series::Encoding;
+use crate::thousands::Thousands;
 use std::io::Read;
 
 /// Rows of a table under its headings, read one after the other in a bounded buffer.
@@ -19,6 +20,7 @@ pub struct Records<R> {
     cells: Cells,
     headings: Vec<String>,
     decimals: Decimals,
+    thousands: Thousands,
     is_utf8: bool,
 }
 
@@ -33,6 +35,7 @@ impl<R: Read> Records<R> {
             cells: Cells::new(b','),
             headings: Vec::new(),
             decimals: Decimals::PointAlways,
+            thousands: Thousands::default(),
             is_utf8: true,
         };
         if !records.lines.advance()? {
@@ -106,17 +109,36 @@ impl<R: Read> Records<R> {
         })
     }
 
-    /// Passes each number of the row to `put`, `None` for a cell that is no finite number; as many as there are headings.
+    /// Returns the line of the row as text.
+    pub fn text(&self) -> String {
+        encoding::text(self.lines.line()).into_owned()
+    }
+
+    /// Returns the fault of a column with a heading that `is_used` whose numbers may have separators of thousands:
+    /// `998`, `1.002`.
+    pub fn thousands(&self, is_used: impl Fn(usize) -> bool) -> Option<Fault> {
+        let found = self.thousands.mixed().find(|found| is_used(found.column))?;
+        let column = excerpt(self.headings.get(found.column)?);
+        Some(Fault::ThousandsPossible { line: found.place, column, text: found.text.clone() })
+    }
+
+    /// Passes each number of the row with its text to `put`, `None` for a cell that is no finite number; as many as there are headings.
     /// Where commas do not separate the cells the numbers may have decimal commas, all or none.
     ///
     /// # Errors
     /// As [`Records::row`].
-    pub fn numbers(&mut self, mut put: impl FnMut(usize, Option<f64>)) -> Result<(), Fault> {
+    pub fn numbers(&mut self, mut put: impl FnMut(usize, Option<f64>, &str)) -> Result<(), Fault> {
         let (line, mut decimals) = (self.lines.number(), self.decimals);
-        self.row(|column, cell| {
+        let mut thousands = std::mem::take(&mut self.thousands);
+        let read = self.row(|column, cell| {
             let number = decimals.plain(cell.as_bytes(), line).and_then(|text| finite(&text));
-            put(column, number.ok());
-        })?;
+            put(column, number.ok(), cell);
+            if decimals != Decimals::PointAlways {
+                thousands.note(column, cell, line);
+            }
+        });
+        self.thousands = thousands;
+        read?;
         self.decimals = decimals;
         Ok(())
     }
@@ -240,7 +262,7 @@ mod tests {
             let mut rows = Vec::new();
             while records.advance().unwrap() {
                 let mut row = Vec::new();
-                records.numbers(|_, number| row.push(number)).unwrap();
+                records.numbers(|_, number, _| row.push(number)).unwrap();
                 rows.push((records.line(), row));
             }
             rows

@@ -41,6 +41,17 @@ texts! {
     time_not_rising(line) =
         "line {line}: the time is not later than that of the previous row"
         | "Zeile {line}: die Zeit liegt nicht nach der Zeit der vorigen Zeile";
+    columns_of_the_file(columns) = "; the file has {columns}" | "; die Datei hat {columns}";
+    headings_to_write(headings) = "; write {headings}" | "; {headings} schreiben";
+    heading_instead(heading, written) = "{heading} for {written}" | "{heading} statt {written}";
+    heading_with_factor(heading, written, factor) =
+        "{heading} for {written}, its values times {factor}" | "{heading} statt {written}, die Werte mal {factor}";
+    headings_below(line, before) =
+        "; line {line} holds headings of a run: delete lines 1 to {before}, or begin each with #"
+        | "; Zeile {line} enthält Überschriften eines Laufs: Zeilen 1 bis {before} löschen oder jede mit # beginnen";
+    time_of_day(line, written) =
+        "line {line}: {written} in time_s is a date or a time of day: write seconds as numbers, in every row"
+        | "Zeile {line}: {written} in time_s ist ein Datum oder eine Uhrzeit: in jeder Zeile Sekunden als Zahl schreiben";
     out_of_range(line, column, value, most) =
         "line {line}: {value} in {column} is out of range, at most ±{most}"
         | "Zeile {line}: {value} in {column} liegt außerhalb des Bereichs, höchstens ±{most}";

@@ -1,5 +1,6 @@
 //! `identify TRACE PROJECT`: load, friction and torque constant from a recorded run.
 
+mod headings;
 mod reading;
 
 use super::given::{arguments, some_code_among, text};

@@ -155,15 +155,17 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares) -
     if !is_wrong && of_load.is_none() {
         return None;
     }
+    // Two entries of a project that are off alike may be a coincidence: the motor must agree better, too.
+    let is_better = |slopes: &Slopes| slopes.admits(SCATTER) && slopes.cost() < plain.cost();
     let value = |column, factor: f64| if column == Column::Torque { factor } else { 1.0 / factor };
     let named = conventions(tabulated.ratio)
         .into_iter()
         .filter_map(|(column, misread, factor)| {
             let torque = if column == Column::Torque { factor } else { 1.0 };
             // Without a contradiction of the motor only the load speaks, of the torque.
-            let near = of_load.is_some_and(|scale| (scale / torque).ln().abs() < 2.0 * ALIKE);
+            let near = of_load.is_some_and(|scale| (scale / torque).ln().abs() < ALIKE);
             let slopes = Slopes::of(&equations, tabulated, scaled(column, factor));
-            let fits = if is_wrong { slopes.confirms() } else { near && slopes.admits(SCATTER) };
+            let fits = if is_wrong { slopes.confirms() } else { near && is_better(&slopes) };
             fits.then(|| (slopes.cost() + contradiction(shares, torque), column, misread, factor))
         })
         .min_by(|a, b| a.0.total_cmp(&b.0));
@@ -171,9 +173,9 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares) -
         return Some(Doubt { column, misread, value: value(column, factor) });
     }
     if !is_wrong {
-        let factor = of_load
-            .filter(|factor| Slopes::of(&equations, tabulated, scaled(Column::Torque, *factor)).admits(SCATTER))?;
-        return Some(Doubt { column: Column::Torque, misread: Misread::Other, value: factor });
+        let is_scale = |factor: &f64| is_better(&Slopes::of(&equations, tabulated, scaled(Column::Torque, *factor)));
+        let value = of_load.filter(|_| shares.payload.is_some()).filter(is_scale)?;
+        return Some(Doubt { column: Column::Torque, misread: Misread::Other, value });
     }
     let [tied, loose] = plain.all;
     let ratio = |slope: Option<Share>| slope.filter(|slope| slope.value != 0.0).map(|slope| slope.value.recip());

@@ -1,6 +1,7 @@
 //! Columns of a recorded run, read and checked row by row.
 
 use super::super::{Asked, Unanswered};
+use super::headings;
 use crate::Refusal;
 use crate::patience::Stopped;
 use quantities::{Language, format_significant, seen};
@@ -35,6 +36,9 @@ const COLUMNS: [Column; 6] = [
     Column { heading: "current_q_a", most: 1e5, required: true },
 ];
 
+/// Place of the column of time.
+const TIME: usize = 0;
+
 /// A run with the lines of its rows.
 pub(super) struct Run {
     pub(super) observed: Observed,
@@ -48,6 +52,10 @@ struct Columns {
     values: [Option<Vec<f64>>; COLUMNS.len()],
     lines: Vec<usize>,
     faults: Vec<String>,
+    /// Headings of a text.
+    headings: Vec<String>,
+    /// Line with headings of a run below those read.
+    headings_below: Option<u64>,
 }
 
 /// Reads the run of a file, in the packings and dialects of recordings, within the memory of the project.
@@ -120,7 +128,13 @@ impl Columns {
             .map(|(column, _)| column.heading)
             .collect();
         if !lacking.is_empty() {
-            self.faults.insert(0, simulation::trace_lacks(&lacking.join(", "), language));
+            let mut text = simulation::trace_lacks(&lacking.join(", "), language);
+            if let Some(line) = self.headings_below {
+                text.push_str(&identification::headings_below(&line, &(line - 1), language));
+            } else if !self.headings.is_empty() {
+                text.push_str(&headings::proposed(&lacking, &self.headings, language));
+            }
+            self.faults.insert(0, text);
         }
         if !self.faults.is_empty() {
             return Err(self.faults);
@@ -184,8 +198,15 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
             *values = Some(Vec::new());
         }
     }
+    found.headings = records.headings().to_vec();
     // Where no column is known there is nothing to read below.
     let is_of_run = places.iter().any(Option::is_some);
+    if !is_of_run {
+        found.headings_below =
+            headings::below(&mut records, |cell| COLUMNS.iter().any(|column| column.heading == cell));
+    }
+    // A date in the column of time is one fault for all rows.
+    let mut has_clock = false;
     while is_of_run && found.faults.len() < FAULTS_MOST {
         if found.lines.len().is_multiple_of(ROWS_COUNTED) {
             let granted = memory.go_on().and_then(|()| memory.take(ROW_BYTES * ROWS_COUNTED as u64));
@@ -206,7 +227,7 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
         let line = usize::try_from(records.line()).unwrap_or(usize::MAX);
         found.lines.push(line);
         let Columns { values, faults, .. } = &mut found;
-        let row = records.numbers(|index, number| {
+        let row = records.numbers(|index, number, cell| {
             let Some(place) = places.get(index).copied().flatten() else { return };
             let (Some(column), Some(Some(values))) = (COLUMNS.get(place), values.get_mut(place)) else { return };
             // A fault keeps its place, so that rows and numbers stay aligned.
@@ -214,6 +235,12 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
             let fault = match number {
                 Some(value) if value.abs() > column.most => out_of_range(line, column, value, language),
                 Some(_) => return,
+                None if place == TIME && headings::is_clock(cell) => {
+                    if std::mem::replace(&mut has_clock, true) {
+                        return;
+                    }
+                    identification::time_of_day(&line, &seen(cell), language)
+                }
                 None => simulation::trace_not_a_number(&line, &column.heading, language),
             };
             if faults.len() < FAULTS_MOST {
@@ -223,6 +250,11 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
         if let Err(fault) = row {
             found.add(&[fault], language);
         }
+    }
+    // Numbers that may be a thousand times larger make every other fault of a cell doubtful.
+    if let Some(fault) = records.thousands(|index| places.get(index).copied().flatten().is_some()) {
+        found.faults.clear();
+        found.add(&[fault], language);
     }
     found
 }

@@ -1,0 +1,140 @@
+//! Headings of a run that are not those of its columns: the nearest column, and the factor of its unit.
+
+use quantities::{Dimension, Language, Unit, seen};
+use recording::Records;
+use std::io::Read;
+use words::identification;
+
+/// Largest number of headings shown.
+const SHOWN_MOST: usize = 12;
+
+/// Lines searched for the headings of a run below a preamble.
+const SEARCHED: usize = 200;
+
+/// Names of a signal in headings, in English and German, and its dimension.
+struct Names {
+    heading: &'static str,
+    any: &'static [&'static str],
+    dimension: Dimension,
+}
+
+const TURNING: &[&str] =
+    &["speed", "velocity", "vel", "omega", "drehzahl", "geschwindigkeit", "winkelgeschwindigkeit", "rpm", "n"];
+
+const NAMES: [Names; 6] = [
+    Names { heading: "time_s", any: &["time", "zeit", "t", "timestamp", "zeitstempel"], dimension: Dimension::Time },
+    Names {
+        heading: "position_rad",
+        any: &["position", "pos", "angle", "winkel", "lage", "q", "phi"],
+        dimension: Dimension::Angle,
+    },
+    Names { heading: "speed_rad_s", any: TURNING, dimension: Dimension::AngularVelocity },
+    Names { heading: "motor_speed_rad_s", any: TURNING, dimension: Dimension::AngularVelocity },
+    Names { heading: "torque_nm", any: &["torque", "moment", "drehmoment", "m", "trq"], dimension: Dimension::Torque },
+    Names { heading: "current_q_a", any: &["current", "strom", "iq", "i", "i_q"], dimension: Dimension::Current },
+];
+
+/// Returns the lower-case words of a heading before its unit, and the unit of a dimension.
+fn parted(heading: &str, dimension: Dimension) -> (Vec<String>, Option<&'static Unit>) {
+    let (bare, unit) = match heading.find(['[', '(', '{']) {
+        Some(at) => {
+            let (bare, rest) = heading.split_at(at);
+            let unit = rest.trim_matches(['[', ']', '(', ')', '{', '}', ' ']);
+            (bare, Unit::of_dimension(dimension, unit))
+        }
+        None => heading
+            .match_indices(['_', ' '])
+            .find_map(|(at, _)| {
+                let (bare, rest) = heading.split_at(at);
+                let text = rest.get(1..)?;
+                let unit = Unit::of_dimension(dimension, text)
+                    .or_else(|| Unit::of_dimension(dimension, &text.replace('_', "/")))?;
+                Some((bare, Some(unit)))
+            })
+            .unwrap_or((heading, None)),
+    };
+    let words = bare.split(|sign: char| !sign.is_alphanumeric()).filter(|word| !word.is_empty());
+    (words.map(str::to_lowercase).collect(), unit)
+}
+
+/// Returns `true` if words name the motor: `motor_speed`, `Motordrehzahl`.
+fn of_motor(words: &[String]) -> bool {
+    words.iter().any(|word| word.starts_with("motor"))
+}
+
+/// Returns the heading that names a signal, with its unit.
+fn named<'h>(names: &Names, headings: &'h [String]) -> Option<(&'h str, Option<&'static Unit>)> {
+    let is_motor = names.heading.starts_with("motor");
+    let fits = |words: &[String]| {
+        let is_named = words.iter().any(|word| {
+            let word = word.strip_prefix("motor").filter(|rest| !rest.is_empty()).unwrap_or(word);
+            names.any.contains(&word)
+        });
+        is_named && of_motor(words) == is_motor
+    };
+    let of_words = headings.iter().find_map(|heading| {
+        let (words, unit) = parted(heading, names.dimension);
+        // `i_q`, `t_s` and the like have one letter before their unit.
+        fits(&words).then_some((heading.as_str(), unit))
+    });
+    of_words.or_else(|| {
+        let near = |heading: &&String| strsim::damerau_levenshtein(&heading.to_lowercase(), names.heading) <= 2;
+        headings.iter().filter(|heading| heading.len() < 64).find(near).map(|heading| (heading.as_str(), None))
+    })
+}
+
+/// Returns the content of the headings, and what to write for each column that lacks.
+pub(super) fn proposed(lacking: &[&'static str], headings: &[String], language: Language) -> String {
+    let mut shown: Vec<String> = headings.iter().take(SHOWN_MOST).map(|heading| quoted(heading)).collect();
+    if headings.len() > SHOWN_MOST {
+        shown.push("…".to_owned());
+    }
+    let mut text = identification::columns_of_the_file(&shown.join(", "), language);
+    let renamed = lacking.iter().filter_map(|heading| {
+        let names = NAMES.iter().find(|names| names.heading == *heading)?;
+        let (written, unit) = named(names, headings)?;
+        let factor = unit.map(|unit| unit.to_si(1.0)).filter(|factor| (factor - 1.0).abs() > 1e-12);
+        Some(match factor {
+            Some(factor) => {
+                // Without trailing zeros: 0.001.
+                let rounded: f64 = format!("{factor:.5e}").parse().unwrap_or(factor);
+                let factor = rounded.to_string().replace('.', if language == Language::De { "," } else { "." });
+                identification::heading_with_factor(heading, &quoted(written), &factor, language)
+            }
+            None => identification::heading_instead(heading, &quoted(written), language),
+        })
+    });
+    let renamed: Vec<String> = renamed.collect();
+    if !renamed.is_empty() {
+        text.push_str(&identification::headings_to_write(&renamed.join(", "), language));
+    }
+    text
+}
+
+/// Returns the number of a line further down that holds headings of a run.
+pub(super) fn below<R: Read>(records: &mut Records<R>, known: impl Fn(&str) -> bool) -> Option<u64> {
+    for _ in 0..SEARCHED {
+        if !records.advance().ok()? {
+            return None;
+        }
+        let line = records.text();
+        let cells = line.split([';', ',', '\t', '|']).map(|cell| cell.trim().trim_matches('"'));
+        if cells.filter(|cell| known(cell)).count() >= 2 {
+            return Some(records.line());
+        }
+    }
+    None
+}
+
+/// Returns `true` if a cell is a date or a time of day: `2026-11-27T08:30:00`, `27.11.2026 08:30`, `08:30:00,5`.
+pub(super) fn is_clock(cell: &str) -> bool {
+    let cell = cell.trim();
+    let begins = cell.starts_with(|sign: char| sign.is_ascii_digit());
+    let parts = |sign| cell.split(sign).filter(|part| part.starts_with(|sign: char| sign.is_ascii_digit())).count();
+    let is_date = parts('-') == 3 && cell.len() >= 8 || parts('.') >= 3 || parts('/') == 3;
+    begins && (cell.contains(':') || is_date)
+}
+
+fn quoted(heading: &str) -> String {
+    format!("\"{}\"", seen(heading))
+}
