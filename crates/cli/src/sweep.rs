@@ -42,7 +42,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     let place = place.and_then(|answers| desk.ready(&[out]).map(|()| answers));
     let opened = Format::of(&path).ok_or_else(|| ending("table")).and_then(|format| {
         let table = Table { path: &path, format, language };
-        table.open(0).map(|batches| (table, batches))
+        table.open(0, PART).map(|batches| (table, batches))
     });
     let ready = match opened {
         Ok((table, batches)) => {
@@ -63,7 +63,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         inputs.into_iter().chain(run.recordings.iter().map(|name| beside.folder.join(name))).collect();
     let desk = call.desk(&inputs);
     desk.ready(&[out])?;
-    let parts = Parts::of(&run, out, &run.mark()?)?;
+    let parts = Parts::of(&run, out, &run.mark()?, sweep.rows_within(call.memory(), PART))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
     talk += &parts.remark(rows);
     if let Err(why) = parts.judged(&table, &sweep, rows, asked) {
@@ -90,9 +90,9 @@ impl Table<'_> {
         File::open(self.path).map_err(|error| self.refused(&file_trouble(&error, self.language)))
     }
 
-    /// Opens the table at a row.
-    fn open(&self, skipped: u64) -> Result<Batches, Unanswered> {
-        let opened = Batches::open(self.file()?, self.format, skipped, PART, self.language);
+    /// Opens the table at a row, so many at a time.
+    fn open(&self, skipped: u64, rows: usize) -> Result<Batches, Unanswered> {
+        let opened = Batches::open(self.file()?, self.format, skipped, rows, self.language);
         opened.map_err(|why| self.refused(&why.text(self.language)))
     }
 

@@ -283,3 +283,44 @@ fn a_limit_of_the_size_is_answered() {
     let found = bench.run(&[]);
     assert!(found.code < 2 && found.err.contains("of an interrupted run"), "{}", found.err);
 }
+
+/// Returns the largest resident memory of a run in MB.
+#[cfg(target_os = "linux")]
+fn peak_memory(mut child: Child) -> f64 {
+    let status = format!("/proc/{}/status", child.id());
+    let mut most = 0.0_f64;
+    while child.try_wait().unwrap().is_none() {
+        let text = fs::read_to_string(&status).unwrap_or_default();
+        let held = text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB")?.parse().ok());
+        most = held.map_or(most, |kilobytes: f64| most.max(kilobytes / 1024.0));
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert!(child.wait().unwrap().code().is_some_and(|code| code < 2));
+    most
+}
+
+/// Every check of every code of every row: ten times as many rows need no more memory than the parts may take.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_checks_of_every_code_are_held_to_the_memory() {
+    let bench = Bench::new();
+    let checks = "peak_torque peak_speed mean_speed continuous_torque torque_speed_trace peak_current demagnetisation voltage thermal \
+        overload_i2t inertia_ratio gear_mean_torque gear_mean_input_speed gear_life collision_torque bearing_axial bearing_radial \
+        bearing_tilting_moment bearing_life bearing_static tilt_angle torsion natural_frequency resonance_speed brake_holding ambient";
+    put(
+        bench.here(),
+        "axis.toml",
+        "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"20 1/min\"\naccelerate = \"0.2 s\"\n\
+        run = \"0.5 s\"\nbrake = \"0.2 s\"\npause = \"0.5 s\"\n",
+    );
+    let of = |rows: u32| {
+        let inertia = |row: u32| format!("{}\n", 1.0 + f64::from(row) * 1e-4);
+        put(bench.here(), "tasks.csv", &format!("load.inertia [kg m^2]\n{}", (0..rows).map(inertia).collect::<String>()));
+        let each = checks.split_whitespace().flat_map(|check| ["--check", check]);
+        let more: Vec<&str> = ["--memory", "32 MiB", "--force"].into_iter().chain(each).collect();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+        peak_memory(command.args(bench.call(&more)).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap())
+    };
+    let (few, many) = (of(24), of(240));
+    assert!(many < few + 30.0, "{few:.0} MB for 24 rows, {many:.0} MB for 240");
+}

@@ -34,7 +34,7 @@ use template::{Judge, Template, Templates};
 /// Heading of the column of ordering codes: its rows are judged for their code alone.
 pub const CODE: &str = "code";
 
-/// Number of rows that a thread processes at a time.
+/// Largest number of rows that a thread processes at a time.
 const PART: usize = 256;
 
 /// Answer of a sweep for each row.
@@ -71,6 +71,8 @@ pub struct Sweep {
     columns: Vec<Column>,
     /// Names of the recordings of the project and of the cells that were checked.
     recordings: BTreeSet<String>,
+    /// Largest number of codes that a row is judged for.
+    codes: usize,
     options: Options,
     templates: Templates,
 }
@@ -136,6 +138,16 @@ impl Sweep {
         &self.options
     }
 
+    /// Returns the largest number of lines in the answer to a row.
+    #[must_use]
+    pub fn lines_of_row(&self) -> usize {
+        let is_of_code = self.columns.iter().any(|column| matches!(column.holds, Holds::Code));
+        match self.options.wanted {
+            Wanted::Every(_) | Wanted::Front if !is_of_code => self.codes.max(1),
+            Wanted::Best | Wanted::Every(_) | Wanted::Front => 1,
+        }
+    }
+
     /// Adds every fault of some rows: cells that are empty, no numbers, or unknown names.
     pub fn check(&self, cells: &[Cells<'_>], first_row: u64, faults: &mut TableFaults) {
         let mut decimals = Decimals::of(&self.options);
@@ -151,8 +163,10 @@ impl Sweep {
     /// If the work was cancelled.
     pub fn judge(&self, cells: &[Cells<'_>], patience: &Patience) -> Result<Vec<Answer>, Stopped> {
         let rows = cells.iter().map(Cells::len).min().unwrap_or(0);
+        // Few rows with long answers occupy every thread too.
+        let share = rows.div_ceil(4 * rayon::current_num_threads()).clamp(1, PART);
         let parts: Vec<std::ops::Range<usize>> =
-            (0..rows).step_by(PART).map(|from| from..rows.min(from + PART)).collect();
+            (0..rows).step_by(share).map(|from| from..rows.min(from + share)).collect();
         let part = |range: &std::ops::Range<usize>| -> Result<Vec<Answer>, Stopped> {
             let mut open: Option<(Vec<String>, std::sync::Arc<Template>)> = None;
             let mut found = Vec::with_capacity(range.len());

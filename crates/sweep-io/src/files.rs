@@ -226,8 +226,9 @@ pub enum Answers<W: Write + Send> {
     Parquet(Box<ArrowWriter<W>>),
 }
 
-/// Number of rows in one row group of a file.
+/// Largest number of rows in one row group of a file, and of values: a writer holds a row group in memory.
 const GROUP: usize = 1 << 20;
+const GROUP_VALUES: usize = 1 << 23;
 
 impl<W: Write + Send> Answers<W> {
     /// Begins a file of answers with these columns; equal answers give equal bytes.
@@ -237,10 +238,11 @@ impl<W: Write + Send> Answers<W> {
     pub fn begin(mut to: W, format: Format, schema: SchemaRef) -> Result<Self, String> {
         match format {
             Format::Parquet => {
+                let rows = (GROUP_VALUES / schema.fields().len().max(1)).clamp(1, GROUP);
                 let properties = WriterProperties::builder()
                     .set_compression(Compression::SNAPPY)
                     .set_created_by("antrieb".to_owned())
-                    .set_max_row_group_row_count(Some(GROUP))
+                    .set_max_row_group_row_count(Some(rows))
                     .build();
                 let writer = ArrowWriter::try_new(to, schema, Some(properties)).map_err(|error| error.to_string())?;
                 Ok(Self::Parquet(Box::new(writer)))

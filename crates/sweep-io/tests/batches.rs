@@ -75,6 +75,46 @@ fn every_code_and_the_front_stand_in_lines_of_their_own() {
     assert!(marked > 0, "no erratum on the front");
 }
 
+/// A part of an answer with every check of every code takes a quarter of the memory, estimated from its values; an answer of few
+/// values has the rows of the caller.
+#[test]
+fn the_rows_of_a_part_are_those_of_the_memory() {
+    let table = batch(vec![("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![1.0; 8])) as ArrayRef)]);
+    let best = sweep(&table, Wanted::Best);
+    assert_eq!(best.rows_within(512 << 20, 1 << 14), 1 << 14);
+    let every = sweep(&table, Wanted::Every(questions::CheckId::ALL.to_vec()));
+    let [small, large] = [64_u64 << 20, 512 << 20].map(|memory| every.rows_within(memory, 1 << 14));
+    assert!(small >= 1 && large >= 8 * small && large < 200, "{small} {large}");
+    assert_eq!(every.rows_within(0, 1 << 14), 1);
+    // The estimate holds the arrays of the answer and its judgement: 24 bytes a check.
+    let answer = every.batch(&table, 0, &Patience::endless()).unwrap();
+    let judged = answer.num_rows() * questions::CheckId::ALL.len() * 24;
+    let held = (answer.get_array_memory_size() + judged) as u64;
+    let counted = (512_u64 << 20) / 4 / large as u64 * 8;
+    assert!(held <= counted, "{held} bytes, {counted} counted");
+    // Rows with a code have one line.
+    let codes = batch(vec![
+        ("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![1.0])) as ArrayRef),
+        ("code", Arc::new(StringArray::from(vec!["CHA-25A-100-H-M512P-B"]))),
+    ]);
+    let of_code = sweep(&codes, Wanted::Every(questions::CheckId::ALL.to_vec()));
+    assert!(of_code.rows_within(512 << 20, 1 << 14) == 1 << 14);
+}
+
+/// A refused heading decides: the rest of the table is not read.
+#[test]
+fn a_table_with_a_refused_heading_is_not_read_to_its_end() {
+    let table = batch(vec![("nonsense", Arc::new(Float64Array::from(vec![1.0; 1000])) as ArrayRef)]);
+    let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+    assert!(!head.is_enough());
+    head.check(&table, 0);
+    assert!(head.is_enough());
+    let Err(why) = head.ready("tasks", Box::new(NoFiles)) else { panic!("the heading is refused") };
+    let texts: Vec<String> =
+        why.faults(None, quantities::Language::En).errors.into_iter().map(|fault| fault.message).collect();
+    assert!(texts.len() == 2 && texts[1].contains("only the first rows"), "{texts:?}");
+}
+
 #[test]
 fn every_fault_of_headings_and_cells_is_reported_at_once() {
     let table = batch(vec![

@@ -53,6 +53,9 @@ texts! {
     rest_unchecked(faults) =
         "{faults}; the rest of the table was not checked"
         | "{faults}; der Rest der Tabelle wurde nicht geprüft";
+    headings_refused =
+        "only the first rows of the table were checked, because its headings are refused"
+        | "wegen der abgelehnten Überschriften wurden nur die ersten Zeilen der Tabelle geprüft";
     too_many_rows(rows, most) =
         "the table has {rows} rows; at most {most} are evaluated here, more with `antrieb sweep`"
         | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} bewertet, mehr mit `antrieb sweep`";

@@ -14,8 +14,11 @@ use std::path::{Path, PathBuf};
 use sweep_io::{Answers, Batches, Format, Sweep, Unread};
 use words::{SaveTrouble, file_trouble, save_trouble, sweeps};
 
-/// Rows of a part.
+/// Largest number of rows of a part.
 pub(super) const PART: usize = 1 << 14;
+
+/// Values of finished parts that are read at a time, over all columns.
+const VALUES_READ: usize = 1 << 18;
 
 /// Parts of the output of one run.
 pub(super) struct Parts {
@@ -24,6 +27,8 @@ pub(super) struct Parts {
     /// Number of parts of an earlier call.
     kept: u64,
     begun_anew: bool,
+    /// Number of rows of a part; its answers are held in memory.
+    rows: usize,
     language: Language,
 }
 
@@ -42,7 +47,7 @@ fn refused(folder: &Path, trouble: PartsTrouble, language: Language) -> Unanswer
 
 impl Parts {
     /// Opens the parts next to the output. Those of the same run are kept, those of another run removed.
-    pub(super) fn of(run: &Run<'_>, out: &Path, mark: &str) -> Result<Self, Unanswered> {
+    pub(super) fn of(run: &Run<'_>, out: &Path, mark: &str, rows: usize) -> Result<Self, Unanswered> {
         let mut name = out.file_name().map(OsString::from).unwrap_or_default();
         name.push(".parts");
         let folder = out.with_file_name(name);
@@ -50,7 +55,7 @@ impl Parts {
         let parts = disk::Parts::open(&folder).map_err(|trouble| refused(&folder, trouble, language))?;
         let is_same = parts.mark() == mark;
         let begun_anew = !is_same && !parts.mark().is_empty();
-        let mut found = Self { folder, parts, kept: 0, begun_anew, language };
+        let mut found = Self { folder, parts, kept: 0, begun_anew, rows, language };
         if !is_same && let Err(trouble) = found.parts.begin(mark) {
             let why = found.failed(trouble);
             return Err(found.ended(why));
@@ -66,7 +71,7 @@ impl Parts {
         if self.begun_anew {
             return format!("{}\n", sweeps::begun_anew(self.language));
         }
-        let kept = rows.min(self.kept * PART as u64);
+        let kept = rows.min(self.kept * self.rows as u64);
         let parts = usize::try_from(self.kept).unwrap_or(usize::MAX);
         if parts == 0 { String::new() } else { format!("{}\n", sweeps::resumed(parts, &kept, self.language)) }
     }
@@ -88,12 +93,12 @@ impl Parts {
         asked: &Asked<'_>,
     ) -> Result<(), Unanswered> {
         let mut index = self.kept;
-        let mut first = index * PART as u64;
+        let mut first = index * self.rows as u64;
         if first >= rows {
             return Ok(());
         }
         asked.patience.expect_steps(usize::try_from(rows - first).unwrap_or(usize::MAX));
-        let mut batches = table.open(first)?;
+        let mut batches = table.open(first, self.rows)?;
         while first < rows {
             let batch = batches.next(self.language).map_err(|why| table.refused(&why.text(self.language)))?;
             let Some(batch) = batch else { break };
@@ -149,9 +154,10 @@ impl Parts {
         let unread = |why: Unread| self.unread(&why.text(self.language));
         let mut answers =
             Answers::begin(BufWriter::with_capacity(1 << 18, file), format, sweep.schema()).map_err(failed)?;
-        for index in 0..rows.div_ceil(PART as u64) {
+        let lines = (VALUES_READ / sweep.schema().fields().len().max(1)).clamp(1, PART);
+        for index in 0..rows.div_ceil(self.rows as u64) {
             let part = self.parts.part(index).map_err(|trouble| self.failed(trouble))?;
-            let mut batches = Batches::open(part, Format::Parquet, 0, PART, self.language).map_err(unread)?;
+            let mut batches = Batches::open(part, Format::Parquet, 0, lines, self.language).map_err(unread)?;
             while let Some(batch) = batches.next(self.language).map_err(unread)? {
                 sweep_io::count(&batch, tally);
                 answers.add(&batch).map_err(failed)?;

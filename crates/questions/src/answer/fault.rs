@@ -43,6 +43,10 @@ pub fn table_faults(table: &str, found: &TableFaults, language: Language) -> Fau
         }
         errors.push(Fault { id: Some(more.id()), file: file(), message, ..Fault::default() });
     }
+    if found.is_unread {
+        let message = words::sweeps::headings_refused(language).to_owned();
+        errors.push(Fault { file: file(), message, ..Fault::default() });
+    }
     Faults::from(errors)
 }
 

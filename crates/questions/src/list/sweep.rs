@@ -50,6 +50,12 @@ pub static ENTRY: Entry = Entry {
 /// Largest number of rows if the answers are not written to a file.
 const ROWS_MOST: usize = 10_000;
 
+/// Number of values in a line of an answer without its checks.
+const VALUES_OF_LINE: usize = 9;
+
+/// Largest number of values in the answers in this case: those of 10 000 rows with a line of few checks each.
+const VALUES_MOST: usize = 1 << 20;
+
 /// Largest size of a table in this case \[byte\].
 const BYTES_MOST: u64 = 16 << 20;
 
@@ -120,6 +126,15 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
         return Err(Unanswered::together(ready.err().into_iter().chain([too_many]).collect()));
     }
     let sweep = ready?;
+    let values = sweep.lines_of_row() * match &sweep.options().wanted {
+        Wanted::Best => VALUES_OF_LINE,
+        Wanted::Every(checks) => VALUES_OF_LINE + 2 * checks.len(),
+        Wanted::Front => VALUES_OF_LINE,
+    };
+    let most = (VALUES_MOST / values).max(1);
+    if rows > most as u64 {
+        return Err(Unanswered::message(sweeps::too_many_rows(&rows, &most, language)));
+    }
     let answers = sweep.judge(&cells(&columns), asked.patience).map_err(Refusal::from)?;
     let mut tally = Tally::default();
     answers.iter().for_each(|answer| tally.add(answer));

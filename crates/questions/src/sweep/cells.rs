@@ -42,6 +42,8 @@ pub struct TableFaults {
     pub listed: Vec<CellFault>,
     /// Number of further faults.
     pub more: usize,
+    /// `true` if the rest of the table was not read, because its headings are refused.
+    pub is_unread: bool,
 }
 
 /// Largest number of faults listed individually.

@@ -6,6 +6,7 @@ use super::template::Templates;
 use super::{CODE, CellFault, Cells, Column, Holds, Options, Sweep, TableFaults};
 use crate::list::Unanswered;
 use crate::reading::{Unread, read_all};
+use crate::sizing_use::actuators_of;
 use crate::subject::{names, picked};
 use project::{Counted, Fault, Files, Heading, Objection, Project, TabularFault, Written, written};
 use std::collections::BTreeSet;
@@ -22,8 +23,15 @@ pub struct Head {
     faults: TableFaults,
     decimals: Decimals,
     recordings: BTreeSet<String>,
+    /// Largest number of codes that a row is judged for.
+    codes: usize,
+    /// `true` if a heading is refused.
+    is_misread: bool,
     options: Options,
 }
+
+/// Rows that are checked of a table whose headings are refused.
+const ROWS_OF_A_REFUSED_TABLE: u64 = 1000;
 
 /// Axis of a file.
 #[derive(Clone, Copy)]
@@ -48,6 +56,8 @@ impl Head {
         let known = written(text);
         let recordings = projects.iter().flatten().flat_map(|project| &project.recordings);
         let recordings = recordings.map(|read| read.file.clone()).collect();
+        let codes = projects.iter().flatten().map(|project| actuators_of(project, project.option_1.is_some()).len());
+        let codes = codes.max().unwrap_or(0);
         let (axis, refused) = match projects {
             Ok(projects) => of_projects(projects, &options),
             Err(why) => (of_text(known.as_deref().unwrap_or_default(), options.axis.as_deref()), Some(why)),
@@ -60,6 +70,8 @@ impl Head {
             faults: TableFaults::default(),
             decimals: Decimals::of(&options),
             recordings,
+            codes,
+            is_misread: false,
             options,
         };
         let counted = Counted::of(headings.iter().copied());
@@ -73,6 +85,7 @@ impl Head {
             let none = (Fault::Tabular(TabularFault::NoColumns), None);
             head.faults.add(CellFault::of("", None, &none, head.options.language));
         }
+        head.is_misread = !head.faults.is_empty();
         head
     }
 
@@ -99,6 +112,12 @@ impl Head {
     /// Adds the faults of some rows, the first of which has this number, in every column with a readable heading: cells
     /// that are empty, no numbers, or unknown names.
     pub fn check(&mut self, cells: &[Cells<'_>], first_row: u64) {
+        // A refused heading refuses the table: the first rows show further faults of its kind, the rest is not read.
+        if self.faults.is_unread {
+            return;
+        }
+        let rows = cells.iter().map(Cells::len).max().unwrap_or(0) as u64;
+        self.faults.is_unread |= self.is_misread && first_row + rows >= ROWS_OF_A_REFUSED_TABLE;
         for (place, (column, cells)) in self.columns.iter().zip(cells).enumerate() {
             if self.faults.is_enough() {
                 return;
@@ -127,7 +146,7 @@ impl Head {
     /// Returns `true` if checking the rest of the table is pointless, because there are so many faults already.
     #[must_use]
     pub const fn is_enough(&self) -> bool {
-        self.faults.is_enough()
+        self.faults.is_enough() || self.faults.is_unread
     }
 
     /// Adds that there is no row, where there is none.
@@ -156,6 +175,7 @@ impl Head {
                 axis: (place, self.axis.is_of_several),
                 columns: self.columns.into_iter().flatten().collect(),
                 recordings: self.recordings,
+                codes: self.codes,
                 options: self.options,
                 templates: Templates::default(),
             }),
