@@ -78,10 +78,27 @@ pub struct Torsion {
     /// Maximum lost motion under a few per cent of the rated torque in both directions; `null` if the manual states
     /// none.
     pub lost_motion: Option<Number>,
+    /// Limits of actuator and gear that the torque exceeds; the curve is not stated beyond them.
+    pub exceeds: Vec<TorqueExceeded>,
     /// Units of torque, stiffness and angles.
     pub units: Units,
     /// Source of the curve.
     pub source: String,
+}
+
+/// A limit that a torque exceeds.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct TorqueExceeded {
+    /// Symbol of the limit: `T_max`, `T_M`.
+    pub symbol: &'static str,
+    /// Limit.
+    pub limit: Number,
+    /// Grade of the limit.
+    pub grade: Id<Grade>,
+    /// Source of the limit.
+    pub source: String,
+    /// Ids of the errata that concern the limit.
+    pub errata: Vec<&'static str>,
 }
 
 /// `bearing`: output bearing of each size under the loads of the project.

@@ -35,7 +35,9 @@ mod upkeep;
 mod wiring;
 
 pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
-pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
+pub use chapters::{
+    Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, TorqueExceeded, Torsion,
+};
 pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
 pub use code::{Choice, CodeFault, CodeFaults, CodeField, CodeReading, Completion, ListedCode, OpenField};
 pub use commission::{

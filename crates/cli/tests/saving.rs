@@ -104,7 +104,7 @@ fn the_place_of_a_picture_is_asked_for_first() {
     fs::copy(root().join("examples/indexing-table.toml"), folder.path().join("a.toml")).unwrap();
     let plot = ["plot", "a.toml", "--figure", "torque_speed", "--code", "CHA-99A"];
     refused(folder.path(), &[&plot[..], &["--svg", "none/a.svg"]].concat(), "no such folder");
-    refused(folder.path(), &[&plot[..], &["--svg", "a.toml"]].concat(), "read from this file");
+    refused(folder.path(), &[&plot[..], &["--svg", "a.toml"]].concat(), "this call reads the file");
     refused(folder.path(), &curve(&["--voltage", "220 V", "--png", "none/a.png"]), "no such folder");
 }
 
@@ -159,10 +159,10 @@ fn what_is_read_is_not_written() {
     symlink("robot-joint.csv", here.join("link.csv")).unwrap();
     let export = |out| ["export", "robot-joint.toml", "--table", "checks", "--force", "--out", out];
     for out in ["robot-joint.csv", "./robot-joint.csv", "link.csv"] {
-        refused(here, &export(out), "the project is read from this file");
+        refused(here, &export(out), "this call reads the file");
     }
     let plot = ["plot", "robot-joint.toml", "--figure", "cycle", "--force", "--svg", "robot-joint.toml"];
-    refused(here, &plot, "the project is read from this file");
+    refused(here, &plot, "this call reads the file");
     assert!(fs::read_to_string(here.join("robot-joint.toml")).unwrap().starts_with("#"));
 }
 

@@ -315,7 +315,11 @@ fn the_checks_of_every_code_are_held_to_the_memory() {
     );
     let of = |rows: u32| {
         let inertia = |row: u32| format!("{}\n", 1.0 + f64::from(row) * 1e-4);
-        put(bench.here(), "tasks.csv", &format!("load.inertia [kg m^2]\n{}", (0..rows).map(inertia).collect::<String>()));
+        put(
+            bench.here(),
+            "tasks.csv",
+            &format!("load.inertia [kg m^2]\n{}", (0..rows).map(inertia).collect::<String>()),
+        );
         let each = checks.split_whitespace().flat_map(|check| ["--check", check]);
         let more: Vec<&str> = ["--memory", "32 MiB", "--force"].into_iter().chain(each).collect();
         let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));

@@ -158,6 +158,9 @@ fn place(asked: &Path, force: bool) -> Result<Destination<'_>, SaveTrouble> {
         if !target.starts_with(&folder) {
             return Err(SaveTrouble::LinkLeadsAway { target: path_text(&target) });
         }
+        if !is_of_one_owner(&own, &target) {
+            return Err(SaveTrouble::LinkOfAnother);
+        }
         target
     } else {
         plain
@@ -174,6 +177,19 @@ fn place(asked: &Path, force: bool) -> Result<Destination<'_>, SaveTrouble> {
         return Err(SaveTrouble::WriteProtected);
     }
     Ok(Destination { asked, target, exists: true })
+}
+
+/// Returns `true` if a link belongs to the owner of its target. In a folder that others may write to, another user could place a
+/// link to a file of this one under the name of an output.
+#[cfg(unix)]
+fn is_of_one_owner(link: &std::fs::Metadata, target: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    target.metadata().is_ok_and(|about| about.uid() == link.uid())
+}
+
+#[cfg(not(unix))]
+fn is_of_one_owner(_: &std::fs::Metadata, _: &Path) -> bool {
+    true
 }
 
 fn stage(place: &Destination<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<NamedTempFile> {
@@ -279,6 +295,26 @@ mod tests {
         let fault = save(&[(&good, b"x"), (&bad, b"y")], &[], true).unwrap_err();
         assert_eq!((fault.path, fault.trouble), (bad, SaveTrouble::NoFolder));
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    /// A link to a file of another owner is not followed; needs the right to change owners, else only an own link is tried.
+    #[cfg(unix)]
+    #[test]
+    fn a_link_of_another_user_is_not_followed() {
+        use std::os::unix::fs::{MetadataExt, lchown, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (target, link) = (folder.path().join("thesis.md"), folder.path().join("o.csv"));
+        std::fs::write(&target, "a year of work").unwrap();
+        symlink("thesis.md", &link).unwrap();
+        let own = link.symlink_metadata().unwrap().uid();
+        if lchown(&link, Some(own + 1), None).is_ok() {
+            let fault = save(&[(&link, b"x")], &[], true).unwrap_err();
+            assert_eq!((fault.path, fault.trouble), (link.clone(), SaveTrouble::LinkOfAnother));
+            assert_eq!(std::fs::read_to_string(&target).unwrap(), "a year of work");
+            lchown(&link, Some(own), None).unwrap();
+        }
+        save(&[(&link, b"x")], &[], true).unwrap();
+        assert_eq!(std::fs::read_to_string(&target).unwrap(), "x");
     }
 
     /// A partly written file is readable by its owner only; a complete one has the mode of any other new file, or of

@@ -24,8 +24,8 @@ use quantities::{Language, Measure, Time, Unit, format_number, format_significan
 use recording::{ColumnRead, KnownBy};
 use sizing::{Amount, Check, CheckId, Demand, Fit, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{
-    check_title, describe_rule, encoding_guess, grade_word, percent_text, records, source_text, symbol_term, terminal,
-    unmet_text, unpadded,
+    check_title, describe_rule, encoding_guess, grade_word, marked, percent_text, records, source_text, symbol_term,
+    terminal, unmet_text, unpadded,
 };
 
 /// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power.
@@ -335,6 +335,11 @@ pub fn torsion_lines(code: &OrderCode, answer: &TorsionAnswer, language: Languag
         terminal::torsion(code, &angle, &radian, &torque, &answer.region, language),
         terminal::torsion_curve(&t1, &t2, &k1, &k2, &k3, &table, language),
     ];
+    for (symbol, limit) in answer.exceeded() {
+        let source = format!("{}, {}", grade_word(limit.grade, language), source_text(&limit.source, language));
+        let (name, limit) = (symbol_term(symbol, language), marked(number(limit.value.si(), 4), limit.errata));
+        lines.insert(1, terminal::torsion_beyond(&symbol, &limit, &name, &source, language));
+    }
     for (symbol, lost) in [("hysteresis_loss", &answer.hysteresis_loss), ("lost_motion", &answer.lost_motion)] {
         let Some(known) = lost.known() else { continue };
         let source = format!("{}, {}", grade_word(known.grade, language), source_text(&known.source, language));

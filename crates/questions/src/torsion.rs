@@ -6,7 +6,7 @@ use crate::sizing_use::Candidate;
 use actuator::Torsion;
 use order_code::OrderCode;
 use project::Project;
-use provenance::Datum;
+use provenance::{Datum, Sourced};
 use quantities::{Angle, Language, Measure, Torque};
 
 /// The known quantity of a twisted gear; the other one is computed.
@@ -33,9 +33,17 @@ pub struct TorsionAnswer {
     pub hysteresis_loss: Datum<Angle>,
     /// Width of the curve under a few per cent of the rated torque: an upper bound.
     pub lost_motion: Datum<Angle>,
+    /// T_max of the actuator, then T_M of the gear.
+    pub limits: [(&'static str, Datum<Torque>); 2],
 }
 
 impl TorsionAnswer {
+    /// Iterates over the limits that the torque exceeds, by their symbols.
+    pub fn exceeded(&self) -> impl Iterator<Item = (&'static str, &Sourced<Torque>)> {
+        let known = self.limits.iter().filter_map(|(symbol, limit)| Some((*symbol, limit.known()?)));
+        known.filter(|(_, limit)| self.torque.si().abs() > limit.value.si())
+    }
+
     /// Returns the curve with the requested point.
     #[must_use]
     pub const fn at(&self) -> TorsionCurve {
@@ -82,7 +90,8 @@ pub(crate) fn torsion(code: &OrderCode, twist: Twist) -> Option<TorsionAnswer> {
     };
     let (hysteresis_loss, lost_motion) =
         (parameters.accuracy.hysteresis_loss.clone(), parameters.accuracy.lost_motion.clone());
-    Some(TorsionAnswer { curve, torque, angle, region, hysteresis_loss, lost_motion })
+    let limits = [("T_max", parameters.torque_max.clone()), ("T_M", parameters.gear.collision_torque_max.clone())];
+    Some(TorsionAnswer { curve, torque, angle, region, hysteresis_loss, lost_motion, limits })
 }
 
 /// Torsion curve of a gear with the operating point of an axis.
@@ -144,5 +153,20 @@ mod tests {
             assert!(read_twist(both.0, both.1, Language::En).is_err());
         }
         assert_eq!(read_twist(None, Some("1 N m"), Language::De).unwrap_err().0, "angle");
+    }
+
+    /// A torque or an angle beyond T_max of the actuator is reported with the limit, in either direction; one below is not.
+    #[test]
+    fn a_torque_beyond_the_limits_is_reported() {
+        for (code, parameters) in configurator::catalogue_actuators() {
+            let Some(largest) = parameters.torque_max.known().map(|known| known.value.si()) else { continue };
+            let exceeded =
+                |twist| torsion(code, twist).unwrap().exceeded().map(|(symbol, _)| symbol).collect::<Vec<_>>();
+            let under = |torque: f64| exceeded(Twist::Torque(Torque::from_si(torque)));
+            assert!(under(largest).is_empty() && under(-largest).is_empty(), "{code}");
+            assert_eq!(under(1.001 * largest), ["T_max"], "{code}");
+            assert!(under(-1e308).contains(&"T_max"), "{code}");
+            assert!(exceeded(Twist::Angle(Angle::from_si(1.0))).contains(&"T_max"), "{code}");
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::folder::Workplace;
 use crate::gate::{Barred, admit, preferred};
 use crate::lanes::Lanes;
 use crate::limits::Limits;
-use crate::pack::sent;
+use crate::pack::{OpenFiles, sent, sent_open};
 use crate::serve::IdleSlot;
 use crate::token::Token;
 use bytes::Bytes;
@@ -22,7 +22,7 @@ use std::net::SocketAddr;
 use std::pin::pin;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::Semaphore;
+use tokio::sync::{Semaphore, SemaphorePermit};
 use words::requests;
 
 /// Answers a call.
@@ -41,6 +41,26 @@ pub(crate) struct Desk {
     pub(crate) lanes: Lanes,
     /// Places of questions that wait for a turn.
     places: Arc<Semaphore>,
+    strangers: Strangers,
+    open: OpenFiles,
+}
+
+/// Requests without the token: one of them is answered at a time, after every request with the token that is ready.
+struct Strangers(Semaphore);
+
+impl Default for Strangers {
+    fn default() -> Self {
+        Self(Semaphore::new(1))
+    }
+}
+
+impl Strangers {
+    /// Waits for the turn of a request.
+    async fn turn(&self) -> Option<SemaphorePermit<'_>> {
+        let turn = self.0.acquire().await.ok();
+        tokio::task::yield_now().await;
+        turn
+    }
 }
 
 /// Headers of every response: no external resources, no framing, no caching, no access for other sites.
@@ -121,6 +141,8 @@ impl Desk {
             bodies: Bodies::default(),
             lanes: Lanes::new(&limits),
             places: Arc::new(Semaphore::new(limits.waiting)),
+            strangers: Strangers::default(),
+            open: OpenFiles::default(),
             limits,
         }
     }
@@ -128,9 +150,13 @@ impl Desk {
     /// Answers a request of any kind.
     pub(crate) async fn answer(&self, request: Request<Incoming>, place: &IdleSlot) -> Response<Full<Bytes>> {
         let (parts, body) = request.into_parts();
-        let (asked, headers) = (parts.uri.path().to_owned(), parts.headers.clone());
+        let headers = parts.headers.clone();
+        let mut turn = None;
         let reply = match self.let_in(&parts) {
-            Err(reply) => reply,
+            Err(reply) => {
+                turn = self.strangers.turn().await;
+                reply
+            }
             Ok(Admitted { path, query, language, has_token }) => {
                 let most = match &*path {
                     // A stranger takes none of the memory for bodies, nor of the time to send one.
@@ -140,14 +166,33 @@ impl Desk {
                 };
                 match read(body, most, &self.bodies, &self.limits).await {
                     Ok(body) => {
+                        if !has_token {
+                            turn = self.strangers.turn().await;
+                        }
                         place.busy(has_token);
+                        if is_open_to_all(&parts) {
+                            let file = self.open.get(&path).map_or_else(
+                                || {
+                                    let question = Question { parts, path: path.clone(), query, body, language };
+                                    let patience = Patience::limited();
+                                    self.open.kept(&path, question.put(self.respond, &self.workplace, &patience))
+                                },
+                                Ok,
+                            );
+                            return match file {
+                                Ok(file) => sent_open(&file, &headers, &HEADERS),
+                                Err(reply) => sent(reply, &headers, &HEADERS),
+                            };
+                        }
                         self.respond(Question { parts, path, query, body, language }).await
                     }
                     Err(why) => self.no_body(why, most, language),
                 }
             }
         };
-        sent(reply, &asked, &headers, &HEADERS)
+        let response = sent(reply, &headers, &HEADERS);
+        drop(turn);
+        response
     }
 
     /// Admits a request, or returns the reply that rejects it.
@@ -201,9 +246,7 @@ impl Desk {
         let language = question.language;
         let (respond, workplace) = (self.respond, Arc::clone(&self.workplace));
         let patience = Arc::new(Patience::limited());
-        // A file that is the same for all clients must not wait, and a client without a token that reads it must not
-        // keep others waiting.
-        if AT_ONCE.contains(&question.path.as_str()) || is_open_to_all(&question.parts) {
+        if AT_ONCE.contains(&question.path.as_str()) {
             return question.put(respond, &workplace, &patience);
         }
         let name = question.parts.headers.get(WORK).and_then(|name| name.to_str().ok());
@@ -268,4 +311,38 @@ fn locked(parts: &Parts, language: Language) -> Reply {
 /// Returns `true` if a request only reads a file that is the same for all clients.
 fn is_open_to_all(parts: &Parts) -> bool {
     matches!(parts.method, Method::GET | Method::HEAD) && page::is_open_to_all(parts.uri.path())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Mutex;
+
+    /// A hundred strangers are ready before the user; of them one at most is answered between two steps of the user.
+    #[tokio::test]
+    async fn requests_with_the_token_go_before_those_without() {
+        const STEPS: usize = 10;
+        let (strangers, order) = (Arc::new(Strangers::default()), Arc::new(Mutex::new(Vec::new())));
+        let mut all = Vec::new();
+        for _ in 0..100 {
+            let (strangers, order) = (Arc::clone(&strangers), Arc::clone(&order));
+            all.push(tokio::spawn(async move {
+                let _turn = strangers.turn().await;
+                order.lock().unwrap().push("stranger");
+            }));
+        }
+        let of_user = Arc::clone(&order);
+        all.push(tokio::spawn(async move {
+            for _ in 0..STEPS {
+                of_user.lock().unwrap().push("user");
+                tokio::task::yield_now().await;
+            }
+        }));
+        for each in all {
+            each.await.unwrap();
+        }
+        let order = order.lock().unwrap();
+        let last = order.iter().rposition(|who| *who == "user").unwrap();
+        assert!(order.len() == 100 + STEPS && last < 2 * STEPS + 2, "{last}: {order:?}");
+    }
 }

@@ -1,5 +1,6 @@
 //! The virtual drive over TCP: connections on the loopback to one drive, and its clock.
 
+use crate::owner::Owners;
 use crate::serve::{Unserved, end_requested, listening};
 use questions::drive::line::{self, Answer, LINE_MOST};
 use questions::drive::room::Drive;
@@ -88,7 +89,7 @@ pub struct DriveServer {
 
 /// Report of a connection.
 enum Event {
-    Opened(u64, mpsc::Sender<Vec<u8>>),
+    Opened(u64, mpsc::Sender<Vec<u8>>, SocketAddr),
     /// A request, and the sender that is dropped with its answer; the client sends its next request after that.
     Request(u64, Vec<u8>, oneshot::Sender<()>),
     Closed(u64),
@@ -154,6 +155,16 @@ struct Client {
     is_known: bool,
     /// Time of its last request.
     heard: Instant,
+    /// Address of the other end.
+    peer: SocketAddr,
+}
+
+/// Returns the client that leaves for a new one: the longest idle of those idle for [`IDLE_TIME`], or of those that are foreign to a
+/// new client of the user who runs the drive.
+fn leaving(clients: &BTreeMap<u64, Client>, is_foreign: impl Fn(&Client) -> bool) -> Option<u64> {
+    let leaves = |client: &Client| client.heard.elapsed() >= IDLE_TIME || is_foreign(client);
+    let found = clients.iter().filter(|(_, client)| leaves(client)).min_by_key(|(_, client)| client.heard);
+    found.map(|(id, _)| *id)
 }
 
 /// Disconnection of a client, by itself or by the drive.
@@ -207,11 +218,11 @@ impl<'a> Bench<'a> {
 
     fn handle(&mut self, event: Event) {
         match event {
-            Event::Opened(id, out) => {
+            Event::Opened(id, out, peer) => {
                 if self.protocol() == DriveProtocol::SocketCand {
                     let _ = out.try_send(socketcand::HI.into());
                 }
-                self.clients.insert(id, Client { out, is_known: false, heard: Instant::now() });
+                self.clients.insert(id, Client { out, is_known: false, heard: Instant::now(), peer });
             }
             Event::Closed(id) => {
                 self.clients.remove(&id);
@@ -226,13 +237,15 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Returns `true` if there is a place for a new client; disconnects the longest idle one if necessary.
-    fn has_place(&mut self) -> bool {
+    /// Returns `true` if there is a place for a new client; disconnects another one if necessary.
+    fn has_place(&mut self, peer: SocketAddr) -> bool {
         if self.clients.len() < CLIENTS_MOST {
             return true;
         }
-        let longest = self.clients.iter().min_by_key(|(_, client)| client.heard);
-        let Some((&id, _)) = longest.filter(|(_, client)| client.heard.elapsed() >= IDLE_TIME) else { return false };
+        let owners = Owners::read();
+        let is_own = owners.is_own(peer) == Some(true);
+        let is_foreign = |client: &Client| is_own && owners.is_own(client.peer) == Some(false);
+        let Some(id) = leaving(&self.clients, is_foreign) else { return false };
         self.handle(Event::Closed(id));
         true
     }
@@ -372,10 +385,10 @@ async fn serve(listener: tokio::net::TcpListener, mut bench: Bench<'_>, end: imp
             () = &mut end => break,
             Some(event) = events.recv() => bench.handle(event),
             accepted = listener.accept() => match accepted {
-                Ok((stream, _)) if bench.has_place() => {
+                Ok((stream, peer)) if bench.has_place(peer) => {
                     next += 1;
                     let (out, answers) = mpsc::channel(WAITING_MOST);
-                    bench.handle(Event::Opened(next, out));
+                    bench.handle(Event::Opened(next, out, peer));
                     drop(tokio::spawn(connection(stream, next, protocol, report.clone(), answers)));
                 }
                 Ok(_) => {}
@@ -487,4 +500,19 @@ async fn written(stream: &TcpStream, mut text: &[u8]) -> bool {
         }
     }
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Eight clients of another user that are never idle do not keep the user of the drive out; they keep out one another.
+    #[test]
+    fn clients_of_another_user_leave_for_those_of_the_user() {
+        let peer = |port| SocketAddr::from((Ipv4Addr::LOCALHOST, port));
+        let client = |port| Client { out: mpsc::channel(1).0, is_known: true, heard: Instant::now(), peer: peer(port) };
+        let clients: BTreeMap<u64, Client> = (1..=8).map(|id| (u64::from(id), client(50_000 + id))).collect();
+        assert_eq!(leaving(&clients, |_| false), None);
+        assert_eq!(leaving(&clients, |client| client.peer.port() > 50_003), Some(4));
+    }
 }

@@ -12,6 +12,7 @@ mod folder;
 mod gate;
 mod lanes;
 mod limits;
+mod owner;
 mod pack;
 mod serve;
 mod token;

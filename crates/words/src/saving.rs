@@ -23,6 +23,8 @@ pub enum SaveTrouble {
     },
     /// The target of a link does not exist.
     LinkToNothing,
+    /// A link belongs to another user than its target.
+    LinkOfAnother,
     /// The file is the project file or one that the project reads.
     IsInput,
     /// Two files to be written have the same path.
@@ -59,9 +61,13 @@ pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
         SaveTrouble::LinkToNothing => {
             ("the target of the link does not exist", "das Ziel der Verknüpfung existiert nicht")
         }
+        SaveTrouble::LinkOfAnother => (
+            "the link belongs to another user than the file to which it points; specify that file directly",
+            "die Verknüpfung gehört einem anderen Benutzer als die Datei, auf die sie zeigt; diese Datei direkt angeben",
+        ),
         SaveTrouble::IsInput => (
-            "the project is read from this file; specify another file for writing",
-            "aus dieser Datei wird das Projekt gelesen; zum Schreiben eine andere angeben",
+            "this call reads the file; specify another file for writing",
+            "dieser Aufruf liest die Datei; zum Schreiben eine andere angeben",
         ),
         SaveTrouble::Twice => ("two output files are the same file", "zwei Ausgabedateien sind dieselbe Datei"),
         SaveTrouble::NotToStdout => (

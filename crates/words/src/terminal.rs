@@ -33,6 +33,12 @@ texts! {
     torsion_curve(t1, t2, k1, k2, k3, table) =
         "T_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (table {table}); mean values, locked motor"
         | "T_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (Tabelle {table}); Mittelwerte, Motor blockiert";
+    torsion_beyond(symbol, limit, name, source) =
+        "exceeds {symbol} = {limit} Nm, {name} ({source}); the curve is extrapolated"
+        | "überschreitet {symbol} = {limit} Nm, {name} ({source}); die Kennlinie ist extrapoliert";
+    too_many_changes(count, most) =
+        "{count} changes; the report lists at most {most}"
+        | "{count} Änderungen; der Bericht führt höchstens {most}";
     torque_or_angle =
         "state either torque or angle; the other one is computed"
         | "entweder torque oder angle angeben; das andere wird berechnet";

@@ -5,7 +5,8 @@ use crate::sizing_use::Candidate;
 use crate::torsion::TorsionAnswer;
 use actuator::{BatteryLife, CurvePoint, PerformanceCurve};
 use answers::{
-    Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Id, Inertia, Number, Torsion, Units,
+    Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Id, Inertia, Number, TorqueExceeded,
+    Torsion, Units,
 };
 use order_code::{OrderCode, Size};
 use project::{BodyAnswer, InertiaAnswer};
@@ -63,6 +64,16 @@ pub fn torsion(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> 
         stiffness: answer.curve.stiffness.map(|k| Number::in_unit(k.si(), &NEWTON_METRE_PER_RADIAN)),
         hysteresis_loss: minutes(&answer.hysteresis_loss),
         lost_motion: minutes(&answer.lost_motion),
+        exceeds: answer
+            .exceeded()
+            .map(|(symbol, limit)| TorqueExceeded {
+                symbol,
+                limit: Number::in_unit(limit.value.si(), &NEWTON_METRE),
+                grade: Id(limit.grade),
+                source: source_text(&limit.source, language),
+                errata: limit.errata.to_vec(),
+            })
+            .collect(),
         units: Units::of(&[
             ("T", &NEWTON_METRE),
             ("K", &NEWTON_METRE_PER_RADIAN),

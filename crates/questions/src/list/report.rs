@@ -96,8 +96,16 @@ impl Args {
     }
 }
 
+/// Largest number of lines in the list of changes: some five pages.
+const CHANGES_MOST: usize = 200;
+
 /// Reads the lines of the list of changes: revision, day, author if stated, and content, between semicolons.
 fn changes(given: &Given, argument: &Argument) -> Result<Vec<Change>, Unanswered> {
+    let count = given.all(argument.name).count();
+    if count > CHANGES_MOST {
+        let fault = (terminal::too_many_changes(&count, &CHANGES_MOST, given.language()), None);
+        return Err(Unanswered::option(argument.name, fault));
+    }
     given.all(argument.name).map(|line| change(&bounded(argument.name, line, given.language())?, given)).collect()
 }
 
@@ -142,7 +150,10 @@ mod tests {
         assert_eq!((second.author.as_str(), second.text.as_str()), ("", "heavier load"));
         assert!(found.archive && !found.full);
         assert!(read(&[("change", "B; longer stroke")]).is_err());
-        assert!(read(&[("customer", "a"), ("customer", "b")]).is_err());
+        let changes = |count| vec![("change", "C;2026-11-22;heavier load"); count];
+        assert!(read(&changes(CHANGES_MOST)).is_ok());
+        let why = read(&changes(CHANGES_MOST + 1)).unwrap_err().faults(None, Language::default()).errors;
+        assert!(why[0].message.contains("201") && why[0].message.contains("200"), "{why:?}");
     }
 
     #[test]

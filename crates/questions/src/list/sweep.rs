@@ -126,11 +126,12 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
         return Err(Unanswered::together(ready.err().into_iter().chain([too_many]).collect()));
     }
     let sweep = ready?;
-    let values = sweep.lines_of_row() * match &sweep.options().wanted {
-        Wanted::Best => VALUES_OF_LINE,
-        Wanted::Every(checks) => VALUES_OF_LINE + 2 * checks.len(),
-        Wanted::Front => VALUES_OF_LINE,
-    };
+    let values = sweep.lines_of_row()
+        * match &sweep.options().wanted {
+            Wanted::Best => VALUES_OF_LINE,
+            Wanted::Every(checks) => VALUES_OF_LINE + 2 * checks.len(),
+            Wanted::Front => VALUES_OF_LINE,
+        };
     let most = (VALUES_MOST / values).max(1);
     if rows > most as u64 {
         return Err(Unanswered::message(sweeps::too_many_rows(&rows, &most, language)));

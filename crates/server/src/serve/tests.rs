@@ -330,6 +330,28 @@ fn a_stranger_without_the_token_sends_no_body() {
     assert!(up.ask("GET /assets/enter.js", "").starts_with("HTTP/1.1 200 "), "without a body it is answered");
 }
 
+static MADE: AtomicUsize = AtomicUsize::new(0);
+
+/// Counts how often a file is made.
+fn made(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+    MADE.fetch_add(1, Ordering::Relaxed);
+    Reply::text(200, &"a rule of the style\n".repeat(400))
+}
+
+/// A file that is open to all is made when it is first requested, by strangers and users alike; another path is another file.
+#[test]
+fn an_open_file_is_made_once() {
+    let up = up(made, Access::default(), Limits::default());
+    for _ in 0..5 {
+        for line in ["GET /assets/page.css", "HEAD /assets/page.css", "GET /assets/p%61ge.css"] {
+            assert!(up.ask(line, "").starts_with("HTTP/1.1 200 "), "{line}");
+        }
+    }
+    assert_eq!(MADE.load(Ordering::Relaxed), 1);
+    assert!(up.ask("GET /theory/gear.html", "").starts_with("HTTP/1.1 200 "));
+    assert_eq!(MADE.load(Ordering::Relaxed), 2);
+}
+
 static BEGUN: AtomicUsize = AtomicUsize::new(0);
 static ENOUGH: AtomicBool = AtomicBool::new(false);
 
