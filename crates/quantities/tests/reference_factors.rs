@@ -1,6 +1,8 @@
 //! Every unit against its factor, typed by hand from its definition: SI brochure (9th edition) for the units of the SI
-//! and those accepted beside it, CGPM 1901 for standard gravity, IAU for the Julian year, NIST SP 811 (appendix B) for
-//! pound, inch, slug and horsepower; of torque constants, stiffnesses and frictions the product of these.
+//! and those accepted beside it, CGPM 1901 for standard gravity, IAU for the Julian year.
+//!
+//! The figures from `DECANEWTON_METRE` on are not typed: they were computed once, in 40 digits, from the definitions of
+//! pound, inch, standard gravity and π, outside this crate. Printed factors of NIST are in `spellings.rs`.
 
 use quantities::unit::*;
 use quantities::{Dimension, Unit};

@@ -288,6 +288,13 @@ fn units_of_inch_and_pound_have_the_factors_of_nist() {
         (Dimension::Velocity, "1 ft/min", 5.08e-3),
         (Dimension::Temperature, "212 degF", 373.15),
         (Dimension::Lead, "0.5 in/rev", 0.0127),
+        (Dimension::Mass, "1 slug", 1.459_390e1),
+        (Dimension::Length, "1 mil", 2.54e-5),
+        (Dimension::Power, "1 hp", 7.456_999e2),
+        (Dimension::Power, "1 PS", 7.354_988e2),
+        (Dimension::Energy, "1 kW h", 3.6e6),
+        (Dimension::Velocity, "1 km/h", 2.777_778e-1),
+        (Dimension::Force, "1 gf", 9.806_65e-3),
     ] {
         let found = parse(dimension, text).unwrap().si;
         assert!((found - si).abs() <= 5e-7 * si, "{text}: {found}");
