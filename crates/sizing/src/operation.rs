@@ -210,9 +210,31 @@ impl Operation {
             inertia_load: axis.moments.inertia_max.si(),
             inertia_own: inertia,
             duty: duty(axis, &sums),
-            segments: sums.into_iter().map(|sums| sums.load).collect(),
+            segments: without_noise(sums.into_iter().map(|sums| sums.load).collect()),
         })
     }
+}
+
+/// Rounding of a value that is zero, in SI: the share of the largest of all segments, and the least magnitude.
+const ROUNDING: (f64, f64) = (NONE, 1e-12);
+
+/// Sets values that only rounding distinguishes from zero to zero, as the torque of an arm that stands upright.
+fn without_noise(mut segments: Vec<SegmentLoad>) -> Vec<SegmentLoad> {
+    let fields: [fn(&mut SegmentLoad) -> Option<&mut f64>; 7] = [
+        |load| Some(&mut load.torque_peak_nm),
+        |load| Some(&mut load.torque_rms_nm),
+        |load| load.current_peak_a.as_mut(),
+        |load| load.current_rms_a.as_mut(),
+        |load| load.power_peak_w.as_mut(),
+        |load| load.energy_taken_j.as_mut(),
+        |load| load.energy_returned_j.as_mut(),
+    ];
+    for field in fields {
+        let largest = segments.iter_mut().filter_map(field).fold(0.0_f64, |most, value| most.max(value.abs()));
+        let least = (ROUNDING.0 * largest).max(ROUNDING.1);
+        segments.iter_mut().filter_map(field).filter(|value| value.abs() <= least).for_each(|value| *value = 0.0);
+    }
+    segments
 }
 
 /// Data of the actuator for the walk over the cycle.

@@ -268,3 +268,19 @@ fn compare(load: &SegmentLoad, own: &Own, duration: f64, share: f64, of_returned
     near(load.power_peak_w.unwrap(), own.power, 1e-3, "P_max");
     assert!(load.power_peak_w.unwrap() <= own.power * (1.0 + 1e-9), "a power that does not occur");
 }
+
+/// Rounding beside the loads of other segments, or alone, is zero; what is small but real stays.
+#[test]
+fn values_of_rounding_are_zero() {
+    let load = |torque: f64, current: f64| SegmentLoad {
+        torque_peak_nm: torque,
+        torque_rms_nm: torque,
+        current_peak_a: Some(current),
+        energy_taken_j: Some(current),
+        ..SegmentLoad::default()
+    };
+    let all = without_noise(vec![load(20.0, 2.0), load(6e-16, 2.3e-17), load(1e-3, 1e-4), load(1.9e-8, 1.9e-9)]);
+    assert_eq!(all, [load(20.0, 2.0), load(0.0, 0.0), load(1e-3, 1e-4), load(0.0, 0.0)]);
+    assert_eq!(without_noise(vec![load(6e-16, 2.3e-17)]), [load(0.0, 0.0)]);
+    assert_eq!(without_noise(vec![load(1e-8, 1e-9)]), [load(1e-8, 1e-9)]);
+}

@@ -1,6 +1,6 @@
 //! Headings of a run that are not those of its columns: the nearest column, and the factor of its unit.
 
-use quantities::{Dimension, Language, Unit, seen};
+use quantities::{Dimension, Language, Unit, format_number, seen};
 use recording::Records;
 use std::io::Read;
 use words::identification;
@@ -98,7 +98,8 @@ pub(super) fn proposed(lacking: &[&'static str], headings: &[String], language: 
             Some(factor) => {
                 // Without trailing zeros: 0.001.
                 let rounded: f64 = format!("{factor:.5e}").parse().unwrap_or(factor);
-                let factor = rounded.to_string().replace('.', if language == Language::De { "," } else { "." });
+                let decimals = rounded.to_string().split_once('.').map_or(0, |(_, digits)| digits.len());
+                let factor = format_number(rounded, decimals, language);
                 identification::heading_with_factor(heading, &quoted(written), &factor, language)
             }
             None => identification::heading_instead(heading, &quoted(written), language),
