@@ -53,7 +53,6 @@ findings! {
     LargestInertiaHeld ["t"];
     LeastInertiaHeld ["t"];
     SpeedNearResonance ["t"];
-    NoSpeedHeld [];
     ContinuousCurve ["n_av"];
     ShortTimeCurve ["n" "T_max"];
     SpeedBeyondCurve ["n" "n_end"];

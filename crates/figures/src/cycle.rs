@@ -249,7 +249,7 @@ fn limited(
     let value = signal.unit.from_si(limit.si);
     let text = amount(limit.si, signal.unit, language);
     let mut label = match symbol {
-        "" => Label::from(text),
+        "" => Label::from(format!("{} {text}", pictures::limit_of_the_check(language))),
         symbol => Label::symbol(symbol).text(&format!(" = {text}")),
     };
     let line = |value: f64| Reference::horizontal(value).tone(Tone::ShortTime).dash(Dash::Dashed);
@@ -271,7 +271,7 @@ fn limited(
 }
 
 /// Room above the warmest value and below the coldest one, as a share of what lies between them.
-const LABEL_SHARE: f64 = 0.4;
+const TEMPERATURE_ROOM: f64 = 0.15;
 
 fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) -> Option<Panel> {
     let line = |of: fn(&Sample) -> Option<f64>| {
@@ -283,8 +283,7 @@ fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) 
     let (_, warmest) = extremes(course, |sample| sample.winding_k)?;
     if let Some(limit) = limit_of(candidate, CheckId::Thermal) {
         let (low, high) = (DEGREE_CELSIUS.from_si(coldest), DEGREE_CELSIUS.from_si(warmest).max(limit.value()));
-        // Room for the name of the limit, on either side of its line.
-        let room = LABEL_SHARE * (high - low).max(1.0);
+        let room = TEMPERATURE_ROOM * (high - low).max(1.0);
         axis = axis.range(low - room, high + room);
     }
     let mut panel = Panel::new(axis)

@@ -181,9 +181,8 @@ fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart
                     }
                 }
                 let whole = braking.map_or_else(|| mirrored(&points), |braking| around(&points, &braking));
-                let line = line(whole).closed().tone(Tone::ShortTime);
+                let line = Line::new(whole).label(with_voltage(&name, curve, language)).closed().tone(Tone::ShortTime);
                 chart = chart.with(line.class("short-time"));
-                chart = chart.with_all(voltage(curve, &points, language));
             }
         }
     }
@@ -191,20 +190,21 @@ fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart
         let points = points_of(&curve.points);
         for part in driving(&points) {
             let line = Line::new(part).tone(Tone::ShortTime).width(Width::Thin).dash(Dash::Dotted);
-            let name = pictures::the_same_at_less_voltage(language);
+            let name = with_voltage(pictures::the_same_at_less_voltage(language), curve, language);
             chart = chart.with(line.label(name).class("short-time-sagged"));
         }
-        chart = chart.with_all(voltage(curve, &points, language));
     }
     chart
 }
 
-/// Returns the voltage of a limit, written at its largest power.
-fn voltage(curve: &PerformanceCurve, points: &[Point], language: Language) -> Option<Note> {
-    let volts = curve.voltage?;
-    let corner = points.iter().copied().max_by(|a, b| (a.0 * a.1).total_cmp(&(b.0 * b.1)))?;
-    let text = format!("{} {}", format_number(VOLT.from_si(volts.si()), 0, language), VOLT.symbol);
-    Some(Note::new(corner.0, corner.1, text).tone(Tone::ShortTime).class("voltage"))
+/// Returns the name of a limit with its voltage, for the legend: at the curve it would cover hatching and other limits.
+fn with_voltage(name: &str, curve: &PerformanceCurve, language: Language) -> String {
+    match curve.voltage {
+        Some(volts) => {
+            format!("{name} ({} {})", format_number(VOLT.from_si(volts.si()), 0, language), VOLT.symbol)
+        }
+        None => name.to_owned(),
+    }
 }
 
 /// Returns the largest torque and the largest speed, each at its instant with its symbol; one point if they coincide.

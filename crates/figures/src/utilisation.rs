@@ -2,7 +2,7 @@
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent};
-use plot::{Axis, Bar, BarChart};
+use plot::{Axis, Bar, BarChart, Label};
 use quantities::Language;
 use questions::texts::{by_importance, counts_text, verdict_text};
 use questions::{Candidate, Check, Direction, Objection, Unmet, Verdict};
@@ -72,9 +72,14 @@ fn bar(check: &Check, language: Language) -> Bar {
         let short = without_keys(&named, language);
         let reason = check_missing(missing, language);
         let reason = without_keys(&reason, language);
-        return bar.text(format!("{}: {short}", terms::missing(language))).tooltip(&format!("{reason} {numbers}"));
+        let text = Label::from(format!("{}: ", terms::missing(language)));
+        let is_symbol = short.contains('_') && !short.contains(' ');
+        let text = if is_symbol { text.and_symbol(&short) } else { text.text(&short) };
+        return bar.text(text).tooltip(&format!("{reason} {numbers}"));
     }
-    let Some(share) = check.utilisation else { return bar.text(numbers) };
+    // A recommendation or a class that is met has no utilisation to compare with others.
+    let shows_share = check.id.has_margin() || check.verdict != Verdict::Pass;
+    let Some(share) = check.utilisation.filter(|_| shows_share) else { return bar.text(numbers) };
     bar = bar.percent(share * 100.0).data("utilisation", &format!("{share}"));
     bar.text(if numbers.is_empty() {
         percent(share, language)

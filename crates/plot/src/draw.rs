@@ -5,7 +5,7 @@ use crate::font::{ASCENT, DESCENT};
 use crate::geometry::{Point, Rect};
 use crate::item::{Area, At, Item, Line, Markers, Note, Reference, Tags, is_data, pieces};
 use crate::label::Label;
-use crate::legend::{MARKER, draw_marker, fill, stroke};
+use crate::legend::{MARKER, draw_marker, fill, rule, stroke};
 use crate::place::{Field, Near};
 use crate::plane::Plane;
 use crate::reduce::{line_path, outline_path, reduced, without_repeats};
@@ -182,18 +182,34 @@ fn draw_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference)
     canvas.open_item("reference", &reference.tags, &reference.label, usize::from(!data));
     let [from, to] = ends(plane, reference);
     if data && let Some((from, to)) = plane.area.cut(from, to) {
-        canvas.line(
-            from,
-            to,
-            &Stroke { colour: Colour::Tone(reference.tone), width: 1.1, dash: reference.dash.pattern() },
-        );
+        canvas.line(from, to, &rule(reference));
     }
     canvas.close();
 }
 
+/// References whose labels are drawn at them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Labelled {
+    /// Every one.
+    All,
+    /// Vertical ones only; the legend explains the others.
+    Vertical,
+}
+
+impl Labelled {
+    fn of(self, items: &[Item]) -> impl Iterator<Item = &Reference> {
+        references(items).filter(move |reference| self == Self::All || matches!(reference.at, At::X(_)))
+    }
+}
+
 /// Returns the place of the label of each reference, taken from the field; `None` without a label or without room.
-pub(crate) fn reference_places(plane: &Plane, items: &[Item], field: &mut Field) -> Vec<Option<(Rect, Label)>> {
-    references(items).map(|reference| reference_place(plane, reference, field)).collect()
+pub(crate) fn reference_places(
+    plane: &Plane,
+    items: &[Item],
+    labelled: Labelled,
+    field: &mut Field,
+) -> Vec<Option<(Rect, Label)>> {
+    labelled.of(items).map(|reference| reference_place(plane, reference, field)).collect()
 }
 
 fn references(items: &[Item]) -> impl Iterator<Item = &Reference> {
@@ -233,8 +249,13 @@ fn reference_place(plane: &Plane, reference: &Reference, field: &mut Field) -> O
 }
 
 /// Writes the labels of references at the places of [`reference_places`].
-pub(crate) fn reference_labels(canvas: &mut Canvas<'_>, items: &[Item], places: &[Option<(Rect, Label)>]) {
-    for (reference, place) in references(items).zip(places) {
+pub(crate) fn reference_labels(
+    canvas: &mut Canvas<'_>,
+    items: &[Item],
+    labelled: Labelled,
+    places: &[Option<(Rect, Label)>],
+) {
+    for (reference, place) in labelled.of(items).zip(places) {
         match place {
             Some((area, label)) => write_in(canvas, area, label, Colour::Tone(reference.tone)),
             None if reference.label.is_empty() => {}

@@ -3,7 +3,7 @@
 use crate::canvas::{Anchor, Canvas, Fill, HAIR, Setting, Stroke, TEXT};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::{Point, Rect};
-use crate::item::{Area, Item, Line, Shape};
+use crate::item::{Area, At, Item, Line, Reference, Shape};
 use crate::label::Label;
 use crate::style::Colour;
 
@@ -49,6 +49,21 @@ pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<LegendEntr
         }
     }
     entries
+}
+
+/// Returns the entries of the horizontal references, for planes too low for a label between their curves.
+pub(crate) fn limits(items: &[Item]) -> impl Iterator<Item = LegendEntry> {
+    let references = items.iter().filter_map(|item| match item {
+        Item::Reference(reference) => Some(reference),
+        Item::Line(_) | Item::Area(_) | Item::Markers(_) | Item::Note(_) => None,
+    });
+    let named = references.filter(|reference| matches!(reference.at, At::Y(_)) && !reference.label.is_empty());
+    named.map(|reference| LegendEntry { label: reference.label.clone(), sample: Sample::Line(rule(reference)) })
+}
+
+/// Returns the stroke of a reference.
+pub(crate) const fn rule(reference: &Reference) -> Stroke {
+    Stroke { colour: Colour::Tone(reference.tone), width: 1.1, dash: reference.dash.pattern() }
 }
 
 pub(crate) const fn stroke(line: &Line) -> Stroke {

@@ -244,13 +244,11 @@ impl Plane {
                 canvas.line((left - TICK / 2.0, y), (left, y), &Stroke::solid(Colour::Ink, HAIR));
             }
         }
-        let mut above = f64::INFINITY;
+        let mut numbered = numbered(&self.y, self.area.height()).peekable();
         for value in &self.y.values {
             let y = self.y_at(*value);
             canvas.line((left - TICK, y), (left, y), &rule);
-            // Ticks of a very low plane are closer than their numbers are high.
-            if above - y >= TEXT {
-                above = y;
+            if numbered.next_if_eq(value).is_some() {
                 let label = Label::from(self.y.label(*value, language));
                 let setting = Setting::new(TEXT, Colour::Ink, Anchor::End);
                 canvas.text((left - TICK - GAP, TEXT.mul_add(CAP_HEIGHT / 2.0, y)), &label, setting);
@@ -308,18 +306,44 @@ impl Plane {
     }
 }
 
-/// Returns the ticks that fit into a height.
+/// Share of a widened axis that the data take at least; a low plane would waste its height otherwise.
+const FILLED: f64 = 0.6;
+
+/// Returns the ticks that fit into a height: at least two of them with a number.
 pub(crate) fn y_ticks((lo, hi, widen): (f64, f64, bool), height: f64) -> Ticks {
     // Extending the range adds up to two steps, so that their number is known only afterwards.
     let distance = (height / 9.0).clamp(20.0, 38.0);
     let room = whole((height / distance).clamp(1.0, 12.0));
     // A fixed range has no ticks beyond its last ones: finer steps leave more than a single number.
     let most = if widen { room } else { room + 2 };
-    (1..=most)
+    let coarse = (1..=most)
         .rev()
         .map(|most| Ticks::new(lo, hi, most, widen))
         .find(|ticks| ticks.values.len() <= room + 1)
-        .unwrap_or_else(|| Ticks::new(lo, hi, 1, widen))
+        .unwrap_or_else(|| Ticks::new(lo, hi, 1, widen));
+    let has_scale = |ticks: &Ticks| numbered(ticks, height).nth(1).is_some();
+    if has_scale(&coarse) && hi - lo >= FILLED * (coarse.hi - coarse.lo) || hi <= lo {
+        return coarse;
+    }
+    // A low plane ends at its data, and its steps are closer than the numbers of a higher one.
+    (1..=FINEST).map(|most| Ticks::new(lo, hi, most, false)).find(has_scale).unwrap_or(coarse)
+}
+
+/// Largest number of steps tried for two numbers on a low plane.
+const FINEST: usize = 12;
+
+/// Returns the ticks that have room for a number in a height, from the lowest on: those of a very low plane are closer
+/// than their numbers are high.
+fn numbered(ticks: &Ticks, height: f64) -> impl Iterator<Item = f64> {
+    let pixels = height / (ticks.hi - ticks.lo);
+    let mut last = f64::NEG_INFINITY;
+    ticks.values.iter().copied().filter(move |value| {
+        let has_room = (value - last) * pixels >= TEXT;
+        if has_room {
+            last = *value;
+        }
+        has_room
+    })
 }
 
 /// Returns the width of the y labels to the left of the plane.

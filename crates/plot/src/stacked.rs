@@ -1,7 +1,7 @@
 //! Panels one above the other with a shared axis, usually of time.
 
 use crate::canvas::{AXIS, Anchor, Canvas, HAIR, RULE, Setting, Stroke, TEXT};
-use crate::draw;
+use crate::draw::{self, Labelled};
 use crate::geometry::Rect;
 use crate::item::{Item, Tags};
 use crate::label::Label;
@@ -63,7 +63,8 @@ impl Panel {
         self
     }
 
-    /// Adds an item. Items with a label are explained next to the title of the panel.
+    /// Adds an item. Items with a label are explained next to the title of the panel; a vertical reference has its
+    /// label at the line.
     #[must_use]
     pub fn with(mut self, item: impl Into<Item>) -> Self {
         self.items.push(item.into());
@@ -91,7 +92,8 @@ struct Head {
 
 impl Head {
     fn of(canvas: &mut Canvas<'_>, panel: &Panel) -> Self {
-        let entries = legend::entries(canvas, &panel.items);
+        let mut entries = legend::entries(canvas, &panel.items);
+        entries.extend(legend::limits(&panel.items));
         // Ticks may take a power of ten out of the numbers, which is known only later: room for one.
         let title = panel.y.title(-3).width(AXIS, false);
         let room = canvas.style.size.width - 2.0 * EDGE - title - legend::COLUMN_GAP;
@@ -162,7 +164,7 @@ impl StackedChart {
             for x in self.borders_in(plane) {
                 field.line(&[(x, plane.area.top), (x, plane.area.bottom)]);
             }
-            let places = draw::reference_places(plane, &panel.items, &mut field);
+            let places = draw::reference_places(plane, &panel.items, Labelled::Vertical, &mut field);
             canvas.open_plane("plane panel", &plane.area, plane.range(), panel.y.sign());
             plane.grid(&mut canvas);
             let labels: Vec<Rect> = places.iter().flatten().map(|(area, _)| area.grown(1.0)).collect();
@@ -176,7 +178,7 @@ impl StackedChart {
                 canvas.line((left, bottom), (right, bottom), &Stroke::solid(Colour::Soft, HAIR));
             }
             draw::lines(&mut canvas, plane, &panel.items);
-            draw::reference_labels(&mut canvas, &panel.items, &places);
+            draw::reference_labels(&mut canvas, &panel.items, Labelled::Vertical, &places);
             draw::texts(&mut canvas, plane, &panel.items, &mut field);
             canvas.close();
             let below = if head.beside { 0.0 } else { legend::rows_height(&head.rows(style)) };

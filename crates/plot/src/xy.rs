@@ -1,7 +1,7 @@
 //! Charts of one plane: curves, areas and points over two axes, and maps of candidates.
 
 use crate::canvas::{AXIS, Anchor, Canvas, Fill, RULE, Setting, Stroke, TITLE};
-use crate::draw;
+use crate::draw::{self, Labelled};
 use crate::geometry::Rect;
 use crate::item::{Item, Markers, Shape};
 use crate::label::Label;
@@ -159,8 +159,8 @@ impl XyChart {
         if let Some(area) = &corner {
             legend::column(&mut canvas, &entries, area);
         }
-        let places = draw::reference_places(&plane, &self.items, &mut field);
-        draw::reference_labels(&mut canvas, &self.items, &places);
+        let places = draw::reference_places(&plane, &self.items, Labelled::All, &mut field);
+        draw::reference_labels(&mut canvas, &self.items, Labelled::All, &places);
         draw::texts(&mut canvas, &plane, &self.items, &mut field);
         canvas.close();
         plane.y_title(&mut canvas, &self.y, style.size.width - 2.0 * EDGE, plane.area.top - 8.0);

@@ -27,23 +27,27 @@ fn borders(picture: &Picture) -> Vec<(f64, f64, f64)> {
     lines.filter_map(|node| node.attribute("d")).map(read).collect()
 }
 
+fn many_segments(title: &str) -> StackedChart {
+    let segments = (0..40_u8).map(f64::from);
+    segments.fold(StackedChart::new(Axis::new("t", "s")).title(title), |chart, at| {
+        chart.segment(at, at + 1.0, format!("{at}"))
+    })
+}
+
 #[test]
-fn no_border_of_a_segment_crosses_the_label_of_a_limit() {
-    let mut chart = StackedChart::new(Axis::new("t", "s")).title("Cycle");
-    for index in 0..40_u8 {
-        chart = chart.segment(f64::from(index), f64::from(index) + 1.0, format!("{index}"));
-    }
-    for limit in [3.0, 9.0] {
+fn no_border_of_a_segment_crosses_the_label_of_an_event() {
+    let mut chart = many_segments("Cycle");
+    for event in [3.5, 9.5] {
         let course = Line::new([(0.0, 0.0), (20.0, 8.0), (40.0, 1.0)]);
         chart = chart.panel(
             Panel::new(Axis::new("T", "Nm"))
                 .with(course)
-                .with(Reference::horizontal(limit).label(format!("T_max = {limit} Nm"))),
+                .with(Reference::vertical(event).label(format!("stop after {event} s"))),
         );
     }
     let picture = chart.render(&Style::new(Size::millimetres(120.0, 90.0)));
-    assert!(picture.hidden_labels().iter().all(|label| !label.contains("T_max")), "{:?}", picture.hidden_labels());
-    let labels: Vec<_> = picture.texts().iter().filter(|text| text.text.contains("T_max")).collect();
+    assert!(picture.hidden_labels().iter().all(|label| !label.contains("stop")), "{:?}", picture.hidden_labels());
+    let labels: Vec<_> = picture.texts().iter().filter(|text| text.text.contains("stop")).collect();
     assert_eq!(labels.len(), 2);
     let found = borders(&picture);
     assert!(found.len() > 2 * 39, "{}", found.len());
@@ -53,6 +57,65 @@ fn no_border_of_a_segment_crosses_the_label_of_a_limit() {
             let crosses = area.left < x && x < area.right && top < area.bottom && area.top < bottom;
             assert!(!crosses, "{x} {top} {bottom} through {area:?}");
         }
+    }
+}
+
+/// A low panel has no room between its curves for a text.
+#[test]
+fn the_label_of_a_limit_stands_above_the_panel() {
+    let limits = [3.0, 9.0];
+    for height in [60.0, 90.0, 200.0] {
+        let chart = limits.into_iter().fold(many_segments("Cycle"), |chart, limit| {
+            let course = Line::new([(0.0, -8.0), (20.0, 8.0), (40.0, -8.0)]);
+            let reference = Reference::horizontal(limit).label(format!("T_max = {limit} Nm"));
+            chart.panel(Panel::new(Axis::new("T", "Nm")).with(course).with(reference))
+        });
+        let picture = chart.render(&Style::new(Size::millimetres(120.0, height)));
+        assert!(picture.hidden_labels().iter().all(|label| !label.contains("T_max")), "{:?}", picture.hidden_labels());
+        let labels: Vec<_> = picture.texts().iter().filter(|text| text.text.contains("T_max")).collect();
+        assert_eq!(labels.len(), 2);
+        // A border ends two pixels above its panel.
+        let mut panels: Vec<(f64, f64)> = borders(&picture).iter().map(|(_, top, end)| (top + 2.0, *end)).collect();
+        panels.sort_by(|a, b| a.0.total_cmp(&b.0));
+        panels.dedup();
+        assert_eq!(panels.len(), 2, "{panels:?}");
+        for label in labels {
+            let within = panels.iter().any(|(top, bottom)| label.area.top < *bottom && *top < label.area.bottom);
+            assert!(!within, "{height} mm: {label:?} {panels:?}");
+        }
+    }
+}
+
+/// A scale with a single number has no unit of length.
+#[test]
+fn every_scale_has_two_numbers_however_low_its_panel() {
+    for (low, high) in [(-20.2, 20.2), (-190.4, 190.4), (30.2, 81.7), (-0.1, 120.7), (-21_600.0, 0.0), (0.4, 1.46)] {
+        for height in [30.0, 60.0, 120.0] {
+            let fixed = Panel::new(Axis::new("T", "Nm").range(low, high)).with(Line::new([(0.0, low), (9.0, high)]));
+            let free = Panel::new(Axis::new("T", "Nm")).with(Line::new([(0.0, low), (9.0, high)]));
+            for panel in [fixed, free] {
+                let picture =
+                    StackedChart::new(Axis::new("t", "s")).panel(panel).render(&Style::new(Size::millimetres(120.0, height)));
+                let document = roxmltree::Document::parse(picture.svg()).unwrap();
+                let axis = document.descendants().find(|node| node.attribute("class") == Some("axis y")).unwrap();
+                let numbers = axis.descendants().filter(|node| node.has_tag_name("text")).count();
+                assert!(numbers >= 2, "{low} to {high}, {height} mm: {numbers}");
+            }
+        }
+    }
+}
+
+/// An axis that goes on to the next round number may be twice as long as its data.
+#[test]
+fn a_low_panel_is_filled_by_its_curve() {
+    for high in [0.536, 5.1, 21_600.0, 2300.0, 11.0] {
+        let panel = Panel::new(Axis::new("φ", "°")).with(Line::new([(0.0, 0.0), (9.0, high)]));
+        let chart = StackedChart::new(Axis::new("t", "s")).panel(panel);
+        let picture = chart.render(&Style::new(Size::millimetres(120.0, 30.0)));
+        let document = roxmltree::Document::parse(picture.svg()).unwrap();
+        let top = document.descendants().find_map(|node| node.attribute("data-y-max")?.parse::<f64>().ok());
+        let top = top.unwrap();
+        assert!(top >= high && top <= high / 0.55, "{high}: {top}");
     }
 }
 

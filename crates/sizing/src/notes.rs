@@ -188,6 +188,8 @@ pub enum Note {
     },
     /// The field of application needs a risk assessment and the manufacturer's approval (section 2.4).
     ApprovalNeeded,
+    /// No speed of the cycle is held constant.
+    NoSpeedHeld,
     /// Output speeds at which the wave generator excites the load.
     ResonanceSpeeds(Box<ResonanceSpeeds>),
     /// First natural frequency of load and free rotor against each other.

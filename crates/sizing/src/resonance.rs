@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::check::{Amount, Check, CheckId, Verdict};
 use crate::comparison::{Asking, against_asked, unjudged};
 use crate::list::{Case, Outcome};
-use crate::notes::{Note, ResonanceSpeeds};
+use crate::notes::{Note, Notes, ResonanceSpeeds};
 use crate::stage;
 use crate::workings;
 use actuator::Parameters;
@@ -130,7 +130,7 @@ fn own_inertia(actuator: &Parameters) -> Option<f64> {
 /// the model has no damping and no amplitudes.
 const RESONANCE_BAND: f64 = 0.1;
 
-/// Reported distance if no speed is held, or every resonance is further away.
+/// Reported distance if every resonance is further away; assumed in the verdict if no speed is held.
 const FAR_FROM_RESONANCE: f64 = 1.0;
 
 /// A region of stiffness with the rotor blocked or free, and its resonance speeds for one range of J_L.
@@ -186,6 +186,8 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let held = axis.held_speeds().iter().filter(|held| held.inertia.1 > 0.0);
     let nearest = held.filter_map(|held| Some((of(held)?, held))).min_by(|a, b| a.0.0.total_cmp(&b.0.0));
     let value = nearest.as_ref().map_or(FAR_FROM_RESONANCE, |((distance, _), _)| *distance);
+    // Without a held speed there is no distance to state.
+    let is_held = nearest.is_some();
     if work.is_on() {
         explain_resonance(actuator, (ratio, &stiffness), nearest.map(|((_, line), held)| (line, held)), value, work);
     }
@@ -197,18 +199,20 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
         true => Verdict::Pass,
         false => Verdict::Advice,
     };
+    let speeds = speeds_note(axis, &stiffness, ratio.value, own);
+    let notes: Notes = if is_held || open { speeds.into() } else { [Note::NoSpeedHeld, speeds].into() };
     Ok(Check {
         verdict,
         // What lies apart of the speeds that are known says nothing about those of a recording.
-        value: (!open).then_some(Amount { si: value, unit: &PERCENT }),
+        value: (is_held && !open).then_some(Amount { si: value, unit: &PERCENT }),
         limit: (!open).then_some(Amount { si: RESONANCE_BAND, unit: &PERCENT }),
-        utilisation: (value > 0.0 && !open).then(|| RESONANCE_BAND / value),
+        utilisation: (is_held && value > 0.0 && !open).then(|| RESONANCE_BAND / value),
         at: nearest.filter(|_| !open).map(|(_, held)| Time::from_si(held.start)),
         grade: Some(Grade::Assumed),
-        value_source: Some(MODEL),
+        value_source: is_held.then_some(MODEL),
         limit_source: Some(MODEL),
         missing: open.then_some("recorded_speed"),
-        notes: speeds_note(axis, &stiffness, ratio.value, own).into(),
+        notes,
         ..unjudged(id)
     })
 }
@@ -270,10 +274,8 @@ fn explain_resonance(
         let what = Finding::SpeedNearResonance;
         work.found("n", &REVOLUTION_PER_MINUTE, held.speed, what, demand, Grade::Computed);
         work.formula("d", &PERCENT, value, distance, &MODEL);
-    } else {
-        work.found("d", &PERCENT, value, Finding::NoSpeedHeld, &MODEL, Grade::Computed);
+        work.value("d");
     }
-    work.value("d");
     work.figure("d_min", &PERCENT, RESONANCE_BAND, &MODEL, Grade::Assumed);
     work.limit("d_min");
 }

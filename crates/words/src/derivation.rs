@@ -106,7 +106,6 @@ pub fn found_condition(what: Finding, language: Language) -> String {
             "constant speed from t on that is nearest to a resonance",
             "konstante Drehzahl ab t, die einer Resonanz am nächsten liegt",
         ),
-        Finding::NoSpeedHeld => ("no constant speed", "keine konstante Drehzahl"),
         Finding::ContinuousCurve => ("continuous curve at n_av", "Dauerkennlinie bei n_av"),
         Finding::ShortTimeCurve => ("short-time curve at n, at most T_max", "Kurzzeitkennlinie bei n, höchstens T_max"),
         Finding::SpeedBeyondCurve => ("n is above n_end", "n liegt über n_end"),

@@ -302,6 +302,10 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 | "bei Spitzendrehzahl sind {count} Kollisionen dieser Dauer zulässig"
             )
         }
+        Note::NoSpeedHeld => said!(language =>
+            "the cycle holds no speed constant: passing a resonance is permitted"
+            | "der Zyklus hält keine Drehzahl konstant; das Durchfahren einer Resonanz ist zulässig"
+        ),
         Note::ResonanceSpeeds(speeds) => {
             let ResonanceSpeeds { blocked, free } = &**speeds;
             let shown = |speeds: &[(AngularVelocity, AngularVelocity); 3]| {

@@ -112,7 +112,7 @@ texts! {
     motor_speed_peak = "Peak motor speed" | "Spitzendrehzahl des Motors";
     motor_speed_mean = "Mean motor speed" | "Mittlere Drehzahl des Motors";
     motor_torque_peak = "Peak motor torque" | "Spitzendrehmoment des Motors";
-    motor_torque_rms = "Rms motor torque" | "Effektives Drehmoment des Motors";
+    motor_torque_rms = "Rms motor torque" | "Effektives Motordrehmoment";
     inertia_ratio = "Inertia ratio" | "Trägheitsverhältnis";
     motor_text =
         "Motor speed: output speed times ratio. Motor torque: motor torque constant times current, friction included."
@@ -125,7 +125,7 @@ texts! {
     own_actuator = "Actuator from the project, not from the catalogue" | "Antrieb aus dem Projekt, nicht aus dem Katalog";
     exceeded = "Limits exceeded" | "Überschrittene Grenzen";
     unmet = "Requirements not met" | "Nicht erfüllte Anforderungen";
-    without_limit = "shown without limit" | "ohne Grenze gezeigt";
+    without_limit = "without a required limit" | "ohne geforderte Grenze";
     governing_check = "Governing check" | "Maßgebender Nachweis";
     highest_utilisation = "Highest utilisation" | "Höchste Auslastung";
     duty = "Duty factor" | "Einschaltdauer";

@@ -268,6 +268,7 @@ pub fn condition_text(condition: &str, language: Language) -> String {
         pick(language, ("crossed roller", "four-point contact"), ("Kreuzrollenlager", "Vierpunktlager"));
     let mut text = condition.replace("degC", "°C");
     text = text.replace("bearing_type=C", crossed).replace("bearing_type=F", four);
+    text = text.replace("option_1=", pick(language, "option 1 ", "Option 1 "));
     if language == Language::De {
         for (en, de) in CONDITIONS {
             text = text.replace(en, de);

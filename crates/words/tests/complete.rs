@@ -169,6 +169,7 @@ fn notes() {
         Note::Capacitor { energy: q(10.0), capacitance_f: 1e-3 },
         Note::ReferenceLost { turns: 4096.0 },
         Note::NeedsReferencing,
+        Note::NoSpeedHeld,
         Note::BatteryExchange { recommended: q(1e8), latest: q(2e8) },
         Note::ApprovalNeeded,
         Note::RopeSlack(Box::new(sizing::RopeSlack { times: vec![(mechanism::Rope::Load, q(0.1), q(0.2)); 6] })),

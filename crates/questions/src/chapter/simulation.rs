@@ -82,7 +82,9 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
                 (Column::numbers(capitalised(simulation::sizing_said(language))), &|row| number(Some(row.sizing))),
                 (Column::numbers(capitalised(simulation::twin_shows(language))), &|row| number(Some(row.twin))),
                 (Column::text(unit), &|row| unit_shown(row.unit)),
-                (Column::wide(capitalised(simulation::why(language))), &|row| row.why.clone()),
+                (Column::wide(capitalised(simulation::why(language))), &|row| {
+                    reason([row.sizing, row.twin].map(|value| number(Some(value))), &row.why)
+                }),
             ],
         );
     }
@@ -130,3 +132,20 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
 
 /// Largest number of events shown; the record has them all.
 const EVENTS_MOST: usize = 40;
+
+/// Returns the reason of a difference between two values as they are shown; none if they do not differ.
+fn reason([sizing, twin]: [String; 2], why: &str) -> String {
+    if sizing == twin { String::new() } else { why.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_values_need_no_reason() {
+        let shown = |value: f64| significant(Some(Number(value)), 4, Language::En);
+        assert_eq!(reason([shown(70.381), shown(70.379)], "overshoot"), "");
+        assert_eq!(reason([shown(70.38), shown(70.64)], "overshoot"), "overshoot");
+    }
+}

@@ -79,7 +79,7 @@ impl Alternatives {
                 tightest: candidate.tightest.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
                 mass: candidate
                     .mass_kg
-                    .map(|mass| marked(shown.number(mass), &candidate.mass_errata))
+                    .map(|mass| marked(shown.mass(mass), &candidate.mass_errata))
                     .unwrap_or_default(),
                 open: candidate.open_questions,
                 on_request: candidate.on_request.clone(),

@@ -270,7 +270,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         tightest: candidate.tightest.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
         mass: candidate
             .mass_kg
-            .map(|mass| marked(shown.figure(mass, "kg"), &candidate.mass_errata))
+            .map(|mass| marked(format!("{}\u{202f}kg", shown.mass(mass)), &candidate.mass_errata))
             .unwrap_or_default(),
         cycle: shown.figure(Number(cycle), "s"),
         on_request: candidate.on_request.clone(),

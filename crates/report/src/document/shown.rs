@@ -27,7 +27,8 @@ pub(super) fn tied(text: &str) -> String {
         let rest = text.get(place..).unwrap_or_default();
         let after_digit = tied.ends_with(|last: char| last.is_ascii_digit());
         let unit = if after_digit && matches!(sign, ' ' | THIN) { unit_at(rest) } else { None };
-        if let (Some(_), Some(from)) = (unit, digits) {
+        let has_unit = unit.is_some() || after_digit && sign == '°';
+        if let (true, Some(from)) = (has_unit, digits) {
             let grouped = grouped(tied.get(from..).unwrap_or_default());
             tied.truncate(from);
             tied.push_str(&grouped);
@@ -95,6 +96,13 @@ impl Shown {
         }
     }
 
+    /// Formats a mass \[kg\], with a decimal as the manual states it: `3,0` next to `2,3`.
+    pub(super) fn mass(&self, value: Number) -> String {
+        let tenths = value.0 * 10.0;
+        let is_stated = (tenths - tenths.round()).abs() < 1e-9 * tenths.abs().max(1.0);
+        if is_stated { grouped_decimals(&format_number(value.0, 1, self.0)) } else { self.number(value) }
+    }
+
     /// Converts an angle or a speed of the output to travel or speed along a line; `None` for other units.
     pub(super) fn along(&self, value: Number, unit: &str, travel_mm_per_rev: Number) -> Option<String> {
         let turns = match unit {
@@ -154,10 +162,17 @@ mod tests {
         assert_eq!(tied("up to 39.0 Nm, at 30 °C (80 °C)"), "up to 39.0\u{202f}Nm, at 30\u{202f}°C (80\u{202f}°C)");
         assert_eq!(tied("20 min⁻¹ und 5,5 %."), "20\u{202f}min⁻¹ und 5,5\u{202f}%.");
         assert_eq!(tied("swings of 2.00 °, then 4500 °"), "swings of 2.00°, then 4500°");
+        assert_eq!(tied("21600° and 21600 °"), "21\u{202f}600° and 21\u{202f}600°");
         assert_eq!(tied("35000 h, 12345.5 N"), "35\u{202f}000\u{202f}h, 12345.5\u{202f}N");
         for text in ["", "in 4 segments", "J_L ≤ 3 J_out", "L_10 of 2", "order 1019307", "CHA-25A-100"] {
             assert_eq!(tied(text), text);
         }
+    }
+
+    #[test]
+    fn a_mass_has_the_decimal_of_the_manual() {
+        let de = Shown(Language::De);
+        assert_eq!(["3,0", "2,3", "12,35"].map(str::to_owned), [3.0, 2.3, 12.35].map(|mass| de.mass(Number(mass))));
     }
 
     #[test]
