@@ -29,8 +29,7 @@ fn call(parts: &[&str]) -> Vec<String> {
 fn of_axes() -> Vec<Vec<String>> {
     let mut calls = Vec::new();
     for example in examples() {
-        let own: &[&str] =
-            if example.contains("manual-example") { &[] } else { &["--code", "CHA-25A-50-H-C1024-B"] };
+        let own: &[&str] = if example.contains("manual-example") { &[] } else { &["--code", "CHA-25A-50-H-C1024-B"] };
         calls.push(call(&["size", &example, "--top", "3", "--samples", "50"]));
         // These answers are about one axis.
         if example.contains("two-axes") {
@@ -176,7 +175,8 @@ fn keys_and_columns(text: &str) -> BTreeSet<String> {
     let before = |line: &str, mark: char| {
         let parts: Vec<String> = line.split(mark).map(str::to_owned).collect();
         let heads = parts.iter().take(parts.len().saturating_sub(1));
-        heads.filter_map(|head| head.split_whitespace().last().map(|word| word.trim_start_matches('#').to_owned()))
+        heads
+            .filter_map(|head| head.split_whitespace().last().map(|word| word.trim_start_matches('#').to_owned()))
             .collect::<Vec<_>>()
     };
     text.lines().flat_map(|line| before(line, '=').into_iter().chain(before(line, '['))).collect()

@@ -94,8 +94,9 @@ fn every_scale_has_two_numbers_however_low_its_panel() {
             let fixed = Panel::new(Axis::new("T", "Nm").range(low, high)).with(Line::new([(0.0, low), (9.0, high)]));
             let free = Panel::new(Axis::new("T", "Nm")).with(Line::new([(0.0, low), (9.0, high)]));
             for panel in [fixed, free] {
-                let picture =
-                    StackedChart::new(Axis::new("t", "s")).panel(panel).render(&Style::new(Size::millimetres(120.0, height)));
+                let picture = StackedChart::new(Axis::new("t", "s"))
+                    .panel(panel)
+                    .render(&Style::new(Size::millimetres(120.0, height)));
                 let document = roxmltree::Document::parse(picture.svg()).unwrap();
                 let axis = document.descendants().find(|node| node.attribute("class") == Some("axis y")).unwrap();
                 let numbers = axis.descendants().filter(|node| node.has_tag_name("text")).count();
