@@ -88,13 +88,12 @@ impl Answer {
     }
 
     /// Writes data and messages; colours are removed if the stream is no terminal. A pipe closed by its reader is no
-    /// fault; any other error of stdout is.
+    /// fault, nor is a standard output that the caller closed; any other error of stdout is.
     pub(crate) fn write(self, language: Language) -> u8 {
         let _ = anstream::stderr().write_all(safe(&self.talk).as_bytes());
         let mut out = anstream::stdout();
         let mut pieces = pieces(&self.data);
         let written = pieces.try_for_each(|piece| out.write_all(safe(piece).as_bytes())).and_then(|()| out.flush());
-        let written = written.and_then(|()| if self.data.is_empty() { Ok(()) } else { startup::stdout_is_open() });
         match written {
             Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
                 let _ = writeln!(anstream::stderr(), "antrieb: stdout: {}", file_trouble(&error, language));

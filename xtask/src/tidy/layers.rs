@@ -20,13 +20,12 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 42] = [
+const ROOMS: [(&str, Room); 41] = [
     ("numeric", Room::Layer(0)),
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("series-files", Room::BuildOnly),
     ("order-code", Room::Layer(0)),
-    ("startup", Room::Layer(0)),
     ("catalogue", Room::Layer(1)),
     ("derivation", Room::Layer(1)),
     ("motion", Room::Layer(1)),

@@ -51,7 +51,7 @@ impl Member {
 }
 
 /// Members with their own lint table: that of the workspace, except that one of their files may permit unsafe code.
-const OWN_LINTS: [&str; 3] = ["python", "site", "startup"];
+const OWN_LINTS: [&str; 2] = ["python", "site"];
 
 /// Checks that every member uses the lints of the workspace, which cargo does not report.
 pub(super) fn lints(root: &Path) -> Vec<Finding> {
