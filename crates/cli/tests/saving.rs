@@ -346,9 +346,13 @@ fn a_limit_of_the_size_leaves_nothing_behind() {
 fn help_and_version_are_answers_too() {
     let program = env!("CARGO_BIN_EXE_antrieb");
     for call in ["--help", "-h", "--version", "help", "help size", "size --help", "code parse CHA-25A-100-H-C1024"] {
-        for (to, code) in
-            [(">&-", 0), (">/dev/full", 2), (">/dev/null", 0), ("1<>/dev/null", 0), ("| head -c 1 >/dev/null; exit ${PIPESTATUS[0]}", 0)]
-        {
+        for (to, code) in [
+            (">&-", 0),
+            (">/dev/full", 2),
+            (">/dev/null", 0),
+            ("1<>/dev/null", 0),
+            ("| head -c 1 >/dev/null; exit ${PIPESTATUS[0]}", 0),
+        ] {
             let line = format!("{program} {call} {to}");
             let found = std::process::Command::new("bash").args(["-c", &line]).output().unwrap();
             assert_eq!(found.status.code(), Some(code), "{call} {to}: {}", String::from_utf8_lossy(&found.stderr));

@@ -83,6 +83,7 @@ fn cases() -> Vec<(&'static str, String, At)> {
         ("decimal_comma", inertia("\"1,3 kg m^2\""), Field("load.inertia")),
         ("not_finite", inertia("\"1e999 kg m^2\""), Field("load.inertia")),
         ("unit_missing", inertia("\"1.3\""), Field("load.inertia")),
+        ("unit_of_flywheel_effect", inertia("\"5.2 kgf m^2\""), Field("load.inertia")),
         ("unit_unknown", inertia("\"1.3 kgm3\""), Field("load.inertia")),
         ("unit_of_another_quantity", inertia("\"1.3 N m\""), Field("load.inertia")),
         ("tolerance_missing", inertia("\"1.3 kg m^2 ±\""), Field("load.inertia")),
@@ -136,6 +137,8 @@ fn cases() -> Vec<(&'static str, String, At)> {
         ("curve_torque_out_of_range", more(&format!("{bend}[[\"0 1/min\", \"-10 N m\"], [\"9 1/min\", \"5 N m\"]]\n")), Field("curve[1].points")),
         ("file_out_of_reach", segments(&["law = \"recorded\"\nfile = \"../x.csv\""]), Field("motion[1].file")),
         ("no_line", segments(&["law = \"trapezoid\"\ndistance = \"90 mm\"\ntime = \"1 s\""]), Field("motion[1].distance")),
+        ("no_column_with_ratio", segments(&["law = \"recorded\"\nfile = \"motor.csv\"\nrecorded_ratio = { speed = 80, torque = 80 }"]), Field("motion[1].recorded_ratio.torque")),
+        ("recorded_at_the_motor", segments(&["law = \"recorded\"\nfile = \"motor.csv\""]), Field("motion[1].file")),
         ("unknown_unit", recorded("[motion.units]\nposition = \"furlong\""), Field("motion[1].units.position")),
         ("file_unreadable", segments(&["law = \"recorded\"\nfile = \"none.csv\""]), Field("motion[1].file")),
         ("recording_time_missing", recorded(""), Field("motion[1].file")),
@@ -175,6 +178,8 @@ fn plain(html: &str) -> String {
 fn every_fault_has_its_place_in_the_page() {
     let folder = InMemory::default();
     let _ = folder.0.borrow_mut().insert("run.csv".to_owned(), b"q [deg]\n0\n1\n".to_vec());
+    let motor = b"t [s],q [deg],r0061[0]: Speed actual value [1/min]\n0,0,0\n1,1,40\n2,2,0\n";
+    let _ = folder.0.borrow_mut().insert("motor.csv".to_owned(), motor.to_vec());
     let good = more("");
     let mut wrong = Vec::new();
     for (id, text, at) in cases() {

@@ -54,7 +54,7 @@ texts! {
         "{faults}; the rest of the table was not checked"
         | "{faults}; der Rest der Tabelle wurde nicht geprüft";
     headings_refused =
-        "only the first rows of the table were checked, because its headings are refused"
+        "only the first rows of the table were checked, because its headings are rejected"
         | "wegen der abgelehnten Überschriften wurden nur die ersten Zeilen der Tabelle geprüft";
     too_many_rows(rows, most) =
         "the table has {rows} rows; at most {most} are evaluated here, more with `antrieb sweep`"

@@ -1462,6 +1462,8 @@ class Cable:
     """Table that lists the cable."""
     source: str
     """Cell that lists the cable."""
+    errata: list[str]
+    """Ids of the errata that concern the material number."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1742,6 +1744,8 @@ class EncoderSignal:
     """Periods per turn; `null` if it does not depend on the angle."""
     source: str
     """Source: the table of its level or its lines."""
+    errata: list[str]
+    """Ids of the errata that concern the value."""
     curve: EncoderCurve | None = None
     """Values over the angle; `null` if it does not depend on the angle."""
 
@@ -1960,10 +1964,28 @@ class Torsion:
     lost_motion: float | None = None
     """Maximum lost motion under a few per cent of the rated torque in both directions; `null` if the manual states
 none."""
+    exceeds: list[TorqueExceeded]
+    """Limits of actuator and gear that the torque exceeds; the curve is not stated beyond them."""
     units: Units
     """Units of torque, stiffness and angles."""
     source: str
     """Source of the curve."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TorqueExceeded:
+    """A limit that a torque exceeds."""
+
+    symbol: str
+    """Symbol of the limit: `T_max`, `T_M`."""
+    limit: float | None
+    """Limit."""
+    grade: Grade
+    """Grade of the limit."""
+    source: str
+    """Source of the limit."""
+    errata: list[str]
+    """Ids of the errata that concern the limit."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -1990,6 +2012,8 @@ class DriveObject:
     """Grade of the value."""
     source: str
     """Source of the figures, then the document that defines the object."""
+    errata: list[str]
+    """Ids of the errata that concern the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2018,6 +2042,8 @@ class Commissioning:
     """Settings of the overload supervision."""
     lists: list[CommissionList]
     """Checklists: before power, first motion, after a day."""
+    errata: list[CitedErratum]
+    """Errata of the values shown, with their evidence."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2074,6 +2100,8 @@ class DriveParameter:
     """Grade of the value."""
     source: str
     """Source of the figure, then the document that defines the parameter."""
+    errata: list[str]
+    """Ids of the errata that concern the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2098,6 +2126,8 @@ class EncoderValue:
     """Number of the table."""
     notes: list[str]
     """Notes on the value."""
+    errata: list[str]
+    """Ids of the errata that concern the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2118,6 +2148,8 @@ class SensorThreshold:
     """Grade of the resistance."""
     source: str
     """Source of temperature and resistance."""
+    errata: list[str]
+    """Ids of the errata that concern the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2134,6 +2166,8 @@ class OverloadSupervision:
     """Response times of a first-order supervision from the cold state."""
     text: str
     """Basis of the values, as text."""
+    errata: list[str]
+    """Ids of the errata that concern the stall current."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2184,6 +2218,8 @@ class CommissionEntry:
     """Grade of the expected value."""
     source: str
     """Source of the entry."""
+    errata: list[str]
+    """Ids of the errata that concern the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2200,6 +2236,8 @@ class Recorded:
     """Number of measurements that are not judged."""
     measurements: list[RecordedValue]
     """The measurements."""
+    errata: list[CitedErratum]
+    """Errata of the expected values, with their evidence."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2236,6 +2274,8 @@ class RecordedValue:
     """Grade of the judgement."""
     source: str
     """Source of the expected value."""
+    errata: list[str]
+    """Ids of the errata that concern the value."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -3245,6 +3285,7 @@ __all__ = [
     "TextEncoding",
     "Tolerance",
     "ToleratedValue",
+    "TorqueExceeded",
     "Torsion",
     "UnitBy",
     "UnitRead",

@@ -42,7 +42,7 @@ pub struct TableFaults {
     pub listed: Vec<CellFault>,
     /// Number of further faults.
     pub more: usize,
-    /// `true` if the rest of the table was not read, because its headings are refused.
+    /// `true` if the rest of the table was not read, because its headings are rejected.
     pub is_unread: bool,
 }
 
