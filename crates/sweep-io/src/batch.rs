@@ -93,7 +93,7 @@ impl Sweep {
     }
 
     /// Returns the number of rows, at most `most`, whose answers are held at once: they take a quarter of the memory, with a line
-    /// for each code, a value for each column and [`BYTES_OF_VALUE`] for each value.
+    /// for each code, a value for each column and 64 bytes for each value.
     #[must_use]
     pub fn rows_within(&self, memory: u64, most: usize) -> usize {
         let of_row = self.sweep.lines_of_row() * self.schema.fields().len() * BYTES_OF_VALUE;
