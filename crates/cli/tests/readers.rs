@@ -1,4 +1,4 @@
-//! What the terminal shows: no internal identifier but keys and words to type, and no English in German answers.
+//! The terminal shows no internal identifier but keys and words to type, and no English in German answers.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 mod run;
@@ -6,20 +6,11 @@ mod run;
 use quantities::Language;
 use questions::list::LIST;
 use questions::list::new::{template, template_kinds};
-use run::{root, run_in};
+use run::{examples, root, run_in};
 use std::collections::BTreeSet;
 use testkit::readers::{english, identifiers, text_of};
 
 const CODES: [&str; 3] = ["CHA-25A-100-H-M512P-B-EC", "CHA-14A-50-E-M128S", "CHA-58A-100-H-C1024-B-EC"];
-
-fn examples() -> Vec<String> {
-    let entries = std::fs::read_dir(root().join("examples")).unwrap();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut found: Vec<String> =
-        names.filter(|name| name.ends_with(".toml")).map(|name| format!("examples/{name}")).collect();
-    found.sort();
-    found
-}
 
 fn call(parts: &[&str]) -> Vec<String> {
     parts.iter().map(|part| (*part).to_owned()).collect()

@@ -3,7 +3,7 @@
 
 mod run;
 
-use run::{root, run};
+use run::{examples, run};
 
 /// Words that are not used, in a language.
 fn twins(language: &str) -> Vec<String> {
@@ -23,15 +23,6 @@ fn twin_in(text: &str, twins: &[String]) -> Option<String> {
         let from = text.get(..at).map_or(0, |head| head.char_indices().rev().nth(30).map_or(0, |(index, _)| index));
         Some(format!("{twin}: {}", text.get(from..).unwrap_or_default().chars().take(80).collect::<String>()))
     })
-}
-
-fn examples() -> Vec<String> {
-    let entries = std::fs::read_dir(root().join("examples")).unwrap();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut found: Vec<String> =
-        names.filter(|name| name.ends_with(".toml")).map(|name| format!("examples/{name}")).collect();
-    found.sort();
-    found
 }
 
 fn answers(language: &str) {

@@ -16,6 +16,17 @@ pub(crate) fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
+/// Returns the project files of the examples, sorted, from the root.
+pub(crate) fn examples() -> Vec<String> {
+    let entries = std::fs::read_dir(root().join("examples")).into_iter().flatten().flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    let mut found: Vec<String> =
+        names.filter(|name| name.ends_with(".toml")).map(|name| format!("examples/{name}")).collect();
+    found.sort();
+    assert!(found.len() > 8, "{found:?}");
+    found
+}
+
 pub(crate) fn run(arguments: &[&str]) -> Run {
     run_with(arguments, b"")
 }

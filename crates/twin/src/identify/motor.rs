@@ -74,9 +74,9 @@ const LAG_LEAST_S: f64 = 1e-4;
 /// Factors by which the signals of a run are larger than those that their columns state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
-    /// Of the torque \[1\].
+    /// Factor of the torque \[1\].
     pub(super) torque: f64,
-    /// Of the current \[1\].
+    /// Factor of the current \[1\].
     pub(super) current: f64,
 }
 
