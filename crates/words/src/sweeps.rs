@@ -54,8 +54,8 @@ texts! {
         "{faults}; the rest of the table was not checked"
         | "{faults}; der Rest der Tabelle wurde nicht geprüft";
     headings_refused =
-        "only the first rows of the table were checked, because its headings are rejected"
-        | "wegen der abgelehnten Überschriften wurden nur die ersten Zeilen der Tabelle geprüft";
+        "only the first rows of the table were checked, because its headings are faulty"
+        | "wegen der fehlerhaften Überschriften wurden nur die ersten Zeilen der Tabelle geprüft";
     too_many_rows(rows, most) =
         "the table has {rows} rows; at most {most} are evaluated here, more with `antrieb sweep`"
         | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} bewertet, mehr mit `antrieb sweep`";
