@@ -21,7 +21,6 @@ use words::{file_trouble, sweeps};
 /// A table in a file.
 struct Table<'c> {
     path: &'c Path,
-    format: Format,
     language: Language,
 }
 
@@ -37,13 +36,11 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     let mut inputs = call.inputs(projects.as_deref().unwrap_or_default());
     inputs.push(path.clone());
     let desk = call.desk(&inputs);
-    let ending = |option| Unanswered::option(option, (sweeps::ending_of_a_table(language).to_owned(), None));
-    let place = Format::of(out).ok_or_else(|| ending("out"));
+    let ending = || Unanswered::option("out", (sweeps::ending_of_a_table(language).to_owned(), None));
+    let place = Format::of(out).ok_or_else(ending);
     let place = place.and_then(|answers| desk.ready(&[out]).map(|()| answers));
-    let opened = Format::of(&path).ok_or_else(|| ending("table")).and_then(|format| {
-        let table = Table { path: &path, format, language };
-        table.open(0, PART).map(|batches| (table, batches))
-    });
+    let table = Table { path: &path, language };
+    let opened = table.open(0, PART).map(|batches| (table, batches));
     let ready = match opened {
         Ok((table, batches)) => {
             let options = args.options(batches.has_decimal_commas(), language)?;
@@ -92,7 +89,7 @@ impl Table<'_> {
 
     /// Opens the table at a row, so many at a time.
     fn open(&self, skipped: u64, rows: usize) -> Result<Batches, Unanswered> {
-        let opened = Batches::open(self.file()?, self.format, skipped, rows, self.language);
+        let opened = Batches::open(self.file()?, skipped, rows, self.language);
         opened.map_err(|why| self.refused(&why.text(self.language)))
     }
 

@@ -3,11 +3,12 @@
 
 use crate::edit::key_at;
 use crate::key::{Key, Kind};
-use crate::nearest::nearest;
+use crate::nearest::{nearest, other_name};
 use crate::read::{MAGNITUDES, Reader, joined, shortened};
 use crate::root::KEYS;
 use crate::{Fault, Hint, Range, TabularFault};
 use quantities::{Dimension, QuantityError, Unit};
+use std::borrow::Cow;
 
 /// Longest excerpt of a heading in a fault, in characters.
 const HEADING_SHOWN: usize = 80;
@@ -54,7 +55,8 @@ impl Heading {
     /// counted from zero; then the hint is the heading that counts from one.
     pub fn read(written: &str, counted: Counted, axis: Option<usize>) -> Result<Self, Objection> {
         let (name, unit) = parts(written);
-        let unknown = || (Fault::UnknownKey { path: shortened(name, HEADING_SHOWN) }, nearest_key(name));
+        let (name, unit) = (name.as_ref(), unit.as_deref());
+        let unknown = || (Fault::UnknownKey { path: shortened(name, HEADING_SHOWN) }, nearest_key(name, &[]));
         let path = from_one(name, counted).ok_or_else(unknown)?;
         let within = axis.map_or_else(|| path.clone(), |index| format!("axis[{}].{path}", index + 1));
         let is_of_an_axis = !["axis", "curve", "format"].contains(&path.split(['.', '[']).next().unwrap_or_default());
@@ -81,10 +83,34 @@ impl Heading {
             | Kind::OneOrMany(..)
             | Kind::Bodies
             | Kind::Variants(_) => {
-                return Err((Fault::Tabular(TabularFault::NoColumn { path }), nearest_key(name)));
+                return Err((Fault::Tabular(TabularFault::NoColumn { path }), nearest_key(name, &[])));
             }
         };
         Ok(Self { path, key, unit })
+    }
+
+    /// Returns `true` if a text is a heading, with or without the unit that its key needs.
+    #[must_use]
+    pub fn is_one(written: &str) -> bool {
+        match Self::read(written, Counted::of([written]), None) {
+            Ok(_) => true,
+            Err((Fault::Tabular(fault), _)) => !matches!(fault, TabularFault::NoColumn { .. }),
+            Err((fault, _)) => matches!(fault, Fault::Quantity { .. }),
+        }
+    }
+
+    /// Returns the dimensions of the unit that a heading lacks; `None` if it states one or needs none.
+    #[must_use]
+    pub fn lacks_unit_of(written: &str) -> Option<Vec<Dimension>> {
+        let (name, unit) = parts(written);
+        if unit.is_some() {
+            return None;
+        }
+        match key_at(&from_one(&name, Counted::FromOne)?)?.kind {
+            Kind::Quantity(dimension, _) => Some(vec![dimension]),
+            Kind::Along(turning, line, _) => Some(vec![turning, line]),
+            _ => None,
+        }
     }
 
     /// Returns `true` if its cells are numbers.
@@ -144,6 +170,18 @@ impl Heading {
         self.unit.map_or_else(|| cell.to_string(), |unit| format!("{cell} {}", unit.ascii))
     }
 
+    /// Returns the word of a cell as a project file has it: `TRUE`, `True` and `WAHR`, as spreadsheets and data frames write
+    /// them, are `true`.
+    #[must_use]
+    pub fn word<'c>(&self, cell: &'c str) -> &'c str {
+        let is_one_of = |words: [&str; 2]| words.iter().any(|word| cell.eq_ignore_ascii_case(word));
+        match self.key.kind {
+            Kind::Bool if is_one_of(["true", "wahr"]) => "true",
+            Kind::Bool if is_one_of(["false", "falsch"]) => "false",
+            _ => cell,
+        }
+    }
+
     /// Returns the fault of a word in one of its cells.
     #[must_use]
     pub fn objection(&self, cell: &str) -> Option<Objection> {
@@ -164,15 +202,18 @@ impl Heading {
 }
 
 /// Splits a heading into key and unit: the unit is in the last brackets, behind a space or a text that is no entry of a
-/// list.
-fn parts(written: &str) -> (&str, Option<&str>) {
+/// list, or marked as in the heading of a recording: `load.inertia (kg m^2)`, `load.inertia / kg m^2`.
+fn parts(written: &str) -> (Cow<'_, str>, Option<Cow<'_, str>>) {
     let written = written.trim();
     let split = written.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
     match split {
         Some((name, unit)) if name.ends_with(char::is_whitespace) || unit.trim().parse::<usize>().is_err() => {
-            (name.trim_end(), Some(unit.trim()))
+            (name.trim_end().into(), Some(unit.trim().into()))
         }
-        _ => (written, None),
+        _ => match recording::name_and_unit(written) {
+            (name, Some(unit)) => (name.into(), Some(unit.into())),
+            (_, None) => (written.into(), None),
+        },
     }
 }
 
@@ -223,23 +264,54 @@ fn quantity(name: &str, (error, also): (QuantityError, Vec<Dimension>)) -> Objec
     (Fault::Quantity { path: shortened(name, HEADING_SHOWN), error, also }, None)
 }
 
-/// Returns the key that was probably meant: the nearest of all, with its table if only its own name is written.
-fn nearest_key(written: &str) -> Option<Hint> {
+/// Returns the heading that was probably meant, with its table if only its own name is written; of several near ones the key
+/// that the project states, `stated`, else one of a table that it states.
+#[must_use]
+pub fn nearest_heading(written: &str, stated: &[&str]) -> Option<Hint> {
+    nearest_key(parts(written).0.as_ref(), stated)
+}
+
+/// Letters by which a key of another table must be nearer than a key that the project states.
+const FOREIGN: usize = 2;
+
+/// Length of the shortest name that is recognised with a wrong letter, or without the words behind it.
+const NAME_LEAST: usize = 4;
+
+fn nearest_key(written: &str, stated: &[&str]) -> Option<Hint> {
     let written: String = shortened(written, HEADING_SHOWN).to_lowercase();
     let mut all = Vec::new();
     columns(KEYS, "", "[1]", &mut all);
+    let own_name = written.rsplit('.').next().unwrap_or(&written);
+    let other_name = other_name(own_name);
     let distance = |path: &String| {
         let last = path.rsplit('.').next().unwrap_or(path);
         let whole = strsim::damerau_levenshtein(&written, path);
         // Spelt with underscores for points, or without its table.
         let plain = strsim::damerau_levenshtein(&written.replace('_', "."), &path.replace('_', "."));
-        let own = strsim::damerau_levenshtein(written.rsplit('.').next().unwrap_or(&written), last)
-            + usize::from(written.contains('.'));
-        let own = if own * 3 <= last.len() { own } else { usize::MAX };
-        whole.min(plain).min(own)
+        let table = usize::from(written.contains('.'));
+        let own = strsim::damerau_levenshtein(own_name, last) + table;
+        let own = if own * 3 <= last.len() && (own == 0 || last.len() > NAME_LEAST) { own } else { usize::MAX };
+        // `friction` of `friction_torque`, or the name that another program has for it.
+        let begins = |rest: &str| rest.starts_with('_') && own_name.len() >= NAME_LEAST;
+        let is_akin = last.strip_prefix(own_name).is_some_and(begins) || other_name == Some(last);
+        whole.min(plain).min(own).min(if is_akin { 1 + table } else { usize::MAX })
     };
-    let (near, path) = all.iter().map(|path| (distance(path), path)).min_by_key(|(near, _)| *near)?;
-    (near * 2 <= path.len()).then(|| Hint::DidYouMean(path.clone()))
+    // A key of the project, of one of its tables, or of another one.
+    let far = |path: &String| {
+        let table = path.rsplit_once('.').map_or(path.as_str(), |(table, _)| table);
+        let is_stated = |is_one: &dyn Fn(&str) -> bool| stated.iter().any(|known| is_one(known));
+        if is_stated(&|known| known == path) {
+            0
+        } else if is_stated(&|known| known.strip_prefix(table).is_some_and(|rest| rest.starts_with('.'))) {
+            1
+        } else {
+            1 + FOREIGN
+        }
+    };
+    let near = all.iter().map(|path| (distance(path), path)).filter(|(near, path)| *near <= path.len() / 2);
+    let (.., path) =
+        near.map(|(near, path)| (near + far(path), near, path)).min_by_key(|(all, near, _)| (*all, *near))?;
+    Some(Hint::DidYouMean(path.clone()))
 }
 
 /// Collects the paths of the keys that can be columns.

@@ -84,6 +84,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::Ragged { .. } => "recording_ragged",
         Fault::CommasTwice { .. } => "recording_commas_twice",
         Fault::SpacesOnly => "recording_spaces_only",
+        Fault::NotText => "recording_not_text",
         Fault::ColumnUnknown { .. } => "recording_column_unknown",
         Fault::ColumnTwice { .. } => "recording_column_twice",
         Fault::NoTable => "recording_no_table",

@@ -67,7 +67,7 @@ pub use drawn::drawn_figures;
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
 pub use gearing::Gearing;
-pub use heading::{Counted, Heading, Objection};
+pub use heading::{Counted, Heading, Objection, nearest_heading};
 pub use hint::Hint;
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{Column, Key, Kind, Variants, example};

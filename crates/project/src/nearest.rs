@@ -24,12 +24,16 @@ const OTHER_NAMES: [(&str, &str); 16] = [
     ("voltage", "supply"),
 ];
 
+/// Returns the name of the key that has another name elsewhere, in lower case.
+pub(crate) fn other_name(written: &str) -> Option<&'static str> {
+    OTHER_NAMES.iter().find(|(name, _)| *name == written).map(|(_, name)| *name)
+}
+
 /// Returns the key that an unknown one stands for: by another name, or as the value of a key such as `dwell` of `law`.
 pub(crate) fn meant(written: &str, keys: &'static [Key]) -> Option<Hint> {
     let written = written.to_lowercase();
-    let other = OTHER_NAMES.iter().find(|(name, _)| *name == written);
-    if let Some((_, name)) = other.filter(|(_, name)| keys.iter().any(|key| key.name == *name)) {
-        return Some(Hint::DidYouMean((*name).to_owned()));
+    if let Some(name) = other_name(&written).filter(|name| keys.iter().any(|key| key.name == *name)) {
+        return Some(Hint::DidYouMean(name.to_owned()));
     }
     let has = |key: &&Key| matches!(key.kind, Kind::OneOf(words) if words.contains(&written.as_str()));
     keys.iter().find(has).map(|key| Hint::DidYouMean(format!("{} = \"{written}\"", key.name)))

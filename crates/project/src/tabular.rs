@@ -1,5 +1,7 @@
 //! Faults of a table whose columns are keys of a project.
 
+use quantities::Unit;
+
 /// One fault of a table whose columns are keys.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TabularFault {
@@ -19,6 +21,11 @@ pub enum TabularFault {
     CountsFromZero {
         /// Key as written.
         path: String,
+    },
+    /// A column without a heading.
+    NoHeading {
+        /// Number of the column, from one.
+        number: usize,
     },
     /// Two headings of a table with the same key.
     ColumnTwice {
@@ -51,6 +58,15 @@ pub enum TabularFault {
         /// Value as written, shortened.
         written: String,
     },
+    /// A cell of a table whose number has another unit than its column.
+    UnitOfCell {
+        /// Path of the key.
+        path: String,
+        /// Value as written, shortened.
+        written: String,
+        /// Unit of the column.
+        unit: &'static Unit,
+    },
     /// A cell of a table with a number for a key that needs a text.
     NoText {
         /// Path of the key.
@@ -67,6 +83,15 @@ pub enum TabularFault {
     },
     /// A line of a table whose number of cells differs from that of the headings.
     Ragged {
+        /// Line number, from one.
+        line: u64,
+        /// Number of cells.
+        found: usize,
+        /// Number of headings.
+        expected: usize,
+    },
+    /// A line of whole numbers with more cells than headings: commas that separate cells are decimal signs as well.
+    CommasTwice {
         /// Line number, from one.
         line: u64,
         /// Number of cells.
@@ -109,13 +134,16 @@ impl TabularFault {
             Self::NoColumn { .. } => "no_column",
             Self::UnitOfNoQuantity { .. } => "unit_of_no_quantity",
             Self::CountsFromZero { .. } => "counts_from_zero",
+            Self::NoHeading { .. } => "no_heading",
             Self::ColumnTwice { .. } => "column_twice",
             Self::NoEntry { .. } => "no_entry",
             Self::NoValue { .. } => "no_value",
             Self::NotANumber { .. } => "not_a_number",
+            Self::UnitOfCell { .. } => "unit_of_cell",
             Self::NoText { .. } => "no_text",
             Self::CellType { .. } => "cell_type",
             Self::Ragged { .. } => "ragged",
+            Self::CommasTwice { .. } => "commas_twice",
             Self::OpenQuote { .. } => "open_quote",
             Self::DecimalMixed { .. } => "decimal_mixed",
             Self::ThousandsPossible { .. } => "thousands_possible",

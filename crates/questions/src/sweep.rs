@@ -269,4 +269,6 @@ impl Sweep {
 }
 
 #[cfg(test)]
+mod dialects;
+#[cfg(test)]
 mod tests;

@@ -213,6 +213,10 @@ fn excess_text(check: &Check, language: Language) -> String {
             let value = figure_text(check.value, language);
             terminal::no_brake_for(&with_unit_text(&value, check.value), language)
         }
+        CheckId::FeedbackRange if permits_nothing => {
+            let value = figure_text(check.value, language);
+            terminal::not_absolute_over(&with_unit_text(&value, check.value), language)
+        }
         _ => {
             let limit = with_unit_text(&figure_text(check.limit, language), check.limit);
             let text =

@@ -51,6 +51,14 @@ supply = "560 V"
 /// One file, whatever its name.
 struct One(String);
 
+struct Bytes(Vec<u8>);
+
+impl Files for Bytes {
+    fn open(&self, _: &str) -> std::io::Result<Box<dyn Read>> {
+        Ok(Box::new(std::io::Cursor::new(self.0.clone())))
+    }
+}
+
 impl Files for One {
     fn open(&self, _: &str) -> std::io::Result<Box<dyn Read>> {
         Ok(Box::new(std::io::Cursor::new(self.0.clone().into_bytes())))
@@ -181,6 +189,24 @@ fn the_overrides_make_a_wrong_project_run_like_the_right_one() {
         assert!((before - after).abs() < half + other + 1e-4 * before, "{id}: {before} {after}");
         assert!((after - stated.unwrap()).abs() < 3.0 * (half + other) + 5e-3 * after, "{id}: {after} {stated:?}");
     }
+}
+
+/// A Parquet file with other headings is answered as a text with them: what it has, and what to write.
+#[test]
+fn other_headings_are_answered_alike_in_either_format() {
+    let text = arm("2.4 kg m^2", "5 kg", "");
+    let refused = |trace: &[u8]| {
+        let (patience, files) = (Patience::endless(), Bytes(trace.to_vec()));
+        let asked = asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &patience);
+        let faults = identify::found(&asked).unwrap_err().faults(None, Language::En).errors;
+        faults.into_iter().map(|fault| fault.message).collect::<Vec<_>>()
+    };
+    let parquet = include_bytes!("../../recording/tests/data/pyarrow_gzip.parquet");
+    let names = recording::column_names(&recording::Bytes::from_static(parquet)).unwrap();
+    let csv = format!("{}\n", names.join(";"));
+    let faults = refused(parquet);
+    assert_eq!(faults, refused(csv.as_bytes()));
+    assert!(faults[0].contains("the file has") && names.iter().all(|name| faults[0].contains(name)), "{faults:?}");
 }
 
 /// Every cell that is no number is reported with its line, and a Parquet file that cannot be read.

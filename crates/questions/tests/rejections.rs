@@ -4,7 +4,8 @@
 
 use configurator::catalogue_actuators;
 use provenance::Source;
-use questions::{Check, Verdict, explain, read};
+use quantities::Language;
+use questions::{Check, Reason, Verdict, explain, read};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Axes that overload every size somewhere, with limits that few actuators keep.
@@ -31,6 +32,31 @@ fn projects() -> Vec<String> {
          speed = \"150 1/min\"\ntime = \"60 s\"\n{requirements}"
     );
     vec![arm("2 kg", "2 s"), arm("15 kg", "0.6 s"), arm("150 kg", "1 s"), arm("900 kg", "0.3 s"), turntable]
+}
+
+/// A limit of zero is no figure that a load exceeds: the reason says what the actuator lacks.
+#[test]
+fn a_limit_of_zero_is_stated_as_what_is_lacking() {
+    let mut lacking = BTreeSet::new();
+    for (time, required) in [("2 s", "absolute = true"), ("0.05 s", "supply = \"325 V\"")] {
+        let text = format!(
+            "format = 1\n[load]\ninertia = \"0.1 kg m^2\"\nfriction_torque = \"1 N m\"\n[[motion]]\nlaw = \"trapezoid\"\n\
+             distance = \"180 deg\"\ntime = \"{time}\"\n[requirements]\n{required}\n"
+        );
+        let project = read(&text).unwrap();
+        for (code, _) in catalogue_actuators().iter().step_by(3) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            let Some(Reason::Check(check)) = candidate.reason() else { continue };
+            if check.limit.is_some_and(|limit| limit.si == 0.0) {
+                lacking.insert(check.id.id());
+                for language in [Language::En, Language::De] {
+                    let reason = questions::texts::reason(&candidate, language);
+                    assert!(!reason.contains(['>', '≤', '≥']), "{code}: {reason}");
+                }
+            }
+        }
+    }
+    assert!(lacking.is_superset(&["feedback_range", "torque_speed_trace"].into()), "{lacking:?}");
 }
 
 /// The documents behind value and limit of a check and every step of its derivation.

@@ -116,6 +116,58 @@ impl<R: Read> Ahead<R> {
         Ok(Some(answer))
     }
 
+    /// Searches the line of headings of a table with any columns, and returns its delimiter; the next line is then the headings.
+    /// Returns `None` for a file without lines.
+    ///
+    /// The headings are the first line with two known names, or with known names in half of its cells; lines above it are about
+    /// the file. Without such a line they are the first one.
+    pub(crate) fn headings(&mut self, is_known: impl Fn(&str) -> bool) -> Result<Option<u8>, Fault> {
+        let mut seen: Vec<(u64, Vec<u8>)> = Vec::new();
+        let (mut stated, mut bytes, mut found) = (None, 0, None);
+        while found.is_none() && seen.len() < LINES_MOST && bytes < BYTES_MOST {
+            match self.lines.advance() {
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(fault) if seen.is_empty() => return Err(fault),
+                Err(fault) => {
+                    self.failed = Some(fault);
+                    break;
+                }
+            }
+            let line = self.lines.line();
+            if seen.is_empty()
+                && stated.is_none()
+                && let Some(sign) = stated_delimiter(line)
+            {
+                stated = Some(sign);
+                continue;
+            }
+            bytes += line.len();
+            found = delimiter_of_names(line, stated, &is_known).map(|sign| (seen.len(), sign));
+            seen.push((self.lines.number(), line.to_vec()));
+        }
+        let Some((_, first)) = seen.first() else { return Ok(None) };
+        let (place, sign) = found.unwrap_or_else(|| (0, stated.unwrap_or_else(|| of_headings(first))));
+        self.queue = seen.into_iter().skip(place).collect();
+        Ok(Some(sign))
+    }
+
+    /// Returns the line behind the current one without advancing to it; `None` at the end, or if it cannot be read.
+    pub(crate) fn next(&mut self) -> Option<&[u8]> {
+        if self.queue.is_empty() && self.failed.is_none() {
+            // The buffer of the lines holds one line only.
+            if self.current.is_none() {
+                self.current = Some((self.lines.number(), self.lines.line().to_vec()));
+            }
+            match self.lines.advance() {
+                Ok(true) => self.queue.push_back((self.lines.number(), self.lines.line().to_vec())),
+                Ok(false) => {}
+                Err(fault) => self.failed = Some(fault),
+            }
+        }
+        self.queue.front().map(|(_, line)| line.as_slice())
+    }
+
     /// Advances to the next line with content; returns `false` at the end.
     pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
         self.current = self.queue.pop_front();
@@ -166,6 +218,25 @@ fn stated_delimiter(line: &[u8]) -> Option<u8> {
 /// Returns the delimiter found in a line: `;`, else a tab, else `,`, else `|`; `,` if there is none of them.
 pub(crate) fn delimiter(header: &[u8]) -> u8 {
     [b';', b'\t', b',', b'|'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
+}
+
+/// Returns the delimiter of a line of headings; of a single column no comma separates cells, so that its numbers may have
+/// decimal commas.
+fn of_headings(line: &[u8]) -> u8 {
+    let sign = delimiter(line);
+    if memchr(sign, line).is_none() { b';' } else { sign }
+}
+
+/// Returns the delimiter by which a line has two known names, or known names in half of its cells.
+fn delimiter_of_names(line: &[u8], stated: Option<u8>, is_known: impl Fn(&str) -> bool) -> Option<u8> {
+    let usual = [of_headings(line), b';', b'\t', b',', b'|'];
+    let signs = stated.map_or_else(|| usual.to_vec(), |sign| vec![sign]);
+    signs.into_iter().find(|sign| {
+        let cells = split(line, *sign).unwrap_or_default();
+        let known = cells.iter().filter(|cell| is_known(cell)).count();
+        let filled = cells.iter().filter(|cell| !cell.is_empty()).count();
+        known > 1 || known > 0 && 2 * known >= filled
+    })
 }
 
 /// Returns `true` if a line consists of several numbers separated by spaces alone.

@@ -373,14 +373,8 @@ fn row(
         wanted.is_padded = true;
     } else if count != wanted.fields {
         let (found, expected) = (count, wanted.fields);
-        let is_whole = |cell: &[u8]| cell.iter().all(|sign| sign.is_ascii_digit() || b"+- ".contains(sign));
-        let are_decimal = *decimals == Decimals::PointAlways
-            && (found == 2 * expected || gather.is_empty() && (expected..2 * expected).contains(&found))
-            && line.split(|sign| *sign == b',').all(is_whole);
-        faults.push(match are_decimal {
-            true => Fault::CommasTwice { line: number, found, expected },
-            false => Fault::Ragged { line: number, found, expected },
-        });
+        let may_be_twice = *decimals == Decimals::PointAlways && (found == 2 * expected || gather.is_empty());
+        faults.push(ragged(line, (number, found, expected), may_be_twice));
         gather.time_failed();
         return true;
     }
@@ -445,8 +439,25 @@ fn row(
 /// Returns `true` if a row differs from the heading in empty cells at its end only.
 fn is_padded(line: &[u8], count: usize, wanted: &Wanted, delimiter: u8) -> bool {
     let Some(more) = count.checked_sub(wanted.fields) else { return count >= wanted.named };
+    ends_empty(line, more, delimiter)
+}
+
+/// Returns `true` if a line ends with so many empty cells.
+pub(crate) fn ends_empty(line: &[u8], more: usize, delimiter: u8) -> bool {
     let blanks = line.iter().rev().filter(|sign| **sign != b' ');
     blanks.take(more).filter(|sign| **sign == delimiter).count() == more
+}
+
+/// Returns the fault of a row with more or fewer cells than the header; commas that separate cells `may_be_twice` decimal signs
+/// as well, where the cells are whole numbers.
+pub(crate) fn ragged(line: &[u8], (number, found, expected): (u64, usize, usize), may_be_twice: bool) -> Fault {
+    let is_whole = |cell: &[u8]| cell.iter().all(|sign| sign.is_ascii_digit() || b"+- ".contains(sign));
+    let are_decimal =
+        may_be_twice && (expected..=2 * expected).contains(&found) && line.split(|sign| *sign == b',').all(is_whole);
+    match are_decimal {
+        true => Fault::CommasTwice { line: number, found, expected },
+        false => Fault::Ragged { line: number, found, expected },
+    }
 }
 
 fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {

@@ -130,6 +130,9 @@ pub enum Fault {
     /// The numbers of a row are separated by spaces alone.
     #[error("the numbers are separated by spaces alone")]
     SpacesOnly,
+    /// The file is neither text nor in a known format.
+    #[error("the file is no text")]
+    NotText,
     /// No column of time is found.
     #[error("no column of time is found")]
     TimeMissing {

@@ -48,9 +48,11 @@ pub use limits::{
     DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory, NESTING_MAX,
     SAMPLES_MAX, STEP_MIN_S, TABLE_COLUMNS_MAX,
 };
+pub use names::name_and_unit;
+pub use number::{is_grouped, number, with_unit};
 pub use packed::{Content, Foreign, Packing, Sniffed, opened};
 pub use parquet::{
-    Ranges, Table, TableColumn, TableValues, ValueKind, read_columns, read_parquet, read_parquet_within,
+    Ranges, Table, TableColumn, TableValues, ValueKind, column_names, read_columns, read_parquet, read_parquet_within,
 };
 pub use preview::{Preview, preview_csv};
 pub use records::Records;

@@ -147,6 +147,13 @@ impl Named {
     }
 }
 
+/// Splits a heading into the name and a unit marked as one: `q [deg]`, `q (deg)`, `q {deg}`, `n / 1/min`, `n in 1/min`.
+#[must_use]
+pub fn name_and_unit(heading: &str) -> (String, Option<String>) {
+    let named = Named::marked(heading);
+    (named.bare, named.unit)
+}
+
 /// Splits a German compound into the quantity and the word about its measurement, `istlage`, `drehzahlsollwert`,
 /// `positionsistwert`; any other word stays whole.
 fn parted(word: String) -> Vec<String> {

@@ -1,5 +1,6 @@
 //! Number parsing in the notations of files.
 
+use quantities::Unit;
 use std::borrow::Cow;
 
 /// Reason why a cell is not usable.
@@ -71,6 +72,48 @@ impl Decimals {
     }
 }
 
+/// Splits a text into a number and the unit behind it: `0.5 kg m^2`, `12rpm`, `-0,002 s`.
+///
+/// Signs between thousands are no part of the number, and what follows them no unit: `1 234 N`.
+#[must_use]
+pub fn with_unit(text: &str) -> Option<(&str, &str)> {
+    let text = text.trim();
+    let bytes = text.as_bytes();
+    let digits = |from: usize| bytes.iter().skip(from).take_while(|byte| byte.is_ascii_digit()).count();
+    let sign = ["-", "+", "\u{2212}"].into_iter().find(|sign| text.starts_with(sign)).map_or(0, str::len);
+    let mut end = sign + digits(sign);
+    let whole = end - sign;
+    let mut fraction = 0;
+    if bytes.get(end).is_some_and(|byte| b".,".contains(byte)) {
+        fraction = digits(end + 1);
+        end += 1 + fraction;
+    }
+    if whole + fraction == 0 {
+        return None;
+    }
+    if bytes.get(end).is_some_and(|byte| b"eE".contains(byte)) {
+        let signed = end + 1 + usize::from(bytes.get(end + 1).is_some_and(|byte| b"+-".contains(byte)));
+        let exponent = digits(signed);
+        if exponent > 0 {
+            end = signed + exponent;
+        }
+    }
+    let (number, unit) = text.split_at_checked(end)?;
+    let unit = unit.trim_start();
+    (!unit.is_empty() && Unit::of(unit).is_some()).then_some((number, unit))
+}
+
+/// Returns a number with either decimal sign, or with a point alone.
+#[must_use]
+pub fn number(text: &str, may_have_comma: bool) -> Option<f64> {
+    let text = with_hyphen(text.trim());
+    if may_have_comma && text.contains(',') {
+        let has_point = text.contains('.');
+        return text.replacen(',', ".", 1).parse().ok().filter(|_| !has_point);
+    }
+    text.parse().ok()
+}
+
 /// Returns a number with a hyphen for each minus sign `−` (U+2212), which spreadsheets of some countries write.
 fn with_hyphen(text: &str) -> Cow<'_, str> {
     if text.contains('−') { Cow::Owned(text.replace('−', "-")) } else { Cow::Borrowed(text) }
@@ -78,7 +121,8 @@ fn with_hyphen(text: &str) -> Cow<'_, str> {
 
 /// Returns `true` if a text that is no number has unambiguous separators of thousands: `1.234,5`, `1,234.5`, `1'234`,
 /// `1.234.567`. `1.234` is ambiguous.
-pub(crate) fn is_grouped(text: &str) -> bool {
+#[must_use]
+pub fn is_grouped(text: &str) -> bool {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
     ['.', ',', '\'', '’', ' ', '\u{a0}', '\u{202f}'].into_iter().any(|sign| {
         let mut groups = unsigned.split(sign);
@@ -258,6 +302,28 @@ mod tests {
             assert_eq!(plain(text.as_bytes(), b'.'), None, "{text}");
         }
         assert_eq!(plain(b"1,5", b','), Some(1.5));
+    }
+
+    #[test]
+    fn a_unit_stands_behind_a_number() {
+        for (text, expected) in [
+            ("0.5 kg m^2", Some(("0.5", "kg m^2"))),
+            (" -0,002 s ", Some(("-0,002", "s"))),
+            ("12rpm", Some(("12", "rpm"))),
+            ("1e-3 kg m^2", Some(("1e-3", "kg m^2"))),
+            ("5 1/min", Some(("5", "1/min"))),
+            ("\u{2212}.5 °", Some(("\u{2212}.5", "°"))),
+            ("3 m", Some(("3", "m"))),
+            ("5", None),
+            ("1 234 N", None),
+            ("51/min", None),
+            ("N m", None),
+            ("- s", None),
+            ("1.5.2 s", None),
+            ("1e5", None),
+        ] {
+            assert_eq!(with_unit(text), expected, "{text}");
+        }
     }
 
     #[test]

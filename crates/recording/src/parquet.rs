@@ -57,6 +57,14 @@ pub fn read_parquet_within(file: Bytes, layout: &Layout, memory: &mut Memory) ->
     faults.outcome(recording)
 }
 
+/// Returns the names of the columns of a Parquet file.
+///
+/// # Errors
+/// The fault of the file.
+pub fn column_names(file: &Bytes) -> Result<Vec<String>, Fault> {
+    Ok(Footer::read(file)?.columns.into_iter().map(|column| column.path).collect())
+}
+
 /// Reads columns of numbers by their names as written, without units or conversion; `None` stands for a column that the
 /// file does not have. Only values of a type of time are converted, from the unit of the type to that of the name. Their memory is taken from `memory`.
 ///

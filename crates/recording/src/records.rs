@@ -1,66 +1,94 @@
 //! Reader of CSV tables with any columns, in the dialects of recordings: every cell as written.
 
-use crate::ahead::delimiter;
-use crate::csv::Cells;
+use crate::ahead::Ahead;
+use crate::csv::{Cells, ends_empty, ragged};
 use crate::encoding;
 use crate::faults::{Fault, excerpt};
 use crate::limits::{COLUMNS_MAX, Limit};
-use crate::lines::Lines;
-use crate::number::{Decimals, finite};
+use crate::number::{Decimals, finite, with_unit};
 use crate::series::Encoding;
 use crate::thousands::Thousands;
 use std::io::Read;
 
 /// Rows of a table under its headings, read one after the other in a bounded buffer.
 ///
-/// The first line that is neither empty nor a comment (`#`) holds the headings and determines the delimiter: `;`, else
-/// a tab, else `,`, else `|`; a line `sep=;` before it states it. The text is UTF-8, UTF-16 or Windows-1252.
+/// The headings are the first line with known names, else the first that is neither empty nor a comment (`#`). It determines
+/// the delimiter: `;`, else a tab, else `,`, else `|`; a line `sep=;` before it states it. The text is UTF-8, UTF-16 or
+/// Windows-1252. Cells without a heading at the end of the lines must be empty; empty rows at the end of the table are no rows.
 pub struct Records<R> {
-    lines: Lines<R>,
+    lines: Ahead<R>,
     cells: Cells,
     headings: Vec<String>,
     decimals: Decimals,
     thousands: Thousands,
     is_utf8: bool,
+    may_have_commas: bool,
+    is_first: bool,
+    /// Empty rows before the current line that are still to be returned, and the line of the first.
+    empty: (u64, u64),
 }
 
 impl<R: Read> Records<R> {
-    /// Reads the headings; an empty text has none.
+    /// Reads the headings from the first line; an empty text has none.
     ///
     /// # Errors
     /// Faults of the line of the headings.
     pub fn open(source: R) -> Result<Self, Fault> {
+        Self::open_below(source, |_| false)
+    }
+
+    /// Reads the headings from the first line that has two known names, or known names in half of its cells; else from the
+    /// first line.
+    ///
+    /// # Errors
+    /// Faults of the line of the headings; [`Fault::NotText`].
+    pub fn open_below(source: R, is_known: impl Fn(&str) -> bool) -> Result<Self, Fault> {
         let mut records = Self {
-            lines: Lines::new(source),
+            lines: Ahead::new(source),
             cells: Cells::new(b','),
             headings: Vec::new(),
             decimals: Decimals::PointAlways,
             thousands: Thousands::default(),
             is_utf8: true,
+            may_have_commas: false,
+            is_first: true,
+            empty: (0, 0),
         };
+        let Some(sign) = records.lines.headings(is_known)? else { return Ok(records) };
         if !records.lines.advance()? {
             return Ok(records);
         }
-        let mut sign = delimiter(records.lines.line());
-        // Of a single column no comma separates cells: decimal commas.
-        if sign == b',' && !records.lines.line().contains(&b',') {
-            sign = b';';
-        }
-        if let Some(stated) = separator(records.lines.line()) {
-            sign = stated;
-            if !records.lines.advance()? {
-                return Ok(records);
-            }
+        if records.lines.line().iter().any(|byte| byte.is_ascii_control() && *byte != b'\t') {
+            return Err(Fault::NotText);
         }
         records.cells = Cells::new(sign);
         let mut headings = Vec::new();
         records.read(|heading| headings.push(heading.trim().to_owned()))?;
         Limit::Columns.hold(headings.len() as u64, COLUMNS_MAX as u64)?;
-        records.headings = headings;
-        if records.may_have_decimal_commas() {
-            records.decimals = Decimals::Undecided;
+        while headings.len() > 1 && headings.last().is_some_and(String::is_empty) {
+            let _ = headings.pop();
         }
+        records.headings = headings;
+        records.decide_commas();
         Ok(records)
+    }
+
+    /// Determines from the first row if numbers may have decimal commas: in a comma-separated table they must be quoted.
+    fn decide_commas(&mut self) {
+        let is_number = |cell: &str| Decimals::is_number(with_unit(cell).map_or(cell, |(number, _)| number));
+        let is_quoted = |line: &[u8]| encoding::text(line).split('"').skip(1).step_by(2).any(is_number);
+        self.may_have_commas = self.cells.delimiter != b',' || self.lines.next().is_some_and(is_quoted);
+        self.decimals = if self.may_have_commas { Decimals::Undecided } else { Decimals::PointAlways };
+    }
+
+    /// Skips the line below the headings, which holds units.
+    ///
+    /// # Errors
+    /// As [`Records::advance`].
+    pub fn skip_units(&mut self) -> Result<(), Fault> {
+        let _ = self.lines.advance()?;
+        self.decide_commas();
+        Ok(())
     }
 
     /// Returns the headings without surrounding space.
@@ -68,9 +96,15 @@ impl<R: Read> Records<R> {
         &self.headings
     }
 
-    /// Returns `true` if numbers may have decimal commas, that is if commas do not separate the cells.
+    /// Returns `true` if numbers may have decimal commas, that is if commas do not separate the cells, or the numbers are quoted.
     pub const fn may_have_decimal_commas(&self) -> bool {
-        self.cells.delimiter != b','
+        self.may_have_commas
+    }
+
+    /// Returns the cells of the line below the current one without surrounding space.
+    pub fn below(&mut self) -> Option<Vec<String>> {
+        let cells = self.cells.try_all(self.lines.next()?)?;
+        Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
     }
 
     /// Returns the encoding of the text read so far.
@@ -78,9 +112,9 @@ impl<R: Read> Records<R> {
         if self.is_utf8 { self.lines.encoding() } else { Encoding::Windows1252Guessed }
     }
 
-    /// Returns the number of the line of the row, counted from 1.
-    pub const fn line(&self) -> u64 {
-        self.lines.number()
+    /// Returns the number of the line of the row, counted from 1; of successive empty rows that of the first.
+    pub fn line(&self) -> u64 {
+        if self.empty.0 > 0 { self.empty.1 } else { self.lines.number() }
     }
 
     /// Advances to the next row; returns `false` after the last. After a faulty line, reading continues with the next
@@ -89,22 +123,54 @@ impl<R: Read> Records<R> {
     /// # Errors
     /// [`Fault::LineTooLong`], and errors of the source.
     pub fn advance(&mut self) -> Result<bool, Fault> {
-        self.lines.advance()
+        if self.empty.0 > 0 {
+            self.empty.0 -= 1;
+            return Ok(true);
+        }
+        let mut first = 0;
+        loop {
+            if !self.lines.advance()? {
+                self.empty.0 = 0;
+                return Ok(false);
+            }
+            if !self.is_empty() {
+                return Ok(true);
+            }
+            if self.empty.0 == 0 {
+                first = self.lines.number();
+            }
+            self.empty = (self.empty.0 + 1, first);
+        }
+    }
+
+    /// Returns `true` if the current line holds delimiters alone.
+    fn is_empty(&self) -> bool {
+        self.lines.line().iter().all(|byte| *byte == self.cells.delimiter || byte.is_ascii_whitespace())
     }
 
     /// Passes the cells of the row to `put` in order, as many as there are headings.
     ///
     /// # Errors
-    /// [`Fault::QuoteOpen`], [`Fault::Ragged`].
+    /// [`Fault::QuoteOpen`], [`Fault::Ragged`], [`Fault::CommasTwice`].
     pub fn row(&mut self, mut put: impl FnMut(usize, &str)) -> Result<(), Fault> {
-        let (line, expected) = (self.lines.number(), self.headings.len());
+        let expected = self.headings.len();
+        if self.empty.0 > 0 {
+            (0..expected).for_each(|column| put(column, ""));
+            return Ok(());
+        }
+        let line = self.lines.number();
+        let is_first = std::mem::take(&mut self.is_first);
         let found = self.cells.count(self.lines.line()).ok_or(Fault::QuoteOpen { line })?;
-        if found != expected {
-            return Err(Fault::Ragged { line, found, expected });
+        let is_padded = found > expected && ends_empty(self.lines.line(), found - expected, self.cells.delimiter);
+        if found != expected && !is_padded {
+            let may_be_twice = !self.may_have_commas && (found == 2 * expected || is_first);
+            return Err(ragged(self.lines.line(), (line, found, expected), may_be_twice));
         }
         let mut column = 0;
         self.read(|cell| {
-            put(column, cell);
+            if column < expected {
+                put(column, cell);
+            }
             column += 1;
         })
     }
@@ -151,16 +217,6 @@ impl<R: Read> Records<R> {
             put(&encoding::text(cell));
         }
         Ok(())
-    }
-}
-
-/// Returns the delimiter stated in a line `sep=;`, as written by spreadsheets.
-fn separator(line: &[u8]) -> Option<u8> {
-    match line.trim_ascii_end().strip_prefix(b"sep=") {
-        Some([sign @ (b';' | b'\t' | b',')]) => Some(*sign),
-        // A tab at the end of the line.
-        Some([]) if line.ends_with(b"\t") => Some(b'\t'),
-        _ => None,
     }
 }
 
@@ -251,6 +307,43 @@ mod tests {
         assert_eq!(rows, expected);
         assert!(Records::open(&b""[..]).unwrap().headings().is_empty());
         assert!(Records::open(&b"sep=;\n"[..]).unwrap().headings().is_empty());
+    }
+
+    /// Lines about the file stand above the known names; bytes that are no text are not returned as headings.
+    #[test]
+    fn headings_are_the_first_line_with_known_names() {
+        fn open(text: &str) -> Records<&[u8]> {
+            Records::open_below(text.as_bytes(), |cell| ["a", "b"].contains(&cell)).unwrap()
+        }
+        for text in ["Study 7\nby;me\n\na;b\n1,5;2\n", "sep=;\nStudy, 7\na;b;;\n1,5;2;;\n", "x\ty\na\tb\n1,5\t2\n"] {
+            let mut records = open(text);
+            assert_eq!(records.headings(), ["a", "b"], "{text}");
+            assert_eq!(records.below().unwrap()[..2], ["1,5", "2"], "{text}");
+            assert!(records.advance().unwrap() && records.may_have_decimal_commas());
+            let mut cells = Vec::new();
+            records.row(|_, cell| cells.push(cell.to_owned())).unwrap();
+            assert_eq!(cells, ["1,5", "2"], "{text}");
+            assert!(!records.advance().unwrap(), "{text}");
+        }
+        assert_eq!(open("c;d\n1;2\n").headings(), ["c", "d"]);
+        for bytes in [&b"ab\x01c\n1,2\n"[..], &b"\x00\x00\x00\x01"[..]] {
+            assert!(matches!(Records::open(bytes), Err(Fault::NotText)), "{bytes:?}");
+        }
+    }
+
+    /// Cells behind the last heading are padding if they are empty, and so are empty rows at the end; an empty row between
+    /// others is a row.
+    #[test]
+    fn padding_is_no_content() {
+        let (headings, rows, _) = all(b"a;b;;\n1;2;;\n;;;\n;\n3;4\n5;6; ;\n;;;\n;;;\n");
+        let row = |cells: [&str; 2]| Ok(cells.map(str::to_owned).to_vec());
+        assert_eq!(headings, ["a", "b"]);
+        assert_eq!(rows, [row(["1", "2"]), row(["", ""]), row(["", ""]), row(["3", "4"]), row(["5", "6"])]);
+        let (_, rows, _) = all(b"a;b;\n1;2;x\n1\n");
+        let ragged = |line, found| Err(Fault::Ragged { line, found, expected: 2 });
+        assert_eq!(rows, [ragged(2, 3), ragged(3, 1)]);
+        let (_, rows, _) = all(b"a,b\n0,5,5,0\n1,2\n");
+        assert_eq!(rows, [Err(Fault::CommasTwice { line: 2, found: 4, expected: 2 }), row(["1", "2"])]);
     }
 
     /// Numbers of one table have one decimal sign, and what is no finite number is none.

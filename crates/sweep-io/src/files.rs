@@ -13,7 +13,9 @@ use project::TabularFault;
 use quantities::Language;
 use quantities::unit::{MICROSECOND, MILLISECOND, SECOND};
 use questions::sweep::csv::{self, Broken, Columns, Lines};
-use recording::{Bytes, Fault, Memory, Ranges, Table, TableColumn, TableValues, ValueKind};
+use recording::{
+    Bytes, Content, FILE_BYTES_MAX, Fault, Limit, Memory, Ranges, Sniffed, Table, TableColumn, TableValues, ValueKind,
+};
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::ops::Range;
@@ -21,7 +23,7 @@ use std::path::Path;
 use std::sync::Arc;
 use words::table_text;
 
-/// Format of a table.
+/// Format of a table of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Text, a line for each row.
@@ -51,10 +53,13 @@ pub struct Batches {
 
 enum From {
     /// Text, and the number of rows of a batch.
-    Csv(Box<Lines<File>>, usize),
+    Csv(Box<Lines<Sniffed>>, usize),
     /// Pages, and the number of rows of a batch.
     Parquet(Box<Table>, usize),
 }
+
+/// First bytes of a Parquet file.
+const PARQUET: &[u8] = b"PAR1";
 
 /// A file that is read at the positions of the pages.
 struct Pages {
@@ -112,29 +117,47 @@ fn trouble(error: impl std::fmt::Display) -> Unread {
 }
 
 impl Batches {
-    /// Opens a table at a row, `rows` at a time.
+    /// Opens a table at a row, `rows` at a time. Its content shows whether it is a text, which may be packed, or Parquet.
     ///
     /// # Errors
     /// The reason why it cannot be read.
-    pub fn open(file: File, format: Format, skipped: u64, rows: usize, language: Language) -> Result<Self, Unread> {
-        match format {
-            Format::Parquet => {
-                let refused = |fault: Fault| Unread::Table(table_text(&fault, language));
-                let size = file.metadata().map_err(trouble)?.len();
-                let mut table = Table::open(Box::new(Pages { file, size }), Memory::default()).map_err(refused)?;
-                table.skip(skipped).map_err(refused)?;
-                let schema = Arc::new(Schema::new(table.columns().iter().map(field).collect::<Vec<_>>()));
-                Ok(Self { schema, from: From::Parquet(Box::new(table), rows) })
-            }
-            Format::Csv => {
-                let broken = |broken| Unread::of(broken, language);
-                let mut lines = Lines::open(file).map_err(broken)?;
-                lines.skip(skipped).map_err(broken)?;
-                let field = |name: &String| Field::new(name, DataType::Utf8, true);
-                let schema = Arc::new(Schema::new(lines.headings().iter().map(field).collect::<Vec<_>>()));
-                Ok(Self { schema, from: From::Csv(Box::new(lines), rows) })
-            }
+    pub fn open(mut file: File, skipped: u64, rows: usize, language: Language) -> Result<Self, Unread> {
+        let refused = |fault: Fault| Unread::Table(table_text(&fault, language));
+        let mut mark = Vec::new();
+        let _ = (&file).take(PARQUET.len() as u64).read_to_end(&mut mark).map_err(trouble)?;
+        file.rewind().map_err(trouble)?;
+        let size = file.metadata().map_err(trouble)?.len();
+        if mark == PARQUET {
+            return Self::of_pages(Box::new(Pages { file, size }), skipped, rows).map_err(refused);
         }
+        let (content, source) = recording::opened(Box::new(file)).map_err(trouble)?;
+        match content {
+            Content::Foreign(format) => return Err(refused(Fault::Foreign { format })),
+            // The pages of a packed file are unpacked as a whole.
+            Content::Parquet => {
+                let mut bytes = Vec::new();
+                let _ = source.take(FILE_BYTES_MAX + 1).read_to_end(&mut bytes).map_err(trouble)?;
+                let found = bytes.len() as u64;
+                if found > FILE_BYTES_MAX {
+                    return Err(refused(Fault::Beyond { limit: Limit::FileBytes, found, most: FILE_BYTES_MAX }));
+                }
+                return Self::of_pages(Box::new(Bytes::from(bytes)), skipped, rows).map_err(refused);
+            }
+            Content::Text | Content::Packed(_) => {}
+        }
+        let broken = |broken| Unread::of(broken, language);
+        let mut lines = Lines::open(source).map_err(broken)?;
+        lines.skip(skipped).map_err(broken)?;
+        let field = |name: &String| Field::new(name, DataType::Utf8, true);
+        let schema = Arc::new(Schema::new(lines.headings().iter().map(field).collect::<Vec<_>>()));
+        Ok(Self { schema, from: From::Csv(Box::new(lines), rows) })
+    }
+
+    fn of_pages(pages: Box<dyn Ranges>, skipped: u64, rows: usize) -> Result<Self, Fault> {
+        let mut table = Table::open(pages, Memory::default())?;
+        table.skip(skipped)?;
+        let schema = Arc::new(Schema::new(table.columns().iter().map(field).collect::<Vec<_>>()));
+        Ok(Self { schema, from: From::Parquet(Box::new(table), rows) })
     }
 
     /// Returns the headings with the types of their cells.

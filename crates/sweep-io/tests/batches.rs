@@ -101,18 +101,22 @@ fn the_rows_of_a_part_are_those_of_the_memory() {
     assert!(of_code.rows_within(512 << 20, 1 << 14) == 1 << 14);
 }
 
-/// A refused heading decides: the rest of the table is not read.
+/// A refused heading decides: the rest of the table is not read, and no row of one without any key.
 #[test]
 fn a_table_with_a_refused_heading_is_not_read_to_its_end() {
-    let table = batch(vec![("nonsense", Arc::new(Float64Array::from(vec![1.0; 1000])) as ArrayRef)]);
-    let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
-    assert!(!head.is_enough());
-    head.check(&table, 0);
-    assert!(head.is_enough());
-    let Err(why) = head.ready("tasks", Box::new(NoFiles)) else { panic!("the heading is refused") };
-    let texts: Vec<String> =
-        why.faults(None, quantities::Language::En).errors.into_iter().map(|fault| fault.message).collect();
-    assert!(texts.len() == 2 && texts[1].contains("only the first rows"), "{texts:?}");
+    let cells = || Arc::new(Float64Array::from(vec![1.0; 1000])) as ArrayRef;
+    for columns in [vec![("nonsense", cells())], vec![("nonsense", cells()), ("load.inertia [kg m^2]", cells())]] {
+        let is_one_a_key = columns.len() > 1;
+        let table = batch(columns);
+        let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+        assert_eq!(head.is_enough(), !is_one_a_key);
+        head.check(&table, 0);
+        assert!(head.is_enough());
+        let Err(why) = head.ready("tasks", Box::new(NoFiles)) else { panic!("the heading is refused") };
+        let texts: Vec<String> =
+            why.faults(None, quantities::Language::En).errors.into_iter().map(|fault| fault.message).collect();
+        assert!(texts.len() == 2 && texts[1].contains("not checked to its end"), "{texts:?}");
+    }
 }
 
 #[test]

@@ -333,6 +333,7 @@ pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
         },
         Fault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).1,
         Fault::Recording { fault, .. } => recording::fault(fault, language).1,
+        Fault::Tabular(fault) => crate::sweeps::hint(fault, language),
         Fault::Recorded { fault, .. } => motion::recorded_fault(fault, language).1,
         Fault::Instants(_) => Some(said!(language =>
             "describe a shorter cycle; where the load depends on the position, each revolution at changing speed requires 192 points, all revolutions at constant speed together at most two"

@@ -86,8 +86,8 @@ texts! {
         "Evaluate many axes: a table whose columns are keys of the project"
         | "Viele Achsen bewerten: eine Tabelle, deren Spalten Schlüssel des Projekts sind";
     sweep_table =
-        "Table of the rows, .csv or .parquet; headings such as \"motion[1].time [s]\", \"requirements.ambient [degC]\", \"code\""
-        | "Tabelle der Zeilen, .csv oder .parquet; Überschriften wie \"motion[1].time [s]\", \"requirements.ambient [degC]\", \"code\"";
+        "Table of the rows, CSV or Parquet; headings such as \"motion[1].time [s]\", \"requirements.ambient [degC]\", \"code\""
+        | "Tabelle der Zeilen, CSV oder Parquet; Überschriften wie \"motion[1].time [s]\", \"requirements.ambient [degC]\", \"code\"";
     sweep_check =
         "All ordering codes of every row with verdict and utilisation of this check; may be repeated"
         | "Alle Bestellbezeichnungen jeder Zeile mit Ergebnis und Auslastung dieses Nachweises; mehrfach möglich";

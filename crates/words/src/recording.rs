@@ -13,7 +13,9 @@ use headings::{LIST_MOST, columns, columns_and_names, header, list, toml_text, v
 use modulo::{position_jumps, turn_begun};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Time, format_significant};
-use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
+use recording::{
+    Encoding, Fault, FileRow, Foreign, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp,
+};
 
 /// Returns the fault of a file of a recording, in one sentence.
 #[must_use]
@@ -21,7 +23,7 @@ pub fn recording_text(found: &Fault, language: Language) -> String {
     fault(found, language).0
 }
 
-/// Returns the fault of a Parquet file read as a table of axes, in one sentence.
+/// Returns the fault of a file read as a table of axes, in one sentence.
 #[must_use]
 pub fn table_text(found: &Fault, language: Language) -> String {
     match found {
@@ -33,6 +35,16 @@ pub fn table_text(found: &Fault, language: Language) -> String {
             said!(language =>
                 "a part of the table needs {found} MiB of memory, at most {most} MiB are taken; smaller row groups or fewer columns help"
                 | "ein Teil der Tabelle braucht {found} MiB Speicher, verwendet werden höchstens {most} MiB; kleinere Zeilengruppen oder weniger Spalten helfen"
+            )
+        }
+        Fault::Foreign { format } => {
+            let (what, remedy) = match format {
+                // The remedies of these name the columns of a recording.
+                Foreign::Mat | Foreign::Npy => (foreign(*format, language).0, foreign(Foreign::Json, language).1),
+                format => foreign(*format, language),
+            };
+            said!(language =>
+                "this is {what}, not a CSV or Parquet; {remedy}" | "das ist {what}, kein CSV oder Parquet; {remedy}"
             )
         }
         found => recording_text(found, language),
@@ -225,6 +237,14 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             Some(said!(language =>
                 "the first line names the columns, for example time [s];q [deg], and a row of numbers follows"
                 | "die erste Zeile nennt die Spalten, zum Beispiel time [s];q [deg], dann folgt eine Zeile mit Zahlen"
+            )),
+        ),
+        Fault::NotText => (
+            said!(language =>
+                "this is neither text nor a Parquet file" | "das ist weder Text noch eine Parquet-Datei"
+            ),
+            Some(said!(language =>
+                "export the columns as CSV or Parquet" | "die Spalten als CSV oder Parquet ausgeben"
             )),
         ),
         Fault::TimeMissing { headers, near } => (

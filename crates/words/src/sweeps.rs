@@ -48,14 +48,18 @@ texts! {
         "the table or a recording was changed while the sweep ran: its parts are removed, the same call starts again"
         | "die Tabelle oder eine Aufzeichnung wurde während des Laufs geändert: die Teile werden entfernt, derselbe Aufruf beginnt von vorn";
     ending_of_a_table =
-        "the file name of a table must end in .csv or .parquet" | "der Dateiname einer Tabelle muss auf .csv oder .parquet enden";
+        "the file name of the results must end in .csv or .parquet"
+        | "der Dateiname der Ergebnisse muss auf .csv oder .parquet enden";
+    parquet_elsewhere =
+        "a Parquet table is read by `antrieb sweep` of the command line and in Python only"
+        | "eine Parquet-Tabelle lesen nur `antrieb sweep` auf der Kommandozeile und Python";
     unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
     rest_unchecked(faults) =
         "{faults}; the rest of the table was not checked"
         | "{faults}; der Rest der Tabelle wurde nicht geprüft";
     headings_refused =
-        "only the first rows of the table were checked, because its headings are faulty"
-        | "wegen der fehlerhaften Überschriften wurden nur die ersten Zeilen der Tabelle geprüft";
+        "the table was not checked to its end, because its headings are faulty"
+        | "wegen der fehlerhaften Überschriften wurde die Tabelle nicht bis zum Ende geprüft";
     too_many_rows(rows, most) =
         "the table has {rows} rows; at most {most} are evaluated here, more with `antrieb sweep`"
         | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} bewertet, mehr mit `antrieb sweep`";
@@ -80,6 +84,43 @@ texts! {
         | "{count} Schlüssel mit Bereichen; die Sobol-Folge hat hier {most} Dimensionen";
 }
 
+/// Returns the sentence about a line with more or fewer cells than there are headings.
+fn ragged(line: u64, found: usize, expected: usize, language: Language) -> String {
+    let cells = pick(language, ("cell", "cells"), ("Zelle", "Zellen"));
+    let cells = if found == 1 { cells.0 } else { cells.1 };
+    match expected {
+        1 => said!(language =>
+            "line {line} has {found} {cells}, but there is 1 heading"
+            | "Zeile {line} hat {found} {cells}, es gibt jedoch nur 1 Überschrift"
+        ),
+        _ => said!(language =>
+            "line {line} has {found} {cells}, but there are {expected} headings"
+            | "Zeile {line} hat {found} {cells}, es gibt jedoch {expected} Überschriften"
+        ),
+    }
+}
+
+/// Returns what to do about a fault of a table, where it does not follow from its sentence.
+pub(crate) fn hint(fault: &TabularFault, language: Language) -> Option<String> {
+    match fault {
+        TabularFault::NoHeading { .. } => Some(said!(language =>
+            "name it by a key of the project with its unit, or leave it out; in pandas: to_csv(…, index=False)"
+            | "mit einem Schlüssel des Projekts und der Einheit benennen oder weglassen; in pandas: to_csv(…, index=False)"
+        )),
+        TabularFault::CommasTwice { .. } => Some(said!(language =>
+            "export with ; or tabs between the cells, with decimal points, or with the numbers in quotes"
+            | "mit ; oder Tabulatoren zwischen den Zellen, mit Dezimalpunkten oder mit den Zahlen in Anführungszeichen ausgeben"
+        )),
+        TabularFault::NotANumber { written, .. } if recording::is_grouped(written) => Some(said!(language =>
+            "write numbers without separators of thousands" | "Zahlen ohne Tausendertrennzeichen schreiben"
+        )),
+        TabularFault::UnitOfCell { .. } => Some(said!(language =>
+            "state all numbers of a column in one unit" | "alle Zahlen einer Spalte in einer Einheit angeben"
+        )),
+        _ => None,
+    }
+}
+
 /// Returns the fault of a table whose columns are keys, in one sentence.
 pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
     match fault {
@@ -95,6 +136,9 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
             "`{path}`: the headings count the entries of a list from zero, the first entry is [1]"
             | "`{path}`: die Überschriften zählen die Einträge einer Liste ab null, der erste Eintrag ist [1]"
         ),
+        TabularFault::NoHeading { number } => {
+            said!(language => "column {number} has no heading" | "Spalte {number} hat keine Überschrift")
+        }
         TabularFault::ColumnTwice { path } => {
             said!(language => "two columns state the key `{path}`" | "zwei Spalten nennen den Schlüssel `{path}`")
         }
@@ -108,6 +152,19 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
         TabularFault::NotANumber { path, written } => {
             said!(language => "`{path}`: \"{written}\" is not a number" | "`{path}`: „{written}“ ist keine Zahl")
         }
+        TabularFault::UnitOfCell { path, written, unit } => {
+            let unit = unit.ascii;
+            if recording::with_unit(written).is_some() {
+                return said!(language =>
+                    "`{path}`: \"{written}\" has another unit than its column, {unit}"
+                    | "`{path}`: „{written}“ hat eine andere Einheit als die Spalte, {unit}"
+                );
+            }
+            said!(language =>
+                "`{path}`: \"{written}\" has no unit, unlike the cells above in {unit}"
+                | "`{path}`: „{written}“ hat keine Einheit, anders als die Zellen darüber in {unit}"
+            )
+        }
         TabularFault::NoText { path, written } => said!(language =>
             "`{path}`: a word is expected instead of the number {written}"
             | "`{path}`: statt der Zahl {written} wird ein Wort erwartet"
@@ -116,14 +173,11 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
             "`{path}`: a column of the type {found} is not read; its cells must be numbers or texts"
             | "`{path}`: eine Spalte vom Typ {found} wird nicht gelesen; ihre Zellen müssen Zahlen oder Texte sein"
         ),
-        TabularFault::Ragged { line, found, expected } => {
-            let cells = pick(language, ("cell", "cells"), ("Zelle", "Zellen"));
-            let cells = if *found == 1 { cells.0 } else { cells.1 };
-            said!(language =>
-                "line {line} has {found} {cells}, but there are {expected} headings"
-                | "Zeile {line} hat {found} {cells}, es gibt jedoch {expected} Überschriften"
-            )
-        }
+        TabularFault::Ragged { line, found, expected } => ragged(*line, *found, *expected, language),
+        TabularFault::CommasTwice { line, found, expected } => said!(language =>
+            "{}: commas separate the cells and are decimal signs as well"
+            | "{}: Kommas trennen die Zellen und sind zugleich Dezimalzeichen", ragged(*line, *found, *expected, language)
+        ),
         TabularFault::OpenQuote { line } => said!(language =>
             "line {line}: a quoted cell does not end in this line"
             | "Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile"

@@ -86,6 +86,8 @@ texts! {
     own_actuator_of_the_project = "own actuator of the project" | "eigener Antrieb des Projekts";
     all_shows_each = "--all shows each actuator with its reason" | "--all zeigt jeden Antrieb mit Grund";
     no_brake_for(value) = "{value} required, no holding brake" | "{value} erforderlich, keine Haltebremse vorhanden";
+    not_absolute_over(travel) =
+        "no absolute encoder, the axis travels {travel}" | "kein Absolutwertgeber, die Achse fährt {travel}";
     speed_beyond_the_curve = "speed beyond the end of the curve" | "Drehzahl über dem Ende der Kennlinie";
     nearest_miss = "smallest excess" | "geringste Überschreitung";
     kept_out_by_limits = "rejected by limits of the project only" | "nur durch Grenzen des Projekts verworfen";

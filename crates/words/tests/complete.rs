@@ -307,6 +307,7 @@ fn recording_faults() -> Vec<Fault> {
         recording::Fault::Ambiguous { role: recording::Role::Time, columns: vec![name(), name()], numbers: vec![1, 3] },
         recording::Fault::Stopped,
         recording::Fault::SpacesOnly,
+        recording::Fault::NotText,
         recording::Fault::TurnBegun { at: FileRow::Line(3), jump: q(-6.2), has_speed: true },
         recording::Fault::TurnBegun { at: FileRow::Line(3), jump: q(-6.2), has_speed: false },
         recording::Fault::CommasTwice { line: 3, found: 4, expected: 2 },

@@ -157,7 +157,7 @@ impl Parts {
         let lines = (VALUES_READ / sweep.schema().fields().len().max(1)).clamp(1, PART);
         for index in 0..rows.div_ceil(self.rows as u64) {
             let part = self.parts.part(index).map_err(|trouble| self.failed(trouble))?;
-            let mut batches = Batches::open(part, Format::Parquet, 0, lines, self.language).map_err(unread)?;
+            let mut batches = Batches::open(part, 0, lines, self.language).map_err(unread)?;
             while let Some(batch) = batches.next(self.language).map_err(unread)? {
                 sweep_io::count(&batch, tally);
                 answers.add(&batch).map_err(failed)?;

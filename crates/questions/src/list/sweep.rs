@@ -9,6 +9,7 @@ use crate::sweep::csv::{Broken, Columns, Lines};
 use crate::sweep::{Cells, Head, Options, SweepRow, SweepSummary, Tally, Wanted};
 use project::{Files, Project};
 use quantities::{Language, seen};
+use recording::{Content, Fault};
 use sizing::CheckId;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -146,8 +147,14 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
 /// Opens the lines of a table, whose bytes are read at once.
 fn opened(source: &Source<'_>, name: &str, language: Language) -> Result<Lines<Cursor<Vec<u8>>>, Unanswered> {
     let mut bytes = Vec::new();
-    let read = source.files.open(name).and_then(|file| file.take(BYTES_MOST + 1).read_to_end(&mut bytes));
-    read.map_err(|error| refused(name, words::file_trouble(&error, language)))?;
+    let unread = |error: std::io::Error| refused(name, words::file_trouble(&error, language));
+    let (content, file) = source.files.open(name).and_then(recording::opened).map_err(unread)?;
+    match content {
+        Content::Text | Content::Packed(_) => {}
+        Content::Parquet => return Err(refused(name, sweeps::parquet_elsewhere(language).to_owned())),
+        Content::Foreign(format) => return Err(refused(name, words::table_text(&Fault::Foreign { format }, language))),
+    }
+    let _ = file.take(BYTES_MOST + 1).read_to_end(&mut bytes).map_err(unread)?;
     if bytes.len() as u64 > BYTES_MOST {
         let message = terminal::file_too_large(&BYTES_MOST, language);
         return Err(Unanswered::File { name: seen(name).into_owned(), message, is_too_large: true });

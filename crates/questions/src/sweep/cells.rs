@@ -3,8 +3,8 @@
 
 use super::{Column, Holds, Options, Value};
 use crate::codes::read_code;
-use project::{Fault, Hint, Kind, TabularFault};
-use quantities::{Language, seen};
+use project::{Fault, Heading, Hint, Kind, TabularFault};
+use quantities::{Language, Unit, seen};
 use recording::Thousands;
 use std::borrow::Cow;
 use words::{fault_text, hint_text};
@@ -173,14 +173,15 @@ impl Decimals {
             && self.may_be_commas
             && let Some(Some(text)) = texts.get(row)
         {
-            self.thousands.note(place, text, at);
+            self.thousands.note(place, number_of(text), at);
         }
     }
 
     /// Returns the fault of a number with the other mark.
     fn mixed(&mut self, column: &Column, cells: &Cells<'_>, row: usize) -> Option<Fault> {
         let Cells::Texts(texts) = cells else { return None };
-        let text = texts.get(row)?.as_deref().filter(|text| self.may_be_commas && text.contains(['.', ',']))?;
+        let text = texts.get(row)?.as_deref().filter(|_| self.may_be_commas)?;
+        let text = Some(number_of(text)).filter(|text| text.contains(['.', ',']))?;
         let has_comma = text.contains(',');
         let decided = *self.has_comma.get_or_insert(has_comma);
         (has_comma != decided).then(|| {
@@ -190,13 +191,9 @@ impl Decimals {
     }
 }
 
-/// Parses a number, with `1,5` permitted on request.
-fn number(text: &str, may_have_comma: bool) -> Option<f64> {
-    if may_have_comma && text.contains(',') {
-        let has_point = text.contains('.');
-        return text.replacen(',', ".", 1).parse().ok().filter(|_| !has_point);
-    }
-    text.parse().ok()
+/// Returns the number of a cell without a unit behind it.
+fn number_of(text: &str) -> &str {
+    recording::with_unit(text).map_or(text, |(number, _)| number)
 }
 
 impl Column {
@@ -236,18 +233,32 @@ impl Column {
                 if text.is_empty() {
                     return Err(empty());
                 }
-                if !self.is_number() {
-                    return Ok(Value::Text(text));
+                match &self.holds {
+                    Holds::Key(heading) if self.is_number() => Self::number(heading, text, may_have_comma),
+                    Holds::Key(heading) => Ok(Value::Text(heading.word(text))),
+                    Holds::Code => Ok(Value::Text(text)),
                 }
-                number(text, may_have_comma).map(Value::Number).ok_or_else(|| {
-                    let written: String = text.chars().take(60).collect();
-                    Fault::Tabular(TabularFault::NotANumber { path: path(), written })
-                })
             }
             Cells::Other(found, _) => {
                 Err(Fault::Tabular(TabularFault::CellType { path: path(), found: found.clone() }))
             }
         }
+    }
+
+    /// Returns the number of a cell, which may repeat the unit of its column.
+    fn number<'c>(heading: &Heading, text: &str, may_have_comma: bool) -> Result<Value<'c>, Fault> {
+        if let Some(number) = recording::number(text, may_have_comma) {
+            return Ok(Value::Number(number));
+        }
+        let (path, written) = (heading.path.clone(), text.chars().take(60).collect());
+        let Some((unit, (number, other))) = heading.unit.zip(recording::with_unit(text)) else {
+            return Err(Fault::Tabular(TabularFault::NotANumber { path, written }));
+        };
+        if Unit::of_dimension(unit.dimension, other) != Some(unit) {
+            return Err(Fault::Tabular(TabularFault::UnitOfCell { path, written, unit }));
+        }
+        let number = recording::number(number, may_have_comma).map(Value::Number);
+        number.ok_or(Fault::Tabular(TabularFault::NotANumber { path, written }))
     }
 
     /// Returns the fault of an unknown word or code.

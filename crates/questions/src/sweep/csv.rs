@@ -1,7 +1,8 @@
 //! Tables in CSV: a line for each row, read in the dialects of recordings, written with commas.
 
-use project::{Fault, TabularFault};
-use quantities::Language;
+use super::CODE;
+use project::{Counted, Fault, Heading, TabularFault};
+use quantities::{Language, Unit};
 use recording::Records;
 use std::borrow::Cow;
 use std::io::Read;
@@ -9,6 +10,10 @@ use std::io::Read;
 /// Reader of the rows of a table, some at a time.
 pub struct Lines<R> {
     records: Records<R>,
+    /// Headings with the units that the rows state.
+    headings: Vec<String>,
+    /// Units of the columns in which every cell states its own.
+    of_cells: Vec<Option<&'static Unit>>,
     /// Fault of the line after the rows already returned.
     wrong: Option<TabularFault>,
 }
@@ -28,7 +33,8 @@ impl Broken {
     pub fn text(&self, language: Language) -> String {
         match self {
             Self::Line(fault) => words::fault_text(&Fault::Tabular(fault.clone()), language),
-            Self::Unread(fault) => words::recording_text(fault, language),
+            Self::Unread(fault @ recording::Fault::ReadFailed { .. }) => words::recording_text(fault, language),
+            Self::Unread(fault) => words::table_text(fault, language),
         }
     }
 }
@@ -41,6 +47,9 @@ impl From<recording::Fault> for Broken {
             recording::Fault::Ragged { line, found, expected } => {
                 Self::Line(TabularFault::Ragged { line, found, expected })
             }
+            recording::Fault::CommasTwice { line, found, expected } => {
+                Self::Line(TabularFault::CommasTwice { line, found, expected })
+            }
             other => Self::Unread(other),
         }
     }
@@ -50,17 +59,20 @@ impl From<recording::Fault> for Broken {
 pub type Columns = Vec<Vec<Option<String>>>;
 
 impl<R: Read> Lines<R> {
-    /// Reads the headings.
+    /// Reads the headings: the first line with keys, else the first line. The unit of a key that its heading lacks is that of a
+    /// row of units below, or of the cell in the first row.
     ///
     /// # Errors
     /// If their line is invalid or cannot be read.
     pub fn open(source: R) -> Result<Self, Broken> {
-        Ok(Self { records: Records::open(source)?, wrong: None })
+        let mut records = Records::open_below(source, |cell| cell == CODE || Heading::is_one(cell))?;
+        let (headings, of_cells) = with_units(&mut records)?;
+        Ok(Self { records, headings, of_cells, wrong: None })
     }
 
-    /// Returns the headings.
+    /// Returns the headings, each with the unit of its numbers.
     pub fn headings(&self) -> &[String] {
-        self.records.headings()
+        &self.headings
     }
 
     /// Returns `true` if numbers may have decimal commas.
@@ -110,13 +122,78 @@ impl<R: Read> Lines<R> {
         if !self.records.advance()? {
             return Ok(false);
         }
+        let mut wrong = None;
         self.records.row(|place, cell| {
+            if let Some(Some(unit)) = self.of_cells.get(place)
+                && !cell.trim().is_empty()
+                && recording::with_unit(cell).is_none()
+            {
+                let heading = self.headings.get(place).map(|heading| recording::name_and_unit(heading).0);
+                let (path, written) = (heading.unwrap_or_default(), cell.trim().chars().take(60).collect());
+                wrong = Some(TabularFault::UnitOfCell { path, written, unit });
+            }
             if let Some(column) = columns.get_mut(place) {
                 column.push(Some(cell.to_owned()).filter(|cell| !cell.is_empty()));
             }
         })?;
-        Ok(true)
+        let Some(wrong) = wrong else { return Ok(true) };
+        columns.iter_mut().for_each(|column| drop(column.pop()));
+        Err(Broken::Line(wrong))
     }
+}
+
+/// Headings, and the units of the columns in which every cell states its own.
+type WithUnits = (Vec<String>, Vec<Option<&'static Unit>>);
+
+/// Returns the headings of a table with the units that the line below them states; a row of units is skipped.
+fn with_units<R: Read>(records: &mut Records<R>) -> Result<WithUnits, Broken> {
+    let mut headings = records.headings().to_vec();
+    let mut of_cells = vec![None; headings.len()];
+    let lacking: Vec<_> = headings.iter().map(|heading| Heading::lacks_unit_of(heading)).collect();
+    if lacking.iter().all(Option::is_none) {
+        return Ok((headings, of_cells));
+    }
+    let below = records.below().unwrap_or_default();
+    let units: Vec<&str> = below.iter().map(|cell| unbracketed(cell)).collect();
+    // The unit of a heading is repeated, or left out.
+    let agrees = |(heading, unit): (&String, &&str)| {
+        if unit.is_empty() || *unit == "-" {
+            return true;
+        }
+        let Some(unit) = Unit::of(unit).map(|_| *unit) else { return false };
+        match Heading::read(heading, Counted::FromOne, None) {
+            Ok(Heading { unit: Some(own), .. }) => Unit::of_dimension(own.dimension, unit) == Some(own),
+            Ok(_) => false,
+            Err(_) => true,
+        }
+    };
+    let states = |(lacks, unit): (&Option<_>, &&str)| lacks.is_some() && Unit::of(unit).is_some();
+    let is_row_of_units = headings.iter().zip(&units).all(agrees) && lacking.iter().zip(&units).any(states);
+    if is_row_of_units {
+        records.skip_units()?;
+    }
+    let columns = headings.iter_mut().zip(&mut of_cells).zip(&lacking).zip(&below);
+    for (((heading, of_cell), lacks), cell) in columns {
+        let unit = if is_row_of_units {
+            Some(unbracketed(cell)).filter(|unit| Unit::of(unit).is_some())
+        } else {
+            recording::with_unit(cell).map(|(_, unit)| unit)
+        };
+        if let Some((unit, dimensions)) = unit.zip(lacks.as_ref()) {
+            *heading = format!("{heading} [{unit}]");
+            if !is_row_of_units {
+                *of_cell = dimensions.iter().find_map(|dimension| Unit::of_dimension(*dimension, unit));
+            }
+        }
+    }
+    Ok((headings, of_cells))
+}
+
+/// Returns a unit without its brackets.
+fn unbracketed(cell: &str) -> &str {
+    let inner =
+        [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| cell.strip_prefix(*open)?.strip_suffix(*close));
+    inner.unwrap_or(cell).trim()
 }
 
 /// Formats a field (RFC 4180): in quotation marks if it contains a comma, a quotation mark or a line break.

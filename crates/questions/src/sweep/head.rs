@@ -8,7 +8,7 @@ use crate::list::Unanswered;
 use crate::reading::{Unread, read_all};
 use crate::sizing_use::actuators_of;
 use crate::subject::{names, picked};
-use project::{Counted, Fault, Files, Heading, Objection, Project, TabularFault, Written, written};
+use project::{Counted, Fault, Files, Heading, Hint, Objection, Project, TabularFault, Written, written};
 use std::collections::BTreeSet;
 
 /// A project and the headings of a table before its cells are read: faults of all three are collected and reported
@@ -29,6 +29,9 @@ pub struct Head {
     is_misread: bool,
     options: Options,
 }
+
+/// Heading that any project can have.
+const EXAMPLE: &str = "load.inertia [kg m^2]";
 
 /// Rows that are checked of a table whose headings are refused.
 const ROWS_OF_A_REFUSED_TABLE: u64 = 1000;
@@ -75,8 +78,8 @@ impl Head {
             options,
         };
         let counted = Counted::of(headings.iter().copied());
-        for heading in headings {
-            let column = head.column(heading, counted, known.as_deref()).map_err(|objection| {
+        for (number, heading) in (1..).zip(headings) {
+            let column = head.column((number, heading), counted, known.as_deref()).map_err(|objection| {
                 head.faults.add(CellFault::of(heading, None, &objection, head.options.language));
             });
             head.columns.push(column.ok());
@@ -86,16 +89,30 @@ impl Head {
             head.faults.add(CellFault::of("", None, &none, head.options.language));
         }
         head.is_misread = !head.faults.is_empty();
+        // Below headings of which none is a key there is nothing to read.
+        head.faults.is_unread = head.columns.iter().all(Option::is_none);
         head
     }
 
-    fn column(&self, heading: &str, counted: Counted, known: Option<&[Written]>) -> Result<Column, Objection> {
+    fn column(
+        &self,
+        (number, heading): (usize, &str),
+        counted: Counted,
+        known: Option<&[Written]>,
+    ) -> Result<Column, Objection> {
+        if heading.trim().is_empty() {
+            return Err((Fault::Tabular(TabularFault::NoHeading { number }), None));
+        }
         let holds = if heading.trim() == CODE {
             Holds::Code
         } else {
             // Any axis of several serves for the kind of a key.
             let place = self.axis.is_of_several.then(|| self.axis.place.unwrap_or(0));
-            Holds::Key(Heading::read(heading, counted, place)?)
+            let unknown = |(fault, hint)| match fault {
+                Fault::UnknownKey { .. } => (fault, self.meant(heading, known)),
+                fault => (fault, hint),
+            };
+            Holds::Key(Heading::read(heading, counted, place).map_err(unknown)?)
         };
         if let (Holds::Key(found), Some(known), Some(own)) = (&holds, known, self.axis.path())
             && let Some(fault) = missing_entry(known, &own, found)
@@ -107,6 +124,13 @@ impl Head {
             return Err((Fault::Tabular(TabularFault::ColumnTwice { path: column.key().to_owned() }), None));
         }
         Ok(column)
+    }
+
+    /// Returns the heading that an unknown one stands for, else one that the project can have.
+    fn meant(&self, heading: &str, known: Option<&[Written]>) -> Option<Hint> {
+        let own = self.axis.path().unwrap_or_default();
+        let stated: Vec<&str> = known.into_iter().flatten().filter_map(|each| each.path.strip_prefix(&own)).collect();
+        project::nearest_heading(heading, &stated).or_else(|| Some(Hint::Example(EXAMPLE.to_owned())))
     }
 
     /// Adds the faults of some rows, the first of which has this number, in every column with a readable heading: cells

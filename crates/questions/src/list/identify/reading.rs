@@ -52,7 +52,7 @@ struct Columns {
     values: [Option<Vec<f64>>; COLUMNS.len()],
     lines: Vec<usize>,
     faults: Vec<String>,
-    /// Headings of a text.
+    /// Headings of the file.
     headings: Vec<String>,
     /// Line with headings of a run below those read.
     headings_below: Option<u64>,
@@ -156,15 +156,16 @@ fn out_of_range(line: usize, column: &Column, value: f64, language: Language) ->
 fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, language: Language) -> Columns {
     let headings = COLUMNS.map(|column| column.heading);
     let held = bytes.len() as u64;
-    let read = memory
-        .take(held)
-        .map_err(|fault| vec![fault])
-        .and_then(|()| recording::read_columns(&Bytes::from(bytes), &headings, memory));
-    let values = match read {
-        Ok(values) => values,
+    let file = Bytes::from(bytes);
+    let read = memory.take(held).map_err(|fault| vec![fault]).and_then(|()| {
+        let names = recording::column_names(&file).map_err(|fault| vec![fault])?;
+        Ok((names, recording::read_columns(&file, &headings, memory)?))
+    });
+    let (names, values) = match read {
+        Ok(read) => read,
         Err(faults) => return Columns::unread(&faults, language),
     };
-    let mut found = Columns::default();
+    let mut found = Columns { headings: names, ..Columns::default() };
     for ((place, values), column) in found.values.iter_mut().zip(values).zip(&COLUMNS) {
         *place = values;
         let cells = place.iter().flatten().zip(1_usize..).filter(|(value, _)| value.abs() > column.most);
