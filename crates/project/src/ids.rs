@@ -103,6 +103,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::WindowReversed { .. } => "recording_window_reversed",
         Fault::ValueMissing { .. } => "recording_value_missing",
         Fault::ValueUnreadable { .. } => "recording_value_unreadable",
+        Fault::UnitOfCell { .. } => "recording_unit_of_cell",
         Fault::ValueNotFinite { .. } => "recording_value_not_finite",
         Fault::ValueImplausible { .. } => "recording_value_implausible",
         Fault::DecimalMixed { .. } => "recording_decimal_mixed",

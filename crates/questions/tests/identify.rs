@@ -191,7 +191,7 @@ fn the_overrides_make_a_wrong_project_run_like_the_right_one() {
     }
 }
 
-/// A Parquet file with other headings is answered as a text with them: what it has, and what to write.
+/// A Parquet file with other headings is answered as a text with them: its columns, and the headings to write.
 #[test]
 fn other_headings_are_answered_alike_in_either_format() {
     let text = arm("2.4 kg m^2", "5 kg", "");

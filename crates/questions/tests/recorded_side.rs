@@ -70,7 +70,7 @@ fn a_recording_of_the_motor_is_that_of_the_output_over_the_ratio_of_its_gear() {
 
 #[test]
 fn columns_of_the_motor_need_their_ratio() {
-    let headings = ["r0482[0]: Position [deg]", "r0061[0]: Speed actual value [1/min]", "Motor.Torque [Nm]"];
+    let headings = ["r0482[1]: Position [deg]", "r0061[0]: Speed actual value [1/min]", "Motor.Torque [Nm]"];
     let files = recording(headings, [1.0, 80.0, 80.0]);
     let faults = read(LOAD, "", &files).unwrap_err();
     let [fault @ Fault::MotorSide { ratios, headings: named, .. }] = faults.as_slice() else { panic!("{faults:?}") };

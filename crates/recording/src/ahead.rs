@@ -1,12 +1,12 @@
 //! Search for the heading of a CSV, which may follow lines about the file.
 
+use crate::cells::Cells;
 use crate::clock::is_clock;
-use crate::csv::Cells;
 use crate::encoding;
 use crate::faults::Fault;
 use crate::lines::Lines;
 use crate::names::is_usual_name;
-use crate::number::Decimals;
+use crate::number::{Decimals, with_unit};
 use crate::series::Encoding;
 use crate::tools::Headers;
 use memchr::memchr;
@@ -95,10 +95,11 @@ impl<R: Read> Ahead<R> {
             let row = row.filter(|_| is_end || headers.are_over());
             found = row.and_then(|row| heading_above(&seen, row, (stated, is_row)));
         }
-        // Most columns may hold text.
-        let rows = 1..seen.len();
-        let found =
-            found.or_else(|| rows.into_iter().find_map(|row| heading_above(&seen, row, (stated, is_mixed_row))));
+        // Most columns may hold text, and most numbers a unit.
+        let found = found.or_else(|| {
+            let rows = |is_row: IsRow| (1..seen.len()).find_map(|row| heading_above(&seen, row, (stated, is_row)));
+            rows(is_mixed_row).or_else(|| rows(is_row_with_units))
+        });
         let Some((_, first)) = seen.first() else { return Ok(None) };
         let (start, mut answer) = found.unwrap_or_else(|| {
             (0, Found { delimiter: stated.unwrap_or_else(|| delimiter(first)), is_missing: false, notes: None })
@@ -273,6 +274,13 @@ fn is_row(cells: &[String]) -> bool {
 fn is_mixed_row(cells: &[String]) -> bool {
     let (values, filled) = values(cells);
     values > 0 && 2 * values >= filled
+}
+
+/// Returns `true` if most cells are numbers, with or without a unit, or clock times.
+fn is_row_with_units(cells: &[String]) -> bool {
+    let filled = cells.iter().filter(|cell| !cell.is_empty());
+    let values = cells.iter().filter(|cell| with_unit(cell).is_some()).count() + values(cells).0;
+    2 * values > filled.count()
 }
 
 /// Predicate: the cells of a line can be those of a row of values.

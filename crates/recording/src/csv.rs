@@ -1,6 +1,7 @@
 //! CSV reader for recordings.
 
 use crate::ahead::{Ahead, is_spaced_row};
+use crate::cells::{Cells, ends_empty};
 use crate::clock::{Clock, is_clock};
 use crate::columns::{Heading, Pick, Picks, Said, decide, pick, unused};
 use crate::encoding;
@@ -9,15 +10,14 @@ use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
 use crate::limits::{COLUMNS_MAX, FILE_BYTES_MAX, Limit, Memory};
 use crate::lines::Lines;
-use crate::number::{Bad, Decimals, Tick, finite, is_grouped, plain};
+use crate::number::{Bad, Decimals, Tick, finite, is_grouped, plain, with_unit};
 use crate::plain::{Rows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
 use crate::thousands::Thousands;
-use csv_core::{ReadRecordResult, ReaderBuilder};
-use memchr::{memchr, memchr2_iter};
+use memchr::memchr;
+use quantities::Unit;
 use quantities::unit::SECOND;
 use std::io::Read;
-use std::ops::Range;
 
 /// Reads a recording from CSV with the default memory limit.
 ///
@@ -82,7 +82,8 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         more = advance(&mut lines, faults)?;
     }
     let second = if more { cells.all(lines.line(), lines.number(), faults) } else { None };
-    for (heading, cell) in headings.iter_mut().zip(second.iter().flatten()) {
+    // A row of values is none of units, though one of its cells may be: `Value;Unit` over `0.5;deg`.
+    for (heading, cell) in headings.iter_mut().zip(second.iter().filter(|row| !is_row_of_values(row)).flatten()) {
         heading.below = Some(unbracketed(&encoding::text(cell)));
     }
     let (picks, more_time) = pick(&headings, layout, faults);
@@ -147,13 +148,20 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
             columns.extend(decide(role, &both, [(KnownBy::Header, Said::Unit(&SECOND))], faults));
             continue;
         }
+        let in_cell = with_unit(&cell).map(|(_, unit)| unit);
         let said = [
             unit.map(|text| (KnownBy::Header, Said::Text(text))),
             in_row.map(|text| (KnownBy::UnitRow, Said::Text(text.clone()))),
+            in_cell.map(|text| (KnownBy::Values, Said::Text(text.to_owned()))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
         ];
         let column = decide(role, heading, said.into_iter().flatten(), faults);
         wanted.put(index, heading);
+        if let Some(place) = wanted.of_cells.last_mut()
+            && in_cell.is_some()
+        {
+            *place = column.as_ref().map(|column| column.unit);
+        }
         columns.extend(column);
     }
     let twins = more_time.twins.iter().filter_map(|index| Some((*index, excerpt(&headings.get(*index)?.written))));
@@ -240,12 +248,22 @@ fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
     // A missing value in the first sample is no unit.
     let missing = |text: &str| ["na", "n/a", "null", "none", "-"].contains(&text.to_lowercase().as_str());
     let any = used.peek().is_some();
-    (any && used.all(|text| !Decimals::is_number(text) && !missing(text))).then_some(texts)
+    (any && used.all(|text| !is_value(text) && !missing(text))).then_some(texts)
 }
 
-/// Returns `true` if a cell of the row is a number.
+/// Returns `true` if a cell is a number, with or without a unit behind it.
+fn is_value(cell: &str) -> bool {
+    Decimals::is_number(cell) || with_unit(cell).is_some()
+}
+
+/// Returns `true` if a cell of the row is a number, with or without a unit.
 fn holds_number(row: &[Vec<u8>]) -> bool {
-    row.iter().any(|cell| Decimals::is_number(&encoding::text(cell)))
+    row.iter().any(|cell| is_value(&encoding::text(cell)))
+}
+
+/// Returns `true` if a cell of the row is a number other than `1`, the unit of a ratio.
+fn is_row_of_values(row: &[Vec<u8>]) -> bool {
+    row.iter().map(|cell| encoding::text(cell)).any(|cell| is_value(&cell) && unbracketed(&cell) != "1")
 }
 
 fn unbracketed(text: &str) -> String {
@@ -265,6 +283,8 @@ struct Wanted {
     is_padded: bool,
     indices: Vec<usize>,
     names: Vec<String>,
+    /// Units that every cell of a column states; shorter than the columns if the last ones state none.
+    of_cells: Vec<Option<&'static Unit>>,
     form: TimeForm,
     /// Number of value columns, which follow the time.
     channels: usize,
@@ -288,11 +308,29 @@ impl Wanted {
     fn put(&mut self, index: usize, heading: &Heading) {
         self.names.push(excerpt(&heading.written));
         self.indices.push(index);
+        self.of_cells.push(None);
+    }
+
+    /// Returns the number of a cell, without the unit that every cell of its column states.
+    fn number<'c>(&self, place: usize, cell: &'c [u8]) -> Result<&'c [u8], Bad> {
+        let Some(Some(unit)) = self.of_cells.get(place) else { return Ok(cell) };
+        let cell = cell.trim_ascii();
+        if cell.is_empty() {
+            return Ok(cell);
+        }
+        let text = encoding::text(cell);
+        let same = |other: &str| Unit::of_dimension(unit.dimension, other) == Some(*unit);
+        let (number, _) = with_unit(&text).filter(|(_, other)| same(other)).ok_or(Bad::OtherUnit(unit))?;
+        // The characters of a number are those of its bytes.
+        Ok(cell.get(..number.len()).unwrap_or_default())
     }
 
     /// Returns `true` if a row consists of the time and the values, all plain numbers.
-    const fn is_plain(&self) -> bool {
-        !self.is_padded && matches!(self.form, TimeForm::Number) && self.indices.len() == self.channels + 1
+    fn is_plain(&self) -> bool {
+        !self.is_padded
+            && self.of_cells.iter().all(Option::is_none)
+            && matches!(self.form, TimeForm::Number)
+            && self.indices.len() == self.channels + 1
     }
 }
 
@@ -380,17 +418,20 @@ fn row(
     }
     if *decimals != Decimals::PointAlways && !wanted.thousands.is_decimal() {
         for (column, cell) in cells.found(line).enumerate() {
-            wanted.thousands.note(column, &encoding::text(cell), number);
+            let bare = wanted.number(column, cell).unwrap_or(cell);
+            let text = encoding::text(bare);
+            wanted.thousands.note(column, &text, number);
         }
     }
     let mut read = wanted.names.iter().zip(cells.found(line));
     let Some((name, cell)) = read.next() else { return false };
     let behind = 1 + wanted.channels;
+    let bare = wanted.number(0, cell);
     let tick = match &mut wanted.form {
-        TimeForm::Number => {
-            let quick = decimals.sign().and_then(|sign| plain_time(cell, sign)).map(Tick::of_float);
-            quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| Tick::read(&text)), Ok)
-        }
+        TimeForm::Number => bare.and_then(|bare| {
+            let quick = decimals.sign().and_then(|sign| plain_time(bare, sign)).map(Tick::of_float);
+            quick.map_or_else(|| decimals.plain(bare, number).and_then(|text| Tick::read(&text)), Ok)
+        }),
         TimeForm::Clock(clock) => clock.tick(&encoding::text(cell)).ok_or(Bad::Unreadable),
         TimeForm::Seconds => {
             let more = cells.found(line).nth(behind).unwrap_or_default();
@@ -423,8 +464,11 @@ fn row(
         },
     }
     for (channel, (name, cell)) in read.take(wanted.channels).enumerate() {
-        let quick = decimals.sign().and_then(|sign| plain(cell, sign));
-        match quick.map_or_else(|| decimals.plain(cell, number).and_then(|text| finite(&text)), Ok) {
+        let value = wanted.number(channel + 1, cell).and_then(|bare| {
+            let quick = decimals.sign().and_then(|sign| plain(bare, sign));
+            quick.map_or_else(|| decimals.plain(bare, number).and_then(|text| finite(&text)), Ok)
+        });
+        match value {
             Ok(value) => {
                 if let Err(bad) = gather.value(channel, value) {
                     faults.push(cell_fault(bad, number, name, cell));
@@ -442,12 +486,6 @@ fn is_padded(line: &[u8], count: usize, wanted: &Wanted, delimiter: u8) -> bool 
     ends_empty(line, more, delimiter)
 }
 
-/// Returns `true` if a line ends with so many empty cells.
-pub(crate) fn ends_empty(line: &[u8], more: usize, delimiter: u8) -> bool {
-    let blanks = line.iter().rev().filter(|sign| **sign != b' ');
-    blanks.take(more).filter(|sign| **sign == delimiter).count() == more
-}
-
 /// Returns the fault of a row with more or fewer cells than the header; commas that separate cells `may_be_twice` decimal signs
 /// as well, where the cells are whole numbers.
 pub(crate) fn ragged(line: &[u8], (number, found, expected): (u64, usize, usize), may_be_twice: bool) -> Fault {
@@ -462,6 +500,11 @@ pub(crate) fn ragged(line: &[u8], (number, found, expected): (u64, usize, usize)
 
 fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
     let (at, column) = (crate::FileRow::Line(line), column.to_owned());
+    if let Bad::OtherUnit(unit) = bad {
+        let text = encoding::text(cell);
+        let is_quotable = is_value(&text);
+        return Fault::UnitOfCell { at, column, text: Some(excerpt(text.trim())).filter(|_| is_quotable), unit };
+    }
     let Some(text) = shown(String::from_utf8_lossy(cell).trim()) else {
         let is_empty = matches!(bad, Bad::Missing);
         return if is_empty {
@@ -473,7 +516,7 @@ fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
     match bad {
         Bad::Unreadable | Bad::Mixed(_) if is_grouped(&text) => Fault::ThousandsGrouped { at, column, text },
         Bad::Missing => Fault::ValueMissing { at, column },
-        Bad::Unreadable => Fault::ValueUnreadable { at, column, text: Some(text) },
+        Bad::Unreadable | Bad::OtherUnit(_) => Fault::ValueUnreadable { at, column, text: Some(text) },
         Bad::NotFinite => Fault::ValueNotFinite { at, column, text },
         Bad::Implausible => Fault::ValueImplausible { at, column, text },
         Bad::Mixed(decided) => Fault::DecimalMixed { line, column, text, decided },
@@ -487,108 +530,4 @@ fn shown(cell: &str) -> Option<String> {
     let is_number = cell.chars().all(may_stand) && cell.contains(|sign: char| sign.is_ascii_digit());
     let is_word = ["nan", "inf", "infinity"].contains(&cell.trim_start_matches(['+', '-']).to_lowercase().as_str());
     (is_number || is_word).then(|| excerpt(cell))
-}
-
-/// Splitter of lines into cells.
-pub(crate) struct Cells {
-    pub(crate) delimiter: u8,
-    quoted: csv_core::Reader,
-    /// Cells of a line with quotes, without their quotes.
-    text: Vec<u8>,
-    ends: Vec<usize>,
-    /// Ranges of the requested cells, in the line or in `text`.
-    found: Vec<Range<usize>>,
-    in_text: bool,
-}
-
-impl Cells {
-    pub(crate) fn new(delimiter: u8) -> Self {
-        let quoted = ReaderBuilder::new().delimiter(delimiter).build();
-        Self { delimiter, quoted, text: Vec::new(), ends: Vec::new(), found: Vec::new(), in_text: false }
-    }
-
-    /// Finds the requested cells and returns the number of all cells; `None` if a quoted cell does not end.
-    fn split(&mut self, line: &[u8], wanted: &[usize]) -> Option<usize> {
-        self.found.clear();
-        self.found.resize(wanted.len(), 0..0);
-        self.in_text = false;
-        let (mut start, mut count) = (0, 0);
-        for end in memchr2_iter(self.delimiter, b'"', line).chain([line.len()]) {
-            if line.get(end) == Some(&b'"') {
-                return self.split_quoted(line, wanted);
-            }
-            for (index, found) in wanted.iter().zip(&mut self.found) {
-                if *index == count {
-                    *found = start..end;
-                }
-            }
-            start = end + 1;
-            count += 1;
-        }
-        Some(count)
-    }
-
-    fn split_quoted(&mut self, line: &[u8], wanted: &[usize]) -> Option<usize> {
-        self.in_text = true;
-        let count = self.unquote(line)?;
-        for (index, found) in wanted.iter().zip(&mut self.found) {
-            *found = range_of(&self.ends, *index);
-        }
-        Some(count)
-    }
-
-    /// Iterates over the requested cells of the line split last.
-    fn found<'a>(&'a self, line: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
-        let text = if self.in_text { self.text.as_slice() } else { line };
-        self.found.iter().map(|range| text.get(range.clone()).unwrap_or_default())
-    }
-
-    /// Returns every cell of a line; reports an open quote.
-    pub(crate) fn all(&mut self, line: &[u8], number: u64, faults: &mut Faults) -> Option<Vec<Vec<u8>>> {
-        let cells = self.try_all(line);
-        if cells.is_none() {
-            faults.push(Fault::QuoteOpen { line: number });
-        }
-        cells
-    }
-
-    /// Returns every cell of a line; `None` if a quoted cell does not end.
-    pub(crate) fn try_all(&mut self, line: &[u8]) -> Option<Vec<Vec<u8>>> {
-        let count = self.unquote(line)?;
-        let cell = |index| self.text.get(range_of(&self.ends, index)).unwrap_or_default().to_vec();
-        Some((0..count).map(cell).collect())
-    }
-
-    /// Returns the number of cells of a line; `None` if a quoted cell does not end.
-    pub(crate) fn count(&mut self, line: &[u8]) -> Option<usize> {
-        self.split(line, &[])
-    }
-
-    /// Iterates over every cell of a line; `None` if a quoted cell does not end.
-    pub(crate) fn every<'a>(&'a mut self, line: &'a [u8]) -> Option<impl Iterator<Item = &'a [u8]>> {
-        let (count, delimiter) = match memchr(b'"', line) {
-            Some(_) => (self.unquote(line)?, None),
-            None => (0, Some(self.delimiter)),
-        };
-        let plain = delimiter.into_iter().flat_map(move |delimiter| line.split(move |byte| *byte == delimiter));
-        let unquoted = (0..count).map(|index| self.text.get(range_of(&self.ends, index)).unwrap_or_default());
-        Some(plain.chain(unquoted))
-    }
-
-    fn unquote(&mut self, line: &[u8]) -> Option<usize> {
-        self.quoted.reset();
-        // No cell is longer than the line, and a line has at most one more cell than bytes.
-        self.text.resize(line.len() + 1, 0);
-        self.ends.resize(line.len() + 2, 0);
-        let (_, _, written, cells) = self.quoted.read_record(line, &mut self.text, &mut self.ends);
-        let (text, ends) = (self.text.get_mut(written..)?, self.ends.get_mut(cells..)?);
-        // An end of line within quotes belongs to the cell and continues the record.
-        let (result, _, _, rest) = self.quoted.read_record(b"\n", text, ends);
-        (result == ReadRecordResult::Record).then_some(cells + rest)
-    }
-}
-
-fn range_of(ends: &[usize], index: usize) -> Range<usize> {
-    let start = index.checked_sub(1).and_then(|before| ends.get(before)).copied().unwrap_or(0);
-    start..ends.get(index).copied().unwrap_or(start)
 }

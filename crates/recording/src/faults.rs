@@ -262,6 +262,18 @@ pub enum Fault {
         /// Cell as written, if it is written like a number; other text of a file is not quoted.
         text: Option<String>,
     },
+    /// A cell has another unit than the first one of its column, or none.
+    #[error("{at}: the value of \"{column}\" is not in \"{}\"", unit.ascii)]
+    UnitOfCell {
+        /// Place in the file.
+        at: FileRow,
+        /// Name of the column.
+        column: String,
+        /// Cell as written, if it is a number, with or without a unit.
+        text: Option<String>,
+        /// Unit of the first cell.
+        unit: &'static Unit,
+    },
     /// A number is infinite, not a number, or too large to be represented in SI.
     #[error("{at}: \"{text}\" in \"{column}\" is no finite number")]
     ValueNotFinite {

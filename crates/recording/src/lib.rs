@@ -17,6 +17,7 @@
 //! ```
 
 mod ahead;
+mod cells;
 mod clock;
 mod columns;
 mod csv;

@@ -13,6 +13,8 @@ pub(crate) enum Bad {
     Implausible,
     /// The other decimal sign was determined in this line.
     Mixed(u64),
+    /// The cells of the column state this unit, this one another or none.
+    OtherUnit(&'static Unit),
 }
 
 /// Decimal sign of a file. Decimal commas are possible if commas do not separate cells; the first number with either

@@ -293,7 +293,7 @@ pub(crate) struct Holds {
 }
 
 /// Maximum number of digits of a decimal.
-const DIGITS_MAX: i32 = 38;
+const DIGITS_MAX: i32 = 76;
 
 /// Returns the type of the values of a column; `None` if it holds no numbers.
 fn kind(column: &Column) -> Option<Holds> {
@@ -307,7 +307,7 @@ fn kind(column: &Column) -> Option<Holds> {
         let scale = i32::try_from(column.scale).ok().filter(|scale| (0..=DIGITS_MAX).contains(scale))?;
         let is_read = match column.physical {
             Type::INT32 | Type::INT64 => true,
-            Type::FIXED_LEN_BYTE_ARRAY => (1..=16).contains(&column.width),
+            Type::FIXED_LEN_BYTE_ARRAY => (1..=32).contains(&column.width),
             _ => false,
         };
         return is_read.then_some(Holds { scale: Some(scale), ..plain });

@@ -1,7 +1,8 @@
 //! Beginning of a CSV for display.
 
 use crate::ahead::Ahead;
-use crate::csv::{Cells, advance};
+use crate::cells::Cells;
+use crate::csv::advance;
 use crate::encoding;
 use crate::faults::{Faults, excerpt};
 use crate::number::Decimals;

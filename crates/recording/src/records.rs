@@ -1,7 +1,8 @@
 //! Reader of CSV tables with any columns, in the dialects of recordings: every cell as written.
 
 use crate::ahead::Ahead;
-use crate::csv::{Cells, ends_empty, ragged};
+use crate::cells::{Cells, ends_empty};
+use crate::csv::ragged;
 use crate::encoding;
 use crate::faults::{Fault, excerpt};
 use crate::limits::{COLUMNS_MAX, Limit};

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
-use recording::{ColumnSpec, Fault, Layout, Recording, read_csv};
+use recording::{ColumnSpec, Fault, FileRow, Layout, Recording, read_csv};
 
 /// Number of samples, 2 ms apart.
 const COUNT: u64 = 2_000;
@@ -125,4 +125,44 @@ fn empty_cells_at_the_end_count_for_nothing() {
             assert!(faults.iter().any(|fault| matches!(fault, Fault::Ragged { line: 9, .. })), "{faults:?}");
         }
     }
+}
+
+/// Numbers with their units, as timetables of MATLAB and panels of Grafana write them: in all columns or in one, with either
+/// decimal sign, a unit behind a space or not.
+#[test]
+fn a_unit_may_stand_in_every_cell() {
+    let rows =
+        |row: &dyn Fn(f64, f64) -> String| (0..COUNT).map(|k| row(2e-3 * k as f64, position(k))).collect::<String>();
+    let comma = |value: f64| format!("{value:.9}").replace('.', ",");
+    type Row<'r> = &'r dyn Fn(f64, f64) -> String;
+    let cases: [(&str, &str, Row<'_>); 6] = [
+        ("all", "t;q", &|t, q| format!("{t:.3} s;{q:.9} deg\n")),
+        ("time only", "Time,q_deg", &|t, q| format!("{t:.3} sec,{q:.9}\n")),
+        ("no space", "t\tq", &|t, q| format!("{:.1}ms\t{q:.9}°\n", 1e3 * t)),
+        ("decimal commas", "t;q", &|t, q| format!("{} s;{} deg\n", comma(t), comma(q))),
+        ("also in the heading", "t [s];q [deg]", &|t, q| format!("{t:.3} s;{q:.9} deg\n")),
+        ("quoted", "\"t\",\"q\"", &|t, q| format!("\"{} s\",\"{} deg\"\n", comma(t), comma(q))),
+    ];
+    for (name, heading, row) in cases {
+        match read(&format!("{heading}\n{}", rows(row)), &Layout::default()) {
+            Ok(recording) => check(&recording, name),
+            Err(faults) => panic!("{name}: {faults:?}"),
+        }
+    }
+    // A cell in another unit, or in none, is refused at its line; a unit that contradicts the heading, for the column.
+    let text = format!("t;q\n{}", rows(&|t, q| format!("{t:.3} s;{q:.9} deg\n")));
+    let third = "0.002 s;";
+    for wrong in ["0.002 min;", "0.002;", "2 ms;"] {
+        let faults = read(&text.replacen(third, wrong, 1), &Layout::default()).unwrap_err();
+        assert!(matches!(faults.as_slice(), [Fault::UnitOfCell { at: FileRow::Line(3), .. }]), "{wrong}: {faults:?}");
+    }
+    let faults = read(&text.replacen("t;q", "t [ms];q", 1), &Layout::default()).unwrap_err();
+    assert!(matches!(faults.as_slice(), [Fault::UnitContradiction { .. }]), "{faults:?}");
+    let faults = read(&text.replace(" deg", " kg"), &Layout::default()).unwrap_err();
+    assert!(matches!(faults.as_slice(), [Fault::UnitWrong { .. }]), "{faults:?}");
+    // A row of values that holds a unit proposes no column: one signal a row, as a controller lists them.
+    let listed = "VarName;Timestamp;Value;Unit\nfActPos;0;0,5;deg\nfActPos;2;0,7;deg\n";
+    let faults = read(listed, &Layout::default()).unwrap_err();
+    let is_proposed = |fault: &Fault| matches!(fault, Fault::CourseMissing { near, .. } if !near.is_empty());
+    assert!(!faults.iter().any(is_proposed), "{faults:?}");
 }

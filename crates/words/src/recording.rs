@@ -4,6 +4,7 @@ mod beyond;
 mod foreign;
 mod headings;
 mod modulo;
+mod tables;
 
 use crate::pick;
 use crate::texts::said;
@@ -13,42 +14,14 @@ use headings::{LIST_MOST, columns, columns_and_names, header, list, toml_text, v
 use modulo::{position_jumps, turn_begun};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Time, format_significant};
-use recording::{
-    Encoding, Fault, FileRow, Foreign, GAP_FACTOR, KnownBy, Limit, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp,
-};
+use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
+
+pub use tables::table_text;
 
 /// Returns the fault of a file of a recording, in one sentence.
 #[must_use]
 pub fn recording_text(found: &Fault, language: Language) -> String {
     fault(found, language).0
-}
-
-/// Returns the fault of a file read as a table of axes, in one sentence.
-#[must_use]
-pub fn table_text(found: &Fault, language: Language) -> String {
-    match found {
-        Fault::ReadFailed { kind, .. } => {
-            said!(language => "the table cannot be read: {kind}" | "die Tabelle ist nicht lesbar: {kind}")
-        }
-        Fault::Beyond { limit: Limit::Memory, found, most } => {
-            let (found, most) = (found.div_ceil(1 << 20), most.div_ceil(1 << 20));
-            said!(language =>
-                "a part of the table needs {found} MiB of memory, at most {most} MiB are taken; smaller row groups or fewer columns help"
-                | "ein Teil der Tabelle braucht {found} MiB Speicher, verwendet werden höchstens {most} MiB; kleinere Zeilengruppen oder weniger Spalten helfen"
-            )
-        }
-        Fault::Foreign { format } => {
-            let (what, remedy) = match format {
-                // The remedies of these name the columns of a recording.
-                Foreign::Mat | Foreign::Npy => (foreign(*format, language).0, foreign(Foreign::Json, language).1),
-                format => foreign(*format, language),
-            };
-            said!(language =>
-                "this is {what}, not a CSV or Parquet; {remedy}" | "das ist {what}, kein CSV oder Parquet; {remedy}"
-            )
-        }
-        found => recording_text(found, language),
-    }
 }
 
 /// A row with more or fewer cells than the header.
@@ -360,6 +333,24 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             },
             None,
         ),
+        Fault::UnitOfCell { at, column, text, unit } => {
+            let (at, column, unit) = (place(*at, language), q(column), q(unit.ascii));
+            (
+                match text {
+                    Some(text) => said!(language =>
+                        "{at}: {} in {column} is not in {unit}, the unit of the first cell"
+                        | "{at}: {} in {column} steht nicht in {unit}, der Einheit der ersten Zelle", q(text)
+                    ),
+                    None => said!(language =>
+                        "{at}: the value of {column} is not a number in {unit}, the unit of the first cell"
+                        | "{at}: der Wert von {column} ist keine Zahl in {unit}, der Einheit der ersten Zelle"
+                    ),
+                },
+                Some(said!(language =>
+                    "state all values of a column in one unit" | "alle Werte einer Spalte in einer Einheit angeben"
+                )),
+            )
+        }
         Fault::ValueNotFinite { at, column, text } => (
             said!(language =>
                 "{}: {} in {} is not a finite number"

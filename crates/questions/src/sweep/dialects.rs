@@ -101,8 +101,8 @@ impl Dialect {
         };
         let mut text = match self.notes {
             1 => format!("sep={separator}{}", self.end),
-            2 => format!("# Größe; a, b{0}{0}", self.end),
-            3 => ["Study of Größe", "", "by,me", "12,5;3"].join(self.end) + self.end,
+            2 => format!("# 5 µm; a, b{0}{0}", self.end),
+            3 => ["Study of 5 µm", "", "by,me", "12,5;3"].join(self.end) + self.end,
             _ => String::new(),
         };
         for line in lines {

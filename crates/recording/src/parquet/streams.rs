@@ -20,6 +20,20 @@ const DAY_OF_1970: i64 = 2_440_588;
 /// Nanoseconds of a day.
 const DAY_NS: i64 = 86_400_000_000_000;
 
+/// Returns the whole number of a decimal of at most 32 bytes in two's complement, the highest byte first.
+fn whole(bytes: &[u8]) -> f64 {
+    let (high, low) = bytes.split_at(bytes.len().saturating_sub(16));
+    let sign = if bytes.first().is_some_and(|byte| *byte >= 0x80) { -1_i128 } else { 0 };
+    let signed = |bytes: &[u8]| bytes.iter().fold(sign, |whole, byte| whole << 8 | i128::from(*byte));
+    let low = signed(low);
+    match signed(high) {
+        0 => low.cast_unsigned() as f64,
+        // Of a number in 16 bytes no bit stands above: its negative has the digits of the magnitude.
+        -1 if low != 0 => -(low.wrapping_neg().cast_unsigned() as f64),
+        high => high as f64 * 2_f64.powi(128) + low.cast_unsigned() as f64,
+    }
+}
+
 /// A value of a column.
 #[derive(Clone, Copy)]
 pub(super) enum Cell {
@@ -138,11 +152,7 @@ impl Stream {
             Source::Fixed(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
                 spread(values, levels, max, count, cells, |value| {
-                    // A decimal in two's complement, the highest byte first.
-                    let bytes = value.data();
-                    let sign = if bytes.first().is_some_and(|byte| *byte >= 0x80) { -1_i128 } else { 0 };
-                    let whole = bytes.iter().fold(sign, |whole, byte| whole << 8 | i128::from(*byte));
-                    scaled(whole).unwrap_or(Cell::Null)
+                    scale.map_or(Cell::Null, |scale| Cell::Float(whole(value.data()) / 10_f64.powi(scale)))
                 });
             }
             Source::Truth(reader, values) => {
@@ -194,5 +204,31 @@ fn spread<T>(
     } else {
         let mut next = |level: &i16| if *level == level_max { values.next().map(&cell) } else { None };
         cells.extend(levels.iter().map(|level| next(level).unwrap_or(Cell::Null)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::whole;
+
+    /// Decimals of all widths: sign-extended bytes have the value of the shorter ones.
+    #[test]
+    fn a_decimal_has_its_value_in_every_width() {
+        for value in [0_i128, 1, -1, 255, -256, 123_456_789_012, -123_456_789_012, i128::MAX, i128::MIN] {
+            let bytes = value.to_be_bytes();
+            assert_eq!(whole(&bytes), value as f64, "{value}");
+            for width in 17..=32 {
+                let fill = if value < 0 { 0xff } else { 0 };
+                let wide: Vec<u8> = std::iter::repeat_n(fill, width - 16).chain(bytes).collect();
+                assert_eq!(whole(&wide), value as f64, "{value} {width}");
+            }
+            if i64::try_from(value).is_ok() {
+                assert_eq!(whole(&bytes[8..]), value as f64, "{value}");
+            }
+        }
+        let [mut high, mut low] = [[0_u8; 32]; 2];
+        (high[15], low[15]) = (1, 0xff);
+        low[..15].fill(0xff);
+        assert_eq!((whole(&high), whole(&low)), (2_f64.powi(128), -(2_f64.powi(128))));
     }
 }
