@@ -81,7 +81,7 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
             verdict_text(check, language),
             figure_text(check.value, language),
             figure_text(check.limit, language),
-            unit_text(check.value).to_owned(),
+            unit_text(check.value, language).to_owned(),
             check.utilisation.map_or_else(|| "–".into(), |share| format_significant(share * 100.0, 3, language)),
         ]);
     }

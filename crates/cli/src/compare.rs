@@ -7,7 +7,7 @@ use project::Project;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
 use questions::list::{Asked, Unanswered, compare};
-use questions::texts::{figure_text, fit_text, governing_text, margin_text, unit_text};
+use questions::texts::{figure_text, governing_text, margin_text, unit_text, verdict_of};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
 use words::{
@@ -67,7 +67,7 @@ fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String
 }
 
 pub(crate) fn verdict(candidate: &Candidate<'_>, language: Language) -> &'static str {
-    fit_text(candidate.fit(), language)
+    verdict_of(candidate, language)
 }
 
 fn letter(index: usize) -> char {
@@ -95,7 +95,7 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
     let mut table = Table::new(heads);
     for row in &found.checks {
         let unit = row.checks.iter().flatten().find_map(|check: &Check| check.value.or(check.limit));
-        let mut cells = vec![check_title(row.id, language), unit_text(unit).to_owned()];
+        let mut cells = vec![check_title(row.id, language), unit_text(unit, language).to_owned()];
         for index in part {
             match row.checks.get(*index).and_then(Option::as_ref) {
                 Some(check) => {
@@ -132,7 +132,7 @@ fn figures(found: &Comparison<'_>, language: Language) -> String {
 /// Returns symbol with name, and unit.
 pub(crate) fn names(row: &DatumRow, language: Language) -> [String; 2] {
     let name = format!("{} {}", symbol_shown(row.symbol), figure_term(row.symbol, language));
-    [name, if row.unit.symbol == "1" { "–".to_owned() } else { row.unit.symbol.to_owned() }]
+    [name, if row.unit.symbol == "1" { "–".to_owned() } else { row.unit.symbol_in(language).to_owned() }]
 }
 
 pub(crate) fn shown(value: Option<f64>, language: Language) -> String {

@@ -132,7 +132,8 @@ fn changed(change: &CheckChange, language: Language) -> [String; 8] {
         if before == after { after } else { format!("{before} → {after}") },
         value(&change.before),
         value(&change.after),
-        unit.map_or("–", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol }).to_owned(),
+        unit.map_or("–", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol_in(language) })
+            .to_owned(),
         share(&change.before),
         share(&change.after),
         by,

@@ -14,7 +14,7 @@ use questions::list::size::Ranking;
 use questions::list::{Asked, Unanswered, check, size};
 use questions::texts::{
     by_importance, counts_text, demand_figures, figure_text, fitting_text, margin_text, mend_text, objection_text,
-    percent, reason, rejections, shown, standing_text, unit_text, verdict_text,
+    percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_text,
 };
 use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdict};
 use std::collections::BTreeSet;
@@ -147,12 +147,16 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
     for (index, candidate) in sizing.fitting().iter().take(top).enumerate() {
         let judgement = &candidate.judgement;
         let mass = candidate.parameters.mass.known();
-        let inside = candidate.inside_bands();
-        let mut remarks: Vec<String> = Vec::new();
-        if !inside.is_empty() {
-            let checks: Vec<String> = inside.iter().map(|check| check_title(check.id, language)).collect();
-            remarks.push(format!("{}: {}", terms::fits_if_estimate(language), checks.join(", ")));
-        }
+        let inside = provisos(candidate, |check| check_title(check.id, language));
+        let named = [
+            (terms::fits_if_estimate(language), inside.estimates),
+            (terms::fits_unless_rating(language), inside.ratings),
+        ];
+        let mut remarks: Vec<String> = named
+            .into_iter()
+            .filter(|(_, checks)| !checks.is_empty())
+            .map(|(verdict, checks)| format!("{verdict}: {checks}"))
+            .collect();
         let advised = by_importance(&judgement.checks)
             .into_iter()
             .filter(|check| check.verdict == Verdict::Advice && !check.is_inside_band())
@@ -329,7 +333,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
             verdict_text(check, language),
             figure_text(check.value, language),
             figure_text(check.limit, language),
-            unit_text(check.value).to_owned(),
+            unit_text(check.value, language).to_owned(),
             margin_text(check, language),
             check.at.map_or_else(|| "–".into(), |at| format_significant(at.si(), 3, language)),
             source,

@@ -23,7 +23,7 @@ pub(crate) fn moves(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
 
 /// Returns every segment with its stated and its computed values.
 pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
-    let [distance, speed, acceleration] = moves.units.map(|unit| unit.symbol);
+    let [distance, speed, acceleration] = moves.units.map(|unit| unit.symbol_in(language));
     let speed_word = if moves.turns { terms::rotary_speed(language) } else { terms::linear_speed(language) };
     let number = |value: f64| format_significant(value, 4, language);
     let mut table = Table::new([

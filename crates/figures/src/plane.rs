@@ -299,7 +299,7 @@ fn with_known(mut chart: XyChart, candidate: &Candidate<'_>, language: Language)
     let (both, mut marks) = (torque.is_some() && speed.is_some(), Vec::new());
     let mut mark = |known, unit: &Unit, corner: fn(f64) -> Point, line: fn(f64) -> Reference| {
         let Some((value, symbol, check)): Option<(f64, _, String)> = known else { return };
-        let label = Label::symbol(symbol).text(&number(value, unit.symbol));
+        let label = Label::symbol(symbol).text(&number(value, unit.symbol_in(language)));
         for (value, label) in [(value, label), (-value, Label::default())] {
             let (x, y) = corner(value);
             if !both {

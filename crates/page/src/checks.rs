@@ -86,7 +86,7 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
             }
             td.number { (figure_text(check.value, l)) }
             td.number { (figure_text(check.limit, l)) }
-            td { (unit_text(check.value.or(check.limit))) }
+            td { (unit_text(check.value.or(check.limit), l)) }
             td.number {
                 (margin_text(check, l))
                 @if let Some(at) = check.at {
@@ -94,7 +94,7 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
                         (overlay::number(worst, check).map_or_else(String::new, |number| number.to_string()))
                     }
                 }
-                @if let Some(share) = share { (bar(share)) }
+                @if let Some(share) = share { @if check.is_of_another_gear() { span.another title=(page::another_gear(l)) { (bar(share)) } } @else { (bar(share)) } }
             }
         }
         tr class={ "about " (class) } { td colspan="5" { (about(check, prefix, l)) } }

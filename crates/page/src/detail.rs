@@ -88,7 +88,7 @@ pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
                 tbody {
                     tr { th scope="row" { (capitalised(terms::verdict(l))) } td {} @for each in &found.candidates {
                         td class=(if each.fits() { "pass" } else { "fail" }) {
-                            @if each.fits() { (terms::fits(l)) } @else { (terms::does_not_fit(l)) }
+                            (questions::texts::verdict_of(each, l))
                             @for objection in answer::objections(each, l) { br; (objection) }
                         }
                     } }
@@ -107,7 +107,7 @@ fn check_row(row: &CheckRow, language: Language) -> Markup {
     html! {
         tr {
             th scope="row" { (capitalised(&check_title(row.id, language))) }
-            td { (unit.map_or("", |figure| figure.unit.symbol)) }
+            td { (unit.map_or("", |figure| figure.unit.symbol_in(language))) }
             @for (place, check) in row.checks.iter().enumerate() {
                 @match check {
                     Some(check) => td class={ "number " (verdict_class(check.verdict)) } {
@@ -126,7 +126,7 @@ fn datum_row(row: &DatumRow, language: Language) -> Markup {
     html! {
         tr class=[row.is_same().then_some("same")] {
             th scope="row" { (crate::tip::of_symbol(row.symbol, language)) " " span.small { (figure_term(row.symbol, language)) } }
-            td { (row.unit.symbol) }
+            td { (row.unit.symbol_in(language)) }
             @for (place, value) in row.values.iter().enumerate() {
                 td.number {
                     (marked(value.map_or_else(|| "–".to_owned(), |value| format_significant(value, 4, language)), row.errata_of(place)))

@@ -271,7 +271,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
                     }
                     (look_at(&name, l))
                     @if !candidate.on_request.is_empty() { " " span.small { (terms::on_request(l)) } }
-                    @if candidate.fit() == Fit::FitsIfEstimate { " " span.advice.small title=(standing_text(candidate, l)) { (terminal::if_the_estimate_holds(l)) } }
+                    @if candidate.fit() == Fit::FitsIfEstimate { " " span.advice.small title=(standing_text(candidate, l)) { (if candidate.depends_on_ratings_alone() { terminal::unless_the_rating_applies(l) } else { terminal::if_the_estimate_holds(l) }) } }
                     @if candidate.leaves_load_unheld() { " " span.fail.small { (page::load_hangs(l)) } }
                 }
                 td.number title=(tightest) {

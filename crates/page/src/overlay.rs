@@ -91,7 +91,7 @@ pub(crate) fn grips(state: &State, project: &Project) -> Markup {
         @for grip in &found.grips {
             @let law = moves.moves.get(grip.segment).map(|each| law_text(each.law, l)).unwrap_or_default();
             @let number = grip.segment + 1;
-            @let title = page::ends_at(&shown(grip.to.0), &shown(grip.to.1), &found.unit.symbol, l);
+            @let title = page::ends_at(&shown(grip.to.0), &shown(grip.to.1), &found.unit.symbol_in(l), l);
             button.grip type="button" role="slider" id={ "grip-" (grip.segment) } data-path={ (prefix) "motion[" (number) "]" }
                 data-from-time=(grip.from.0) data-from-way=(grip.from.1) data-time=(grip.to.0) data-way=(grip.to.1) data-goes=(grip.goes)
                 aria-label=(capitalised(&page::end_of_segment(&number, &law, l)))

@@ -67,7 +67,7 @@ fn exceeded(record: &answers::Simulation, language: Language) -> Markup {
     html! { @if !failed.is_empty() {
         p.fail { strong { (capitalised(&verdict_word(Verdict::Fail, language))) ": " } @for (place, each) in failed.iter().enumerate() {
             @if place > 0 { "; " }
-            (each.title) " " (number(each.value)) " > " (number(each.limit)) " " (Unit::of(each.unit).map_or(each.unit, |unit| unit.symbol))
+            (each.title) " " (number(each.value)) " > " (number(each.limit)) " " (Unit::of(each.unit).map_or(each.unit, |unit| unit.symbol_in(language)))
         } }
     } }
 }
@@ -83,7 +83,7 @@ fn gains(state: &State, record: &answers::Simulation, language: Language) -> Mar
     html! {
         p.small { (page::gains_in_use(l)) ": " @for (place, (path, about, symbol, value, unit)) in stated.enumerate() {
             @if place > 0 { ", " }
-            a href={ "#" (form::id(&path)) } title=(about) { (crate::chapters::symbol(symbol)) } " = " (format_significant(value.0, 4, l)) " " (Unit::of(unit).map_or(unit, |unit| unit.symbol))
+            a href={ "#" (form::id(&path)) } title=(about) { (crate::chapters::symbol(symbol)) } " = " (format_significant(value.0, 4, l)) " " (Unit::of(unit).map_or(unit, |unit| unit.symbol_in(l)))
         } }
     }
 }

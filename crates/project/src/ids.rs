@@ -129,6 +129,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
             Limit::PageRatio => "recording_page_ratio",
             Limit::UnpackedBytes => "recording_unpacked_too_large",
             Limit::DeltaBlock => "recording_delta_block",
+            Limit::BlankBytes => "recording_no_rows",
         },
         Fault::ParquetUnreadable { .. } => "recording_parquet_unreadable",
         Fault::Repeated { first, .. } => recording(first),

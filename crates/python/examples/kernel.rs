@@ -5,7 +5,7 @@
 //! the seconds of one pass on one core. The project has a load and a move with a stated time.
 #![allow(clippy::print_stdout, reason = "it prints what it measures")]
 
-use _antrieb::{SweepCall, Text, swept};
+use _antrieb::{SweepCall, Text};
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use quantities::Language;
 use questions::Patience;
@@ -26,7 +26,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let begin = Instant::now();
     let why = |why: questions::list::Unanswered| why.record(None, Language::En);
     let sweep = call.prepared(&table.schema(), std::slice::from_ref(&table)).map_err(why)?;
-    let answers = swept(&sweep, &[table], &Patience::endless()).map_err(why)?;
+    let memory = call.memory_allowed().map_err(why)?;
+    let answers = sweep.whole(&[table], 0, memory, &Patience::endless()).map_err(why)?;
     println!("{:.4} {}", begin.elapsed().as_secs_f64(), answers.iter().map(RecordBatch::num_rows).sum::<usize>());
     Ok(())
 }

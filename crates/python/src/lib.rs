@@ -12,4 +12,4 @@ mod sweep;
 
 pub use ask::{Call, Outcome, Text};
 pub use pool::{ForkedAtWork, forked, within};
-pub use sweep::{SweepCall, checked, swept};
+pub use sweep::{SweepCall, checked};

@@ -4,7 +4,6 @@ use crate::Text;
 use arrow_array::RecordBatch;
 use arrow_schema::Schema;
 use quantities::Language;
-use questions::Patience;
 use questions::list::sweep::{Args, ENTRY};
 use questions::list::{Argument, Given, Unanswered};
 use std::borrow::Cow;
@@ -20,13 +19,21 @@ pub struct SweepCall {
     pub text: Text,
     /// Names and values of the options: those of the question `sweep` except its table.
     pub pairs: Vec<(String, String)>,
-    /// Limit of the memory for recordings, as written.
+    /// Limit of the memory for recordings and answers, as written.
     pub memory: Option<String>,
     /// Language of the texts.
     pub language: Language,
 }
 
 impl SweepCall {
+    /// Returns the limit of the memory for recordings and answers \[byte\].
+    ///
+    /// # Errors
+    /// A limit that cannot be read or is out of range.
+    pub fn memory_allowed(&self) -> Result<u64, Unanswered> {
+        antrieb::memory_allowed(self.memory.clone(), self.language)
+    }
+
     /// Returns the sweep over tables of these columns. The cells of `batches` are checked too; it holds all batches of
     /// a table, or none.
     ///
@@ -37,8 +44,7 @@ impl SweepCall {
         let arguments = ENTRY.arguments.iter().copied().filter(|argument| argument.name != TABLE);
         let given = Given::of(&arguments.collect::<Vec<Argument>>(), pairs, self.language)?;
         let options = Args::read(&given)?.options(false, self.language)?;
-        let memory = antrieb::memory_allowed(self.memory.clone(), self.language)?;
-        let file = self.text.read(memory, self.language)?;
+        let file = self.text.read(self.memory_allowed()?, self.language)?;
         let source = file.source();
         let text = source.text(self.language)?;
         let files = Box::new(file.beside().clone());
@@ -65,12 +71,4 @@ pub fn checked(sweep: &Sweep, batches: &[RecordBatch]) -> Result<(), Unanswered>
     let mut faults = TableFaults::default();
     numbered(batches).for_each(|(batch, first_row)| sweep.check(batch, first_row, &mut faults));
     if faults.is_empty() { Ok(()) } else { Err(Unanswered::Table { name: TABLE.into(), faults }) }
-}
-
-/// Returns the answers to all batches of a table whose cells are checked.
-///
-/// # Errors
-/// A cancellation by `patience`.
-pub fn swept(sweep: &Sweep, batches: &[RecordBatch], patience: &Patience) -> Result<Vec<RecordBatch>, Unanswered> {
-    numbered(batches).map(|(batch, first_row)| sweep.batch(batch, first_row, patience)).collect()
 }

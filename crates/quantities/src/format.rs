@@ -1,6 +1,6 @@
 //! Number formatting for display.
 
-use crate::Language;
+use crate::{Language, Unit};
 
 /// Formats a number with a fixed count of decimals; decimal comma in German; no negative zero.
 ///
@@ -17,13 +17,15 @@ pub fn format_number(value: f64, digits: usize, language: Language) -> String {
 
 /// Formats a number with a count of significant digits; decimal comma in German.
 ///
-/// Integer digits are never cut: 12345 with three digits stays 12345. Below 10⁻⁴ and from 10⁷ on a power of ten is
-/// written.
+/// Integer digits are never cut: 12345 with three digits stays 12345. Below 10⁻⁴ and from 10⁶ on a power of ten is
+/// written, for a whole number from 10⁷ on: a life of 2 472 001.3 h is no exact count.
 ///
 /// ```
 /// use quantities::{Language, format_significant};
 /// assert_eq!(format_significant(0.012_345, 3, Language::En), "0.0123");
 /// assert_eq!(format_significant(2_273_506_756.0, 4, Language::De), "2,274·10⁹");
+/// assert_eq!(format_significant(2_472_001.3, 4, Language::De), "2,472·10⁶");
+/// assert_eq!(format_significant(4_194_304.0, 4, Language::De), "4194304");
 /// ```
 #[must_use]
 pub fn format_significant(value: f64, digits: usize, language: Language) -> String {
@@ -37,12 +39,27 @@ pub fn format_significant(value: f64, digits: usize, language: Language) -> Stri
     // Rounded before the exponent is read: 9.996 with three digits is 10.0.
     let scientific = format!("{value:.*e}", digits - 1);
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    if !(1e-4..1e7).contains(&value.abs()) {
+    let is_whole = value.fract() == 0.0;
+    if !(1e-4..if is_whole { 1e7 } else { 1e6 }).contains(&value.abs()) {
         let raised: String = exponent.chars().map(raised).collect();
         return format!("{}·10{raised}", typeset(mantissa, language));
     }
     let decimals = i32::try_from(digits).unwrap_or(17) - 1 - exponent.parse().unwrap_or(0);
     format_number(value, usize::try_from(decimals).unwrap_or(0), language)
+}
+
+impl Unit {
+    /// Returns the spelling for display in a language: `rev`, the only word among the symbols, is `Umdr.` in German, and `U` in a
+    /// quotient.
+    #[must_use]
+    pub fn symbol_in(&self, language: Language) -> &'static str {
+        match (language, self.symbol) {
+            (Language::De, "rev") => "Umdr.",
+            (Language::De, "rev/s") => "U/s",
+            (Language::De, "rev/s²") => "U/s²",
+            (Language::De | Language::En, symbol) => symbol,
+        }
+    }
 }
 
 const fn raised(digit: char) -> char {
@@ -149,7 +166,9 @@ mod tests {
             (-7.25, 2, "−7,2"),
             (5.0, 0, "5"),
             (0.0001, 3, "0,000100"),
-            (9_999_999.6, 3, "10000000"),
+            (999_999.4, 3, "999999"),
+            (2_472_001.3, 4, "2,472·10⁶"),
+            (9_999_999.6, 3, "1,00·10⁷"),
             (1e7, 3, "1,00·10⁷"),
             (9_999_999.0, 4, "9999999"),
             (2_273_506_756.0, 4, "2,274·10⁹"),

@@ -300,3 +300,17 @@ fn units_of_inch_and_pound_have_the_factors_of_nist() {
         assert!((found - si).abs() <= 5e-7 * si, "{text}: {found}");
     }
 }
+
+/// A symbol of a German answer has no English word, and is read as the same unit in a project file.
+#[test]
+fn a_symbol_for_german_readers_is_read_again() {
+    for unit in ALL {
+        let symbol = unit.symbol_in(Language::De);
+        assert!(!symbol.contains("rev"), "{symbol}");
+        assert_eq!(unit.symbol_in(Language::En), unit.symbol);
+        // A lead along one revolution is shown as a length.
+        let read =
+            Unit::of_dimension(unit.dimension, symbol.trim_end_matches('.')).unwrap_or_else(|| panic!("{symbol}"));
+        assert_eq!(read.symbol, unit.symbol);
+    }
+}

@@ -86,10 +86,18 @@ impl Candidate<'_> {
         by_check.or_else(|| self.objections.first().map(Reason::Objection))
     }
 
-    /// Returns the checks that exceed their limits within the band of an estimate, the governing one first.
+    /// Returns the checks that exceed their limits without failing, within the band of an estimate or beyond a rating of another gear, the
+    /// governing one first.
     #[must_use]
     pub fn inside_bands(&self) -> Vec<&Check> {
         by_importance(&self.judgement.checks).into_iter().filter(|check| check.is_inside_band()).collect()
+    }
+
+    /// Returns `true` if a check exceeds a rating of another manufacturer's gear, and none the lower edge of an estimate.
+    #[must_use]
+    pub fn depends_on_ratings_alone(&self) -> bool {
+        let inside = self.inside_bands();
+        !inside.is_empty() && inside.iter().all(|check| check.is_of_another_gear())
     }
 
     /// Returns the number of checks by verdict.

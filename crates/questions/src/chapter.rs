@@ -115,8 +115,8 @@ fn plain(value: Option<Number>, language: Language) -> String {
 }
 
 /// Returns the symbol of a unit of the records; empty for a pure number.
-fn unit_shown(unit: &str) -> String {
-    if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol).to_owned() }
+fn unit_shown(unit: &str, language: Language) -> String {
+    if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol_in(language)).to_owned() }
 }
 
 #[cfg(test)]

@@ -14,13 +14,13 @@ const DIGITS: usize = 6;
 /// Returns the value of a figure with its unit as text.
 #[must_use]
 pub fn node_amount(node: &Node, language: Language) -> String {
-    amount(node.value.0, Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol), language)
+    amount(node.value.0, Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol_in(language)), language)
 }
 
 /// Returns the number of a figure as text, and the symbol of its unit; `1` for a ratio.
 #[must_use]
 pub fn number_and_unit(node: &Node, language: Language) -> (String, &'static str) {
-    (number_text(node.value.0, language), Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol))
+    (number_text(node.value.0, language), Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol_in(language)))
 }
 
 /// Returns a number of a derivation as text.
@@ -94,7 +94,7 @@ fn written(formula: &Formula, operands: &[usize], steps: &[Step], language: Lang
         step.map_or_else(
             || symbol_shown(name),
             |step| {
-                let text = amount(step.value(), step.unit.symbol, language);
+                let text = amount(step.value(), step.unit.symbol_in(language), language);
                 if step.value() < 0.0 { format!("({text})") } else { text }
             },
         )

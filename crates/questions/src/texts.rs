@@ -24,16 +24,24 @@ use quantities::{Language, Measure, Time, Unit, format_number, format_significan
 use recording::{ColumnRead, KnownBy};
 use sizing::{Amount, Check, CheckId, Demand, Fit, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{
-    check_title, describe_rule, encoding_guess, grade_word, marked, percent_text, records, source_text, symbol_term,
-    terminal, unmet_text, unpadded,
+    Provisos, check_title, describe_rule, encoding_guess, grade_word, marked, percent_text, records, source_text,
+    symbol_term, terminal, unmet_text, unpadded,
 };
 
 /// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power.
 #[must_use]
 pub fn standing_text(candidate: &Candidate<'_>, language: Language) -> String {
-    let inside: Vec<String> = candidate.inside_bands().into_iter().map(|check| named_text(check, language)).collect();
+    let provisos = provisos(candidate, |check| named_text(check, language));
     let unheld = candidate.leaves_load_unheld();
-    words::standing_text(candidate.fit(), &inside.join(", "), unheld, &candidate.counts(), language)
+    words::standing_text(candidate.fit(), &provisos, unheld, &candidate.counts(), language)
+}
+
+/// Returns the checks beyond their limits that do not reject a candidate, each by `named`.
+pub fn provisos(candidate: &Candidate<'_>, named: impl Fn(&Check) -> String) -> Provisos {
+    let (ratings, estimates): (Vec<&Check>, Vec<&Check>) =
+        candidate.inside_bands().into_iter().partition(|check| check.is_of_another_gear());
+    let listed = |checks: Vec<&Check>| checks.into_iter().map(&named).collect::<Vec<_>>().join(", ");
+    Provisos { estimates: listed(estimates), ratings: listed(ratings) }
 }
 
 /// Returns the title of a check with its utilisation.
@@ -152,7 +160,16 @@ pub fn figure_text(figure: Option<Amount>, language: Language) -> String {
     figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
 }
 
-/// Returns the verdict on a candidate in a few words.
+/// Returns the verdict on a candidate in a few words, with the kind of limit that it depends on.
+#[must_use]
+pub fn verdict_of(candidate: &Candidate<'_>, language: Language) -> &'static str {
+    match candidate.fit() {
+        Fit::FitsIfEstimate if candidate.depends_on_ratings_alone() => words::terms::fits_unless_rating(language),
+        fit => fit_text(fit, language),
+    }
+}
+
+/// Returns a verdict in a few words.
 #[must_use]
 pub fn fit_text(fit: Fit, language: Language) -> &'static str {
     match fit {
@@ -164,8 +181,8 @@ pub fn fit_text(fit: Fit, language: Language) -> &'static str {
 
 /// Returns the symbol of a figure's unit; a dash for a pure number, empty without a figure.
 #[must_use]
-pub fn unit_text(figure: Option<Amount>) -> &'static str {
-    figure.map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol })
+pub fn unit_text(figure: Option<Amount>, language: Language) -> &'static str {
+    figure.map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol_in(language) })
 }
 
 /// Formats a utilisation in percent, or as a dash.
@@ -211,14 +228,14 @@ fn excess_text(check: &Check, language: Language) -> String {
         },
         CheckId::BrakeHolding if permits_nothing => {
             let value = figure_text(check.value, language);
-            terminal::no_brake_for(&with_unit_text(&value, check.value), language)
+            terminal::no_brake_for(&with_unit_text(&value, check.value, language), language)
         }
         CheckId::FeedbackRange if permits_nothing => {
             let value = figure_text(check.value, language);
-            terminal::not_absolute_over(&with_unit_text(&value, check.value), language)
+            terminal::not_absolute_over(&with_unit_text(&value, check.value, language), language)
         }
         _ => {
-            let limit = with_unit_text(&figure_text(check.limit, language), check.limit);
+            let limit = with_unit_text(&figure_text(check.limit, language), check.limit, language);
             let text =
                 format!("{} {} {limit}", figure_text(check.value, language), check.relation().unwrap_or_default());
             match check.utilisation {
@@ -230,8 +247,8 @@ fn excess_text(check: &Check, language: Language) -> String {
 }
 
 /// Returns a number with the symbol of its unit; a plain number without.
-fn with_unit_text(number: &str, figure: Option<Amount>) -> String {
-    match figure.map_or("1", |figure| figure.unit.symbol) {
+fn with_unit_text(number: &str, figure: Option<Amount>, language: Language) -> String {
+    match figure.map_or("1", |figure| figure.unit.symbol_in(language)) {
         "1" => number.to_owned(),
         symbol => format!("{number} {symbol}"),
     }
@@ -293,7 +310,7 @@ pub fn reserve_lines(
     }
     if let Some(needed) = limits_needed(candidate) {
         let each = |needed: &NeededLimit| {
-            format!("{} {}", needed.key, with_unit_text(&number(needed.enough.value()), Some(needed.enough)))
+            format!("{} {}", needed.key, with_unit_text(&number(needed.enough.value()), Some(needed.enough), language))
         };
         lines.push((terminal::would_fit_with_this_asked_for(language), needed.iter().map(each).collect()));
     }
@@ -305,7 +322,7 @@ pub fn reserve_lines(
 pub fn mend_text(mend: &Mend, language: Language) -> String {
     let value = unpadded(mend.unit.from_si(mend.si), 5, language);
     let what = if mend.is_stated {
-        format!("{} {value} {}", mend.path, mend.unit.symbol).trim_end_matches(" 1").to_owned()
+        format!("{} {value} {}", mend.path, mend.unit.symbol_in(language)).trim_end_matches(" 1").to_owned()
     } else {
         terminal::a_stage(&value, language)
     };

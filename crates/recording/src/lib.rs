@@ -46,8 +46,8 @@ pub use encoding::read_text;
 pub use faults::{Damage, Fault, FileRow, NearColumn, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
 pub use limits::{
-    DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory, NESTING_MAX,
-    SAMPLES_MAX, STEP_MIN_S, TABLE_COLUMNS_MAX,
+    BLANK_BYTES_MAX, DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory,
+    NESTING_MAX, SAMPLES_MAX, STEP_MIN_S, TABLE_COLUMNS_MAX,
 };
 pub use names::name_and_unit;
 pub use number::{is_grouped, number, with_unit};

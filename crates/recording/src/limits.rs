@@ -35,6 +35,10 @@ pub(crate) const TABLE_ROWS_PER_BYTE: u64 = 256;
 /// Maximum number of bytes in one line of a CSV, 64 KiB: bounds its text buffer.
 pub const LINE_BYTES_MAX: usize = 1 << 16;
 
+/// Maximum number of bytes of a CSV between two rows, 1 MiB of comments, empty lines or the rest of a line that is too long: a
+/// packed file of nothing else is not unpacked to its end.
+pub const BLANK_BYTES_MAX: u64 = 1 << 20;
+
 /// Largest plausible magnitude of a measured value in SI, the same bound as in a project file.
 pub const MAGNITUDE_MAX: f64 = 1e12;
 
@@ -88,6 +92,8 @@ pub enum Limit {
     UnpackedBytes,
     /// Values in a block of the delta encoding.
     DeltaBlock,
+    /// Bytes of a text without a row.
+    BlankBytes,
 }
 
 impl fmt::Display for Limit {
@@ -103,6 +109,7 @@ impl fmt::Display for Limit {
             Self::PageRatio => "times the packed size of a page",
             Self::UnpackedBytes => "bytes of unpacked pages",
             Self::DeltaBlock => "values in a block of deltas",
+            Self::BlankBytes => "bytes without a row",
         })
     }
 }

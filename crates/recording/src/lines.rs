@@ -2,7 +2,7 @@
 
 use crate::encoding::Utf8;
 use crate::faults::Fault;
-use crate::limits::LINE_BYTES_MAX;
+use crate::limits::{BLANK_BYTES_MAX, LINE_BYTES_MAX, Limit};
 use crate::series::Encoding;
 use memchr::{memchr, memchr2, memrchr};
 use std::io::{ErrorKind, Read};
@@ -30,6 +30,8 @@ pub(crate) struct Lines<R> {
     end: Option<u8>,
     /// The rest of a line that is too long must still be skipped.
     in_long: bool,
+    /// Number of bytes since the last line with content.
+    blank: u64,
     /// The last comment before the current line, without its `#`, at the beginning of the file.
     comment: Option<(u64, Vec<u8>)>,
 }
@@ -46,6 +48,7 @@ impl<R: Read> Lines<R> {
             failed: None,
             end: None,
             in_long: false,
+            blank: 0,
             comment: None,
         }
     }
@@ -66,8 +69,12 @@ impl<R: Read> Lines<R> {
     }
 
     /// Advances to the next line with content; returns `false` at the end.
+    ///
+    /// # Errors
+    /// [`Fault::LineTooLong`], errors of the source, and more than [`BLANK_BYTES_MAX`] without such a line.
     pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
         self.comment = None;
+        self.blank = 0;
         while self.next_physical()? {
             let line = self.line();
             if let Some(comment) = line.strip_prefix(b"#").filter(|_| self.number <= COMMENTS_MOST) {
@@ -77,8 +84,16 @@ impl<R: Read> Lines<R> {
             if !line.starts_with(b"#") && !line.iter().all(u8::is_ascii_whitespace) {
                 return Ok(true);
             }
+            let bytes = line.len() + 1;
+            self.leave(bytes)?;
         }
         Ok(false)
+    }
+
+    /// Counts bytes without content.
+    fn leave(&mut self, bytes: usize) -> Result<(), Fault> {
+        self.blank += bytes as u64;
+        Limit::BlankBytes.hold(self.blank, BLANK_BYTES_MAX)
     }
 
     /// Returns the comment right before the current line, without its `#`.
@@ -140,6 +155,7 @@ impl<R: Read> Lines<R> {
             } else if self.at_end {
                 self.in_long = false;
             } else {
+                self.leave(rest.len())?;
                 self.rest.start = self.rest.end;
                 self.fill()?;
             }

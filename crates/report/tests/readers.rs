@@ -9,6 +9,7 @@ use figures::{PinTexts, Style, Theme};
 use quantities::Language;
 use questions::list::commission::{DriveForm, usual_ambient};
 use questions::list::mount::MountAsked;
+use questions::list::upkeep::{UpkeepAsked, read_date};
 use questions::{answer, chapter};
 use report::Content;
 use samples::read::is_readable;
@@ -41,6 +42,10 @@ fn with_chapters(content: &mut Content) {
             let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), language);
             axis.chapters.push(chapter::commission(&sheet, &[], language));
         }
+        let delivered = read_date("2026-03-01", language).unwrap();
+        let asked = UpkeepAsked { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
+        let plan = questions::list::upkeep::upkeep(&code, &asked, language).unwrap();
+        axis.chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
         axis.dossier.documents.extend(chapter::documents(&axis.chapters, language));
     }
 }

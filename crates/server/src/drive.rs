@@ -55,7 +55,7 @@ impl DriveProtocol {
 /// Largest number of clients; a further one replaces the longest idle client or is rejected.
 pub const CLIENTS_MOST: usize = 8;
 
-/// Time without a request after which a client may be replaced.
+/// Time without a valid request after which a client may be replaced.
 const IDLE_TIME: Duration = Duration::from_secs(10);
 
 /// Time limit of the first request of a client.
@@ -153,18 +153,35 @@ struct Client {
     out: mpsc::Sender<Vec<u8>>,
     /// The first request was one of the protocol: a command, raw mode.
     is_known: bool,
-    /// Time of its last request.
+    /// Time of its last valid request.
     heard: Instant,
     /// Address of the other end.
     peer: SocketAddr,
 }
 
-/// Returns the client that leaves for a new one: the longest idle of those idle for [`IDLE_TIME`], or of those that are foreign to a
-/// new client of the user who runs the drive.
-fn leaving(clients: &BTreeMap<u64, Client>, is_foreign: impl Fn(&Client) -> bool) -> Option<u64> {
-    let leaves = |client: &Client| client.heard.elapsed() >= IDLE_TIME || is_foreign(client);
-    let found = clients.iter().filter(|(_, client)| leaves(client)).min_by_key(|(_, client)| client.heard);
-    found.map(|(id, _)| *id)
+/// Returns the client that leaves for a new one of the user `new`: the longest idle of those idle for [`IDLE_TIME`] and, for the user
+/// who runs the drive, of all others. Otherwise other users share the places: the user with the most of them gives one to a user with
+/// at least two fewer.
+fn leaving(
+    clients: &BTreeMap<u64, Client>,
+    user_of: impl Fn(SocketAddr) -> Option<u32>,
+    new: Option<u32>,
+    own: Option<u32>,
+) -> Option<u64> {
+    let users: BTreeMap<u64, Option<u32>> = clients.iter().map(|(id, client)| (*id, user_of(client.peer))).collect();
+    let is_foreign = |id: &u64| users.get(id).is_some_and(|user| user.is_some() && *user != own);
+    let places = |user: Option<u32>| users.values().filter(|other| **other == user).count();
+    let longest_idle = |leaves: &dyn Fn(&u64, &Client) -> bool| {
+        let found = clients.iter().filter(|(id, client)| leaves(id, client)).min_by_key(|(_, client)| client.heard);
+        found.map(|(id, _)| *id)
+    };
+    let is_own = new.is_some() && new == own;
+    longest_idle(&|id, client| client.heard.elapsed() >= IDLE_TIME || is_own && is_foreign(id)).or_else(|| {
+        let most =
+            users.iter().filter(|(id, _)| is_foreign(id)).map(|(_, user)| *user).max_by_key(|user| places(*user))?;
+        let shares = new.is_some() && places(most) >= places(new) + 2;
+        shares.then(|| longest_idle(&|id, _| users.get(id) == Some(&most))).flatten()
+    })
 }
 
 /// Disconnection of a client, by itself or by the drive.
@@ -229,9 +246,6 @@ impl<'a> Bench<'a> {
                 self.jobs.retain(|job| job.client != id);
             }
             Event::Request(client, request, answered) => {
-                if let Some(client) = self.clients.get_mut(&client) {
-                    client.heard = Instant::now();
-                }
                 self.jobs.push_back(Job { client, request, left: None, _answered: answered });
             }
         }
@@ -243,9 +257,8 @@ impl<'a> Bench<'a> {
             return true;
         }
         let owners = Owners::read();
-        let is_own = owners.is_own(peer) == Some(true);
-        let is_foreign = |client: &Client| is_own && owners.is_own(client.peer) == Some(false);
-        let Some(id) = leaving(&self.clients, is_foreign) else { return false };
+        let (new, own) = (owners.user_of(peer), owners.own());
+        let Some(id) = leaving(&self.clients, |peer| owners.user_of(peer), new, own) else { return false };
         self.handle(Event::Closed(id));
         true
     }
@@ -299,10 +312,14 @@ impl<'a> Bench<'a> {
                 let text = std::str::from_utf8(request).map_err(|_| Leaves)?;
                 if let Some(steps) = line::steps_of(self.time, text) {
                     client.is_known = true;
+                    client.heard = Instant::now();
                     return Ok(steps);
                 }
                 let answer = match line::answer(drive, self.time, text) {
-                    Answer::Line(answer) => answer,
+                    Answer::Line(answer) => {
+                        client.heard = Instant::now();
+                        answer
+                    }
                     Answer::Bye => return Err(Leaves),
                     // A browser sends something else first.
                     Answer::NoCommand | Answer::Wrong if !client.is_known => return Err(Leaves),
@@ -314,6 +331,9 @@ impl<'a> Bench<'a> {
             }
             Device::Node(node) => {
                 let Ok(Some((message, _))) = socketcand::read(request) else { return Err(Leaves) };
+                if message != socketcand::Message::Other {
+                    client.heard = Instant::now();
+                }
                 match message {
                     socketcand::Message::Open => sent(client, socketcand::OK.into())?,
                     socketcand::Message::RawMode => {
@@ -338,8 +358,9 @@ impl<'a> Bench<'a> {
     }
 
     /// Answers a request after its steps; returns `true` if the client stays connected.
-    fn finish(&self, id: u64) -> bool {
-        let Some(client) = self.clients.get(&id) else { return true };
+    fn finish(&mut self, id: u64) -> bool {
+        let Some(client) = self.clients.get_mut(&id) else { return true };
+        client.heard = Instant::now();
         match &self.device {
             Device::Line(drive) => client.out.try_send(format!("{}\n", line::stepped(drive)).into_bytes()).is_ok(),
             // A frame has no answer.
@@ -506,13 +527,69 @@ async fn written(stream: &TcpStream, mut text: &[u8]) -> bool {
 mod tests {
     use super::*;
 
-    /// Eight clients of another user that are never idle do not keep the user of the drive out; they keep out one another.
+    const OWN: u32 = 1000;
+
+    fn peer(port: u16) -> SocketAddr {
+        SocketAddr::from((Ipv4Addr::LOCALHOST, port))
+    }
+
+    /// Returns clients of these users, the port of each its user, and how long each has been idle.
+    fn clients(users: &[(u16, Duration)]) -> BTreeMap<u64, Client> {
+        let now = Instant::now();
+        let client = |(user, idle): &(u16, Duration)| {
+            let heard = now.checked_sub(*idle).unwrap_or(now);
+            Client { out: mpsc::channel(1).0, is_known: true, heard, peer: peer(*user) }
+        };
+        (1..).zip(users.iter().map(client)).collect()
+    }
+
+    fn leaves(clients: &BTreeMap<u64, Client>, new: u32) -> Option<u64> {
+        leaving(clients, |peer| Some(u32::from(peer.port())), Some(new), Some(OWN))
+    }
+
+    /// Clients of another user that are never idle do not keep the user of the drive out.
     #[test]
     fn clients_of_another_user_leave_for_those_of_the_user() {
-        let peer = |port| SocketAddr::from((Ipv4Addr::LOCALHOST, port));
-        let client = |port| Client { out: mpsc::channel(1).0, is_known: true, heard: Instant::now(), peer: peer(port) };
-        let clients: BTreeMap<u64, Client> = (1..=8).map(|id| (u64::from(id), client(50_000 + id))).collect();
-        assert_eq!(leaving(&clients, |_| false), None);
-        assert_eq!(leaving(&clients, |client| client.peer.port() > 50_003), Some(4));
+        let busy = clients(&[(1000, 4), (1000, 3), (1000, 3), (7, 2), (7, 3), (8, 1), (8, 0), (8, 0)].map(idle));
+        assert_eq!(leaves(&busy, OWN), Some(5), "the longest idle of the others");
+        let all_own = clients(&[(1000, 4); 8].map(idle));
+        assert_eq!(leaves(&all_own, OWN), None, "clients of one user do not replace each other");
+        assert_eq!(leaves(&all_own, 7), None, "those of the user who runs the drive stay");
+        let unknown = |new| leaving(&busy, |_| None, new, Some(OWN));
+        assert_eq!([unknown(Some(OWN)), unknown(None)], [None, None], "where the users are unknown");
+    }
+
+    /// A client that has sent no valid request for ten seconds leaves for any other.
+    #[test]
+    fn an_idle_client_leaves_for_any_other() {
+        let one_idle = clients(&[(1000, 9), (1000, 11), (7, 12), (7, 1), (7, 1), (7, 1), (7, 1), (7, 1)].map(idle));
+        for new in [OWN, 7, 8] {
+            assert_eq!(leaves(&one_idle, new), Some(3), "{new}");
+        }
+        assert_eq!(leaving(&one_idle, |_| None, None, None), Some(3));
+    }
+
+    /// Other users take places from each other until each has the same number, and none back: whatever comes in whatever order, no user
+    /// is kept out, and no place is taken that would have to be given back.
+    #[test]
+    fn other_users_share_the_places() {
+        let mut busy = clients(&[(7, 1); 8].map(idle));
+        let mut next = 9;
+        let mut come = |user: u16| {
+            let Some(id) = leaves(&busy, user.into()) else { return false };
+            busy.remove(&id);
+            busy.extend(clients(&[(user, Duration::ZERO)]).into_values().map(|client| (next, client)));
+            next += 1;
+            true
+        };
+        assert_eq!([8; 5].map(&mut come), [true, true, true, true, false], "four each");
+        assert!(!come(7), "a user does not take back what was shared");
+        assert_eq!([9; 3].map(&mut come), [true, true, false], "3, 3 and 2");
+        let held = |user| busy.values().filter(|client| client.peer.port() == user).count();
+        assert_eq!([7, 8, 9].map(held), [3, 3, 2]);
+    }
+
+    fn idle((user, seconds): (u16, u64)) -> (u16, Duration) {
+        (user, Duration::from_secs(seconds))
     }
 }

@@ -15,10 +15,14 @@ impl Owners {
         Self { table: std::fs::read_to_string("/proc/net/tcp").unwrap_or_default(), own: of_this_program() }
     }
 
-    /// Returns `true` if the user who runs this program opened a connection, by the address of its other end; `None` if the system
-    /// does not report the user.
-    pub(crate) fn is_own(&self, peer: SocketAddr) -> Option<bool> {
-        Some(of_table(&self.table, peer)? == self.own?)
+    /// Returns the user who opened a connection, by the address of its other end; `None` if the system does not report the user.
+    pub(crate) fn user_of(&self, peer: SocketAddr) -> Option<u32> {
+        of_table(&self.table, peer)
+    }
+
+    /// Returns the user who runs this program.
+    pub(crate) const fn own(&self) -> Option<u32> {
+        self.own
     }
 }
 
@@ -69,6 +73,8 @@ mod tests {
     fn a_connection_of_this_program_belongs_to_its_user() {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).unwrap();
         let client = TcpStream::connect(listener.local_addr().unwrap()).unwrap();
-        assert_eq!(Owners::read().is_own(client.local_addr().unwrap()), Some(true));
+        let owners = Owners::read();
+        let user = owners.user_of(client.local_addr().unwrap());
+        assert!(user.is_some() && user == owners.own(), "{user:?}");
     }
 }

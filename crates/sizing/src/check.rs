@@ -208,14 +208,19 @@ impl Check {
         }
     }
 
+    /// Returns `true` if the limit is a rating of another manufacturer's gear: it is advice and rejects no actuator.
+    #[must_use]
+    pub fn is_of_another_gear(&self) -> bool {
+        self.notes.contains(&Note::RatingOfInterchangeableGear)
+            && !matches!(self.limit_source, Some(Source::Project { .. }))
+    }
+
     /// Returns value over the edge above which the check fails: its utilisation; for an estimate, that by the upper edge
     /// of its band. `None` without a utilisation, and for a limit that is a rating of another gear, which rejects no
     /// actuator.
     #[must_use]
     pub fn share_of_failure(&self) -> Option<f64> {
-        let is_advice_only = self.notes.contains(&Note::RatingOfInterchangeableGear)
-            && !matches!(self.limit_source, Some(Source::Project { .. }));
-        if is_advice_only {
+        if self.is_of_another_gear() {
             return None;
         }
         let (share, limit) = (self.utilisation?, self.limit?.si);

@@ -12,7 +12,9 @@ use actuator::{ContinuousLimit, Gains, Parameters, PublishedDuty};
 use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
 use quantities::Measure;
-use quantities::unit::{AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, SECOND, WATT};
+use quantities::unit::{
+    AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE, SECOND, WATT,
+};
 use trace::{Form, Lag};
 
 /// Ratio of cycle to the winding's time constant above which a cycle is no longer short: the winding's temperature
@@ -118,6 +120,7 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
         work.figure("theta_a", &DEGREE_CELSIUS, ambient.si(), &project("requirements.ambient"), grade);
         actuator::explain_stall_loss(actuator, work);
         work.known_number("w", &actuator.heat.housing_share);
+        work.known("k_TM", &NEWTON_METRE_PER_AMPERE, &actuator.torque_constant_motor);
         actuator::explain_friction(actuator, settled, work);
         let what = Finding::CopperLoss;
         work.found("P_cu", &WATT, settled.losses.copper_w, what, &THERMAL, Grade::Estimated);

@@ -130,9 +130,6 @@ fn own_inertia(actuator: &Parameters) -> Option<f64> {
 /// the model has no damping and no amplitudes.
 const RESONANCE_BAND: f64 = 0.1;
 
-/// Reported distance if every resonance is further away; assumed in the verdict if no speed is held.
-const FAR_FROM_RESONANCE: f64 = 1.0;
-
 /// A region of stiffness with the rotor blocked or free, and its resonance speeds for one range of J_L.
 #[derive(Clone, Copy)]
 struct Line {
@@ -145,7 +142,7 @@ struct Line {
 impl Line {
     /// Returns the distance of a speed from the range, relative to its nearer end.
     fn distance(&self, speed: f64) -> f64 {
-        (1.0 - speed / self.speeds.0).max(speed / self.speeds.1 - 1.0).clamp(0.0, FAR_FROM_RESONANCE)
+        (1.0 - speed / self.speeds.0).max(speed / self.speeds.1 - 1.0).max(0.0)
     }
 }
 
@@ -185,7 +182,7 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
     };
     let held = axis.held_speeds().iter().filter(|held| held.inertia.1 > 0.0);
     let nearest = held.filter_map(|held| Some((of(held)?, held))).min_by(|a, b| a.0.0.total_cmp(&b.0.0));
-    let value = nearest.as_ref().map_or(FAR_FROM_RESONANCE, |((distance, _), _)| *distance);
+    let value = nearest.as_ref().map_or(f64::INFINITY, |((distance, _), _)| *distance);
     // Without a held speed there is no distance to state.
     let is_held = nearest.is_some();
     if work.is_on() {
@@ -267,9 +264,9 @@ fn explain_resonance(
             let text = if is_free { free_least } else { blocked_least };
             work.formula("f_high", &HERTZ, hertz(line.speeds.1), text, &MODEL);
             work.formula("n_r_high", &REVOLUTION_PER_MINUTE, line.speeds.1, "60*f_high/(2*i)", &MODEL);
-            distance = "100*min(max(1 - n/n_r, n/n_r_high - 1, 0), 1)";
+            distance = "100*max(1 - n/n_r, n/n_r_high - 1, 0)";
         } else if line.speeds.1.is_finite() {
-            distance = "100*min(abs(n/n_r - 1), 1)";
+            distance = "100*abs(n/n_r - 1)";
         }
         let what = Finding::SpeedNearResonance;
         work.found("n", &REVOLUTION_PER_MINUTE, held.speed, what, demand, Grade::Computed);

@@ -70,6 +70,10 @@ fn every_inertia_of_the_cycle_counts() {
     }
     // Between the lines there is room: above the highest of J = 1 with a free rotor.
     assert_eq!(check(&axis(resonant(1.2e5, 0.75) * 1.2)).verdict, Verdict::Pass);
+    // Far above it the distance is what it is, beyond 100 %.
+    let far = check(&axis(resonant(1.2e5, 0.75) * 30.0));
+    assert!((far.value.unwrap().si - 29.0).abs() < 1e-9, "{far:?}");
+    assert!((far.utilisation.unwrap() - 0.1 / 29.0).abs() < 1e-12, "{far:?}");
 }
 
 /// While a crank turns its inertia changes: every speed between the resonances of the largest and the least is one.

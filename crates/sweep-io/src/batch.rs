@@ -100,6 +100,46 @@ impl Sweep {
         usize::try_from(memory / 4).unwrap_or(usize::MAX).div_euclid(of_row.max(1)).clamp(1, most.max(1))
     }
 
+    /// Returns the largest number of rows whose answers fit into the memory as one table, at least one: a line for each code, a value
+    /// for each column and 24 bytes for each value.
+    #[must_use]
+    pub fn rows_held(&self, memory: u64) -> u64 {
+        let of_row = self.sweep.lines_of_row() * self.schema.fields().len() * BYTES_HELD;
+        (memory / of_row.max(1) as u64).max(1)
+    }
+
+    /// Returns the answers of a whole table, whose first row has this number. Rows are judged in parts of
+    /// [`rows_within`](Self::rows_within), and before the first of them their number is compared with
+    /// [`rows_held`](Self::rows_held).
+    ///
+    /// # Errors
+    /// More rows than the memory holds answers of; [`Refusal::Stopped`] after a cancellation.
+    pub fn whole(
+        &self,
+        batches: &[RecordBatch],
+        first_row: u64,
+        memory: u64,
+        patience: &Patience,
+    ) -> Result<Vec<RecordBatch>, Unanswered> {
+        let rows: u64 = batches.iter().map(|batch| batch.num_rows() as u64).sum();
+        let most = self.rows_held(memory);
+        if rows > most {
+            let language = self.sweep.options().language;
+            return Err(Unanswered::message(words::sweeps::answers_too_large(&rows, &(memory >> 20), &most, language)));
+        }
+        let part = self.rows_within(memory, ROWS_OF_PART);
+        let mut first_row = first_row;
+        let mut answers = Vec::new();
+        for batch in batches {
+            for from in (0..batch.num_rows()).step_by(part) {
+                let rows = batch.slice(from, part.min(batch.num_rows() - from));
+                answers.push(self.batch(&rows, first_row, patience)?);
+                first_row += rows.num_rows() as u64;
+            }
+        }
+        Ok(answers)
+    }
+
     /// Adds every fault of the cells of a batch, whose first row has this number.
     pub fn check(&self, batch: &RecordBatch, first_row: u64, faults: &mut TableFaults) {
         self.sweep.check(&cells(batch), first_row, faults);
@@ -124,6 +164,12 @@ impl Sweep {
 /// Memory of a value in an answer \[byte\]: in the judgement of its row, in a column of the batch and in the bytes of a part.
 /// Measured: 50 for verdict and utilisation of 36 checks.
 const BYTES_OF_VALUE: usize = 64;
+
+/// Memory of a value in an answer that is kept \[byte\]: in a column of the batch, whose texts grow by doubling.
+const BYTES_HELD: usize = 24;
+
+/// Largest number of rows that are judged at once for a whole table.
+const ROWS_OF_PART: usize = 1 << 14;
 
 fn headings(table: &Schema) -> Vec<&str> {
     table.fields().iter().map(|field| field.name().as_str()).collect()

@@ -101,6 +101,57 @@ fn the_rows_of_a_part_are_those_of_the_memory() {
     assert!(of_code.rows_within(512 << 20, 1 << 14) == 1 << 14);
 }
 
+/// A table is answered as a whole if the memory holds its answers; one row more is refused before a row is judged, with the number that
+/// it holds.
+#[test]
+fn a_table_whose_answers_exceed_the_memory_is_refused_before_work() {
+    const MEMORY: u64 = 4 << 20;
+    let rows = |count: usize| {
+        batch(vec![("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![1.0; count])) as ArrayRef)])
+    };
+    let checks = questions::CheckId::ALL.to_vec();
+    let every = sweep(&rows(1), Wanted::Every(checks.clone()));
+    let most = usize::try_from(every.rows_held(MEMORY)).unwrap();
+    assert!((2..20).contains(&most), "{most}");
+    let table = [rows(1), rows(most - 1)];
+    let answers = every.whole(&table, 7, MEMORY, &Patience::endless()).unwrap();
+    // Few rows at a time, in the order of the table and with the cells of one batch.
+    assert!(
+        answers.len() > 2 && answers.len() >= most.div_ceil(every.rows_within(MEMORY, usize::MAX)),
+        "{}",
+        answers.len()
+    );
+    let one = every.batch(&rows(most), 7, &Patience::endless()).unwrap();
+    let mut line = 0;
+    for answer in &answers {
+        assert_eq!(*answer, one.slice(line, answer.num_rows()));
+        line += answer.num_rows();
+    }
+    assert_eq!(line, one.num_rows());
+    // A cancelled call would end at its first row: what is refused was refused before.
+    let cancelled = Patience::limited();
+    cancelled.cancel();
+    let why = every.whole(&[rows(most + 1)], 0, MEMORY, &cancelled).err().unwrap();
+    let message = why.faults(None, quantities::Language::En).errors[0].message.clone();
+    assert!(message.contains(&format!("the table has {} rows", most + 1)), "{message}");
+    assert!(message.contains("4 MiB") && message.contains(&format!("at most {most} rows")), "{message}");
+    let why = every.whole(&table, 0, MEMORY, &cancelled).err().unwrap();
+    assert!(!why.faults(None, quantities::Language::En).errors[0].message.contains("rows"), "a smaller table begins");
+    // The count holds the arrays of every kind of answer.
+    for wanted in
+        [Wanted::Best, Wanted::Every(checks), Wanted::Every(vec![questions::CheckId::PeakTorque]), Wanted::Front]
+    {
+        let table = rows(64);
+        let sweep = sweep(&table, wanted.clone());
+        let answer = sweep.batch(&table, 0, &Patience::endless()).unwrap();
+        let counted = MEMORY as f64 * 64.0 / sweep.rows_held(MEMORY * 1024) as f64 * 1024.0;
+        let held = answer.get_array_memory_size() as f64;
+        assert!(held <= counted, "{wanted:?}: {held} bytes, {counted} counted");
+    }
+    // No memory is so small that a row is refused.
+    assert_eq!(every.rows_held(0), 1);
+}
+
 /// A refused heading decides: the rest of the table is not read, and no row of one without any key.
 #[test]
 fn a_table_with_a_refused_heading_is_not_read_to_its_end() {

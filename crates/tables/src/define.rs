@@ -124,7 +124,7 @@ impl Subject<'_> {
             .map(|input| {
                 let (value, unit) = input
                     .amount
-                    .map_or((Cell::Empty, Cell::Empty), |(value, unit)| (Cell::number(value), Cell::unit(unit)));
+                    .map_or((Cell::Empty, Cell::Empty), |(value, unit)| (Cell::number(value), Cell::unit(unit, l)));
                 vec![
                     Cell::text(input.path),
                     Cell::text(input.written),

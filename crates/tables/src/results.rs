@@ -4,7 +4,7 @@ use crate::define::{Subject, column, titled};
 use crate::table::{Cell, Column, ColumnContent, Derived, Table};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit};
-use questions::texts::{by_importance, fit_text, verdict_text};
+use questions::texts::{by_importance, verdict_of, verdict_text};
 use questions::{Candidate, Check, CheckId, Demand, Direction};
 use words::{
     Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
@@ -13,7 +13,7 @@ use words::{
 
 /// Returns identifier and word of the verdict on a whole candidate.
 pub(crate) fn fits(candidate: &Candidate<'_>, language: Language) -> Cell {
-    Cell::Word(candidate.fit().id(), fit_text(candidate.fit(), language).to_owned())
+    Cell::Word(candidate.fit().id(), verdict_of(candidate, language).to_owned())
 }
 
 fn code(language: Language) -> Column {
@@ -216,7 +216,7 @@ fn direction(direction: Direction, l: Language) -> Cell {
 
 fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
     let figure = |figure: Option<questions::Amount>| figure.map_or(Cell::Empty, |figure| Cell::number(figure.value()));
-    let unit = check.value.or(check.limit).map_or(Cell::Empty, |figure| Cell::unit(figure.unit));
+    let unit = check.value.or(check.limit).map_or(Cell::Empty, |figure| Cell::unit(figure.unit, l));
     let said = |text: String| without_keys(&text, l).into_owned();
     let mut sources: Vec<String> = [&check.limit_source, &check.value_source]
         .into_iter()

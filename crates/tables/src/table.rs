@@ -1,8 +1,8 @@
 //! A table as plain data.
 
 use crate::rows::Rows;
-use quantities::Unit;
 use quantities::unit::ONE;
+use quantities::{Language, Unit};
 
 /// Content of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,8 +65,8 @@ impl Cell {
 
     /// Creates the cell of a unit: its name in data exchange, and its symbol for readers.
     #[must_use]
-    pub fn unit(unit: &Unit) -> Self {
-        Self::Word(unit.json, if *unit == ONE { String::new() } else { unit.symbol.to_owned() })
+    pub fn unit(unit: &Unit, language: Language) -> Self {
+        Self::Word(unit.json, if *unit == ONE { String::new() } else { unit.symbol_in(language).to_owned() })
     }
 
     /// Creates a text; an empty text gives an empty cell.

@@ -87,7 +87,7 @@ fn meanings(tables: &[Table], styles: &Styles, language: Language) -> Result<Wor
     let columns = tables.iter().flat_map(|table| table.columns.iter().map(move |column| (table, column)));
     for (row, (table, column)) in (1_u32..).zip(columns) {
         let name = format!("{}.{}", table.name, column.name);
-        let unit = column.unit.map(|unit| unit.symbol).filter(|symbol| *symbol != "1").unwrap_or_default();
+        let unit = column.unit.map(|unit| unit.symbol_in(language)).filter(|symbol| *symbol != "1").unwrap_or_default();
         let texts = [&table.title, &column.title, &name, unit, &column.about];
         for (at, text) in (0_u16..).zip(texts) {
             sheet.write_string_with_format(row, at, text, &styles.text)?;

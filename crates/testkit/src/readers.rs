@@ -126,9 +126,11 @@ pub fn english(text: &str) -> Vec<String> {
     let bare = |word: &str| word.trim_matches(|sign: char| !sign.is_alphanumeric()).to_owned();
     let mut found = Vec::new();
     for (at, word) in words.iter().enumerate() {
+        // `rev. 06` of a document is an abbreviation in either language.
+        let is_unit = *word == "rev";
         let word = bare(word);
         // Nouns have a capital in German and a name has one in any language.
-        if ENGLISH.contains(&word.as_str()) {
+        if is_unit || ENGLISH.contains(&word.as_str()) {
             let around = words.get(at.saturating_sub(4)..(at + 5).min(words.len())).unwrap_or_default();
             found.push(format!("{word}: {}", around.join(" ")));
         }

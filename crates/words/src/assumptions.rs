@@ -162,8 +162,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "keine Neigung der Achse angegeben (axis_tilt): der Flansch zeigt nach oben",
         ),
         Assumption::NoPayloadInDwell => (
-            "no payload given for a dwell that follows a move with one: nothing is carried in it; if the payload stays, state it in the dwell too (payload)",
-            "für eine Pause nach einer Bewegung mit Nutzlast ist keine angegeben: in ihr wird nichts getragen; bleibt die Nutzlast, ist sie auch in der Pause anzugeben (payload)",
+            "no payload given for a dwell that follows a move with one: nothing is carried in it; if the payload stays, state it in the dwell too (motion.payload)",
+            "für eine Pause nach einer Bewegung mit Nutzlast ist keine angegeben: in ihr wird nichts getragen; bleibt die Nutzlast, ist sie auch in der Pause anzugeben (motion.payload)",
         ),
         Assumption::PayloadInertiaWeightless => (
             "the additional moment of inertia of a segment (payload_inertia) adds no weight to the flange loads",
@@ -210,7 +210,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
 }
 
 fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
-    format!("{} {}", format_significant(unit.from_si(si), 3, language), unit.symbol)
+    format!("{} {}", format_significant(unit.from_si(si), 3, language), unit.symbol_in(language))
 }
 
 /// Returns the remark on an acceleration caused by the resolution of a column, with the remedy.

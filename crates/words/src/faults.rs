@@ -400,7 +400,7 @@ fn more(count: usize, language: Language) -> String {
 }
 
 fn shown(si: f64, unit: &Unit, language: Language) -> String {
-    format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol)
+    format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol_in(language))
 }
 
 /// Returns the values within the tolerances at which the axis is impossible, and the reason.

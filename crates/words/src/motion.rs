@@ -11,7 +11,7 @@ use quantities::unit::{
 use quantities::{Language, Measure, Unit, format_significant};
 
 fn shown(si: f64, unit: &Unit, language: Language) -> String {
-    format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol)
+    format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol_in(language))
 }
 
 /// Returns the motion law of a segment, in the terms of VDI 2143.

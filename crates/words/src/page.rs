@@ -3,6 +3,9 @@
 use crate::texts::texts;
 
 texts! {
+    another_gear =
+        "the limit is a gear rating of another manufacturer, not of this actuator"
+        | "die Grenze ist die eines Getriebes eines anderen Herstellers, nicht dieses Antriebs";
     title = "antrieb workbench" | "antrieb im Browser";
     skip_to_result = "Go to the result" | "Zum Ergebnis springen";
     what_moves = "Load and motion" | "Last und Bewegung";

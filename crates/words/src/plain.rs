@@ -8,12 +8,36 @@ use quantities::Language;
 use std::borrow::Cow;
 
 /// Returns the text with each key of the project file replaced by its purpose; a key in parentheses after its words is
-/// left out.
+/// left out, and so is an option of the command line in parentheses: `(--storage)`.
 ///
 /// `no limit stated: requirements.torsion_max` becomes `no limit stated: maximum torsion …`. A word that is no key
 /// stays unchanged.
 #[must_use]
 pub fn without_keys(text: &str, language: Language) -> Cow<'_, str> {
+    match without_options(text) {
+        Cow::Borrowed(text) => without_names(text, language),
+        Cow::Owned(text) => Cow::Owned(without_names(&text, language).into_owned()),
+    }
+}
+
+/// Returns the text without the options of the command line that fill a parenthesis.
+fn without_options(text: &str) -> Cow<'_, str> {
+    let mut text = Cow::Borrowed(text);
+    let mut from = 0;
+    while let Some(start) = text.get(from..).and_then(|rest| rest.find(" (--")).map(|at| from + at) {
+        let option = text.get(start + " (--".len()..).unwrap_or_default();
+        let length = option.find(|sign: char| !(sign.is_ascii_lowercase() || sign == '-')).unwrap_or(option.len());
+        from = start + " (--".len() + length;
+        if length > 0 && text.get(from..).is_some_and(|rest| rest.starts_with(')')) {
+            text.to_mut().replace_range(start..=from, "");
+            from = start;
+        }
+    }
+    text
+}
+
+/// Returns the text without names of keys.
+fn without_names(text: &str, language: Language) -> Cow<'_, str> {
     if !text.contains(['.', '_']) {
         return Cow::Borrowed(text);
     }
@@ -121,6 +145,7 @@ mod tests {
         assert_eq!(de("90 % von U_DC/√2 (requirements.modulation_reserve)"), "90 % von U_DC/√2");
         assert_eq!(de("wie angegeben (bearing.mechanism = \"ignore\"), ja"), "wie angegeben, ja");
         assert_eq!(de("Neigung (axis_tilt): oben"), "Neigung: oben");
+        assert_eq!(de("ein Jahr (--inspect), zwei (--hours-per-day) oder mehr"), "ein Jahr, zwei oder mehr");
         assert_eq!(de("nicht angegeben: bearing.belt_tension"), "nicht angegeben: statische Trumkraft des Riemens F_v");
         let time = de("Projekt motion[3].time");
         assert!(time.ends_with("(Abschnitt 3)") && !time.contains("motion"), "{time}");
@@ -136,6 +161,7 @@ mod tests {
             "Load of load.weight_of_the_moon",
             "\"load.inertia\"",
             "xload.inertia",
+            "with --today DATE (--today DATE), (--)",
         ] {
             assert_eq!(without_keys(text, Language::En), text);
         }

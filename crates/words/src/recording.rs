@@ -479,7 +479,7 @@ fn seconds(time: Time, language: Language) -> String {
 /// Formats a time with all digits of the file.
 fn stamp(stamp: Stamp, language: Language) -> String {
     let number = stamp.value.to_string().replace('.', pick(language, ".", ","));
-    format!("{number} {}", stamp.unit.symbol)
+    format!("{number} {}", stamp.unit.symbol_in(language))
 }
 
 const fn role_key(role: Role) -> &'static str {

@@ -229,9 +229,18 @@ texts! {
     v_if_estimate_text =
         "All checks performed pass, the following only if the estimate holds: have them confirmed by the manufacturer, or state a curve:"
         | "Alle geführten Nachweise sind erfüllt, die folgenden nur, wenn die Schätzung zutrifft; vom Hersteller bestätigen lassen oder eine Kennlinie angeben:";
+    v_if_rating =
+        "Fits unless the gear rating of another manufacturer applies"
+        | "Geeignet, sofern die Getriebegrenze eines anderen Herstellers nicht gilt";
+    v_if_rating_only =
+        "All checked limits of this actuator are kept." | "Alle geprüften Grenzen dieses Antriebs sind eingehalten.";
     v_if_rating_text =
-        "All checks performed pass, the following only if a rating that another manufacturer publishes for its gear of this kind holds here too; have them confirmed by the manufacturer of the actuator:"
-        | "Alle geführten Nachweise sind erfüllt, die folgenden nur, wenn ein Wert gilt, den ein anderer Hersteller für sein Getriebe dieser Art veröffentlicht; vom Hersteller des Antriebs bestätigen lassen:";
+        "The following values exceed a rating that another manufacturer publishes for its gear of this kind; have them confirmed by the manufacturer of the actuator:"
+        | "Die folgenden Werte überschreiten eine Grenze, die ein anderer Hersteller für sein Getriebe dieser Art veröffentlicht; vom Hersteller des Antriebs bestätigen lassen:";
+    another_gear = "gear rating of another manufacturer" | "Getriebegrenze eines anderen Herstellers";
+    another_gear_bars =
+        "Dashed bar: the limit is a gear rating of another manufacturer, not of this actuator; it rejects no actuator."
+        | "Gestrichelter Balken: Die Grenze ist die eines Getriebes eines anderen Herstellers, nicht dieses Antriebs; sie schließt keinen Antrieb aus.";
     v_open_points = "The result is valid only after the open points have been settled." | "Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     if_estimate = "if the estimate holds" | "sofern die Schätzung zutrifft";
     fitting_if_estimate = "more if an estimate holds" | "weitere, sofern eine Schätzung zutrifft";

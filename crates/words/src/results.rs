@@ -2,7 +2,7 @@
 
 use crate::derivation::symbol_shown;
 use crate::texts::said;
-use crate::{document_short, pick};
+use crate::{document_short, pick, terminal, terms};
 use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
@@ -154,17 +154,34 @@ impl Counts {
     }
 }
 
+/// Checks beyond their limits that do not reject an actuator, each list as text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Provisos {
+    /// Checks within the band of an estimate.
+    pub estimates: String,
+    /// Checks beyond a rating of another manufacturer's gear.
+    pub ratings: String,
+}
+
 /// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power. Only
-/// this function words it. `inside`: the checks within the band of an estimate.
+/// this function words it.
 #[must_use]
-pub fn standing_text(fit: Fit, inside: &str, unheld: bool, counts: &Counts, language: Language) -> String {
+pub fn standing_text(fit: Fit, provisos: &Provisos, unheld: bool, counts: &Counts, language: Language) -> String {
     let (all, missing) = (counts.checks(), counts.not_checked);
     let mut text = match (fit, counts.failed) {
         (Fit::Fits, _) => said!(language => "fits" | "geeignet"),
-        (Fit::FitsIfEstimate, _) => said!(language =>
-            "fits if the estimate holds: {inside}"
-            | "geeignet, sofern die Schätzung zutrifft: {inside}"
-        ),
+        (Fit::FitsIfEstimate, _) => {
+            let Provisos { estimates, ratings } = provisos;
+            let (estimate, rating) = (terms::fits_if_estimate(language), terms::fits_unless_rating(language));
+            match (estimates.is_empty(), ratings.is_empty()) {
+                (true, false) => format!("{rating}: {ratings}"),
+                (_, true) => format!("{estimate}: {estimates}"),
+                (false, false) => {
+                    let unless = terminal::unless_the_rating_applies(language);
+                    format!("{estimate}: {estimates}; {unless}: {ratings}")
+                }
+            }
+        }
         (Fit::DoesNotFit, 0) => said!(language => "does not fit" | "nicht geeignet"),
         (Fit::DoesNotFit, 1) => said!(language =>
             "does not fit: 1 of {all} checks fails"
@@ -324,7 +341,7 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
 
 pub(super) fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
     let number = format_significant(unit.from_si(si), digits, language);
-    if unit.symbol == "1" { number } else { format!("{number} {}", unit.symbol) }
+    if unit.symbol == "1" { number } else { format!("{number} {}", unit.symbol_in(language)) }
 }
 
 /// Returns the evidence for an erratum.

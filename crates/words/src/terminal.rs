@@ -233,6 +233,9 @@ texts! {
         "{count} more fit if an estimate holds"
         | "{count} weitere, sofern eine Schätzung zutrifft";
     if_the_estimate_holds = "if the estimate holds" | "sofern die Schätzung zutrifft";
+    unless_the_rating_applies =
+        "unless the gear rating of another manufacturer applies"
+        | "sofern die Getriebegrenze eines anderen Herstellers nicht gilt";
     remarks_on(id) = "remarks on {id}" | "Bemerkungen zu {id}";
     move_number(number) = "move {number}" | "Bewegung {number}";
     at_s = "time s" | "Zeitpunkt s";

@@ -23,6 +23,9 @@ texts! {
     fail = "fail" | "nicht erfüllt";
     fits = "fits" | "geeignet";
     fits_if_estimate = "fits if the estimate holds" | "geeignet, sofern die Schätzung zutrifft";
+    fits_unless_rating =
+        "fits unless the gear rating of another manufacturer applies"
+        | "geeignet, sofern die Getriebegrenze eines anderen Herstellers nicht gilt";
     grade = "grade" | "Güte";
     housing = "housing" | "Gehäuse";
     inputs = "inputs" | "Eingaben";

@@ -43,7 +43,10 @@ fn checks_and_verdicts() {
         for (unheld, failed) in [(false, 0), (true, 0), (false, 1), (false, 2)] {
             let counts =
                 words::Counts { failed, not_checked: open, requirements_open: open, ..words::Counts::default() };
-            differ("standing", |language| words::standing_text(fit, "T_rms 110 %", unheld, &counts, language));
+            for (estimates, ratings) in [("T_rms 110 %", ""), ("", "T_av 112 %"), ("T_rms 110 %", "T_av 112 %")] {
+                let provisos = words::Provisos { estimates: estimates.to_owned(), ratings: ratings.to_owned() };
+                differ("standing", |language| words::standing_text(fit, &provisos, unheld, &counts, language));
+            }
         }
     }
     differ("ranking", words::ranking_rule);
@@ -292,6 +295,7 @@ fn recording_faults() -> Vec<Fault> {
         Limit::PageRatio,
         Limit::UnpackedBytes,
         Limit::DeltaBlock,
+        Limit::BlankBytes,
     ];
     let beyond = limits.map(|limit| recording::Fault::Beyond { limit, found: 2 << 20, most: 1 << 20 });
     let damaged = damages.map(|reason| recording::Fault::ParquetUnreadable { reason });

@@ -109,7 +109,7 @@ fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Langu
                     th scope="row" { (capitalised(&check_title(check.id, l))) }
                     td { span.verdict { (verdict_text(check, l)) } }
                     td.number { (figure_text(check.value, l)) } td.number { (figure_text(check.limit, l)) }
-                    td { (unit_text(check.value)) } td.number { (margin_text(check, l)) }
+                    td { (unit_text(check.value, l)) } td.number { (margin_text(check, l)) }
                     td.small {
                         @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { (grade_word(grade, l)) ", " (source_text(source, l)) }
                         @if let Some(missing) = check.missing { (page::to_be_checked_state(l)) " " (words::check_missing(missing, l)) }

@@ -246,7 +246,7 @@ impl Form<'_> {
         let entries = || self.sheet.lists.iter().flat_map(|list| &list.entries);
         match entries().find(|entry| entry.field && Some(entry.id) == id) {
             Some(entry) => {
-                let unit = entry.unit.and_then(Unit::of).map_or("", |unit| unit.symbol);
+                let unit = entry.unit.and_then(Unit::of).map_or("", |unit| unit.symbol_in(l));
                 format!("{about}; {}: {} {unit}", entry.text, entry.shown)
             }
             None => about.to_owned(),

@@ -26,7 +26,7 @@ class Sweep:
         front: The actuators that no other beats in mass, length and reserve; without `check`.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
-        memory: How much memory the recordings may take, such as `1 GiB`.
+        memory: Limit of the memory for the recordings, and for the answers of a call, such as `1 GiB`; 512 MiB without it.
 
     Raises:
         AntriebError: Every fault of the project and of the headings.
@@ -73,16 +73,21 @@ class Sweep:
         return self._sweep.recordings
 
     @property
+    def rows_most(self) -> int:
+        """The largest number of rows whose answers a call returns: as many as `memory` holds, a line for each actuator."""
+        return self._sweep.rows_most
+
+    @property
     def answers(self) -> Table:
         """The columns of the answers, as an empty table."""
         return self._sweep.answers
 
     def table(self, table: ArrowStream | ArrowArray, *, deadline: str | None = None) -> Table:
-        """The answers of all rows; `AntriebError` with every fault of the cells before any row is judged."""
+        """The answers of all rows; `AntriebError` with every fault of the cells, and for more rows than `rows_most`, before any row is judged."""
         return self._sweep.table(table, unit_text("deadline", deadline))
 
     def batch(self, batch: ArrowStream | ArrowArray, first_row: int = 0) -> Table:
-        """The answers of a part of a table whose first row has this number; a fault of a cell is in the column `error`."""
+        """The answers of a part of a table, at most `rows_most` rows, whose first row has this number; a fault of a cell is in the column `error`."""
         return self._sweep.batch(batch, first_row)
 
 
@@ -133,7 +138,7 @@ def sweep(
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`.
-        memory: How much memory the recordings may take, such as `1 GiB`.
+        memory: Limit of the memory for the recordings, and for the answers of a call, such as `1 GiB`; 512 MiB without it.
 
     Returns:
         An Arrow table, a row for each row: `row` (from 0), `fit` (how many actuators fit within every limit),
@@ -141,7 +146,8 @@ def sweep(
         check, 1 is the limit), `tightest` (that check), `error` (why the row could not be judged). With `check` and `front` a row for each actuator.
 
     Raises:
-        AntriebError: Every fault of the project, of the headings and of the cells, each with its place.
+        AntriebError: Every fault of the project, of the headings and of the cells, each with its place; a table whose answers
+            exceed `memory`, before any row is judged.
     """
     return _antrieb.Sweep.whole(
         handed(text, file, folder),

@@ -223,30 +223,45 @@ def judge(spec: Spec, part: Part, tasks: Makes | None = None) -> dict[str, Any]:
         found = parquet.read_metadata(path).metadata[_SUMMARY]
         return {**json.loads(found), "found": True}
     table = _read(part, tasks)
-    answered = arrow.table(_prepared(spec, table.schema).batch(table.combine_chunks(), part.first)).combine_chunks()
-    summary = _summary(answered, part.count)
-    # A schema is not changed in place: its metadata is that of the part.
-    answered = answered.replace_schema_metadata({_SUMMARY: json.dumps(summary).encode()})
+    prepared = _prepared(spec, table.schema)
+    fitting, reasons = 0, collections.Counter[str]()
     half = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
     try:
-        parquet.write_table(answered, half, compression="zstd")
+        with parquet.ParquetWriter(half, arrow.schema(prepared.answers), compression="zstd") as writer:
+            # As many rows at a time as the memory holds answers of.
+            for first in range(0, part.count, prepared.rows_most):
+                rows = table.slice(first, prepared.rows_most).combine_chunks()
+                answered = arrow.table(prepared.batch(rows, part.first + first))
+                writer.write_table(answered)
+                fitting += _fitting(answered)
+                reasons.update(_reasons(answered))
+            summary = _summary(part.count, fitting, reasons)
+            writer.add_key_value_metadata({_SUMMARY: json.dumps(summary).encode()})
         os.replace(half, path)
     finally:
         half.unlink(missing_ok=True)
     return {**summary, "found": False}
 
 
-def _summary(answered: Any, rows: int) -> dict[str, Any]:
-    compute = _library("pyarrow.compute")
-    reasons = compute.value_counts(answered.column("error").drop_null()).to_pylist()
-    by_number = sorted(((each["values"], each["counts"]) for each in reasons), key=lambda each: (-each[1], each[0]))
+def _reasons(answered: Any) -> dict[str, int]:
+    counts = _library("pyarrow.compute").value_counts(answered.column("error").drop_null()).to_pylist()
+    return {each["values"]: each["counts"] for each in counts}
+
+
+def _fitting(answered: Any) -> int:
     is_fit = "fits" if "fits" in answered.column_names else "code"
     column = answered.column(is_fit)
-    fitting = compute.sum(column).as_py() if is_fit == "fits" else len(column) - column.null_count
+    if is_fit == "code":
+        return int(len(column) - column.null_count)
+    return int(_library("pyarrow.compute").sum(column).as_py() or 0)
+
+
+def _summary(rows: int, fitting: int, reasons: dict[str, int]) -> dict[str, Any]:
+    by_number = sorted(reasons.items(), key=lambda each: (-each[1], each[0]))
     return {
         "rows": rows,
-        "fitting": int(fitting or 0),
-        "failed": sum(count for _, count in by_number),
+        "fitting": fitting,
+        "failed": sum(reasons.values()),
         "reasons": dict(by_number[:_REASONS_MOST]),
     }
 

@@ -3,7 +3,7 @@
 use super::{Handed, beside, refused, text};
 use crate::SweepCall;
 use crate::module::capsules;
-use crate::sweep::{checked, swept};
+use crate::sweep::checked;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, StringArray};
@@ -169,6 +169,8 @@ fn append(values: &Bound<'_, PyList>, array: &ArrayRef) -> PyResult<()> {
 #[pyclass(frozen, module = "antrieb._antrieb")]
 pub(crate) struct Sweep {
     sweep: sweep_io::Sweep,
+    /// Limit of the memory for recordings and answers \[byte\].
+    memory: u64,
     language: Language,
     made_of: MadeOf,
 }
@@ -232,6 +234,12 @@ impl Sweep {
         (handed, table, pairs.clone(), lang.clone(), memory.clone())
     }
 
+    /// The largest number of rows whose answers a call returns.
+    #[getter]
+    fn rows_most(&self) -> u64 {
+        self.sweep.rows_held(self.memory)
+    }
+
     /// The columns of the answers, as an empty table.
     #[getter]
     fn answers(&self) -> Table {
@@ -253,15 +261,7 @@ impl Sweep {
         let (schema, batches) = capsules::table(batch)?;
         self.is_of(py, &schema)?;
         let patience = Patience::endless();
-        let found = beside(py, &patience, None, || {
-            let mut first_row = first_row;
-            let each = batches.iter().map(|batch| {
-                let answers = self.sweep.batch(batch, first_row, &patience);
-                first_row += batch.num_rows() as u64;
-                answers
-            });
-            each.collect::<Result<Vec<_>, _>>()
-        })?;
+        let found = beside(py, &patience, None, || self.sweep.whole(&batches, first_row, self.memory, &patience))?;
         let batches = found.map_err(|why| refused(py, &why.record(None, self.language)))?;
         Ok(Table { schema: self.sweep.schema(), batches })
     }
@@ -293,9 +293,10 @@ impl Sweep {
             memory: memory.clone(),
         };
         let call = SweepCall { text: text(handed), pairs, memory, language };
-        let sweep = beside(py, &Patience::endless(), None, || call.prepared(schema, batches))?;
-        let sweep = sweep.map_err(|why| refused(py, &why.record(None, language)))?;
-        Ok(Self { sweep, language, made_of })
+        let ready = || Ok((call.prepared(schema, batches)?, call.memory_allowed()?));
+        let ready = beside(py, &Patience::endless(), None, ready)?;
+        let (sweep, memory) = ready.map_err(|why: Unanswered| refused(py, &why.record(None, language)))?;
+        Ok(Self { sweep, memory, language, made_of })
     }
 
     /// Returns the answers; checks the cells first if required.
@@ -307,7 +308,7 @@ impl Sweep {
             if checks {
                 checked(&self.sweep, batches)?;
             }
-            swept(&self.sweep, batches, &patience)
+            self.sweep.whole(batches, 0, self.memory, &patience)
         })?;
         let waited_s = deadline.map(|most| most.as_secs_f64());
         let batches = found.map_err(|why| refused(py, &why.record(waited_s, self.language)))?;

@@ -95,6 +95,47 @@ class Sweeps(unittest.TestCase):
         front = antrieb.sweep(ARM, table, front=True)
         self.assertIn("mass [kg]", front.column_names)
 
+    def test_answers_beyond_the_memory_are_refused_before_the_work(self) -> None:
+        checks = ["peak_torque", "thermal"]
+        own = pa.table(antrieb.Table.from_pydict(columns(2, 1)))
+        prepared = antrieb.Sweep(ARM, own.schema, check=checks, memory="1 MiB")
+        most = prepared.rows_most
+        self.assertGreater(most, 2)
+        self.assertEqual(antrieb.Sweep(ARM, own.schema, check=checks).rows_most // most, 512)
+        within, beyond = (antrieb.Table.from_pydict(columns(rows, 1)) for rows in (most, 400 * most))
+        self.assertEqual(len(prepared.table(within)), most * 276)
+        self.assertEqual(len(prepared.batch(within, 5)), most * 276)
+        asked = (
+            lambda: antrieb.sweep(ARM, beyond, check=checks, memory="1 MiB"),
+            lambda: prepared.table(beyond),
+            lambda: prepared.batch(beyond, 0),
+        )
+        begin = time.monotonic()
+        for ask in asked:
+            with self.assertRaisesRegex(antrieb.AntriebError, f"{400 * most} rows.*1 MiB.*at most {most} rows"):
+                ask()
+        self.assertLess(time.monotonic() - begin, 5.0)
+
+    def test_a_part_of_a_cluster_is_answered_as_the_memory_allows(self) -> None:
+        rows = 9
+        table = pa.table(antrieb.Table.from_pydict(columns(rows, 4)))
+        with tempfile.TemporaryDirectory() as folder:
+            spec = distributed.specified(ARM, folder, check="peak_torque")
+            makes = lambda first, count: table.slice(first, count)  # noqa: E731
+            (part,) = distributed.parts(makes, rows=rows)
+            real = antrieb.Sweep.rows_most
+            try:
+                antrieb.Sweep.rows_most = property(lambda self: 4)  # type: ignore[assignment, method-assign]
+                summary = distributed.judge(spec, part, makes)
+            finally:
+                antrieb.Sweep.rows_most = real  # type: ignore[method-assign]
+            found = pyarrow.parquet.read_table(part.path(folder))
+            whole = pa.table(antrieb.sweep(ARM, table, check="peak_torque"))
+            self.assertTrue(found.replace_schema_metadata(None).combine_chunks().equals(whole.combine_chunks()))
+            self.assertEqual((summary["rows"], summary["failed"], summary["found"]), (rows, 0, False))
+            self.assertEqual(summary["fitting"], sum(whole.column("fits").to_pylist()))
+            self.assertEqual(distributed.judge(spec, part, makes), {**summary, "found": True})
+
     def test_a_row_that_cannot_be_judged_says_why(self) -> None:
         found = antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0, -1.0, 1.0]})).to_pydict()
         self.assertIsNone(found["error"][0])

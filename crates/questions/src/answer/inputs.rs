@@ -81,7 +81,7 @@ fn value(input: &Input, name: &str, language: Language) -> answers::Input {
         tolerance: half.map(|(half, (_, unit))| format!("± {}", with_unit(&short(half), half_unit(unit), language))),
         text: input.amount.map_or_else(
             || written(&input.path, &input.written, language),
-            |(value, unit)| with_unit(&format!("{value}"), unit.symbol, language),
+            |(value, unit)| with_unit(&format!("{value}"), unit.symbol_in(language), language),
         ),
     }
 }
@@ -138,7 +138,7 @@ fn body(text: &str, language: Language) -> String {
             let end = value.find(|sign: char| !matches!(sign, '0'..='9' | '.' | '-')).unwrap_or(value.len());
             let (digits, unit) = value.split_at(end);
             let value = match (Unit::of(unit), digits.is_empty()) {
-                (Some(unit), false) => with_unit(digits, unit.symbol, language),
+                (Some(unit), false) => with_unit(digits, unit.symbol_in(language), language),
                 (None, false) if unit.is_empty() => with_unit(digits, "", language),
                 _ => value.to_owned(),
             };

@@ -177,7 +177,7 @@ fn line(row: &SheetRow, symbol: &'static str, language: Language) -> DataLine {
         unit: if is_none {
             String::new()
         } else {
-            Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol).to_owned()
+            Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol_in(language)).to_owned()
         },
         value: if is_none { "–".to_owned() } else { value },
         table: cell.place.table,

@@ -70,7 +70,7 @@ fn parameters(chapter: &mut Chapter, parameters: &[CommissionParameter], languag
                 row_sign(each.symbol).map_or_else(|| each.name.clone(), |sign| format!("{sign} {}", each.name))
             }),
             (Column::numbers(terms::value(language)), &|each| marked(shown(each.value.0, language), &each.errata)),
-            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit, language)),
             (Column::wide(commission::conversion(language)), &|each| each.conversion_text.clone()),
             (Column::text(terms::grade(language)), &|each| grade_word(*each.grade, language).to_owned()),
             (Column::wide(terms::source(language)), &|each| each.source.clone()),
@@ -85,7 +85,7 @@ fn sinamics(chapter: &mut Chapter, parameters: &[DriveParameter], language: Lang
         &[
             (Column::text(terms::number(language)), &|each| each.number.clone()),
             (Column::numbers(terms::value(language)), &|each| marked(shown(each.value.0, language), &each.errata)),
-            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit, language)),
             (Column::wide(commission::parameter(language)), &|each| each.name.clone()),
             (Column::wide(commission::conversion(language)), &|each| each.conversion_text.clone()),
             (Column::wide(terms::source(language)), &|each| {
@@ -103,7 +103,7 @@ fn drive_objects(chapter: &mut Chapter, objects: &[DriveObject], language: Langu
             (Column::wide(commission::object(language)), &|each| format!("{}:{} {}", each.index, each.sub, each.name)),
             (Column::text(commission::type_of_data(language)), &|each| each.data_type.to_owned()),
             (Column::numbers(terms::value(language)), &|each| marked(each.value.to_string(), &each.errata)),
-            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit, language)),
             (Column::numbers(commission::rounding(language)), &|each| shown(each.exact.0, language)),
             (Column::wide(terms::source(language)), &|each| each.source.clone()),
         ],
@@ -123,7 +123,7 @@ fn encoder(chapter: &mut Chapter, values: &[EncoderValue], language: Language) {
         &[
             (Column::wide(commission::parameter(language)), &name),
             (Column::text(terms::value(language)), &|each| marked(decimal(&each.text, language), &each.errata)),
-            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit, language)),
             (Column::wide(terms::remark(language)), &|each| each.notes.join("; ")),
         ],
     );
@@ -171,7 +171,7 @@ fn overload(chapter: &mut Chapter, overload: &OverloadSupervision, language: Lan
 }
 
 fn task(entry: &CommissionEntry, language: Language) -> Task {
-    let unit = entry.unit.map(unit_shown).unwrap_or_default();
+    let unit = entry.unit.map(|unit| unit_shown(unit, language)).unwrap_or_default();
     let grade = grade_word(*entry.grade, language);
     Task {
         what: hazard(entry.signal, &entry.text, format!("{grade}; {}", entry.source), language),

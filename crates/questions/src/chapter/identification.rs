@@ -23,7 +23,7 @@ pub fn identification(record: &Identification, language: Language) -> Chapter {
                 (Column::wide(capitalised(simulation::quantity(language))), &|each| each.title.clone()),
                 (Column::numbers(capitalised(words::terms::value(language))), &|each| number(Some(each.value), 4)),
                 (Column::numbers(simulation::interval_95(language)), &|each| number(Some(each.half_width), 2)),
-                (Column::text(words::terms::unit(language)), &|each| unit_shown(each.unit)),
+                (Column::text(words::terms::unit(language)), &|each| unit_shown(each.unit, language)),
                 (Column::numbers(capitalised(simulation::of_the_project(language))), &|each| number(each.stated, 4)),
             ],
         );

@@ -102,7 +102,7 @@ fn values<'v>(chapter: &mut Chapter, values: impl Iterator<Item = &'v MountValue
                 row_sign(each.symbol).unwrap_or_else(|| NOTHING.to_owned())
             }),
             (Column::text(terms::value(language)), &shown),
-            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit)),
+            (Column::text(terms::unit(language)), &|each| unit_shown(each.unit, language)),
             (Column::wide(terminal::name(language)), &|each| each.name.clone()),
             (Column::wide(terms::source(language)), &|each| each.source.clone().unwrap_or_else(|| NOTHING.to_owned())),
         ],

@@ -34,7 +34,7 @@ pub fn recorded(record: &Recorded, language: Language) -> Vec<RecordedLine> {
         verdict: *each.verdict,
         value: value(each, language),
         expected: expected(each, language),
-        unit: unit_shown(each.unit),
+        unit: unit_shown(each.unit, language),
         remark: remark(each, language),
         cause: each.cause_text.as_ref().map(|cause| commission::likely_cause(cause, language)),
     };

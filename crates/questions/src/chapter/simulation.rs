@@ -33,7 +33,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
             (Column::wide(&quantity), &|each| each.title.clone()),
             (Column::numbers(&value), &|each| number(each.value)),
             (Column::numbers(capitalised(simulation::limit(language))), &|each| number(each.limit)),
-            (Column::text(unit), &|each| unit_shown(each.unit)),
+            (Column::text(unit), &|each| unit_shown(each.unit, language)),
             (Column::text(""), &|each| verdict_word(*each.verdict, language)),
         ],
     );
@@ -46,7 +46,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
             &[
                 (Column::wide(&quantity), &|figure| figure.title.clone()),
                 (Column::numbers(&value), &|figure| number(figure.value)),
-                (Column::text(unit), &|figure| unit_shown(figure.unit)),
+                (Column::text(unit), &|figure| unit_shown(figure.unit, language)),
             ],
         );
     };
@@ -81,7 +81,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
                 (Column::text(&quantity), &|row| row.title.clone()),
                 (Column::numbers(capitalised(simulation::sizing_said(language))), &|row| number(Some(row.sizing))),
                 (Column::numbers(capitalised(simulation::twin_shows(language))), &|row| number(Some(row.twin))),
-                (Column::text(unit), &|row| unit_shown(row.unit)),
+                (Column::text(unit), &|row| unit_shown(row.unit, language)),
                 (Column::wide(capitalised(simulation::why(language))), &|row| {
                     reason([row.sizing, row.twin].map(|value| number(Some(value))), &row.why)
                 }),
@@ -119,7 +119,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
                 format!("{} (twin.measured.{})", each.title, each.key)
             }),
             (Column::numbers(&value), &|each| number(each.value)),
-            (Column::text(unit), &|each| unit_shown(each.unit)),
+            (Column::text(unit), &|each| unit_shown(each.unit, language)),
             (Column::wide(capitalised(simulation::source_head(language))), &|each| {
                 let grade = each.grade.map_or("", |grade| grade_word(*grade, language));
                 format!("{grade}, {}", each.source.as_deref().unwrap_or_default())

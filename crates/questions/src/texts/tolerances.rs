@@ -100,7 +100,7 @@ pub fn tolerance_rows(project: &Project, assessment: &Assessment, language: Lang
             each.path.clone(),
             shown(each.at(-1.0), each.unit),
             shown(each.at(1.0), each.unit),
-            each.unit.symbol.to_owned(),
+            each.unit.symbol_in(language).to_owned(),
             shown(*at, each.unit),
             share.map_or_else(|| "–".into(), |share| share_text(share, language)),
         ])

@@ -1,6 +1,6 @@
 //! Other fitting actuators, those with the smallest excess, and the reasons for rejecting the rest.
 
-use super::checks::Titles;
+use super::checks::{Titles, is_of_another_gear};
 use super::shown::{Shown, tied};
 use answers::{Dossier, Fit, Rejection};
 use serde::Serialize;
@@ -32,6 +32,8 @@ struct Fitting {
     utilisation: f64,
     /// `pass`, or `advice` within the band of an estimate.
     verdict: &'static str,
+    /// `true` if the limit of the governing check is a rating of another manufacturer's gear.
+    is_of_another_gear: bool,
     percent: String,
     tightest: String,
     mass: String,
@@ -70,7 +72,11 @@ impl Alternatives {
         let own = sizing.ranking.iter().skip(most).filter(|each| each.of.candidate.code.as_deref() == chosen);
         let ranking = best.chain(own).map(|each| {
             let candidate = &each.of.candidate;
+            // The checks of the chosen actuator have limits of the same kind.
+            let mut checks = candidate.checks.iter().chain(&dossier.judgement.candidate.checks);
+            let governing = checks.find(|check| candidate.tightest == Some(check.id));
             Fitting {
+                is_of_another_gear: governing.is_some_and(is_of_another_gear),
                 rank: each.rank,
                 code: candidate.called().to_owned(),
                 utilisation: candidate.utilisation.written().unwrap_or_default(),

@@ -1,7 +1,7 @@
 //! The chapters of one axis.
 
 use super::alternatives::Alternatives;
-use super::checks::{Checks, Titles};
+use super::checks::{Checks, Titles, is_of_another_gear};
 use super::demand::{DemandTable, MotionTable};
 use super::figure_file;
 use super::inputs::{Inputs, Mechanism, groups};
@@ -54,6 +54,8 @@ struct Cover {
     inside: String,
     /// The checks beyond a rating of another manufacturer's gear, each with its utilisation.
     above_ratings: String,
+    /// `true` if the limit of the governing check is a rating of another manufacturer's gear.
+    is_of_another_gear: bool,
     fails: usize,
     advised: usize,
     /// Number of checks and requirements for which a datum is missing.
@@ -210,7 +212,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
     };
     // A rating of another manufacturer's gear is no estimate and has no band.
     let beyond = |is_rating: bool| {
-        let of = |check: &&Check| check.grade.is_some_and(|grade| *grade == answers::Grade::Published) == is_rating;
+        let of = |check: &&Check| is_of_another_gear(check) == is_rating;
         let named = candidate.checks.iter().filter(is_inside).filter(of).map(|check| {
             format!(
                 "{} {}",
@@ -255,6 +257,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
             (Fit::FitsIfEstimate, _) => "if_estimate",
             (Fit::DoesNotFit, _) => "does_not_fit",
         },
+        is_of_another_gear: governing.is_some_and(is_of_another_gear),
         inside: beyond(false),
         above_ratings: beyond(true),
         fails: counts.failed,

@@ -63,7 +63,7 @@ impl CheckListDocument {
             signal_word: entry.signal.map_or("", |signal| word(*signal, language)),
             text: entry.text.clone(),
             shown: entry.shown.clone(),
-            unit: entry.unit.map_or_else(String::new, unit_shown),
+            unit: entry.unit.map_or_else(String::new, |unit| unit_shown(unit, language)),
             grade: grade_word(*entry.grade, language),
             source: entry.source.clone(),
         };
@@ -134,6 +134,6 @@ fn field_name(list: &CommissionList, index: usize, entry: &CommissionEntry, what
     format!("{}-{}-{}-{what}", list.step.id(), index + 1, entry.id)
 }
 
-fn unit_shown(unit: &'static str) -> String {
-    if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol).to_owned() }
+fn unit_shown(unit: &'static str, language: Language) -> String {
+    if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol_in(language)).to_owned() }
 }

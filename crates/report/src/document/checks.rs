@@ -1,7 +1,7 @@
 //! The checks: their order, their counts, what is missing.
 
 use super::shown::{Shown, tied};
-use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Verdict};
+use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Part, Verdict};
 use quantities::Language;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -33,6 +33,8 @@ struct CheckRow {
     utilisation: Option<f64>,
     /// `true` if the utilisation is a margin; that of a recommendation or of a voltage class is not.
     margin: bool,
+    /// `true` if the limit is a rating of another manufacturer's gear.
+    is_of_another_gear: bool,
     percent: String,
     at: String,
     grade: &'static str,
@@ -120,6 +122,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         relation: both.map_or("", |(value, limit)| check.direction.relation(passes, value.0, limit.0)),
         utilisation: check.utilisation.and_then(Number::written),
         margin: *check.verdict == Verdict::Fail || check.margin,
+        is_of_another_gear: is_of_another_gear(check),
         // The utilisation of a recommendation or of a voltage class is no margin and is not shown as one.
         percent: check
             .utilisation
@@ -131,6 +134,11 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         sources: once(&check.sources),
         notes,
     }
+}
+
+/// Returns `true` if the limit of a check is a rating of another manufacturer's gear: no other limit of the gear is published elsewhere.
+pub(super) fn is_of_another_gear(check: &Check) -> bool {
+    *check.part == Part::Gear && check.margin && check.grade.is_some_and(|grade| *grade == Grade::Published)
 }
 
 /// A degree of protection: both numerals, or the second alone where only that is compared.

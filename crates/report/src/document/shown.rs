@@ -81,7 +81,7 @@ impl Shown {
     pub(super) fn unit(&self, json: &str) -> String {
         match json {
             "1" => String::new(),
-            other => Unit::of(other).map_or_else(|| other.to_owned(), |unit| unit.symbol.to_owned()),
+            other => Unit::of(other).map_or_else(|| other.to_owned(), |unit| unit.symbol_in(self.0).to_owned()),
         }
     }
 

@@ -33,6 +33,8 @@ pub fn are_readable(name: &str, content: &Content, letters: &[report::Letter]) {
     }
     for text in &texts {
         faults.extend(identifiers(text));
+        // What a user types is of no use on paper.
+        faults.extend(text.match_indices(" (--").map(|(at, _)| text[at..].chars().take(30).collect::<String>()));
         if language == Language::De {
             // A document keeps its title, which a line may break; the words of titles are left out.
             let documents = content.axes.iter().flat_map(|axis| &axis.dossier.documents);

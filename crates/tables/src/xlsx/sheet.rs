@@ -7,7 +7,7 @@ use crate::table::{Cell, Column, ColumnContent, Derived, Table};
 use quantities::Language;
 use questions::{Direction, Verdict};
 use rust_xlsxwriter::utility::{column_number_to_name, row_col_to_cell};
-use rust_xlsxwriter::{ConditionalFormatFormula, Format, Formula, Url, Worksheet};
+use rust_xlsxwriter::{ConditionalFormatFormula, Format, FormatAlign, Formula, Url, Worksheet};
 use std::collections::BTreeMap;
 use words::{terms, verdict_word, without_limit};
 
@@ -66,8 +66,15 @@ pub(super) fn sheet(
     let last = FIRST + u32::try_from(table.rows.len()).unwrap_or(u32::MAX - FIRST).max(1) - 1;
     for (at, column) in (0_u16..).zip(&table.columns) {
         let index = usize::from(at);
-        sheet.write_string_with_format(0, at, column.title.as_str(), &styles.head)?;
-        sheet.write_string_with_format(1, at, unit(column), &styles.unit)?;
+        // A heading stands over its values: those of numbers at the right.
+        let over = |format: &Format| match column.kind {
+            ColumnContent::Number | ColumnContent::Count | ColumnContent::Share => {
+                format.clone().set_align(FormatAlign::Right)
+            }
+            ColumnContent::Text | ColumnContent::Id | ColumnContent::Verdict => format.clone(),
+        };
+        sheet.write_string_with_format(0, at, column.title.as_str(), &over(&styles.head))?;
+        sheet.write_string_with_format(1, at, unit(column, language), &over(&styles.unit))?;
         let wide = width(table, index, column);
         sheet.set_column_width(at, wide)?;
         if column.kind == ColumnContent::Id {
@@ -111,10 +118,10 @@ impl Derived {
 }
 
 /// Returns the unit below the heading.
-fn unit(column: &Column) -> &'static str {
+fn unit(column: &Column, language: Language) -> &'static str {
     match (column.kind, column.unit) {
         (ColumnContent::Share, _) => "%",
-        (_, Some(unit)) if unit.symbol != "1" => unit.symbol,
+        (_, Some(unit)) if unit.symbol != "1" => unit.symbol_in(language),
         _ => "",
     }
 }
@@ -257,6 +264,7 @@ fn colour(
                 (terms::not_required(language).to_owned(), &styles.open),
                 (terms::fits(language).to_owned(), &styles.fine),
                 (terms::fits_if_estimate(language).to_owned(), &styles.near),
+                (terms::fits_unless_rating(language).to_owned(), &styles.near),
                 (terms::does_not_fit(language).to_owned(), &styles.over),
             ] {
                 rules.push((format!("={cell}=\"{text}\""), format));

@@ -138,5 +138,18 @@ pub(super) fn beyond(limit: Limit, found: u64, most: u64, language: Language) ->
                 | "bekannte Programme schreiben 128 bis 2048 Werte"
             )),
         ),
+        Limit::BlankBytes => {
+            let most = mebibytes(most);
+            (
+                said!(language =>
+                    "more than {most} in a row are comments, empty lines or the rest of an overlong line"
+                    | "mehr als {most} am Stück sind Kommentare, leere Zeilen oder der Rest einer überlangen Zeile"
+                ),
+                Some(said!(language =>
+                    "is this a CSV file with one sample per line?"
+                    | "ist dies eine CSV-Datei mit einem Abtastwert je Zeile?"
+                )),
+            )
+        }
     }
 }

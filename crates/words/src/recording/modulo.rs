@@ -34,7 +34,7 @@ pub(super) fn position_jumps(fault: &Fault, language: Language) -> (String, Opti
         Along::Turning => &DEGREE,
         Along::Line => &MILLIMETRE,
     };
-    let size = format!("{} {}", format_significant(unit.from_si(*size), 4, language), unit.symbol);
+    let size = format!("{} {}", format_significant(unit.from_si(*size), 4, language), unit.symbol_in(language));
     let more = match count {
         1 => String::new(),
         count => said!(language => " ({count} such jumps)" | " (insgesamt {count} solche Sprünge)"),
