@@ -12,6 +12,7 @@ mod body;
 mod conveyor;
 pub mod drawing;
 mod equations;
+mod extremes;
 mod flange;
 mod four_bar;
 mod friction;
@@ -32,6 +33,7 @@ mod winder;
 
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
 pub use equations::Effects;
+pub use extremes::Extremes;
 pub use flange::{Aligned, Contact, FlangeForces, Mounting, Recurrence};
 pub use four_bar::FourBar;
 pub use friction::Friction;

@@ -4,7 +4,7 @@ use crate::equations::Reduced;
 use crate::rotor::Laden;
 use crate::{Extra, Mechanism, MechanismKind, Output};
 
-/// Torque and inertia of a mechanism at one state of the output.
+/// Torque of a mechanism at one state of the output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load {
     /// Torque required by the load beyond the transmission, see [`Mechanism::useful_torque`] \[Nm\].
@@ -13,10 +13,6 @@ pub struct Load {
     pub torque_nm: f64,
     /// Torque transmitted by a stage, see [`Mechanism::stage_torque`] \[Nm\].
     pub stage_nm: f64,
-    /// J_L, see [`Mechanism::inertia`] \[kgm²\].
-    pub inertia_kgm2: f64,
-    /// Torque that holds the load at rest, see [`Mechanism::holding_torque`] \[Nm\].
-    pub holding_nm: f64,
 }
 
 /// A mechanism in one motion segment, with the constants of the segment computed once.
@@ -38,7 +34,7 @@ impl Mechanism {
 }
 
 impl Loading<'_> {
-    /// Returns the torque and inertia at a state of the output.
+    /// Returns the torque at a state of the output.
     #[must_use]
     pub fn at(&self, output: &Output) -> Load {
         let (mechanism, stage) = (self.mechanism, self.mechanism.gearing());
@@ -50,8 +46,6 @@ impl Loading<'_> {
             useful_nm: useful,
             torque_nm: stage.map_or(own, |stage| stage.torque(own, &behind, output)),
             stage_nm: stage.map_or(0.0, |stage| stage.handed_on(own, &behind)),
-            inertia_kgm2: mechanism.inertia_of(&reduced),
-            holding_nm: mechanism.holding_of(&reduced),
         }
     }
 

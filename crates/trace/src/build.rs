@@ -29,9 +29,8 @@ pub(super) struct Builder<'a> {
     /// Number of repetitions of the part being added.
     times: f64,
     shares: Vec<Share>,
-    inertia: (f64, f64),
-    span: (f64, f64),
-    holding: f64,
+    /// Lowest and highest position of each segment \[rad\].
+    spans: Vec<Option<(f64, f64)>>,
     /// The load has kinks over the position.
     kinked: bool,
     /// Repeated panels are searched for.
@@ -84,9 +83,7 @@ impl<'a> Builder<'a> {
             blocked: (0, 0),
             times: 1.0,
             shares: vec![Share::default(); motion.stretches().len()],
-            inertia: (0.0, f64::INFINITY),
-            span: (f64::INFINITY, f64::NEG_INFINITY),
-            holding: 0.0,
+            spans: vec![None; motion.stretches().len()],
             kinked: !mechanism.kinks().is_empty(),
             seeks_alike: true,
             keeps_recordings: motion.recordings().iter().map(Placed::intervals).sum::<usize>() <= KEPT,
@@ -116,6 +113,9 @@ impl<'a> Builder<'a> {
         if self.seeks_alike {
             alike::find(&self.nodes, &mut self.panels);
         }
+        let (inertia, holding) = self.extremes();
+        let both = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
+        let span = self.spans.iter().flatten().copied().fold((f64::INFINITY, f64::NEG_INFINITY), both);
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
         let mut trace = Trace {
@@ -133,9 +133,9 @@ impl<'a> Builder<'a> {
             gram,
             cubes: OnceLock::new(),
             shares: self.shares,
-            inertia: self.inertia,
-            span: self.span,
-            holding: self.holding,
+            inertia,
+            span,
+            holding,
         };
         trace.straight = Straight::of(&trace);
         trace
@@ -167,10 +167,8 @@ impl<'a> Builder<'a> {
             let travelled = survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
             share.travelled += Angle::from_si(travelled);
         }
-        let both = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
-        self.inertia = (self.inertia.0.max(survey.inertia.1), self.inertia.1.min(survey.inertia.0));
-        self.span = both(self.span, survey.span);
-        self.holding = self.holding.max(survey.holding);
+        let (lowest, highest) = survey.span;
+        [lowest, highest].into_iter().for_each(|position| self.see(position, placed.segment));
         if self.keeps_recordings {
             let (nodes, panels) = (&mut self.nodes, &mut self.panels);
             survey.blocks.iter_mut().for_each(|block| strip.keep(block, nodes, panels));
@@ -210,8 +208,7 @@ impl<'a> Builder<'a> {
             let start_s = piece.start_s + times * period;
             self.turning(&Piece { start_s, duration_s: left, position_rad, ..*piece }, extra);
         } else {
-            let output = output(&piece.at(piece.duration_s), piece.speed_rad_s.signum());
-            self.see(&output, &self.mechanism.loading(extra).at(&output));
+            self.see(piece.at(piece.duration_s).position_rad, piece.segment);
         }
     }
 
@@ -237,8 +234,7 @@ impl<'a> Builder<'a> {
 
     fn rest(&mut self, piece: &Piece, extra: &Extra) {
         let output = output(&piece.at(0.0), 0.0);
-        let load = self.mechanism.loading(extra).at(&output);
-        let holding = load.torque_nm;
+        let holding = self.mechanism.loading(extra).at(&output).torque_nm;
         let carried = self.carried.get(piece.segment).copied().unwrap_or_default();
         let (until, again) = carried.ends(piece.duration_s);
         for (from, to, load) in [(0.0, until, holding), (until, again, 0.0), (again, piece.duration_s, holding)] {
@@ -258,14 +254,29 @@ impl<'a> Builder<'a> {
             }
             self.panels.push(Kept::of(&self.nodes, first, to - from, [0.0; 4]));
         }
-        self.see(&output, &load);
+        self.see(output.position_rad, piece.segment);
     }
 
-    /// Updates the extremes of inertia, position and holding torque.
-    fn see(&mut self, output: &Output, load: &Load) {
-        self.inertia = (self.inertia.0.max(load.inertia_kgm2), self.inertia.1.min(load.inertia_kgm2));
-        self.span = (self.span.0.min(output.position_rad), self.span.1.max(output.position_rad));
-        self.holding = self.holding.max(load.holding_nm.abs());
+    /// Updates the lowest and the highest position of a segment.
+    fn see(&mut self, position_rad: f64, segment: usize) {
+        if let Some(span) = self.spans.get_mut(segment) {
+            let (low, high) = span.unwrap_or((position_rad, position_rad));
+            *span = Some((low.min(position_rad), high.max(position_rad)));
+        }
+    }
+
+    /// Returns the largest and the smallest J_L \[kgm²\], and the largest holding torque \[Nm\]. They depend on the
+    /// position alone, and a segment passes every position between its lowest and its highest one.
+    fn extremes(&self) -> ((f64, f64), f64) {
+        let none = Extra::none();
+        let (mut inertia, mut holding) = ((0.0_f64, f64::INFINITY), 0.0_f64);
+        for (segment, span) in self.spans.iter().enumerate() {
+            let Some((low, high)) = *span else { continue };
+            let found = self.mechanism.extremes(low, high, self.extras.get(segment).unwrap_or(&none));
+            inertia = (inertia.0.max(found.inertia_largest.si()), inertia.1.min(found.inertia_least.si()));
+            holding = holding.max(found.holding.si());
+        }
+        (inertia, holding)
     }
 
     /// Returns the panel borders \[s\]: reversals, sign changes of the torque, kinks of the load, and equal parts short
@@ -362,7 +373,7 @@ impl<'a> Builder<'a> {
                 load_nm: load.torque_nm,
             });
             travelled += self.times * weight * (to - from) * output.speed_rad_s * direction;
-            self.see(&output, &load);
+            self.see(output.position_rad, piece.segment);
         }
         let bow = bow(self.nodes.get(first..).unwrap_or_default());
         self.panels.push(Kept::of(&self.nodes, first, to - from, bow));

@@ -23,7 +23,6 @@ use lagging::LagPart;
 use loads::Known;
 use mechanism::{Extra, Mechanism, Plain};
 use motion::{Interval, Placed};
-use quantities::Measure;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -65,10 +64,6 @@ pub struct Strip {
 #[derive(Debug)]
 pub(super) struct Survey {
     blocks: Vec<Block>,
-    /// Smallest and largest J_L \[kgm²\] and holding torque \[Nm\] over the positions; `None` for a load that is a sum.
-    by_position: Option<((f64, f64), f64)>,
-    /// Positions with the smallest and the largest lever of the weight of such a load \[rad\].
-    levers: [f64; 2],
     /// Lowest and highest recorded position \[rad\].
     span: (f64, f64),
     lags: OnceLock<Vec<LagBlock>>,
@@ -82,12 +77,8 @@ pub(super) struct Survey {
 /// Contribution of a recording to a trace.
 pub(super) struct Found {
     pub(super) blocks: Vec<Block>,
-    /// Smallest and largest J_L \[kgm²\].
-    pub(super) inertia: (f64, f64),
     /// Lowest and highest position \[rad\].
     pub(super) span: (f64, f64),
-    /// Largest magnitude of the holding torque \[Nm\].
-    pub(super) holding: f64,
 }
 
 /// Maximum number of nodes in a panel of an interval.
@@ -281,43 +272,17 @@ impl Strip {
         let ranges: Vec<Range<usize>> =
             (0..intervals).step_by(most).map(|from| from..(from + most).min(intervals)).collect();
         let blocks = in_two(&ranges, intervals >= SHARED_FROM, &|range| self.block(range.clone()));
-        let positions = self.placed.recorded.position_rad();
-        let span = range(positions);
-        let by_position = (self.plain.is_none() && self.mechanism.depends_on_position()).then(|| {
-            let (mut inertia, mut holding) = ((f64::INFINITY, f64::NEG_INFINITY), 0.0_f64);
-            for q in positions {
-                let q = q + self.placed.offset_rad;
-                let here = self.mechanism.inertia(q, &self.extra).si();
-                inertia = (inertia.0.min(here), inertia.1.max(here));
-                holding = holding.max(self.mechanism.holding_torque(q, &self.extra).si().abs());
-            }
-            (inertia, holding)
-        });
+        let span = range(self.placed.recorded.position_rad());
         Survey {
             cells: OnceLock::new(),
             lag_parts: blocks.iter().map(|_| OnceLock::new()).collect(),
             blocks,
-            by_position,
-            levers: self.levers(),
             span,
             lags: OnceLock::new(),
             largest_swings: OnceLock::new(),
             cubes: OnceLock::new(),
             gains: GainTables::default(),
         }
-    }
-
-    /// Returns the positions with the smallest and the largest lever of the weight \[rad\].
-    fn levers(&self) -> [f64; 2] {
-        let Some(plain) = self.plain.filter(|plain| plain.weight_nm != 0.0) else { return [0.0; 2] };
-        let positions = self.placed.recorded.position_rad().iter().map(|q| q + self.placed.offset_rad);
-        let (mut low, mut high) = ((f64::INFINITY, 0.0), (f64::NEG_INFINITY, 0.0));
-        for q in positions {
-            let lever = (q + plain.angle_rad).cos();
-            low = if lever < low.0 { (lever, q) } else { low };
-            high = if lever > high.0 { (lever, q) } else { high };
-        }
-        [low.1, high.1]
     }
 
     /// Returns the result of the survey under this load; its blocks refer to the strip with the index `own`.
@@ -342,16 +307,9 @@ impl Strip {
                 gram: self.view.gram(&raw.gram),
             }
         };
-        let (inertia, holding) = self.survey.by_position.unwrap_or_else(|| {
-            let inertia = self.mechanism.inertia(0.0, &self.extra).si();
-            let holding = self.survey.levers.map(|q| self.mechanism.holding_torque(q, &self.extra).si().abs());
-            ((inertia, inertia), holding.into_iter().fold(0.0, f64::max))
-        });
         Found {
             blocks: self.survey.blocks.iter().map(block).collect(),
-            inertia,
             span: (self.survey.span.0 + offset, self.survey.span.1 + offset),
-            holding,
         }
     }
 
@@ -451,8 +409,6 @@ impl Survey {
     fn empty() -> Self {
         Self {
             blocks: Vec::new(),
-            by_position: None,
-            levers: [0.0; 2],
             span: (0.0, 0.0),
             lags: OnceLock::new(),
             largest_swings: OnceLock::new(),

@@ -235,6 +235,69 @@ fn the_moments_agree_with_brute_force_where_the_inertia_depends_on_the_position(
     }
 }
 
+/// J_L and T_h of linkages, cranks and arms at their true extremes along laws, dwells and a recording of coarse samples, not
+/// at the nearest node: a dense walk over the positions, which the trace does not see.
+#[test]
+fn inertia_and_holding_torque_are_those_at_the_true_extremes() {
+    let m = Length::from_si;
+    let four_bar = |rocker: f64| FourBar {
+        ground: m(0.4),
+        crank: m(0.1),
+        coupler: m(0.35),
+        rocker: m(rocker),
+        inertia: MomentOfInertia::from_si(0.02),
+        coupler_mass: Mass::from_si(2.5),
+        coupler_centre: m(0.15),
+        rocker_mass: Mass::from_si(3.0),
+        rocker_centre: m(0.12),
+        rocker_inertia: MomentOfInertia::from_si(0.08),
+        tilt: Angle::from_si(1.3),
+        ..FourBar::default()
+    };
+    let crank = SliderCrank {
+        crank: m(0.2),
+        rod: m(0.5),
+        inertia: MomentOfInertia::from_si(0.01),
+        mass: Mass::from_si(4.0),
+        inclination: Angle::from_si(1.0),
+        angle: Angle::from_si(0.4),
+    };
+    let none = Torque::from_si(0.0);
+    let of = |kind| Mechanism { kind, ..Mechanism::direct(MomentOfInertia::from_si(0.0), none) };
+    let loads = [
+        of(MechanismKind::FourBar(four_bar(0.25))),
+        of(MechanismKind::FourBar(four_bar(0.2))),
+        of(MechanismKind::SliderCrank(crank)),
+        lossless(),
+    ];
+    let motions = [
+        motion(&[law(Law::Polynomial5, 2.3, 0.7), SegmentSpec::Dwell(Time::from_si(0.2), Hold::Motor)]),
+        motion(&[law(Law::ModifiedSine, 5.1, 1.1), law(Law::Trapezoid, -4.0, 0.9)]),
+        motion(&[jerk(7.7)]),
+        swing(9),
+    ];
+    for (place, mechanism) in loads.iter().enumerate() {
+        for (number, motion) in motions.iter().enumerate() {
+            let extra = Extra { inertia: MomentOfInertia::from_si(0.05), ..Extra::none() };
+            let trace = Trace::of(mechanism, motion, &[extra; 2], &[]);
+            let (low, high) = trace.span();
+            let (mut inertia, mut holding) = ((f64::INFINITY, 0.0_f64), 0.0_f64);
+            for k in 0..=20_000 {
+                let q = low.si() + (high.si() - low.si()) * f64::from(k) / 20_000.0;
+                let here = mechanism.inertia(q, &extra).si();
+                inertia = (inertia.0.min(here), inertia.1.max(here));
+                holding = holding.max(mechanism.holding_torque(q, &extra).si().abs());
+            }
+            let (largest, least) = trace.inertia();
+            let found = [largest.si(), least.si(), trace.holding().si()];
+            for (found, walked) in found.into_iter().zip([inertia.1, inertia.0, holding]) {
+                let off = (found - walked).abs() / walked;
+                assert!(off < 2e-7, "load {place}, motion {number}: {found} beside {walked}, {off:e}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_brake_carries_what_the_motor_does_not() {
     let cycle = motion(&[jerk(0.5), SegmentSpec::Dwell(Time::from_si(1.0), Hold::Brake), jerk(-0.5)]);
