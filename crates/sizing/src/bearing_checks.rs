@@ -72,7 +72,7 @@ impl<'a> Borne<'a> {
 pub fn largest_loads(axis: &Axis, bearing: &OutputBearing) -> Option<(Force, Force, Torque)> {
     let borne = Borne::of(axis, axis.bearing.as_ref()?, bearing);
     let Peaks { radial, axial, moment } = borne.known_moments().ok()?.whole();
-    Some((Force::from_si(radial.value), Force::from_si(axial.value), Torque::from_si(moment.value)))
+    Some((Force::from_si(radial.value()), Force::from_si(axial.value()), Torque::from_si(moment.value())))
 }
 
 /// Computes the loads over the cycle; averages only if loads follow from the mechanism.
@@ -98,7 +98,7 @@ fn cycle_loads(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Cycl
 
 /// Returns the instant of a peak if loads change within a segment.
 fn instant(duty: &BearingDuty, peak: Peak) -> Option<Time> {
-    duty.derived.as_ref().map(|_| Time::from_si(peak.at))
+    duty.derived.as_ref().map(|_| Time::from_si(peak.at()))
 }
 
 /// Symbol, largest over the segments, and key of a force that the user states.
@@ -119,13 +119,13 @@ fn force<Q: Measure>(
     duty.forces_known(axis)?;
     let peak = of(borne.loads());
     let source = if duty.derived.is_some() { DERIVED } else { project(names.2) };
-    largest_force(duty, names, peak.value, work);
+    largest_force(duty, names, peak.value(), work);
     work.given(symbol, &NEWTON, limit);
     work.limit(symbol);
     Ok(Comparison {
         at: instant(duty, peak),
         notes: Notes::fixed(&[Note::LoadsOneAtATime]),
-        ..Comparison::with(id, &NEWTON, peak.value, source, limit)
+        ..Comparison::with(id, &NEWTON, peak.value(), source, limit)
     }
     .answer(Verdict::Fail))
 }
@@ -184,7 +184,7 @@ pub(crate) fn explain_largest_moment(borne: &Borne<'_>, work: &mut Workings) {
     let (duty, bearing) = (borne.duty, borne.bearing);
     let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
     if duty.derived.is_some() {
-        let moment = borne.loads().whole().moment.value;
+        let moment = borne.loads().whole().moment.value();
         work.found("M", &NEWTON_METRE, moment, Finding::LargestOfMechanism, &DERIVED, Grade::Computed);
         return;
     }
@@ -288,7 +288,7 @@ pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome 
     let limit = borne.bearing.tilting_moment_max.require("M_dyn_max")?;
     if let Some(offset) = borne.bearing.offset.known().filter(|_| work.is_on()) {
         if borne.duty.derived.is_some() {
-            work.found("M", &NEWTON_METRE, moment.value, Finding::LargestInMotion, &DERIVED, Grade::Computed);
+            work.found("M", &NEWTON_METRE, moment.value(), Finding::LargestInMotion, &DERIVED, Grade::Computed);
         } else {
             explain_stated_moment(borne, offset, |states| states.turns, work);
         }
@@ -297,7 +297,7 @@ pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome 
     work.given("M_dyn_max", &NEWTON_METRE, limit);
     work.limit("M_dyn_max");
     let at = instant(borne.duty, moment);
-    Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, moment.value, MODEL, limit) }.answer(Verdict::Fail))
+    Ok(Comparison { at, ..Comparison::with(id, &NEWTON_METRE, moment.value(), MODEL, limit) }.answer(Verdict::Fail))
 }
 
 /// Checks M_eq ≤ M_0(max) while the gear rests (table 55.1, footnote 3): M_0(max) holds for a tilting moment alone, so
@@ -309,11 +309,11 @@ pub(crate) fn static_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let limit = borne.bearing.static_moment_max.require("M_0_max")?;
     let Peaks { radial, axial, moment } = loads.resting;
     let load = forces_alone(&loads.resting);
-    let equivalent = actuator::static_equivalent_moment(&load, Torque::from_si(moment.value), pitch.value).si();
+    let equivalent = actuator::static_equivalent_moment(&load, Torque::from_si(moment.value()), pitch.value).si();
     if work.is_on() {
         let source = if borne.duty.derived.is_some() { DERIVED } else { MODEL };
         for (symbol, unit, peak) in [("F_r", &NEWTON, radial), ("F_a", &NEWTON, axial), ("M", &NEWTON_METRE, moment)] {
-            work.found(symbol, unit, peak.value, Finding::LargestAtRest, &source, Grade::Computed);
+            work.found(symbol, unit, peak.value(), Finding::LargestAtRest, &source, Grade::Computed);
         }
         work.given("d_p", &METRE, pitch);
         work.formula("M_eq", &NEWTON_METRE, equivalent, "M + d_p/2*(F_r + 0.44*F_a)", &equation("76.1"));
@@ -330,9 +330,9 @@ pub(crate) fn static_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
 fn forces_alone(peaks: &Peaks) -> FlangeLoad {
     let none = Length::from_si(0.0);
     FlangeLoad {
-        radial_force: Force::from_si(peaks.radial.value),
+        radial_force: Force::from_si(peaks.radial.value()),
         radial_distance: none,
-        axial_force: Force::from_si(peaks.axial.value),
+        axial_force: Force::from_si(peaks.axial.value()),
         axial_distance: none,
     }
 }
@@ -487,7 +487,7 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     duty.moment_known(borne.axis)?;
     let largest = &borne.loads().whole();
     let load = forces_alone(largest);
-    let moment = Torque::from_si(largest.moment.value);
+    let moment = Torque::from_si(largest.moment.value());
     let safety = actuator::static_safety(rating.value, &load, moment, pitch.value);
     if !safety.is_finite() {
         return Err(Missing { symbol: "F_r" });
@@ -528,14 +528,14 @@ fn explain_largest(largest: &Peaks, duty: &BearingDuty, work: &mut Workings) {
     for (symbol, unit, peak) in
         [("F_r", &NEWTON, largest.radial), ("F_a", &NEWTON, largest.axial), ("M", &NEWTON_METRE, largest.moment)]
     {
-        work.found(symbol, unit, peak.value, what, &source, Grade::Computed);
+        work.found(symbol, unit, peak.value(), what, &source, Grade::Computed);
     }
 }
 
 /// Checks γ = M/K_B ≤ the permissible tilt (eq. 76.4).
 pub(crate) fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let id = CheckId::TiltAngle;
-    let moment = Torque::from_si(borne.largest_moment()?.value);
+    let moment = Torque::from_si(borne.largest_moment()?.value());
     let stiffness = borne.bearing.tilting_stiffness.require("K_B")?;
     let tilt = actuator::tilt_angle(moment, stiffness.value).si();
     explain_largest_moment(borne, work);

@@ -2,6 +2,7 @@
 
 use crate::axis::Axis;
 use motion::ManualMove;
+use numeric::First;
 use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
 use std::ops::Deref;
 use trace::TorqueWith;
@@ -130,9 +131,7 @@ impl Axis {
         let mut square_time = 0.0;
         let mut speed_time = 0.0;
         let mut moving = 0.0;
-        let mut governing = 0;
-        let mut peak = -1.0;
-        let mut peak_at = 0.0;
+        let mut peak = First::above(f64::NEG_INFINITY, 0);
         let mut start = 0.0;
         let mut braking_assumed = false;
         let torques = |each: &ManualMove| {
@@ -152,19 +151,15 @@ impl Axis {
             // Equal inputs are compared here, not equal results.
             braking_assumed |= speed > 0.0 && t1 != t3;
             for (torque, at) in [(first, start), (friction, start + t1), (third, start + t1 + t2)] {
-                if torque.abs() > peak {
-                    peak = torque.abs();
-                    peak_at = at;
-                    governing = index;
-                }
+                peak.see(torque.abs(), at, index);
             }
             start += t1 + t2 + t3 + tp;
         }
         Some(ManualDemand {
             demand: Demand {
                 torque_rms: Torque::from_si((square_time / start).sqrt()),
-                torque_peak: Torque::from_si(peak.max(0.0)),
-                torque_peak_at: Time::from_si(peak_at),
+                torque_peak: Torque::from_si(peak.value().max(0.0)),
+                torque_peak_at: Time::from_si(peak.at().max(0.0)),
                 speed_mean: AngularVelocity::from_si(speed_time / start),
                 speed_peak: self.moments.speed_peak,
                 speed_peak_at: self.moments.speed_peak_at,
@@ -174,7 +169,7 @@ impl Axis {
                 let [accelerate, run, brake] = torques(each).map(Torque::from_si);
                 MoveTorques { accelerate, run, brake }
             }),
-            governing,
+            governing: peak.place(),
             braking_assumed,
         })
     }

@@ -99,13 +99,15 @@ impl<'a> Share<'a> {
 /// the fastest instant is the worst; of equally fast ones that with the largest torque.
 fn share(torque: f64, limit: f64, speed_rad_s: f64) -> f64 {
     const NOTHING_PERMITTED: f64 = 1e100;
+    /// Weight of the torque, above the share within which two values count as equal.
+    const BY_TORQUE: f64 = 1e3 * numeric::EQUAL;
     let torque = torque.abs();
     if torque == 0.0 {
         0.0
     } else if limit > 0.0 {
         torque / limit
     } else {
-        NOTHING_PERMITTED * (1.0 + speed_rad_s.abs()) * (1.0 + 1e-9 * torque / (1.0 + torque))
+        NOTHING_PERMITTED * (1.0 + speed_rad_s.abs()) * (1.0 + BY_TORQUE * torque / (1.0 + torque))
     }
 }
 

@@ -6,9 +6,9 @@ mod walk;
 use crate::axis::{Axis, BearingDuty};
 use mechanism::{Mounting, Output};
 use motion::Piece;
+use numeric::First;
 use provenance::Missing;
 use quantities::{Force, Length, Measure, Time, Torque};
-use std::cmp::Ordering;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use walk::Walk;
 
@@ -22,26 +22,33 @@ pub struct DerivedLoads {
 }
 
 /// A largest value and its instant; for loads that are constant within a segment, the start of the segment.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Peak {
-    pub(crate) value: f64,
-    pub(crate) at: f64,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Peak(First<()>);
+
+impl Default for Peak {
+    fn default() -> Self {
+        Self(First::above(0.0, ()))
+    }
 }
 
 impl Peak {
     pub(crate) fn see(&mut self, value: f64, at: f64) {
-        if value > self.value {
-            *self = Self { value, at };
-        }
+        self.0.see(value, at, ());
+    }
+
+    pub(crate) const fn value(self) -> f64 {
+        self.0.value()
+    }
+
+    /// Returns the instant; the start of the cycle if there is no load.
+    pub(crate) const fn at(self) -> f64 {
+        self.0.at().max(0.0)
     }
 
     /// Returns the larger of two; of equal ones the earlier.
-    fn or(self, other: Self) -> Self {
-        match self.value.total_cmp(&other.value) {
-            Ordering::Greater => self,
-            Ordering::Equal if self.at <= other.at => self,
-            Ordering::Equal | Ordering::Less => other,
-        }
+    fn or(mut self, other: Self) -> Self {
+        self.see(other.value(), other.0.at());
+        self
     }
 }
 

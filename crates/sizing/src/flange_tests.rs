@@ -85,13 +85,13 @@ fn whole_revolutions_by_hand() {
         let axis = axis(arm(6.0, 90.0), &[turning(turns, turns * 0.9)], Vec::new(), none());
         let c = (std::f64::consts::TAU / 0.9_f64).powi(2) * 0.35;
         let found = axis.derived_loads(length(0.018), 2.0).unwrap();
-        assert!((found.turning.radial.value / (6.0 * (c + G)) - 1.0).abs() < 1e-12, "{found:?}");
+        assert!((found.turning.radial.value() / (6.0 * (c + G)) - 1.0).abs() < 1e-12, "{found:?}");
         assert!((found.means[0] / (6.0 * (c * c + G * G).sqrt()) - 1.0).abs() < 1e-12, "{turns}: {found:?}");
         assert!((found.mean_moments[0] / (found.means[0] * 0.068) - 1.0).abs() < 1e-12);
-        assert_eq!(found.turning.axial.value, 0.0);
+        assert_eq!(found.turning.axial.value(), 0.0);
         // The largest force is at the lowest position of the mass: θ = 270°, from 0.3 rad on.
         let at = (1.5 * std::f64::consts::PI - 0.3) / (std::f64::consts::TAU / 0.9);
-        assert!((found.turning.radial.at - at).abs() < 1e-6, "{} {at}", found.turning.radial.at);
+        assert!((found.turning.radial.at() - at).abs() < 1e-6, "{} {at}", found.turning.radial.at());
     }
 }
 
@@ -157,14 +157,14 @@ fn laws_agree_with_many_small_steps() {
         for exponent in [3.0, B] {
             let found = axis.derived_loads(length(0.018), exponent).unwrap();
             let expected = brute(&axis, 0.018, exponent, 20_000);
-            let peaks = [found.turning.radial.value, found.turning.axial.value];
+            let peaks = [found.turning.radial.value(), found.turning.axial.value()];
             for (found, expected) in
                 peaks.iter().chain(&found.means).zip([expected[0], expected[1], expected[3], expected[4]])
             {
                 assert!((found - expected).abs() <= 1e-6 * (1.0 + expected), "{found} {expected}");
             }
             assert!((found.mean_moments[0] - expected[5]).abs() <= 1e-6 * (1.0 + expected[5]));
-            assert!((found.turning.moment.value - 40.0 * 0.018 - expected[2]).abs() <= 1e-6 * (1.0 + expected[2]));
+            assert!((found.turning.moment.value() - 40.0 * 0.018 - expected[2]).abs() <= 1e-6 * (1.0 + expected[2]));
         }
     }
 }
@@ -193,7 +193,7 @@ fn a_recording_agrees_with_its_law() {
     for (a, b) in [
         (law.means[0], recorded.means[0]),
         (law.mean_moments[0], recorded.mean_moments[0]),
-        (law.turning.radial.value, recorded.turning.radial.value),
+        (law.turning.radial.value(), recorded.turning.radial.value()),
     ] {
         assert!((a / b - 1.0).abs() < 5e-5, "{a} {b}");
     }
@@ -212,7 +212,7 @@ fn without_mass_only_what_is_stated_remains() {
     let close = |a: f64, b: f64| (a - b).abs() < 1e-12 * b;
     assert!(close(found.means[0], 100.0) && close(found.means[1], 250.0));
     assert!(close(found.mean_moments[1], 8.0) && close(found.mean_moments[2], 10.0));
-    assert!(close(found.turning.moment.value, 18.0) && found.mean_moments[0] == 0.0);
+    assert!(close(found.turning.moment.value(), 18.0) && found.mean_moments[0] == 0.0);
 }
 
 /// Requires that each pair of bearing position and exponent is computed once; a copy of the axis shares the result.

@@ -10,7 +10,7 @@ use crate::workings;
 use actuator::Parameters;
 use derivation::{Finding, Workings};
 use mechanism::Extra;
-use numeric::at_least;
+use numeric::{First, at_least};
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{HERTZ, KILOGRAM_SQUARE_METRE, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{AngularVelocity, Frequency, Measure, MomentOfInertia, Time, TorsionalStiffness};
@@ -28,10 +28,6 @@ pub(crate) struct Held {
     inertia: (f64, f64),
 }
 
-/// Steps over one revolution at which J(q) is evaluated: between two of them it differs by at most (2π/720)² |J''|/8, a
-/// hundred-thousandth of the change of J over a revolution.
-const STEPS: f64 = 720.0;
-
 /// Returns the speeds that the cycle holds, each with the inertia of its own payload and positions; a speed held
 /// several times is listed once, at its first instant.
 pub(crate) fn held_speeds(axis: &Axis) -> Vec<Held> {
@@ -47,30 +43,8 @@ fn each_held_speed(axis: &Axis) -> Vec<Held> {
     let held = axis.motion.pieces().iter().filter(|piece| piece.speed_degree() == Some(0) && !piece.is_rest());
     held.map(|piece| {
         let extra = axis.extras.get(piece.segment).unwrap_or(&none);
-        let inertia = |q: f64| axis.mechanism.inertia(q, extra).si();
-        let (from, to) = (piece.position_rad, piece.end().position_rad);
-        let (low, high) = (from.min(to), from.max(to));
-        let mut range = (inertia(low).min(inertia(high)), inertia(low).max(inertia(high)));
-        if axis.mechanism.depends_on_position() {
-            let mut see = |q: f64| {
-                let here = inertia(q);
-                range = (range.0.min(here), range.1.max(here));
-            };
-            // A load that depends on the position repeats after a turn or ends before a second one matters.
-            let periodic = axis.mechanism.endless() == mechanism::Endless::EachRevolution;
-            // A stage lies between the output and the periodic load.
-            let behind = axis.mechanism.stage_ratio();
-            let turn = std::f64::consts::TAU * behind;
-            let span = if periodic { (high - low).min(turn) } else { high - low };
-            let steps = (span / turn * STEPS).ceil().clamp(1.0, 100.0 * STEPS);
-            let mut step = 1.0;
-            while step < steps {
-                see(low + span * step / steps);
-                step += 1.0;
-            }
-            let inside = |q: f64| (periodic && span >= turn) || (low..=high).contains(&q);
-            axis.mechanism.kinks().into_iter().map(|q| q * behind).filter(|q| inside(*q)).for_each(&mut see);
-        }
+        let found = axis.mechanism.extremes(piece.position_rad, piece.end().position_rad, extra);
+        let range = (found.inertia_least.si(), found.inertia_largest.si());
         Held { start: piece.start_s, speed: piece.speed_rad_s.abs(), inertia: range }
     })
     .collect()
@@ -181,7 +155,11 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
         each.map(|line| (line.distance(held.speed), line)).min_by(|a, b| a.0.total_cmp(&b.0))
     };
     let held = axis.held_speeds().iter().filter(|held| held.inertia.1 > 0.0);
-    let nearest = held.filter_map(|held| Some((of(held)?, held))).min_by(|a, b| a.0.0.total_cmp(&b.0.0));
+    let mut nearest = First::above(f64::NEG_INFINITY, None);
+    for (found, held) in held.filter_map(|held| Some((of(held)?, held))) {
+        nearest.see(-found.0, held.start, Some((found, held)));
+    }
+    let nearest = nearest.place();
     let value = nearest.as_ref().map_or(f64::INFINITY, |((distance, _), _)| *distance);
     // Without a held speed there is no distance to state.
     let is_held = nearest.is_some();

@@ -9,7 +9,7 @@ use crate::notes::{Note, Notes, RopeSlack};
 use actuator::Drivetrain;
 use derivation::{Finding, Workings};
 use mechanism::{Extra, Output, Rope};
-use numeric::{lobatto, roots};
+use numeric::{First, lobatto, roots};
 use provenance::{Grade, Missing, Source};
 use quantities::unit::NEWTON;
 use quantities::{Force, Measure, Time};
@@ -63,24 +63,15 @@ const PANELS: u32 = 8;
 impl RopeCourse {
     /// Evaluates the ropes of an axis; `None` without any.
     pub(crate) fn of(axis: &Axis) -> Option<Self> {
-        let mut course: Option<Self> = None;
+        let (mut worst, mut slack) = (First::above(f64::NEG_INFINITY, None), Vec::new());
         for rope in Rope::ALL {
-            let mut found = OfRope { axis, rope, worst: None, slack: Vec::new() };
+            let mut found = OfRope { axis, rope, worst, slack: Vec::new() };
             found.pieces();
             found.recordings();
-            let Some(worst) = found.worst else { continue };
-            let slack = found.slack.into_iter().map(|(from, to)| (rope, Time::from_si(from), Time::from_si(to)));
-            match &mut course {
-                None => course = Some(Self { worst, slack: slack.collect() }),
-                Some(course) => {
-                    course.slack.extend(slack);
-                    if worst.share() > course.worst.share() {
-                        course.worst = worst;
-                    }
-                }
-            }
+            worst = found.worst;
+            slack.extend(found.slack.into_iter().map(|(from, to)| (rope, Time::from_si(from), Time::from_si(to))));
         }
-        course
+        worst.place().map(|worst| Self { worst, slack })
     }
 }
 
@@ -88,7 +79,7 @@ impl RopeCourse {
 struct OfRope<'a> {
     axis: &'a Axis,
     rope: Rope,
-    worst: Option<Instant>,
+    worst: First<Option<Instant>>,
     slack: Vec<(f64, f64)>,
 }
 
@@ -105,9 +96,7 @@ impl OfRope<'_> {
     }
 
     fn see(&mut self, instant: Instant) {
-        if self.worst.is_none_or(|worst| instant.share() > worst.share()) {
-            self.worst = Some(instant);
-        }
+        self.worst.see(instant.share(), instant.at_s, Some(instant));
     }
 
     /// Records a time with a slack rope; adjacent times are joined.

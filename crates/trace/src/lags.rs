@@ -9,6 +9,7 @@ use super::rule::{SHORT, short};
 use super::{Form, Node, Panel, Run, Trace};
 use course::{Course, slopes, turn, turns};
 use lots::{Lot, Lots};
+use numeric::{EQUAL, First};
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
@@ -108,25 +109,22 @@ impl Trace {
         let flows: Vec<Flow> = lags.iter().map(|lag| self.flow(lag)).collect();
         let count = flows.first().map_or(0, |flow| flow.stretches.len());
         let mut states: Vec<f64> = flows.iter().map(|flow| flow.start).collect();
-        let mut best = Peak { value: states.iter().sum(), at_s: 0.0 };
-        let mut highest = None;
+        let mut ends = First::above(f64::NEG_INFINITY, None);
+        let mut order = 0.0;
+        ends.see(states.iter().sum(), order, None);
         for index in 0..count {
             for (state, flow) in states.iter_mut().zip(&flows) {
                 if let Some((decay, gain)) = flow.stretches.get(index) {
                     *state = *state * decay + gain;
                 }
             }
-            let here = states.iter().sum();
-            if here > best.value {
-                best.value = here;
-                highest = Some(index);
-            }
+            order += 1.0;
+            ends.see(states.iter().sum(), order, Some(index));
         }
-        if let Some(index) = highest {
-            best.at_s = self.end_of_stretch(index);
-        }
+        let mut best = First::above(f64::NEG_INFINITY, ());
+        best.see(ends.value(), ends.place().map_or(0.0, |index| self.end_of_stretch(index)), ());
         let starts = flows.iter().map(|flow| flow.start).collect();
-        Search { trace: self, lags, flows: &flows, states: starts, best, seen: BTreeMap::new() }.search()
+        Search { trace: self, lags, flows: &flows, states: starts, now_s: 0.0, best, seen: BTreeMap::new() }.search()
     }
 
     /// Computes a lag along all stretches: batches of stored panels and blocks of recordings.
@@ -216,7 +214,9 @@ struct Search<'a> {
     lags: &'a [Lag],
     flows: &'a [Flow],
     states: Vec<f64>,
-    best: Peak,
+    /// Instant of these states \[s\].
+    now_s: f64,
+    best: First<()>,
     /// States at the start of the first evaluated panel of each kind, by index of the kind.
     seen: BTreeMap<usize, Vec<f64>>,
 }
@@ -231,7 +231,7 @@ impl Search<'_> {
                     let most = self.rise(number, &self.trace.lots().largest_swings(number), 1.0);
                     for (place, lot) in places.zip(lots) {
                         let (through, own) = (|flow: &Flow| flow.stretch(index), || self.rise(number, &lot.swing, 1.0));
-                        if self.may_rise(&self.states, through, lot.duration, most, own) {
+                        if self.may_rise((&self.states, self.now_s), through, lot.duration, most, own) {
                             if lot.panels.len() == 1 {
                                 let steps: Vec<(f64, f64)> = self.flows.iter().map(through).collect();
                                 self.inside_kept(lot.panels.start, &self.states.clone(), &steps);
@@ -239,7 +239,7 @@ impl Search<'_> {
                                 self.inside_lot((number, place), lot);
                             }
                         }
-                        self.step(index);
+                        self.step(index, lot.duration);
                         index += 1;
                     }
                 }
@@ -247,7 +247,7 @@ impl Search<'_> {
                     let (places, lots) = self.trace.lots().of_run(number);
                     for (place, lot) in places.zip(lots) {
                         self.inside_repeated((number, place), range, (*times, lot.duration));
-                        self.step(index);
+                        self.step(index, times * lot.duration);
                         index += 1;
                     }
                 }
@@ -258,16 +258,17 @@ impl Search<'_> {
                     for (place, lags) in strip.lag_blocks().iter().enumerate() {
                         let own = || self.rise(number, &lags.swing, stretch);
                         let through = |flow: &Flow| flow.stretch(index);
-                        if self.may_rise(&self.states, through, lags.duration * stretch, most, own) {
+                        let duration = lags.duration * stretch;
+                        if self.may_rise((&self.states, self.now_s), through, duration, most, own) {
                             self.inside_block(number, strip, place);
                         }
-                        self.step(index);
+                        self.step(index, duration);
                         index += 1;
                     }
                 }
             }
         }
-        self.best
+        Peak { value: self.best.value(), at_s: self.best.at() }
     }
 
     /// Searches the panels of a batch: first their ends, then the values between them.
@@ -286,8 +287,8 @@ impl Search<'_> {
         for (panel, steps) in lot.panels.clone().zip(steps.chunks(count)) {
             pass(&mut states, steps);
             let value = states.iter().sum();
-            if value > self.enough() {
-                self.best = Peak { value, at_s: trace.end_of_panel(panel) };
+            if value > self.enough(self.now_s) {
+                self.best.see(value, trace.end_of_panel(panel), ());
             }
         }
         states.clone_from(&self.states);
@@ -295,7 +296,13 @@ impl Search<'_> {
             let Some(kept) = trace.panels.get(panel) else { return };
             let rise = self.rise(run, &swing(&trace.panel(kept)), 1.0);
             let mut through = steps.iter();
-            if self.may_rise(&states, |_| through.next().copied().unwrap_or((1.0, 0.0)), kept.duration, rise, || rise) {
+            if self.may_rise(
+                (&states, self.now_s),
+                |_| through.next().copied().unwrap_or((1.0, 0.0)),
+                kept.duration,
+                rise,
+                || rise,
+            ) {
                 self.inside_kept(panel, &states, steps);
             }
             pass(&mut states, steps);
@@ -307,7 +314,7 @@ impl Search<'_> {
         let trace = self.trace;
         let Some(panel) = trace.panels.get(panel).map(|kept| trace.panel(kept)) else { return };
         if !self.was_seen(&panel, states) && self.may_turn(&panel, states, steps) {
-            self.inside(&panel, &mut states.to_vec());
+            self.inside(&panel, &mut states.to_vec(), 0.0);
         }
     }
 
@@ -324,7 +331,8 @@ impl Search<'_> {
         false
     }
 
-    fn step(&mut self, index: usize) {
+    fn step(&mut self, index: usize, duration: f64) {
+        self.now_s += duration;
         for (state, flow) in self.states.iter_mut().zip(self.flows) {
             let (decay, gain) = flow.stretch(index);
             *state = *state * decay + gain;
@@ -344,7 +352,7 @@ impl Search<'_> {
             };
             let through = |flow: &Flow| through(flow).unwrap_or((1.0, 0.0));
             let rise = self.rise(run, &part.lag.swing, stretch);
-            if self.may_rise(&states, through, part.lag.duration * stretch, rise, || rise) {
+            if self.may_rise((&states, self.now_s), through, part.lag.duration * stretch, rise, || rise) {
                 let mut look = |panel: Panel<'_>| self.inside_interval(&panel, &mut states);
                 part.intervals.clone().for_each(|index| strip.interval(index, &mut look));
             } else {
@@ -353,19 +361,19 @@ impl Search<'_> {
                     *state = *state * decay + gain;
                 }
                 let end = states.iter().sum();
-                if end > self.enough() {
-                    let at_s = strip.end_of(part);
-                    self.best = Peak { value: end, at_s };
+                if end > self.enough(self.now_s) {
+                    self.best.see(end, strip.end_of(part), ());
                 }
             }
         }
     }
 
     /// Returns `true` if the sum of the lags may exceed the best value within a stretch, bounded by its higher end plus
-    /// the swings of inputs and lags in between.
+    /// the swings of inputs and lags in between. The states are those at the start of the stretch, the instant is not
+    /// after it.
     fn may_rise(
         &self,
-        states: &[f64],
+        (states, from_s): (&[f64], f64),
         mut through: impl FnMut(&Flow) -> (f64, f64),
         duration: f64,
         most: f64,
@@ -383,7 +391,7 @@ impl Search<'_> {
             ends += next.max(*state);
             quickest = f64::max(quickest, lambda);
         }
-        let left = self.enough() - f64::min(f64::max(start, end) + moved, ends);
+        let left = self.enough(from_s) - f64::min(f64::max(start, end) + moved, ends);
         let swung = |rise: f64| rise * (1.0 + 2.0 * quickest) > left;
         // The largest swings of the whole run are already known and tested first.
         swung(most) && swung(own())
@@ -402,7 +410,8 @@ impl Search<'_> {
             start += state;
             end += next;
         }
-        turns(lowest, highest) && f64::max(start, end) + 0.25 * panel.duration_s * (highest - lowest) > self.enough()
+        let most = f64::max(start, end) + 0.25 * panel.duration_s * (highest - lowest);
+        turns(lowest, highest) && most > self.enough(panel.from_s())
     }
 
     /// Returns the bound on the rise of the sum of the lags due to the swings of their inputs.
@@ -417,7 +426,7 @@ impl Search<'_> {
     /// regular panel only if the sum of the lags has a maximum within it that may exceed the best value.
     fn inside_interval(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
         let ([a, b, c], false) = (panel.nodes, self.is_long(panel)) else {
-            self.inside(panel, states);
+            self.inside(panel, states, 0.0);
             return;
         };
         let (mut before, mut after, mut slopes) = (0.0, 0.0, [0.0; 3]);
@@ -436,13 +445,13 @@ impl Search<'_> {
         let [first, middle, last] = slopes;
         let turns = (first > 0.0 && middle.min(last) < 0.0) || (middle > 0.0 && last < 0.0);
         let steep = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
-        if turns && before.max(after) + 0.75 * panel.duration_s * steep > self.enough() {
-            self.inside(panel, states);
+        if turns && before.max(after) + 0.75 * panel.duration_s * steep > self.enough(a.time_s) {
+            self.inside(panel, states, 0.0);
             return;
         }
         states.iter_mut().zip(ends).for_each(|(state, end)| *state = end);
-        if after > self.enough() {
-            self.best = Peak { value: after, at_s: c.time_s };
+        if after > self.enough(a.time_s) {
+            self.best.see(after, c.time_s, ());
         }
     }
 
@@ -483,34 +492,32 @@ impl Search<'_> {
             let states = periods.iter().zip(&self.states);
             let mut states: Vec<f64> =
                 states.map(|(period, state)| state * period.decay(j) + period.added(j)).collect();
-            let before = self.best;
             for kept in trace.panels.get(range.clone()).unwrap_or_default() {
-                self.inside(&trace.panel(kept), &mut states);
-            }
-            if self.best != before {
-                self.best.at_s += j * once;
+                self.inside(&trace.panel(kept), &mut states, j * once);
             }
         }
     }
 
-    /// Returns the value that a candidate must exceed to replace the best one.
-    fn enough(&self) -> f64 {
-        self.best.value + NEGLIGIBLE * self.best.value.abs()
+    /// Returns the value that a candidate after an instant must exceed: before the first highest one an equal value counts
+    /// too.
+    fn enough(&self, from_s: f64) -> f64 {
+        let share = if from_s < self.best.at() { -EQUAL } else { NEGLIGIBLE };
+        self.best.value() + share * self.best.value().abs()
     }
 
-    /// Searches a panel and advances the states to its end.
-    fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
+    /// Searches a panel, which recurs after a time, and advances the states to its end.
+    fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64], later_s: f64) {
         let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
-        let start = panel.nodes.first().map_or(0.0, |node| node.time_s);
-        if let Some((s, value)) = turn(&courses, states, panel.duration_s, self.enough()) {
-            self.best = Peak { value, at_s: start + s * panel.duration_s };
+        let start = panel.from_s() + later_s;
+        if let Some((s, value)) = turn(&courses, states, panel.duration_s, self.enough(start)) {
+            self.best.see(value, start + s * panel.duration_s, ());
         }
         for (state, course) in states.iter_mut().zip(&courses) {
             *state = course.end(*state);
         }
         let value = states.iter().sum();
-        if value > self.enough() {
-            self.best = Peak { value, at_s: start + panel.duration_s };
+        if value > self.enough(start) {
+            self.best.see(value, start + panel.duration_s, ());
         }
     }
 }
@@ -540,9 +547,9 @@ mod tests {
         let [alone, one_of_many] = [false, true]
             .map(|has_others| Kept { like: Like { first: 0, is_copy: false, has_others }, ..kept.clone() });
         let (alone, one_of_many) = (trace.panel(&alone), trace.panel(&one_of_many));
-        let best = Peak { value: 0.0, at_s: 0.0 };
-        let mut search =
-            Search { trace: &trace, lags: &[], flows: &[], states: vec![2.0, 3.0], best, seen: BTreeMap::new() };
+        let best = First::above(0.0, ());
+        let (states, seen) = (vec![2.0, 3.0], BTreeMap::new());
+        let mut search = Search { trace: &trace, lags: &[], flows: &[], states, now_s: 0.0, best, seen };
         assert!(!search.was_seen(&alone, &[2.0, 3.0]) && !search.was_seen(&alone, &[2.0, 3.0]));
         assert!(!search.was_seen(&one_of_many, &[2.0, 3.0]) && search.was_seen(&one_of_many, &[2.0, 3.0]));
         assert!(search.was_seen(&one_of_many, &[1.0, 3.0]), "lower");

@@ -34,6 +34,12 @@ impl<'a> Panel<'a> {
         Self { nodes, duration_s, bow, kept: None }
     }
 
+    /// Returns the instant at which the panel begins \[s\].
+    #[inline]
+    pub(super) fn from_s(&self) -> f64 {
+        self.nodes.first().map_or(0.0, |node| node.time_s)
+    }
+
     /// Returns the bounds of a stored panel: its nodes and the curve between them.
     #[inline]
     #[must_use]

@@ -4,12 +4,14 @@
 use super::near::{Branch, Near};
 use super::recording::{Cell, Inside, Strip};
 use super::{Block, Extent, Group, Kept, Node, Panel, STRETCH, Trace};
+use numeric::First;
 
 /// Relative excess over the highest value that is ignored, since rounding causes as much.
 const ROUNDING: f64 = 1e-12;
 
-/// Relative excess up to which a higher value between two nodes is ignored.
-const NEGLIGIBLE: f64 = 1e-9;
+/// Relative excess up to which a higher value between two nodes is ignored. Of values that differ by less the first counts,
+/// see [`First`].
+const NEGLIGIBLE: f64 = numeric::EQUAL;
 
 /// Maximum number of halvings around a maximum between two nodes, leaving 10⁻¹² of the smooth curvature.
 const HALVINGS: u32 = 20;
@@ -96,8 +98,8 @@ impl Sought for TorqueWith {
 }
 
 impl Trace {
-    /// Returns the largest value over the cycle and the first instant with it. Parts with a bound not above the best
-    /// value are skipped.
+    /// Returns the largest value over the cycle and the first instant with it, see [`First`]. Parts with a bound not above
+    /// the best value are skipped.
     pub fn largest(&self, sought: &impl Sought) -> (f64, Node) {
         self.search(sought, false)
     }
@@ -109,7 +111,7 @@ impl Trace {
     }
 
     fn search<S: Sought>(&self, sought: &S, is_once: bool) -> (f64, Node) {
-        let mut best = Best { value: f64::NEG_INFINITY, node: Node::default() };
+        let mut best = Best(First::above(f64::NEG_INFINITY, Node::default()));
         if let Some(straight) = &self.straight {
             for node in &straight.ends {
                 best.see(node, sought.value(node));
@@ -117,7 +119,7 @@ impl Trace {
             if !S::CONVEX {
                 straight.lines.iter().for_each(|[a, b]| best.along(a, b, sought));
             }
-            return (best.value, best.node);
+            return best.found();
         }
         // A copy has the values of the first panel of its kind. A changed trace is searched only a few times.
         if is_once || self.is_changed {
@@ -143,7 +145,7 @@ impl Trace {
         } else {
             self.strips.iter().for_each(|strip| best.descend(strip, strip.root(), sought));
         }
-        (best.value, best.node)
+        best.found()
     }
 }
 
@@ -208,33 +210,29 @@ impl Parted for (&Trace, &Near) {
 impl Strip {
     /// Returns the largest value over a recording whose nodes are not stored, or `least` if no value exceeds it.
     pub fn largest(&self, sought: &impl Sought, least: f64) -> f64 {
-        let mut best = Best { value: least, node: Node { time_s: f64::NEG_INFINITY, ..Node::default() } };
+        let mut best = Best(First::above(least, Node::default()));
         best.descend(self, self.root(), sought);
-        best.value
+        best.0.value()
     }
 }
 
-struct Best {
-    value: f64,
-    node: Node,
-}
+/// Largest value found so far and the first instant with it.
+struct Best(First<Node>);
 
 impl Best {
     #[inline]
     fn see(&mut self, node: &Node, value: f64) {
-        if value > self.value || (value == self.value && node.time_s < self.node.time_s) {
-            *self = Self { value, node: *node };
-        }
+        self.0.see(value, node.time_s, *node);
+    }
+
+    fn found(&self) -> (f64, Node) {
+        (self.0.value(), self.0.place())
     }
 
     /// Returns `true` if the bound of a part that begins at an instant permits a better value, or an equal one earlier.
     #[inline]
     fn may_be_within(&self, bound: f64, from: f64) -> bool {
-        if self.value == f64::NEG_INFINITY || from < self.node.time_s {
-            bound >= self.value
-        } else {
-            bound > self.value + ROUNDING * self.value.abs()
-        }
+        self.0.permits(bound, from, ROUNDING)
     }
 
     /// Searches a part if it may contain a better value.
@@ -329,12 +327,12 @@ impl Best {
         let corners = within(sought.corners(), first.min(last), first.max(last));
         let Some(corner) = corners.get(corners.len() / 2) else {
             let above = if *bow == [0.0; 4] { sought.on_line(a, b) } else { sought.bound(&Extent::between(a, b, bow)) };
-            if self.is_exceeded_by(above) {
+            if self.may_be_exceeded(above, a.time_s) {
                 self.narrow([(from, sought.value(a)), (to, sought.value(b))], sought, place);
             }
             return;
         };
-        if corners.len() > FEW && !self.is_exceeded_by(sought.bound(&Extent::between(a, b, bow))) {
+        if corners.len() > FEW && !self.may_be_exceeded(sought.bound(&Extent::between(a, b, bow)), a.time_s) {
             return;
         }
         let ahead = |s: f64| place(s).speed_rad_s.abs() - corner;
@@ -346,9 +344,11 @@ impl Best {
         self.cut([(s, &node), (to, b)], sought, bow, place);
     }
 
+    /// Returns `true` if the bound of values between two nodes that begin at an instant permits a higher value, or an
+    /// equal one earlier.
     #[inline]
-    fn is_exceeded_by(&self, bound: f64) -> bool {
-        bound > self.value + NEGLIGIBLE * self.value.abs()
+    fn may_be_exceeded(&self, bound: f64, from: f64) -> bool {
+        self.0.permits(bound, from, NEGLIGIBLE)
     }
 
     /// Finds the largest value between two shares of a panel: the best of three instants at ever smaller distance,
@@ -356,20 +356,16 @@ impl Best {
     /// when two successive vertices agree with their parabolas. A stretch is skipped if it bends by less between the
     /// three than the best of them and both ends lie below the highest value.
     fn narrow(&mut self, ends: [(f64, f64); 2], sought: &impl Sought, place: impl Fn(f64) -> Node) {
-        let mut own = Self { value: f64::NEG_INFINITY, node: Node::default() };
+        let mut own = Vertex { value: f64::NEG_INFINITY, node: Node::default() };
         self.narrow_alone(&mut own, ends, sought, place);
-        // Among values that differ by rounding only, the first instant counts.
-        let room = ROUNDING * self.value.abs();
-        if own.value > self.value + room {
-            *self = own;
-        } else if own.value >= self.value - room && own.node.time_s < self.node.time_s {
-            *self = Self { value: self.value.max(own.value), node: own.node };
+        if own.value > f64::NEG_INFINITY {
+            self.see(&own.node, own.value);
         }
     }
 
     fn narrow_alone(
         &self,
-        own: &mut Self,
+        own: &mut Vertex,
         [(from, mut low_end), (to, mut high_end)]: [(f64, f64); 2],
         sought: &impl Sought,
         place: impl Fn(f64) -> Node,
@@ -377,8 +373,10 @@ impl Best {
         let mut at = |s: f64| {
             let node = place(s);
             let found = sought.value(&node);
-            own.see(&node, found);
-            ((s, found), self.value.max(own.value))
+            if found > own.value {
+                *own = Vertex { value: found, node };
+            }
+            ((s, found), self.0.value().max(own.value))
         };
         let highest_end = low_end.max(high_end);
         let mut quarter = 0.25 * (to - from);
@@ -419,7 +417,7 @@ impl Best {
                 // same holds for the last digits of the place.
                 if own.value <= vertex.1 + close {
                     let node = place(from + (to - from) / PLACES * ((vertex.0 - from) / (to - from) * PLACES).round());
-                    *own = Self { value: sought.value(&node), node };
+                    *own = Vertex { value: sought.value(&node), node };
                 }
                 return;
             }
@@ -431,6 +429,12 @@ impl Best {
             }
         }
     }
+}
+
+/// Highest of the values between two nodes.
+struct Vertex {
+    value: f64,
+    node: Node,
 }
 
 /// Returns `true` if an end is the largest of five values at equal steps and nothing before it exceeds the highest

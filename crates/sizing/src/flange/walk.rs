@@ -347,7 +347,7 @@ impl<'a> Walk<'a> {
                     continue;
                 }
                 let Peaks { radial, axial, moment } = self.loads.turning;
-                let best = [radial, axial, moment].get(which).map_or(0.0, |peak| peak.value);
+                let best = [radial, axial, moment].get(which).map_or(0.0, |peak| peak.value());
                 let value = |t: f64| {
                     let (values, _) = self.values(piece.segment, &output(piece, t, sense), 0.0);
                     values.get(which).copied().unwrap_or(0.0)
