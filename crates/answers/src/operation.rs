@@ -32,7 +32,9 @@ pub struct SegmentLoad {
     pub torque_rms: Number,
     /// Largest output speed in 1/min.
     pub speed_peak: Number,
-    /// Largest motor current in A, rms of a phase.
+    /// Largest motor current in A, rms of a phase, with the gear at the ambient temperature.
+    pub current_peak_cold: Option<Number>,
+    /// Largest motor current in A, rms of a phase, in the settled cycle, as all values below.
     pub current_peak: Option<Number>,
     /// Effective motor current in A.
     pub current_rms: Option<Number>,
@@ -53,9 +55,12 @@ pub struct MotorSide {
     pub speed_peak: Number,
     /// Mean speed in 1/min.
     pub speed_mean: Number,
-    /// Largest torque in Nm, friction included; `null` where the torque constant or the current is not known.
+    /// Largest torque in Nm with the gear at the ambient temperature, friction included; `null` where the torque constant or
+    /// the current is not known.
+    pub torque_peak_cold: Option<Number>,
+    /// Largest torque in Nm in the settled cycle.
     pub torque_peak: Option<Number>,
-    /// Effective torque in Nm.
+    /// Effective torque in Nm in the settled cycle.
     pub torque_rms: Option<Number>,
     /// Ids of the errata of the motor torque constant, on which both torques rest.
     pub torque_errata: &'static [&'static str],

@@ -136,6 +136,23 @@ impl<'e> Currents<'e> {
         *self.peak.get_or_init(|| axis.trace.largest(&Convex(bound, |node: &Node| self.extreme(node).abs())).1)
     }
 
+    /// Returns the largest magnitude of the current over the cycle with the cold gear and in the settled cycle \[A\], each with
+    /// its instant.
+    pub(crate) fn peaks(&self, axis: &Axis) -> [(f64, Node); 2] {
+        [self.cold, &self.warm].map(|friction| {
+            let bound = |extent: &Extent| {
+                let (low, high) = extent.range(self.weights(friction));
+                high.max(-low)
+            };
+            axis.trace.largest(&Convex(bound, |node: &Node| self.in_state(node, friction).abs()))
+        })
+    }
+
+    /// Returns the currents at an instant with the cold gear and in the settled cycle \[A\].
+    pub(crate) fn in_both_states(&self, node: &Node) -> [f64; 2] {
+        [self.cold, &self.warm].map(|friction| self.in_state(node, friction))
+    }
+
     /// Returns both losses at an instant of the settled cycle, if there is a heat model.
     pub(crate) fn losses(&self, node: &Node) -> Option<Losses> {
         let (model, _) = self.heat().ok()?;

@@ -49,8 +49,9 @@ pub struct Operation {
 /// # Source
 /// docs/theory/moments.md, docs/theory/current.md, docs/theory/energy.md
 /// # Valid
-/// Peak current: gear cold or settled, whichever is larger; the effective current and the energies: settled cycle, winding at
-/// 20 °C as in the check of the regenerated power. Between two of the 32 to 256 instants of a piece of a law, or of the samples of
+/// Each current, power and energy belongs to one state of the gear: cold where the name says so, else that of the settled
+/// cycle, with the winding at 20 °C as in the check of the regenerated power. The check of the peak current takes the larger
+/// of both peaks. Between two of the 32 to 256 instants of a piece of a law, or of the samples of
 /// a recording, torque, speed and current are taken as straight: the deviation is below 0.1 % of the largest value. The maxima of
 /// the cycle are exact in the segment in which they occur.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,7 +64,9 @@ pub struct SegmentLoad {
     pub torque_rms_nm: f64,
     /// max |ω| [rad/s]
     pub speed_peak_rad_s: f64,
-    /// max |I| \[A\]; `None` where a datum of the current is not known.
+    /// max |I| with the gear at the ambient temperature \[A\]; `None` where a datum of the current is not known.
+    pub current_peak_cold_a: Option<f64>,
+    /// max |I| in the settled cycle \[A\]
     pub current_peak_a: Option<f64>,
     /// √(1/t ∫ I² dt) \[A\]
     pub current_rms_a: Option<f64>,
@@ -91,9 +94,11 @@ pub struct MotorSide {
     pub speed_peak_rad_s: f64,
     /// Mean of the magnitude of the speed [rad/s].
     pub speed_mean_rad_s: f64,
-    /// Largest torque \[Nm\]; `None` where k_TM or the current is not known.
+    /// Largest torque with the gear at the ambient temperature \[Nm\]; `None` where k_TM or the current is not known.
+    pub torque_peak_cold_nm: Option<f64>,
+    /// Largest torque in the settled cycle \[Nm\].
     pub torque_peak_nm: Option<f64>,
-    /// Effective torque \[Nm\].
+    /// Effective torque in the settled cycle \[Nm\].
     pub torque_rms_nm: Option<f64>,
 }
 
@@ -174,67 +179,82 @@ impl Operation {
         let peak_nm = demand.torque_peak.si();
         let walk = Walk { inertia, peak_nm, currents: currents.as_ref(), power: power.as_ref() };
         let mut sums = walk.sums(axis);
-        let peak = currents.as_ref().map(|currents| currents.peak(axis));
-        let cycle = walk.cycle(axis, &mut sums, peak);
+        let peaks = currents.as_ref().map(|currents| currents.peaks(axis));
+        let cycle = walk.cycle(axis, &sums, peaks);
         // A maximum of the cycle is exact in its segment too.
         let torque = axis.trace.largest(&TorqueWith { inertia_kgm2: inertia }).1;
         walk.see(axis, &mut sums, torque, |load, value| load.torque_peak_nm = load.torque_peak_nm.max(value));
-        if let (Some(node), Some(currents)) = (peak, &currents) {
-            let most = currents.extreme(&node).abs();
-            walk.see(axis, &mut sums, node, |load, _| {
-                load.current_peak_a = load.current_peak_a.map(|known| known.max(most));
+        if let Some([(cold, cold_at), (settled, settled_at)]) = peaks {
+            walk.see(axis, &mut sums, cold_at, |load, _| {
+                load.current_peak_cold_a = load.current_peak_cold_a.map(|known| known.max(cold));
+            });
+            walk.see(axis, &mut sums, settled_at, |load, _| {
+                load.current_peak_a = load.current_peak_a.map(|known| known.max(settled));
             });
         }
+        let (torque_peak_nm, torque_rms_nm) = (demand.torque_peak.si(), demand.torque_rms.si());
+        let mut cycle = SegmentLoad { torque_peak_nm, torque_rms_nm, ..cycle };
+        let duty = duty(axis, &sums);
+        let mut segments: Vec<SegmentLoad> = sums.into_iter().map(|sums| sums.load).collect();
+        without_rounding(&mut segments, &mut cycle);
+        let of_motor = |current: Option<f64>| {
+            actuator.torque_constant_motor.known().zip(current).map(|(k, current)| k.value.si() * current)
+        };
         let motor = actuator.ratio.known().map(|ratio| MotorSide {
             ratio: ratio.value,
             speed_peak_rad_s: ratio.value * demand.speed_peak.si(),
             speed_mean_rad_s: ratio.value * demand.speed_mean.si(),
-            torque_peak_nm: actuator
-                .torque_constant_motor
-                .known()
-                .zip(cycle.current_peak_a)
-                .map(|(k, i)| k.value.si() * i),
-            torque_rms_nm: actuator
-                .torque_constant_motor
-                .known()
-                .zip(cycle.current_rms_a)
-                .map(|(k, i)| k.value.si() * i),
+            torque_peak_cold_nm: of_motor(cycle.current_peak_cold_a),
+            torque_peak_nm: of_motor(cycle.current_peak_a),
+            torque_rms_nm: of_motor(cycle.current_rms_a),
         });
-        Some(Self {
-            cycle: SegmentLoad {
-                torque_peak_nm: demand.torque_peak.si(),
-                torque_rms_nm: demand.torque_rms.si(),
-                ..cycle
-            },
-            motor,
-            inertia_load: axis.moments.inertia_max.si(),
-            inertia_own: inertia,
-            duty: duty(axis, &sums),
-            segments: without_noise(sums.into_iter().map(|sums| sums.load).collect()),
-        })
+        Some(Self { segments, cycle, motor, inertia_load: axis.moments.inertia_max.si(), inertia_own: inertia, duty })
+    }
+
+    /// Sets the energies of the cycle to those of the check of the regenerated power, whose integrals are exact \[J\].
+    #[must_use]
+    pub fn with_energies(mut self, [taken, returned]: [f64; 2]) -> Self {
+        (self.cycle.energy_taken_j, self.cycle.energy_returned_j) = (Some(taken), Some(returned));
+        without_rounding(&mut self.segments, &mut self.cycle);
+        self
     }
 }
 
-/// Rounding of a value that is zero, in SI: the share of the largest of all segments, and the least magnitude.
-const ROUNDING: (f64, f64) = (NONE, 1e-12);
+/// Least magnitude of a value that is not zero, in SI.
+const LEAST: f64 = 1e-12;
 
-/// Sets values that only rounding distinguishes from zero to zero, as the torque of an arm that stands upright.
-fn without_noise(mut segments: Vec<SegmentLoad>) -> Vec<SegmentLoad> {
-    let fields: [fn(&mut SegmentLoad) -> Option<&mut f64>; 7] = [
-        |load| Some(&mut load.torque_peak_nm),
-        |load| Some(&mut load.torque_rms_nm),
+/// A value of a row; `None` if it is not known.
+type Field = fn(&mut SegmentLoad) -> Option<&mut f64>;
+
+/// Sets values that only rounding distinguishes from zero to zero, in the segments and in the cycle alike, as the torque of an arm
+/// that stands upright: below a share of the largest value of the same kind.
+fn without_rounding(segments: &mut [SegmentLoad], cycle: &mut SegmentLoad) {
+    let torques: [Field; 2] = [|load| Some(&mut load.torque_peak_nm), |load| Some(&mut load.torque_rms_nm)];
+    let speeds: [Field; 1] = [|load| Some(&mut load.speed_peak_rad_s)];
+    let currents: [Field; 3] = [
+        |load| load.current_peak_cold_a.as_mut(),
         |load| load.current_peak_a.as_mut(),
         |load| load.current_rms_a.as_mut(),
-        |load| load.power_peak_w.as_mut(),
-        |load| load.energy_taken_j.as_mut(),
-        |load| load.energy_returned_j.as_mut(),
     ];
-    for field in fields {
-        let largest = segments.iter_mut().filter_map(field).fold(0.0_f64, |most, value| most.max(value.abs()));
-        let least = (ROUNDING.0 * largest).max(ROUNDING.1);
-        segments.iter_mut().filter_map(field).filter(|value| value.abs() <= least).for_each(|value| *value = 0.0);
+    let powers: [Field; 1] = [|load| load.power_peak_w.as_mut()];
+    let energies: [Field; 2] = [|load| load.energy_taken_j.as_mut(), |load| load.energy_returned_j.as_mut()];
+    let kinds: [&[Field]; 5] = [&torques, &speeds, &currents, &powers, &energies];
+    for kind in kinds {
+        let mut largest = 0.0_f64;
+        for row in segments.iter_mut().chain([&mut *cycle]) {
+            for field in kind {
+                largest = field(row).map_or(largest, |value| largest.max(value.abs()));
+            }
+        }
+        let least = (NONE * largest).max(LEAST);
+        for row in segments.iter_mut().chain([&mut *cycle]) {
+            for field in kind {
+                if let Some(value) = field(row).filter(|value| value.abs() <= least) {
+                    *value = 0.0;
+                }
+            }
+        }
     }
-    segments
 }
 
 /// Data of the actuator for the walk over the cycle.
@@ -286,7 +306,9 @@ impl Walk<'_> {
         load.speed_peak_rad_s = load.speed_peak_rad_s.max(speed);
         let most = |known: Option<f64>, value: f64| Some(known.map_or(value, |known| known.max(value)));
         if let Some(currents) = self.currents {
-            load.current_peak_a = most(load.current_peak_a, currents.extreme(node).abs());
+            let [cold, settled] = currents.in_both_states(node).map(f64::abs);
+            load.current_peak_cold_a = most(load.current_peak_cold_a, cold);
+            load.current_peak_a = most(load.current_peak_a, settled);
         }
         if let Some(power) = self.power {
             load.power_peak_w = most(load.power_peak_w, power.at(node).max(0.0));
@@ -324,7 +346,7 @@ impl Walk<'_> {
     }
 
     /// Maxima and sums of the whole cycle; the effective current by the integral of the whole cycle.
-    fn cycle(&self, axis: &Axis, sums: &mut [Sums], peak: Option<Node>) -> SegmentLoad {
+    fn cycle(&self, axis: &Axis, sums: &[Sums], peaks: Option<[(f64, Node); 2]>) -> SegmentLoad {
         let duration = axis.moments.duration.si();
         let most = |of: fn(&SegmentLoad) -> Option<f64>| sums.iter().filter_map(|sums| of(&sums.load)).reduce(f64::max);
         let sum = |of: fn(&SegmentLoad) -> Option<f64>| {
@@ -335,7 +357,8 @@ impl Walk<'_> {
             torque_peak_nm: 0.0,
             torque_rms_nm: 0.0,
             speed_peak_rad_s: axis.moments.speed_peak.si(),
-            current_peak_a: self.currents.zip(peak).map(|(currents, node)| currents.extreme(&node).abs()),
+            current_peak_cold_a: peaks.map(|[(cold, _), _]| cold),
+            current_peak_a: peaks.map(|[_, (settled, _)]| settled),
             current_rms_a: self
                 .currents
                 .map(|currents| (axis.trace.gram().square(currents.settled_weights()) / duration).max(0.0).sqrt()),

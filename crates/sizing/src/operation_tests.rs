@@ -269,18 +269,58 @@ fn compare(load: &SegmentLoad, own: &Own, duration: f64, share: f64, of_returned
     assert!(load.power_peak_w.unwrap() <= own.power * (1.0 + 1e-9), "a power that does not occur");
 }
 
-/// Rounding beside the loads of other segments, or alone, is zero; what is small but real stays.
+/// Rounding beside the loads of other segments, or alone, is zero, in the row of the cycle too; what is small but real stays.
 #[test]
 fn values_of_rounding_are_zero() {
     let load = |torque: f64, current: f64| SegmentLoad {
         torque_peak_nm: torque,
         torque_rms_nm: torque,
+        current_peak_cold_a: Some(current),
         current_peak_a: Some(current),
         energy_taken_j: Some(current),
         ..SegmentLoad::default()
     };
-    let all = without_noise(vec![load(20.0, 2.0), load(6e-16, 2.3e-17), load(1e-3, 1e-4), load(1.9e-8, 1.9e-9)]);
-    assert_eq!(all, [load(20.0, 2.0), load(0.0, 0.0), load(1e-3, 1e-4), load(0.0, 0.0)]);
-    assert_eq!(without_noise(vec![load(6e-16, 2.3e-17)]), [load(0.0, 0.0)]);
-    assert_eq!(without_noise(vec![load(1e-8, 1e-9)]), [load(1e-8, 1e-9)]);
+    let of = |mut segments: Vec<SegmentLoad>, mut cycle: SegmentLoad| {
+        without_rounding(&mut segments, &mut cycle);
+        (segments, cycle)
+    };
+    let all = of(vec![load(20.0, 2.0), load(6e-16, 2.3e-17), load(1e-3, 1e-4), load(1.9e-8, 1.9e-9)], load(20.0, 2.0));
+    let zero = load(0.0, 0.0);
+    assert_eq!(all, (vec![load(20.0, 2.0), zero, load(1e-3, 1e-4), zero], load(20.0, 2.0)));
+    assert_eq!(of(vec![load(6e-16, 2.3e-17)], load(6e-16, 2.3e-17)), (vec![zero], zero));
+    assert_eq!(of(vec![load(1e-8, 1e-9)], load(1e-8, 1e-9)), (vec![load(1e-8, 1e-9)], load(1e-8, 1e-9)));
+    // The energy returned is measured by the energy taken.
+    let energies = |taken, returned| SegmentLoad {
+        energy_taken_j: Some(taken),
+        energy_returned_j: Some(returned),
+        ..SegmentLoad::default()
+    };
+    assert_eq!(of(vec![energies(50.0, 1e-9)], energies(50.0, 1e-9)), (vec![energies(50.0, 0.0)], energies(50.0, 0.0)));
+}
+
+/// With a friction that halves when the gear warms up, each column belongs to one state: cold I = T/k + I_s + K n, settled the
+/// same with the smaller K; while the load drives, the settled gear needs the larger current.
+#[test]
+fn a_row_belongs_to_one_state_of_the_gear() {
+    let cold = known(NoLoadCurrentConstant::from_si(4.0 * K));
+    let mut rough = actuator();
+    std::sync::Arc::make_mut(&mut rough.drivetrain).no_load_current_constant_cold = cold;
+    let found = Operation::of(&manual(0.3, 1.0), &rough).unwrap();
+    let [only] = &found.segments[..] else { panic!("{found:?}") };
+    // 65 Nm at 4 rad/s while accelerating; without a thermal model the settled gear is that of 80 °C.
+    let current = |k: f64| 65.0 / K_OUT + I_S + k * 4.0;
+    near(only.current_peak_a.unwrap(), current(K), 1e-12, "settled");
+    // The ambient temperature is not above the 30 °C of the table.
+    assert!(only.current_peak_cold_a.unwrap() >= current(4.0 * K) * (1.0 - 1e-12), "cold");
+    for row in found.segments.iter().chain([&found.cycle]) {
+        assert!(row.current_rms_a.unwrap() <= row.current_peak_a.unwrap());
+    }
+    let motor = found.motor.unwrap();
+    near(motor.torque_peak_nm.unwrap(), 0.125 * current(K), 1e-12, "T_mot settled");
+    near(motor.torque_peak_cold_nm.unwrap(), 0.125 * only.current_peak_cold_a.unwrap(), 1e-12, "T_mot cold");
+    // With the friction of the settled gear alone the settled columns are the same: nothing of the cold state is in them.
+    let warm = Operation::of(&manual(0.3, 1.0), &actuator()).unwrap();
+    let settled = |load: &SegmentLoad| SegmentLoad { current_peak_cold_a: None, ..*load };
+    assert_eq!(settled(only), settled(&warm.segments[0]));
+    assert_eq!(settled(&found.cycle), settled(&warm.cycle));
 }

@@ -103,20 +103,24 @@ texts! {
     marked_masses = "† Errata of the manual for the mass:" | "† Druckfehler der Anleitung zur Masse:";
     s_operation = "Load by segment" | "Belastung je Abschnitt";
     operation_text =
-        "At the output shaft; current and power at the motor terminals, E_mot energy drawn, E_reg energy regenerated. Deviation between the computed instants below 0.1 % of the maximum."
-        | "An der Abtriebswelle; Strom und Leistung an den Motorklemmen, E_mot aufgenommene, E_reg zurückgespeiste Energie. Abweichung zwischen den berechneten Zeitpunkten unter 0,1 % des Höchstwerts.";
+        "At the output shaft; current and power at the motor terminals, E_mot energy drawn, E_reg energy regenerated. cold: gear at ambient temperature; warm: gear at its steady-state temperature, to which I_rms, P_max, E_mot and E_reg refer, too. Deviation between the computed instants below 0.1 % of the maximum."
+        | "An der Abtriebswelle; Strom und Leistung an den Motorklemmen, E_mot aufgenommene, E_reg zurückgespeiste Energie. kalt: Getriebe auf Umgebungstemperatur; warm: Getriebe auf Beharrungstemperatur, für die auch I_rms, P_max, E_mot und E_reg gelten. Abweichung zwischen den berechneten Zeitpunkten unter 0,1 % des Höchstwerts.";
+    cold = "cold" | "kalt";
+    warm = "warm";
     whole_cycle = "Cycle" | "Zyklus";
     s_motor = "Motor side and duty type" | "Motorseite und Betriebsart";
-    current_rms = "Rms motor current" | "Effektiver Motorstrom";
-    current_peak = "Peak motor current" | "Spitzenstrom des Motors";
+    current_rms = "Rms motor current, gear warm" | "Effektiver Motorstrom, Getriebe warm";
+    current_peak_cold = "Peak motor current, gear cold" | "Spitzenstrom des Motors, Getriebe kalt";
+    current_peak = "Peak motor current, gear warm" | "Spitzenstrom des Motors, Getriebe warm";
     motor_speed_peak = "Peak motor speed" | "Spitzendrehzahl des Motors";
     motor_speed_mean = "Mean motor speed" | "Mittlere Drehzahl des Motors";
-    motor_torque_peak = "Peak motor torque" | "Spitzendrehmoment des Motors";
-    motor_torque_rms = "Rms motor torque" | "Effektives Motordrehmoment";
+    motor_torque_peak_cold = "Peak motor torque, gear cold" | "Spitzendrehmoment des Motors, Getriebe kalt";
+    motor_torque_peak = "Peak motor torque, gear warm" | "Spitzendrehmoment des Motors, Getriebe warm";
+    motor_torque_rms = "Rms motor torque, gear warm" | "Effektives Motordrehmoment, Getriebe warm";
     inertia_ratio = "Inertia ratio" | "Trägheitsverhältnis";
     motor_text =
-        "Motor speed: output speed times ratio. Motor torque: motor torque constant times current, friction included."
-        | "Motordrehzahl: Abtriebsdrehzahl mal Untersetzung. Motordrehmoment: Drehmomentkonstante des Motors mal Strom, Reibung enthalten.";
+        "Motor speed: output speed times ratio. Motor torque: motor torque constant times current, friction included. The check of the peak current uses the larger of the two peak currents."
+        | "Motordrehzahl: Abtriebsdrehzahl mal Untersetzung. Motordrehmoment: Drehmomentkonstante des Motors mal Strom, Reibung enthalten. Der Nachweis des Spitzenstroms verwendet den größeren der beiden Spitzenströme.";
     duty_type = "Duty type" | "Betriebsart";
     duty_text =
         "derived from the cycle according to IEC 60034-1; the checks use the cycle itself"

@@ -16,17 +16,15 @@ pub(super) fn operation(
     language: Language,
 ) -> Operation {
     let energies = checks.iter().find(|check| check.id == CheckId::Regeneration).and_then(energies);
-    let mut cycle = load(&found.cycle, &found.cycle);
-    if let Some([taken, returned]) = energies {
-        (cycle.energy_taken, cycle.energy_returned) = (Some(taken), Some(returned));
-    }
+    let found = energies.map_or_else(|| found.clone(), |energies| found.clone().with_energies(energies));
     Operation {
-        segments: found.segments.iter().map(|segment| load(segment, &found.cycle)).collect(),
-        cycle,
+        segments: found.segments.iter().map(load).collect(),
+        cycle: load(&found.cycle),
         motor: found.motor.map(|motor| MotorSide {
             ratio: Number(motor.ratio),
             speed_peak: speed(motor.speed_peak_rad_s),
             speed_mean: speed(motor.speed_mean_rad_s),
+            torque_peak_cold: motor.torque_peak_cold_nm.map(Number),
             torque_peak: motor.torque_peak_nm.map(Number),
             torque_rms: motor.torque_rms_nm.map(Number),
             torque_errata: errata,
@@ -41,11 +39,11 @@ pub(super) fn operation(
     }
 }
 
-fn energies(check: &Check) -> Option<[Number; 2]> {
+fn energies(check: &Check) -> Option<[f64; 2]> {
     check.notes.iter().find_map(|note| match note {
         Note::EnergyPerCycle { motoring, regenerated, .. } => {
             use quantities::Measure;
-            Some([Number(motoring.si()), Number(regenerated.si())])
+            Some([motoring.si(), regenerated.si()])
         }
         _ => None,
     })
@@ -55,22 +53,18 @@ fn speed(rad_s: f64) -> Number {
     Number(REVOLUTION_PER_MINUTE.from_si(rad_s))
 }
 
-/// Share of the value of the cycle below which that of a segment is rounding: the torque of an arm that stands upright.
-const ROUNDING: f64 = 1e-9;
-
-fn load(of: &sizing::SegmentLoad, cycle: &sizing::SegmentLoad) -> SegmentLoad {
-    let clean = |value: f64, whole: f64| if value.abs() <= ROUNDING * whole.abs() { 0.0 } else { value };
-    let known = |value: Option<f64>, whole: Option<f64>| Some(Number(clean(value?, whole.unwrap_or(0.0))));
+fn load(of: &sizing::SegmentLoad) -> SegmentLoad {
     SegmentLoad {
         duration: Number(of.duration_s),
-        torque_peak: Number(clean(of.torque_peak_nm, cycle.torque_peak_nm)),
-        torque_rms: Number(clean(of.torque_rms_nm, cycle.torque_peak_nm)),
-        speed_peak: speed(clean(of.speed_peak_rad_s, cycle.speed_peak_rad_s)),
-        current_peak: known(of.current_peak_a, cycle.current_peak_a),
-        current_rms: known(of.current_rms_a, cycle.current_peak_a),
-        power_peak: known(of.power_peak_w, cycle.power_peak_w),
-        energy_taken: known(of.energy_taken_j, cycle.energy_taken_j),
-        energy_returned: known(of.energy_returned_j, cycle.energy_taken_j),
+        torque_peak: Number(of.torque_peak_nm),
+        torque_rms: Number(of.torque_rms_nm),
+        speed_peak: speed(of.speed_peak_rad_s),
+        current_peak_cold: of.current_peak_cold_a.map(Number),
+        current_peak: of.current_peak_a.map(Number),
+        current_rms: of.current_rms_a.map(Number),
+        power_peak: of.power_peak_w.map(Number),
+        energy_taken: of.energy_taken_j.map(Number),
+        energy_returned: of.energy_returned_j.map(Number),
     }
 }
 
@@ -182,19 +176,5 @@ fn line(row: &SheetRow, symbol: &'static str, language: Language) -> DataLine {
         value: if is_none { "–".to_owned() } else { value },
         table: cell.place.table,
         errata: cell.errata,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rounding_of_a_segment_is_none() {
-        let cycle = sizing::SegmentLoad { torque_peak_nm: 2e3, current_peak_a: Some(10.0), ..Default::default() };
-        let dwell = sizing::SegmentLoad { torque_peak_nm: 5e-15, current_peak_a: Some(1e-16), ..Default::default() };
-        let found = load(&dwell, &cycle);
-        assert_eq!((found.torque_peak, found.current_peak), (Number(0.0), Some(Number(0.0))));
-        assert_eq!(load(&sizing::SegmentLoad { torque_peak_nm: 1e-3, ..dwell }, &cycle).torque_peak, Number(1e-3));
     }
 }

@@ -21,8 +21,9 @@ pub(super) struct Operation {
 struct LoadRow {
     /// Number of the segment from 1; `None` for the whole cycle.
     number: Option<usize>,
-    /// Duration, T_peak, T_rms, n_peak, I_peak, I_rms, P_peak, energy taken, energy returned; empty where not known.
-    values: [String; 9],
+    /// Duration, T_peak, T_rms, n_peak, I_peak cold and settled, I_rms, P_peak, energy taken, energy returned; empty where not
+    /// known.
+    values: [String; 10],
 }
 
 /// A quantity of the motor or of the inertias.
@@ -58,6 +59,7 @@ fn row(number: Option<usize>, load: &SegmentLoad, shown: &Shown) -> LoadRow {
         Some(load.torque_peak),
         Some(load.torque_rms),
         Some(load.speed_peak),
+        load.current_peak_cold,
         load.current_peak,
         load.current_rms,
         load.power_peak,
@@ -75,11 +77,13 @@ pub(super) fn operation(dossier: &Dossier, shown: &Shown) -> Option<Operation> {
         facts.extend(value.map(|value| OperationFact { key, symbol, value }));
     };
     add("current_rms", "I_rms", found.cycle.current_rms.map(|value| shown.figure(value, "A")));
+    add("current_peak_cold", "I_peak", found.cycle.current_peak_cold.map(|value| shown.figure(value, "A")));
     add("current_peak", "I_peak", found.cycle.current_peak.map(|value| shown.figure(value, "A")));
     if let Some(motor) = &found.motor {
         let torque = |value: Option<Number>| Some(marked(shown.figure(value?, "Nm"), motor.torque_errata));
         add("motor_speed_peak", "n_mot", Some(shown.figure(motor.speed_peak, "1/min")));
         add("motor_speed_mean", "n_mot_av", Some(shown.figure(motor.speed_mean, "1/min")));
+        add("motor_torque_peak_cold", "T_mot", torque(motor.torque_peak_cold));
         add("motor_torque_peak", "T_mot", torque(motor.torque_peak));
         add("motor_torque_rms", "T_mot_rms", torque(motor.torque_rms));
     }
