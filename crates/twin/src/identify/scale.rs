@@ -50,6 +50,10 @@ const ALIKE: f64 = 0.03;
 /// Smallest deviation of a scale from one that causes a doubt without the balance of the motor. A choice.
 const SCALED: f64 = 0.15;
 
+/// Smallest factor between run and project that counts as an unknown scale while the motor contradicts neither. A choice: what a
+/// project states may be off by 40 %, all of it alike, which is a factor of 1.67.
+const UNKNOWN: f64 = 1.75;
+
 /// Standard deviations of what a project states, relative to the value: payloads, inertia, the rest. A choice.
 const STATED: [f64; 3] = [0.05, 0.15, 0.3];
 
@@ -174,7 +178,8 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares) -
     }
     if !is_wrong {
         let is_scale = |factor: &f64| is_better(&Slopes::of(&equations, tabulated, scaled(Column::Torque, *factor)));
-        let value = of_load.filter(|_| shares.payload.is_some()).filter(is_scale)?;
+        let is_far = |factor: &f64| factor.ln().abs() > UNKNOWN.ln();
+        let value = of_load.filter(|_| shares.payload.is_some()).filter(is_far).filter(is_scale)?;
         return Some(Doubt { column: Column::Torque, misread: Misread::Other, value });
     }
     let [tied, loose] = plain.all;

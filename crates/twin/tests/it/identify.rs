@@ -7,8 +7,8 @@ use quantities::{
     Angle, Force, Length, Mass, Measure, MomentOfInertia, ThermodynamicTemperature, Time, Torque, ViscousFriction,
 };
 use twin::{
-    Column, Estimate, Identification, Identified, IdentifyFault, Misread, Observed, Open, Setup, Stated, Switches,
-    Twin, identify,
+    Column, Estimate, Identification, Identified, IdentifyFault, Misread, Observed, Open, Parameters, Setup, Stated,
+    Switches, Twin, identify,
 };
 
 pub(crate) const CODE: &str = "CHA-20A-100-H-C1024";
@@ -38,13 +38,23 @@ fn chained(all: &[(f64, f64)], closing: Closing) -> Motion {
 }
 
 /// Moves of several sizes and durations, none at the limit of the current.
-const EXCITING: [(f64, f64); 8] =
+pub(crate) const EXCITING: [(f64, f64); 8] =
     [(1.6, 0.9), (-1.6, 1.3), (1.0, 0.6), (-1.0, 0.9), (2.2, 1.1), (-2.2, 0.95), (0.8, 0.7), (-0.8, 0.5)];
 
 /// Returns a recorded run of a load, a row each millisecond.
 fn recorded(mechanism: &Mechanism, motion: &Motion, extras: &[Extra], seed: u64) -> Observed {
-    let parameters = parameters(CODE);
-    let setup = Setup { switches: Switches::default(), seed, ..Setup::of(&parameters, mechanism, motion, extras) };
+    recorded_by(&parameters(CODE), mechanism, motion, extras, seed)
+}
+
+/// Returns a recorded run of a load on an actuator.
+pub(crate) fn recorded_by(
+    parameters: &Parameters,
+    mechanism: &Mechanism,
+    motion: &Motion,
+    extras: &[Extra],
+    seed: u64,
+) -> Observed {
+    let setup = Setup { switches: Switches::default(), seed, ..Setup::of(parameters, mechanism, motion, extras) };
     let mut twin = Twin::new(&setup).unwrap();
     let (mut run, mut speeds) = (Observed::default(), Vec::new());
     while !twin.is_over() {
@@ -68,7 +78,7 @@ fn said(run: &Observed, mechanism: &Mechanism, motion: &Motion, extras: &[Extra]
 }
 
 /// Returns the run as an instrument shows it: noise of 0.3 Nm on the torque, 0.05 A on the current.
-fn measured(run: &Observed, seed: u64) -> Observed {
+pub(crate) fn measured(run: &Observed, seed: u64) -> Observed {
     let (mut run, mut state) = (run.clone(), seed.wrapping_mul(0xd134_2543_de82_ef95) ^ 0x5eed);
     for torque in &mut run.torque_nm {
         *torque += 0.3 * noise(&mut state);
@@ -89,7 +99,7 @@ fn none() -> [Extra; 1] {
 }
 
 /// Returns a flywheel, an arm under gravity and an inclined belt axis, each with friction and a constant torque.
-fn loads() -> [Mechanism; 3] {
+pub(crate) fn loads() -> [Mechanism; 3] {
     let friction = Friction {
         coulomb: Torque::from_si(3.0),
         viscous: ViscousFriction::from_si(1.5),

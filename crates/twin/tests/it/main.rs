@@ -12,6 +12,7 @@ mod link;
 mod moving;
 mod runs;
 mod steady;
+mod wrong_projects;
 
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
