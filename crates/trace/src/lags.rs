@@ -411,7 +411,7 @@ impl Search<'_> {
             end += next;
         }
         let most = f64::max(start, end) + 0.25 * panel.duration_s * (highest - lowest);
-        turns(lowest, highest) && most > self.enough(panel.from_s())
+        turns(lowest, highest) && most > self.enough(panel.start_s())
     }
 
     /// Returns the bound on the rise of the sum of the lags due to the swings of their inputs.
@@ -508,7 +508,7 @@ impl Search<'_> {
     /// Searches a panel, which recurs after a time, and advances the states to its end.
     fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64], later_s: f64) {
         let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
-        let start = panel.from_s() + later_s;
+        let start = panel.start_s() + later_s;
         if let Some((s, value)) = turn(&courses, states, panel.duration_s, self.enough(start)) {
             self.best.see(value, start + s * panel.duration_s, ());
         }

@@ -36,7 +36,7 @@ impl<'a> Panel<'a> {
 
     /// Returns the instant at which the panel begins \[s\].
     #[inline]
-    pub(super) fn from_s(&self) -> f64 {
+    pub(super) fn start_s(&self) -> f64 {
         self.nodes.first().map_or(0.0, |node| node.time_s)
     }
 
