@@ -108,6 +108,9 @@ pub struct Mechanism {
     pub sketch: Sketch,
     /// Travel along the line per revolution of the actuator in mm; `null` for a rotary mechanism.
     pub travel_mm_per_rev: Option<Number>,
+    /// Travel along the line per revolution of the mechanism in mm, behind a stage if there is one; `null` for a rotary
+    /// mechanism.
+    pub own_travel_mm_per_rev: Option<Number>,
     /// Bodies with their masses and moments of inertia; for a turntable only.
     pub bodies: Option<Inertia>,
 }

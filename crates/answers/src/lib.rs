@@ -82,7 +82,7 @@ pub use simulation::{
     Simulation,
 };
 pub use sizing::derivation::Formula;
-pub use sizing::{CheckId, Direction, Part, Verdict};
+pub use sizing::{CheckId, Direction, Part, Shaft, Verdict};
 pub use units::Units;
 pub use upkeep::{Planned, Upkeep};
 pub use wiring::{

@@ -20,7 +20,7 @@ use words::{check_title, curve_title, grade_word, source_text, terminal, terms};
 pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     if plot::is_asked(call) {
-        plot::destination(call, &[])?;
+        plot::destination(call, &[], None)?;
     }
     let (code, plane) = curve::found(asked)?;
     if plot::is_asked(call) {

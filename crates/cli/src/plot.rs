@@ -23,7 +23,7 @@ pub(crate) fn plot(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswe
     let language = call.language;
     let all = asked.source()?.projects(asked.patience, language)?;
     let inputs = call.inputs(&all);
-    destination(call, &inputs)?;
+    destination(call, &inputs, None)?;
     let args = plot::Args::read(&asked.given)?;
     let project = args.drawn(asked)?;
     let figure = args.figure.as_deref().and_then(Figure::of_id).unwrap_or(Figure::TorqueSpeed);
@@ -39,12 +39,13 @@ pub(crate) fn is_asked(call: &Call<'_>) -> bool {
     call.path("svg").is_some() || call.path("png").is_some()
 }
 
-/// Checks that the picture can be written to its file before it is computed.
-pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf]) -> Result<(), Unanswered> {
+/// Checks that the picture can be written to its files before it is computed, and that none of them is `other`, a
+/// further file that the call writes.
+pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf], other: Option<&Path>) -> Result<(), Unanswered> {
     if call.path("png").is_some_and(|path| path.as_os_str() == "-") {
         return Err(Unanswered::message(terminal::png_needs_a_file(call.language)));
     }
-    let files: Vec<&Path> = call.file("svg").into_iter().chain(call.path("png")).collect();
+    let files: Vec<&Path> = other.into_iter().chain(call.file("svg")).chain(call.path("png")).collect();
     call.desk(inputs).ready(&files)
 }
 

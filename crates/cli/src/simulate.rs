@@ -26,9 +26,8 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     // As with `plot`: without a file the picture goes to standard output.
     let draws = plot::is_asked(call) || args.figure.is_some();
     if draws {
-        plot::destination(call, &inputs)?;
-    }
-    if let Some(file) = file {
+        plot::destination(call, &inputs, file)?;
+    } else if let Some(file) = file {
         desk.ready(&[file])?;
     }
     if (file.is_some() || draws) && axes.len() > 1 {

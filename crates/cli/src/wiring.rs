@@ -34,7 +34,7 @@ fn draw(found: &questions::list::wiring::Wiring, call: &Call<'_>) -> Result<Answ
     if connector.pins.is_empty() {
         return Err(Unanswered::message(wiring::no_pins_to_draw(language)));
     }
-    plot::destination(call, &[])?;
+    plot::destination(call, &[], None)?;
     plot::put(&figures::mating_face(&found.code, connector, figures::PinTexts::Full, language), call, &[])
 }
 

@@ -156,6 +156,37 @@ fn a_recording_named_in_a_cell_belongs_to_the_run() {
     assert!(fs::read_to_string(&turn).unwrap().starts_with("time [s]"));
 }
 
+/// A part that a power failure has cut off is computed again, as one with other content is.
+#[test]
+fn a_damaged_part_is_computed_again() {
+    let bench = Bench::new();
+    assert!(bench.run(&[]).code < 2);
+    let whole = fs::read(bench.here().join("best.csv")).unwrap();
+    fs::remove_file(bench.here().join("best.csv")).unwrap();
+    let damages: [fn(Vec<u8>) -> Vec<u8>; 3] = [
+        |mut bytes| {
+            bytes.truncate(bytes.len() / 2);
+            bytes
+        },
+        |_| Vec::new(),
+        |mut bytes| {
+            let middle = bytes.len() / 2;
+            bytes[middle] ^= 1;
+            bytes
+        },
+    ];
+    for damage in damages {
+        bench.interrupted();
+        let part = bench.here().join("best.csv.parts/part-00000000.parquet");
+        fs::write(&part, damage(fs::read(&part).unwrap())).unwrap();
+        let found = bench.run(&[]);
+        assert!(found.code < 2, "{}", found.err);
+        assert!(fs::read(bench.here().join("best.csv")).unwrap() == whole);
+        assert_eq!(bench.names(), ["axis.toml", "best.csv", "tasks.csv", "turn.csv"]);
+        fs::remove_file(bench.here().join("best.csv")).unwrap();
+    }
+}
+
 #[test]
 fn what_changes_while_a_sweep_runs_ends_it() {
     let bench = Bench::new();

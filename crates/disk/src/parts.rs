@@ -165,11 +165,42 @@ impl Parts {
         Ok(self.dir.has(&name(index))?)
     }
 
-    /// Writes a part, completely or not at all.
+    /// Returns `true` if a part exists, complete and of this run: its checksum, over the mark, its number and its content,
+    /// is the one stored with it. A part that a power failure has cut off, or that was copied from elsewhere, has another.
+    ///
+    /// # Errors
+    /// Errors of the system; a file with the name of a part that this program did not write.
+    pub fn holds(&self, index: u64) -> std::result::Result<bool, PartsTrouble> {
+        if !self.dir.has(&name(index))? || !self.dir.has(&sum_name(index))? {
+            return Ok(false);
+        }
+        let mut stored = Vec::new();
+        self.dir.open_file(&sum_name(index))?.take(1 << 8).read_to_end(&mut stored)?;
+        let mut sum = self.sum(index);
+        let (mut file, mut piece) = (self.dir.open_file(&name(index))?, vec![0; 1 << 16]);
+        loop {
+            match file.read(&mut piece)? {
+                0 => break,
+                length => sum.update(piece.get(..length).unwrap_or_default()),
+            };
+        }
+        Ok(sum.finalize().to_hex().as_bytes() == stored)
+    }
+
+    /// Returns the checksum of a part before its content.
+    fn sum(&self, index: u64) -> blake3::Hasher {
+        let mut sum = blake3::Hasher::new();
+        sum.update(written(&self.mark).as_bytes()).update(&index.to_le_bytes());
+        sum
+    }
+
+    /// Writes a part with its checksum, completely or not at all.
     ///
     /// # Errors
     /// Errors of the system.
     pub fn put(&self, index: u64, bytes: &[u8]) -> std::result::Result<(), PartsTrouble> {
+        let sum = self.sum(index).update(bytes).finalize().to_hex();
+        put(&self.dir, &sum_name(index), sum.as_bytes())?;
         Ok(put(&self.dir, &name(index), bytes)?)
     }
 
@@ -213,9 +244,15 @@ fn name(index: u64) -> String {
     format!("part-{index:08}.parquet")
 }
 
+/// Returns the file name of the checksum of a part.
+fn sum_name(index: u64) -> String {
+    format!("part-{index:08}.blake3")
+}
+
 fn is_part(name: &str) -> bool {
     let whole = name.strip_suffix(UNFINISHED).unwrap_or(name);
-    let number = whole.strip_prefix("part-").and_then(|rest| rest.strip_suffix(".parquet"));
+    let number = whole.strip_prefix("part-");
+    let number = number.and_then(|rest| rest.strip_suffix(".parquet").or_else(|| rest.strip_suffix(".blake3")));
     number.is_some_and(|number| number.len() >= 8 && number.bytes().all(|byte| byte.is_ascii_digit()))
 }
 

@@ -273,6 +273,15 @@ impl Motion {
     pub const fn net(&self) -> Angle {
         self.net
     }
+
+    /// Returns `true` if the final position is the initial one: within a millionth of the angle travelled, in a cycle with
+    /// recordings within a thousandth of the range of positions. The samples of a recording carry noise, and smoothing
+    /// shifts its ends; without this tolerance such an axis would count as one that always turns in one direction.
+    #[must_use]
+    pub fn ends_where_it_starts(&self, travelled: Angle, range: Angle) -> bool {
+        let permitted = if self.recordings.is_empty() { 1e-6 * travelled.si() } else { JOINT * range.si() };
+        self.net.si().abs() <= permitted
+    }
 }
 
 /// Tolerance for the ends of a recording, relative to its largest speed or to its travel: a recording never contains an

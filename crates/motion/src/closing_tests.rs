@@ -118,3 +118,43 @@ fn equal_samples_at_an_end_are_rest() {
     assert_eq!(recorded.end_speeds_rad_s(), (0.0, 0.0));
     assert_eq!(recorded.speed_rad_s()[1], 0.5);
 }
+
+/// The ends of a recorded swing differ by the noise of its samples, by what smoothing does to them, or by a small drift.
+#[test]
+fn a_recorded_swing_ends_where_it_starts() {
+    let mut random = Random(7);
+    for case in 0..300 {
+        let motion = there_and_back(&mut random, case);
+        let whole = (0.0, motion.duration().si());
+        let states = motion.pieces().iter().map(|piece| piece.position_rad);
+        let (low, high) = states.fold((f64::MAX, f64::MIN), |(low, high), q| (low.min(q), high.max(q)));
+        let range = Angle::from_si(high - low);
+        let smoothing = (case % 2 == 0).then(|| 20.0 * whole.1 / 2000.0);
+        let SegmentSpec::Recorded(exact) = sample(&motion, whole, 2000, smoothing) else { return };
+        let moved = |drift: f64, noise: f64, random: &mut Random| {
+            let last = exact.position_rad().len() as f64 - 1.0;
+            let along = exact.position_rad().iter().enumerate().map(|(k, q)| q + drift * k as f64 / last);
+            let position: Vec<f64> = along.map(|q| q + random.within(-noise, noise)).collect();
+            let samples = Samples {
+                time_s: Arc::new(exact.time_s().to_vec()),
+                position_rad: Some(Arc::new(position)),
+                ..Samples::default()
+            };
+            let recorded = Recorded::new(samples, Treatment::default()).unwrap();
+            Motion::new(&[SegmentSpec::Recorded(Arc::new(recorded))], None, Closing::SingleMove).unwrap()
+        };
+        let travelled = Angle::from_si(motion.pieces().len() as f64 * range.si());
+        let noise = 4e-4 * range.si();
+        assert!(moved(0.0, noise, &mut random).ends_where_it_starts(travelled, range), "{case}: noise");
+        assert!(
+            moved(2e-4 * range.si(), noise / 2.0, &mut random).ends_where_it_starts(travelled, range),
+            "{case}: drift"
+        );
+        for share in [0.01, -0.05, 1.0] {
+            let away = moved(share * range.si(), noise, &mut random);
+            assert!(!away.ends_where_it_starts(travelled, range), "{case}: {share} of the range");
+        }
+        // Laws have no noise: what they do not return is a rotation.
+        assert!(motion.ends_where_it_starts(travelled, range), "{case}");
+    }
+}

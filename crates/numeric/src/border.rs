@@ -3,8 +3,8 @@
 /// Number of steps beyond bisection that the search may use for interpolation.
 const FREE: i32 = 4;
 
-/// Returns the border between a place `good`, where a function is at most zero, and a place `bad` above it, where it
-/// exceeds zero: on the good side, within `narrow` of the distance between the two.
+/// Returns both sides of the border between a place `good`, where a function is at most zero, and a place `bad` above it,
+/// where it exceeds zero: at most `narrow` times the distance of the two apart, the good side first.
 ///
 /// Inverse quadratic interpolation through both ends and the previous end, kept close enough to the middle that the
 /// search needs at most four steps more than bisection; for a smooth function five to eight suffice. Once the
@@ -21,7 +21,7 @@ pub fn border<S>(
     mut good: (f64, f64),
     mut bad: (f64, f64),
     narrow: f64,
-) -> Result<f64, S> {
+) -> Result<(f64, f64), S> {
     let whole = bad.0 - good.0;
     // Width of a bisection with the same number of steps; interpolation may use what exceeds half the width.
     let mut halved = whole * 2.0_f64.powi(FREE - 1);
@@ -39,7 +39,7 @@ pub fn border<S>(
         let end = if found.1 <= 0.0 { &mut good } else { &mut bad };
         before = Some(std::mem::replace(end, found));
     }
-    Ok(good.0)
+    Ok((good.0, bad.0))
 }
 
 /// Returns the place where the function should be zero between two ends, from them and the end that one of them
@@ -78,7 +78,8 @@ mod tests {
                 calls.set(calls.get() + 1);
                 Ok::<_, std::convert::Infallible>(excess(x))
             };
-            let Ok(found) = border(counted, good, bad, 0.5_f64.powi(HALVINGS as i32));
+            let Ok((found, above)) = border(counted, good, bad, 0.5_f64.powi(HALVINGS as i32));
+            assert!(excess(found) <= 0.0 && excess(above) > 0.0, "{found}, {above}");
             (found, calls.get())
         };
         let root = 1.037_f64;

@@ -123,6 +123,7 @@ fn cases() -> Vec<(&'static str, String, At)> {
         ("points_not_increasing", segments(&[&format!("{CAM}[[\"0 s\", \"0 deg\"], [\"0 s\", \"1 deg\"]]")]), Field("motion[1].points")),
         ("supply_and_mains", with(LOAD, &format!("{MOVE}[requirements]\nsupply = \"560 V\"\nmains = \"400 V\"\n")), Field("requirements.mains")),
         ("humidity_order", with(LOAD, &format!("{MOVE}[requirements]\nhumidity_min = 0.6\nhumidity_max = 0.5\n")), Field("requirements.humidity_min")),
+        ("only_beside", with(LOAD, &format!("{MOVE}[requirements]\ndeviation_max = \"0.2 mm\"\n")), Field("requirements.deviation_max")),
         ("unlike_first_point", segments(&[&format!("{CAM}[[\"0 s\", \"0 deg\"], [\"9 deg\", \"1 deg\"]]")]), Field("motion[1].points")),
         ("master_of_times", segments(&[&format!("master_speed = \"9 1/min\"\n{CAM}[[\"0 s\", \"0 deg\"], [\"1 s\", \"1 deg\"]]")]), Field("motion[1].master_speed")),
         ("points_speed_jumps", segments(&["law = \"dwell\"\ntime = \"1 s\"", "law = \"points\"\nspline = \"cubic\"\nends = \"natural\"\npoints = [[\"0 s\", \"0 deg\"], [\"1 s\", \"1 deg\"]]"]), Field("motion[2].points")),

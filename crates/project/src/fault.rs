@@ -205,6 +205,13 @@ pub enum Fault {
         /// Key.
         key: &'static str,
     },
+    /// A key that has an effect only beside another one, which is missing.
+    OnlyBeside {
+        /// Key.
+        key: &'static str,
+        /// Missing key.
+        needs: &'static str,
+    },
     /// No load.
     NoMechanism,
     /// More than one load.
@@ -417,6 +424,7 @@ impl Fault {
             Self::MotorSide { .. } => "recorded_at_the_motor",
             Self::NoColumnWithRatio { .. } => "no_column_with_ratio",
             Self::WithoutEffect { .. } => "without_effect",
+            Self::OnlyBeside { .. } => "only_beside",
             Self::NoMechanism => "no_mechanism",
             Self::TooManyMechanisms => "too_many_mechanisms",
             Self::NoLine { .. } => "no_line",

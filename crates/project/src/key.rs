@@ -290,4 +290,46 @@ mod tests {
             assert!(!faults.iter().any(|fault| is_of_the_value(&fault.fault)), "{text}: {faults:?}");
         }
     }
+
+    /// Optional keys of mechanisms whose absence is no default that a user should see: their assumption belongs to another
+    /// key, their part does not exist unless it is stated, or it is required where it has an effect.
+    const NOT_LISTED: [&str; 22] = [
+        "viscous_friction",
+        "external_torque",
+        "friction_force",
+        "friction_coefficient",
+        "counterweight",
+        "process_force",
+        "hanging",
+        "crossed",
+        "coupler_centre",
+        "coupler_inertia",
+        "rocker_centre",
+        "rocker_inertia",
+        "rocker_torque",
+        "payload_distance",
+        "start_angle",
+        "falls",
+        "body",
+        "bodies",
+        "mass",
+        "torque",
+        // Of a joint, whose torque is recorded: a check names what it lacks.
+        "joint.inertia",
+        "joint.holding_torque",
+    ];
+
+    /// What nobody stated is shown: an optional key of a mechanism lists its default.
+    #[test]
+    fn every_default_of_a_mechanism_is_listed() {
+        let mechanisms = KEYS.iter().find(|key| key.name == "mechanism").unwrap().kind.keys(false);
+        assert!(mechanisms.len() > 10, "{}", mechanisms.len());
+        for table in mechanisms {
+            for key in table.kind.keys(false).iter().filter(|key| !key.required) {
+                let path = format!("{}.{}", table.name, key.name);
+                let is_exempt = NOT_LISTED.iter().any(|exempt| *exempt == key.name || *exempt == path);
+                assert!(key.note.is_some() != is_exempt, "mechanism.{path}");
+            }
+        }
+    }
 }

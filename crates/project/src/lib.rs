@@ -171,6 +171,24 @@ pub enum Assumption {
     NoLosses,
     /// No efficiency for driving backwards is given: the losses do not help to brake.
     LossesDoNotHelp,
+    /// No inclination of a linear travel is given: horizontal.
+    TravelHorizontal,
+    /// No inclination of the ground link of a four-bar linkage is given: horizontal.
+    GroundHorizontal,
+    /// No tilt of the axis of rotation is given: vertical.
+    AxisVertical,
+    /// No inertia of the rotating parts of a mechanism is given: zero.
+    PartsWithoutInertia,
+    /// No mass of the rope is given: zero.
+    RopeWeightless,
+    /// No efficiency of the rope sheaves is given: one.
+    SheavesNoLosses,
+    /// No mass of the arms of a scissor lift is given: zero.
+    ArmsWeightless,
+    /// No mass of the coupler of a four-bar linkage is given: zero.
+    CouplerWeightless,
+    /// No mass of the rocker of a four-bar linkage is given: zero.
+    RockerWeightless,
     /// A trapezoid given by two quantities accelerates, runs and brakes for a third of the time each.
     TrapezoidThirds,
     /// A single move is judged as if it were repeated without a pause.
@@ -214,7 +232,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 50] = [
+    pub const ALL: [Self; 59] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -248,6 +266,15 @@ impl Assumption {
         Self::StageRatioChosen,
         Self::NoLosses,
         Self::LossesDoNotHelp,
+        Self::TravelHorizontal,
+        Self::GroundHorizontal,
+        Self::AxisVertical,
+        Self::PartsWithoutInertia,
+        Self::RopeWeightless,
+        Self::SheavesNoLosses,
+        Self::ArmsWeightless,
+        Self::CouplerWeightless,
+        Self::RockerWeightless,
         Self::TrapezoidThirds,
         Self::SingleMoveRepeats,
         Self::OrdinaryApplication,
@@ -472,7 +499,7 @@ fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
     let motion = motion.geared(mechanism.stage_ratio());
     if let Some(required) = root.parts.requirements.get() {
         required.battery(reader);
-        required.check(reader);
+        required.check(mechanism.travel_m_per_rad().is_some(), reader);
     }
     Some(Draft { mechanism, motion, extras, bearing })
 }

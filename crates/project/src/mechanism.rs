@@ -101,6 +101,11 @@ pub(crate) trait Driven: Fields {
         group(self)
     }
 
+    /// Returns `true` if a default has no effect on the result and is not listed.
+    fn is_without_effect(&self, _default: Assumption) -> bool {
+        false
+    }
+
     /// Returns the efficiency of the parts in series with the stated one, in motor operation.
     fn series_efficiency(&self) -> f64 {
         1.0
@@ -241,5 +246,12 @@ pub(crate) fn assumptions(driven: &dyn Driven, found: &mut Vec<Assumption>) {
     }
     if let Some(losses) = driven.losses() {
         found.extend(losses.efficiency.note().or_else(|| losses.efficiency_back.note()));
+    }
+    // Those of friction and losses depend on each other and are listed above.
+    let apart = [Assumption::NoFriction, Assumption::NoLosses, Assumption::LossesDoNotHelp];
+    for default in driven.fields().into_iter().filter_map(Field::note) {
+        if !apart.contains(&default) && !found.contains(&default) && !driven.is_without_effect(default) {
+            found.push(default);
+        }
     }
 }

@@ -1,11 +1,12 @@
 //! Requirements on the actuator.
 
 use crate::about::About;
+use crate::key::example;
 use crate::read::Reader;
-use crate::section::section;
+use crate::section::{Section, section};
 use crate::stated::Field;
 use crate::value::{Choice, Choices, choice, choices};
-use crate::{Assumption, Fault};
+use crate::{Assumption, Fault, Hint};
 use actuator::{BatteryFault, Protection};
 use configurator::Requirements;
 use order_code::{Feedback, Option1, Option2, Series};
@@ -200,8 +201,9 @@ impl RequirementsSection {
         std::iter::once(rectifier).chain(self.modulation_reserve.note()).collect()
     }
 
-    /// Reports contradictions.
-    pub(crate) fn check(&self, reader: &mut Reader<'_>) {
+    /// Reports contradictions, and keys without effect; `has_line`: the mechanism moves along a line in proportion to its
+    /// angle.
+    pub(crate) fn check(&self, has_line: bool, reader: &mut Reader<'_>) {
         if self.supply.is_given() && self.mains.is_given() {
             reader.fault(self.mains.span(), Fault::SupplyAndMains, None);
         }
@@ -209,6 +211,23 @@ impl RequirementsSection {
             && least > most
         {
             reader.fault(self.humidity_min.span(), Fault::HumidityOrder, None);
+        }
+        let pairs: [(&dyn Field, &dyn Field); 6] = [
+            (&self.deviation_max, &self.lever_arm),
+            (&self.altitude_derating, &self.altitude),
+            (&self.collision_time, &self.collision_torque),
+            (&self.collisions, &self.collision_torque),
+            (&self.mains_phases, &self.mains),
+            (&self.mains_deviation, &self.mains),
+        ];
+        for (field, needs) in pairs {
+            // Along a line the travel per angle takes the place of the lever arm.
+            let is_known = has_line && needs.name() == self.lever_arm.name();
+            if field.is_given() && !needs.is_written() && !is_known {
+                let key = Self::KEYS.iter().find(|key| key.name == needs.name());
+                let fault = Fault::OnlyBeside { key: field.name(), needs: needs.name() };
+                reader.fault(field.span(), fault, key.and_then(example).map(Hint::Example));
+            }
         }
     }
 

@@ -1,9 +1,9 @@
 //! Data sheet of one ordering code: every value of the manual for it, with its table and the notes on both.
 
-use catalogue::{Cell, Footnote};
+use catalogue::{Cell, Footnote, Value};
 use configurator::Uncovered;
 use order_code::{Brake, Field, OrderCode};
-use quantities::Language;
+use quantities::{Language, format_significant};
 use words::{cell_text, decimal, terminal};
 
 /// A remark on a value or a table.
@@ -176,8 +176,8 @@ pub fn uncovered_mark(what: Uncovered) -> &'static str {
     }
 }
 
-/// Returns the value after errata, with that of the manual if it differs; a value of the standard actuator is marked as
-/// such.
+/// Returns the value after errata, with that of the manual if it differs, and the one that checks use if that is another; a
+/// value of the standard actuator is marked as such.
 #[must_use]
 pub fn sheet_value_text(row: &SheetRow, language: Language) -> String {
     let cell = row.cell;
@@ -185,6 +185,10 @@ pub fn sheet_value_text(row: &SheetRow, language: Language) -> String {
     if row.of_standard_only {
         return terminal::value_of_the_standard(&value, language);
     }
+    let value = match cell.checks_use.and_then(Value::number) {
+        Some(used) => terminal::value_and_used(&value, &format_significant(used, 6, language), language),
+        None => value,
+    };
     if cell.corrected == cell.printed {
         return value;
     }

@@ -77,11 +77,12 @@ impl<'p> Sizing<'p> {
         self.fitting().first()
     }
 
-    /// Returns the candidate that every answer about the axis names: the best, else the one with the smallest excess,
-    /// else the first of the others.
+    /// Returns the candidate that every answer about the axis names: the best, else the one with the smallest excess;
+    /// where each is excluded by a requirement, the one that misses the fewest requirements and limits.
     #[must_use]
     pub fn named(&self) -> Option<&Candidate<'p>> {
-        self.answer().or_else(|| self.nearest_miss()).or_else(|| self.candidates.first())
+        let fewest = || self.rejected().iter().min_by_key(|candidate| misses(candidate));
+        self.answer().or_else(|| self.nearest_miss()).or_else(fewest)
     }
 
     /// Returns the verdict on the best candidate, the user's own actuator included.
@@ -102,6 +103,12 @@ impl<'p> Sizing<'p> {
 fn may_be_near(candidate: &Candidate<'_>) -> bool {
     let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
     candidate.objections.is_empty() && !candidate.judgement.checks.iter().any(of_the_place)
+}
+
+/// Returns the number of requirements and limits that a candidate does not meet.
+fn misses(candidate: &Candidate<'_>) -> usize {
+    let failing = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
+    candidate.objections.len() + failing.count()
 }
 
 /// Reasons why an actuator cannot be judged.
@@ -248,8 +255,14 @@ fn settle_nearest<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>],
         }
         Ok::<_, W::Stop>(first.is_some())
     };
-    if !settle(candidates, may_be_near)? {
-        settle(candidates, |_| true)?;
+    if settle(candidates, may_be_near)? {
+        return Ok(());
+    }
+    // Each is excluded by a requirement: the one that misses the fewest is known only when all are judged.
+    for candidate in candidates {
+        watch.step()?;
+        candidate.judgement = judging.judge(candidate.parameters);
+        candidate.stand();
     }
     Ok(())
 }

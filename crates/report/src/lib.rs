@@ -116,9 +116,9 @@ impl DiagramPlace {
             Self::Motion => &[188.0, 172.0, 158.0, 146.0, 128.0, 110.0],
             Self::TorqueSpeed => &[116.0, 104.0, 91.0],
             Self::OutputBearing => &[75.0, 68.0, 61.0],
-            Self::Gear => &[67.0, 57.0],
+            Self::Gear => &[67.0, 57.0, 49.0],
             Self::Tolerances => &[88.0, 74.0, 61.0],
-            Self::Alternatives => &[78.0, 70.0, 61.0],
+            Self::Alternatives => &[78.0, 70.0, 61.0, 53.0],
         };
         let own = heights.first().is_none_or(|highest| height < *highest).then_some(height);
         let lower = heights.iter().copied().filter(|lower| *lower < height);

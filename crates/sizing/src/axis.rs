@@ -71,6 +71,8 @@ pub struct Moments {
     pub angle_travelled: Angle,
     /// Angle between the end and the start of the cycle.
     pub angle_net: Angle,
+    /// The cycle ends at its start position: [`Motion::ends_where_it_starts`].
+    closes: bool,
     /// Largest minus smallest position within one cycle.
     pub angle_swing: Angle,
     /// max |ω|
@@ -92,15 +94,15 @@ impl Moments {
         let (speed, speed_at) =
             trace.largest_once(&Convex(|extent: &Extent| extent.speed_rad_s, |node: &Node| node.speed_rad_s.abs()));
         let (load, load_at) = trace.largest_once(&TorqueWith { inertia_kgm2: 0.0 });
+        let travelled = Angle::from_si(trace.gram().travelled());
+        let (lowest, highest) = trace.span();
         Self {
             duration: motion.duration(),
             moving: Time::from_si(trace.gram().moving()),
-            angle_travelled: Angle::from_si(trace.gram().travelled()),
+            angle_travelled: travelled,
             angle_net: motion.net(),
-            angle_swing: {
-                let (lowest, highest) = trace.span();
-                highest - lowest
-            },
+            closes: motion.ends_where_it_starts(travelled, highest - lowest),
+            angle_swing: highest - lowest,
             speed_peak: AngularVelocity::from_si(speed),
             speed_peak_at: Time::from_si(speed_at.time_s),
             inertia_max: trace.inertia().0,
@@ -110,11 +112,10 @@ impl Moments {
         }
     }
 
-    /// Returns `true` if the cycle ends at its start position, up to a millionth of its travel: a swing, not a
-    /// rotation.
+    /// Returns `true` if the cycle ends at its start position, up to the error of its data: a swing, not a rotation.
     #[must_use]
-    pub fn is_swing(&self) -> bool {
-        self.angle_net.si().abs() <= 1e-6 * self.angle_travelled.si()
+    pub const fn is_swing(&self) -> bool {
+        self.closes
     }
 
     /// Returns n_av: mean of |n| over the cycle, pause included.

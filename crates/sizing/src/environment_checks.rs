@@ -35,7 +35,9 @@ pub(crate) fn altitude(case: &Case<'_>, work: &mut Workings) -> Outcome {
         work.value("H");
         work.given("H_max", &METRE, limit);
         work.limit("H_max");
-        return Ok(Comparison::with(id, &METRE, stated.si(), project(key), limit).answer(Verdict::Fail));
+        let check = Comparison::with(id, &METRE, stated.si(), project(key), limit).answer(Verdict::Fail);
+        // Below the limit the data hold as stated: the share of the altitude is no margin.
+        return Ok(Check { utilisation: None, ..check });
     }
     let symbol = if printed.is_some() { derating } else { "altitude" };
     let factor = axis.asked.altitude_derating.ok_or(Missing { symbol })?;

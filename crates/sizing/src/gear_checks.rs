@@ -17,7 +17,7 @@ use quantities::unit::{
     ARCMINUTE, ARCSECOND, HOUR, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, NEWTON_METRE_PER_RADIAN, ONE,
     REVOLUTION_PER_MINUTE, SECOND,
 };
-use quantities::{Angle, AngularVelocity, Measure, Ratio, Torque};
+use quantities::{Angle, AngularVelocity, Length, Measure, Ratio, Torque};
 
 /// Model of torsion, natural frequency, mean torque, collisions and life.
 const MODEL: Source = Source::Model { name: "gear" };
@@ -163,7 +163,6 @@ pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
         stage::behind(stage, &mut budget, case.torque);
     }
     let worst = budget.worst_case();
-    let deviation = axis.asked.lever_arm.map(|lever| actuator::deviation_at(worst, lever));
     if work.is_on() {
         explain_budget(axis, actuator, (&case, &budget), work);
         if let Some(stage) = &axis.mechanism.stage {
@@ -171,14 +170,29 @@ pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
         }
     }
     let source = Source::Model { name: "error-budget" };
+    // Along the line of a mechanism the travel per angle takes the place of a lever arm.
+    let is_asked = axis.asked.deviation_max.is_some();
+    let of_the_line = axis.mechanism.travel_m_per_rad().filter(|_| is_asked);
+    let lever = match (axis.asked.lever_arm, of_the_line) {
+        (Some(lever), _) => {
+            if is_asked {
+                work.stated("r", &MILLIMETRE, lever.si(), "requirements.lever_arm");
+            }
+            Some(lever)
+        }
+        (None, Some(travel)) => {
+            let lever = travel * axis.mechanism.stage_ratio();
+            work.figure("r", &MILLIMETRE, lever, &Source::Model { name: "mechanisms" }, Grade::Computed);
+            Some(Length::from_si(lever))
+        }
+        (None, None) => None,
+    };
+    let deviation = lever.map(|lever| actuator::deviation_at(worst, lever));
     let mut check = match (deviation, axis.asked.deviation_max) {
         (Some(deviation), Some(permitted)) => {
             let key = "requirements.deviation_max";
-            if let Some(lever) = axis.asked.lever_arm.filter(|_| work.is_on()) {
-                work.stated("r", &MILLIMETRE, lever.si(), "requirements.lever_arm");
-                work.formula("s", &MILLIMETRE, deviation.si(), "phi_sum*pi/10800*r", &source);
-                work.value("s");
-            }
+            work.formula("s", &MILLIMETRE, deviation.si(), "phi_sum*pi/10800*r", &source);
+            work.value("s");
             work.asked_by("s_max", &MILLIMETRE, permitted.si(), key);
             let limit_source = Some(project(key));
             Check { limit_source, ..against_asked(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), source) }

@@ -204,6 +204,15 @@ enum Requirement {
     Limit(&'static str, fn(&Axis) -> bool),
 }
 
+/// Shaft to which an angle or a speed refers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shaft {
+    /// Output of the actuator.
+    Output,
+    /// Shaft of the mechanism: behind a stage it turns 1/i_s times as far, else it is that of the output.
+    Mechanism,
+}
+
 /// Properties of a check that are independent of its result.
 #[derive(Clone, Copy)]
 struct ListedCheck {
@@ -215,7 +224,7 @@ struct ListedCheck {
     margin: Margin,
     mended: Mended,
     requirement: Requirement,
-    turns: bool,
+    shaft: Option<Shaft>,
     of_the_feedback: bool,
 }
 
@@ -232,7 +241,7 @@ impl ListedCheck {
             margin: Margin::Share,
             mended: Mended::LoadOrPace,
             requirement: Requirement::None,
-            turns: false,
+            shaft: None,
             of_the_feedback: false,
         }
     }
@@ -270,7 +279,12 @@ impl ListedCheck {
     /// Marks a check whose value and limit are an angle or a speed of the output shaft, to which a linear axis behind
     /// it is proportional.
     const fn of_the_output(self) -> Self {
-        Self { turns: true, ..self }
+        Self { shaft: Some(Shaft::Output), ..self }
+    }
+
+    /// Marks a check whose value and limit are an angle of the mechanism, behind a stage if there is one.
+    const fn of_the_mechanism(self) -> Self {
+        Self { shaft: Some(Shaft::Mechanism), ..self }
     }
 }
 
@@ -335,7 +349,7 @@ checks! {
         .at_least().limited_by("requirements.gear_life_min", |axis| axis.asked.gear_life_min.is_some());
     /// Torsion of the gear under the largest torque against the permissible torsion.
     Torsion: ListedCheck::new("torsion", Gear, First, OfDrivetrain(gear_checks::torsion))
-        .of_the_output().limited_by("requirements.torsion_max", |axis| axis.asked.torsion_max.is_some());
+        .of_the_mechanism().limited_by("requirements.torsion_max", |axis| axis.asked.torsion_max.is_some());
     /// First natural frequency against the required minimum.
     NaturalFrequency: ListedCheck::new("natural_frequency", Gear, First, Actuator(resonance::natural_frequency))
         .at_least()
@@ -367,7 +381,7 @@ checks! {
         .only_with("requirements.ambient", |axis| axis.ambient.is_some());
     /// Altitude of the place against that of the manual, or the effective torque against the derated continuous torque.
     Altitude: ListedCheck::new("altitude", Environment, First, Actuator(environment::altitude))
-        .margin(Margin::Class).only_with("requirements.altitude", |axis| axis.asked.altitude.is_some());
+        .only_with("requirements.altitude", |axis| axis.asked.altitude.is_some());
     /// Required degree of protection against that of the manual.
     Protection: ListedCheck::new("protection", Environment, First, OfDrivetrain(environment::protection))
         .margin(Margin::Class).mended_by(Mended::Neither)
@@ -407,7 +421,7 @@ checks! {
         .at_least().margin(Margin::Recommendation);
     /// Sum of all angular errors against the permissible one.
     ErrorBudget: ListedCheck::new("error_budget", Feedback, Further, Actuator(gear_checks::error_budget))
-        .of_the_output().of_the_feedback()
+        .of_the_mechanism().of_the_feedback()
         .limited_by("requirements.angle_error_max", |Axis { asked, .. }| {
             asked.angle_error_max.is_some() || asked.deviation_max.is_some()
         });
@@ -488,11 +502,11 @@ impl CheckId {
         matches!(self.margin(), Margin::Recommendation)
     }
 
-    /// Returns `true` if value and limit are an angle or a speed of the output shaft, to which a linear axis behind it
-    /// is proportional.
+    /// Returns the shaft to whose angle or speed value and limit refer, to which a linear axis behind it is
+    /// proportional; `None` for other quantities.
     #[must_use]
-    pub const fn is_of_the_output(self) -> bool {
-        self.entry().turns
+    pub const fn shaft(self) -> Option<Shaft> {
+        self.entry().shaft
     }
 
     /// Returns `true` if it is a check of the feedback.

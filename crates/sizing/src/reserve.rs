@@ -45,8 +45,8 @@ pub struct Unsought {
     pub samples: usize,
 }
 
-/// Largest number of samples whose load the steps of the search compute again without a deadline: some forty steps,
-/// seventy with payloads, at 1.5 µs for a sample of noise under losses.
+/// Largest number of samples whose load the steps of the search compute again without a deadline: some twenty steps,
+/// forty with payloads, at 1.5 µs for a sample of noise under losses.
 pub const SAMPLES_ANEW: usize = 50_000;
 
 /// Work of an instant of a motion law, or of the loads on the flange, in samples whose load is computed again.
@@ -59,15 +59,14 @@ const FACTOR_MOST: f64 = 1e3;
 /// there. A gap narrower than a step between two fitting regions may be missed.
 const STEPS: [(f64, f64); 3] = [(2.0, 1.1), (10.0, 1.25), (f64::INFINITY, 1.6)];
 
-/// Tolerance of the border as a share of a step: 2⁻³⁰, 10⁻⁹, far below the last displayed digit.
-const NARROW: f64 = 1.0 / (1_u64 << 30) as f64;
+/// Distance of the two sides of the border as a share of a step: some 10⁻⁴ of the value, about the last displayed digit.
+const NARROW: f64 = 1.0 / (1_u64 << 12) as f64;
 
 /// Digits of a displayed value.
 const DIGITS: i32 = 4;
 
-/// Distance, in steps of the last digit, within which a border is equal to that digit: far above the accuracy of the
-/// search.
-const AT_A_DIGIT: f64 = 1e-4;
+/// Smallest displayed step of a temperature \[K\].
+const TEMPERATURE_DIGIT: f64 = 0.01;
 
 /// Number of steps of the last digit from a border in which the displayed value is searched: one unless the fitting
 /// region is narrower than the digit.
@@ -81,8 +80,8 @@ const AMBIENT_STEP: f64 = 5.0;
 
 /// Searches the reserves of an actuator for an axis, with the checks that judge it.
 ///
-/// Cost: a judgement for each step of the walk and some six more for each of the quantities where their excess is smooth, at
-/// most thirty-five, with the motion prepared anew for each.
+/// Cost: a judgement for each step of the walk and some four more for each of the quantities where their excess is smooth, at
+/// most twenty, with the motion prepared anew for each.
 #[must_use]
 pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
     finished(reserve_watched(axis, actuator, usize::MAX, &Unwatched))
@@ -104,9 +103,9 @@ pub fn reserve_watched<W: Watch>(
         Ok(judge(axis, actuator, Scope::Deciding))
     };
     let duration = axis.moments().duration.si();
-    let load = Search { unit: &ONE, worse_above: true, at: |factor: f64| judged(&axis.with_load(factor, factor)) };
-    let payload = Search { unit: &ONE, worse_above: true, at: |factor: f64| judged(&axis.with_load(1.0, factor)) };
-    let pace = Search { unit: &SECOND, worse_above: false, at: |cycle: f64| judged(&axis.with_time(cycle / duration)) };
+    let load = Search::of(&ONE, true, |factor: f64| judged(&axis.with_load(factor, factor)));
+    let payload = Search::of(&ONE, true, |factor: f64| judged(&axis.with_load(1.0, factor)));
+    let pace = Search::of(&SECOND, false, |cycle: f64| judged(&axis.with_time(cycle / duration)));
     let ambient = || {
         // A long axis is copied once.
         let warmer = RefCell::new(axis.clone());
@@ -115,9 +114,9 @@ pub fn reserve_watched<W: Watch>(
             warmer.ambient = Some(ThermodynamicTemperature::from_si(kelvin));
             judged(&warmer)
         };
-        let warmest = Search { unit: &DEGREE_CELSIUS, worse_above: true, at };
+        let warmest = Search { least_digit: TEMPERATURE_DIGIT, ..Search::of(&DEGREE_CELSIUS, true, at) };
         let found = highest_ambient(|kelvin| Ok(excess(&warmest.judged(kelvin)?)))?;
-        found.map_or(Ok(None), |border| warmest.shown(border.si(), ThermodynamicTemperature::from_si))
+        found.map_or(Ok(None), |border| warmest.shown(border, ThermodynamicTemperature::from_si))
     };
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
     if matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
@@ -142,7 +141,7 @@ pub fn reserve_watched<W: Watch>(
     let of_the_pace = || {
         // A faster cycle is a smaller factor on the time.
         let faster = largest(here, |factor| Ok(excess(&pace.judged(duration / factor)?)))?;
-        faster.map_or(Ok(None), |factor| pace.shown(duration / factor, Time::from_si))
+        faster.map_or(Ok(None), |(good, bad)| pace.shown((duration / good, duration / bad), Time::from_si))
     };
     let cycle_time = || if seeks[1] { of_the_pace() } else { Ok(None) };
     let of_others = || Ok((cycle_time()?, if too_fast { None } else { ambient()? }));
@@ -169,7 +168,15 @@ struct Search<F> {
     unit: &'static Unit,
     /// Larger values are beyond the border; otherwise smaller ones.
     worse_above: bool,
+    /// Smallest step of the displayed value in its unit; zero if it has [`DIGITS`] however small it is.
+    least_digit: f64,
     at: F,
+}
+
+impl<F> Search<F> {
+    const fn of(unit: &'static Unit, worse_above: bool, at: F) -> Self {
+        Self { unit, worse_above, least_digit: 0.0, at }
+    }
 }
 
 impl<S, F: Fn(f64) -> Result<Judgement, S>> Search<F> {
@@ -184,25 +191,28 @@ impl<S, F: Fn(f64) -> Result<Judgement, S>> Search<F> {
         border.map_or(Ok(None), |border| self.shown(border, |factor| factor))
     }
 
-    /// Rounds a border to its displayed digits, on the side where no check fails, and judges the rounded value.
-    fn shown<T>(&self, border: f64, of: impl Fn(f64) -> T) -> Result<Option<Reach<T>>, S> {
-        let value = self.unit.from_si(border);
-        let exponent = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
-        let scale = 10_f64.powf(f64::from(DIGITS - 1) - exponent);
-        let (exact, nearest) = (value * scale, (value * scale).round());
-        let digits = match self.worse_above {
-            // The border is a digit within the accuracy of the search.
-            _ if (exact - nearest).abs() < AT_A_DIGIT => nearest,
-            true => exact.floor(),
-            false => exact.ceil(),
+    /// Returns the last value of the displayed digits before the border for which no check fails, judged as it is displayed;
+    /// the next one, where it is not beyond the `bad` side, has been judged not to fit.
+    fn shown<T>(&self, (good, bad): (f64, f64), of: impl Fn(f64) -> T) -> Result<Option<Reach<T>>, S> {
+        let (good, bad) = (self.unit.from_si(good), self.unit.from_si(bad));
+        let exponent = if good == 0.0 { 0.0 } else { good.abs().log10().floor() };
+        let digit = 10_f64.powf(exponent - f64::from(DIGITS - 1)).max(self.least_digit);
+        // Towards the good side.
+        let inward = if self.worse_above { -1.0 } else { 1.0 };
+        let (mut steps, last) = if self.worse_above {
+            ((bad / digit).ceil() - 1.0, (good / digit).floor())
+        } else {
+            ((bad / digit).floor() + 1.0, (good / digit).ceil())
         };
-        for trial in 0..TRIALS {
-            let inward = if self.worse_above { -f64::from(trial) } else { f64::from(trial) };
-            let si = self.unit.to_si((digits + inward) / scale);
+        let last = last + inward * f64::from(TRIALS);
+        while (last - steps) * inward > 0.0 {
+            // A division by a whole number of digits: 1.341, not 1.3410000000000002.
+            let si = self.unit.to_si(if digit < 1.0 { steps / (1.0 / digit).round() } else { steps * digit });
             let fit = self.judged(si)?.fit();
             if fit.fits() {
                 return Ok(Some(Reach { value: of(si), fit }));
             }
+            steps += inward;
         }
         Ok(None)
     }
@@ -223,10 +233,10 @@ fn excess(judgement: &Judgement) -> f64 {
     most(|check| check.verdict == Verdict::Fail).map_or(f64::INFINITY, |excess| excess.max(f64::EPSILON))
 }
 
-/// Returns the largest factor beyond which the actuator does not fit, searched upwards from a fitting one or downwards
-/// from one that does not fit; `None` if no factor nearby fits, or all of them do. `now` is the excess at a factor of
+/// Returns both sides of the largest factor beyond which the actuator does not fit, searched upwards from a fitting one or
+/// downwards from one that does not fit; `None` if no factor nearby fits, or all of them do. `now` is the excess at a factor of
 /// one.
-fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option<f64>, S> {
+fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option<(f64, f64)>, S> {
     let (mut factor, mut here) = (1.0, now);
     if here <= 0.0 {
         loop {
@@ -257,7 +267,8 @@ fn step(factor: f64) -> f64 {
     STEPS.iter().find(|(until, _)| factor < *until).map_or(1.1, |(_, step)| *step)
 }
 
-fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<Option<ThermodynamicTemperature>, S> {
+/// Returns both sides of the highest ambient temperature at which the actuator fits \[K\]; `None` if it fits at none.
+fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<Option<(f64, f64)>, S> {
     let (low, high) = AMBIENT_RANGE;
     // From above: the highest fitting region.
     let mut kelvin = high;
@@ -269,8 +280,9 @@ fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<O
                 Some(above) => above,
                 None => (kelvin + AMBIENT_STEP, excess(kelvin + AMBIENT_STEP)?),
             };
-            let highest = if above.1 > 0.0 { border(excess, here, above, NARROW)? } else { above.0 };
-            return Ok(Some(ThermodynamicTemperature::from_si(highest)));
+            // It fits at the end of the range, and may do so above it.
+            let end = (above.0, above.0 + 0.5 * TEMPERATURE_DIGIT);
+            return Ok(Some(if above.1 > 0.0 { border(excess, here, above, NARROW)? } else { end }));
         }
         above = Some(here);
         kelvin -= AMBIENT_STEP;

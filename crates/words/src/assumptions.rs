@@ -89,6 +89,41 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no efficiency for a driving load given (efficiency_back): while the load drives, the losses are not counted as braking torque",
             "kein Wirkungsgrad für die treibende Last angegeben (efficiency_back): bei treibender Last wird keine bremsende Wirkung der Verluste angesetzt",
         ),
+        Assumption::TravelHorizontal => (
+            "no inclination of the travel given (inclination): horizontal, without the weight of the load along it",
+            "keine Neigung des Verfahrwegs angegeben (inclination): waagerecht, ohne Gewichtskraft in Bewegungsrichtung",
+        ),
+        Assumption::GroundHorizontal => (
+            "no inclination of the ground link given (inclination): horizontal",
+            "keine Neigung des Gestells angegeben (inclination): waagerecht",
+        ),
+        Assumption::AxisVertical => (
+            "no tilt of the axis of rotation given (axis_tilt): vertical, without a torque of gravity",
+            "keine Neigung der Drehachse angegeben (axis_tilt): senkrecht, ohne Gewichtsmoment",
+        ),
+        Assumption::PartsWithoutInertia => (
+            "no inertia of the rotating parts of the mechanism given (inertia): 0 assumed",
+            "kein Massenträgheitsmoment der drehenden Teile der Mechanik angegeben (inertia): 0 angenommen",
+        ),
+        Assumption::RopeWeightless => {
+            ("no mass of the rope given (rope_mass): 0 assumed", "keine Seilmasse angegeben (rope_mass): 0 angenommen")
+        }
+        Assumption::SheavesNoLosses => (
+            "no efficiency of the rope sheaves given (sheave_efficiency): 1 assumed",
+            "kein Wirkungsgrad der Seilrollen angegeben (sheave_efficiency): 1 angenommen",
+        ),
+        Assumption::ArmsWeightless => (
+            "no mass of the arms given (arm_mass): 0 assumed",
+            "keine Masse der Arme angegeben (arm_mass): 0 angenommen",
+        ),
+        Assumption::CouplerWeightless => (
+            "no mass of the coupler given (coupler_mass): 0 assumed",
+            "keine Masse der Koppel angegeben (coupler_mass): 0 angenommen",
+        ),
+        Assumption::RockerWeightless => (
+            "no mass of the rocker given (rocker_mass): 0 assumed",
+            "keine Masse der Schwinge angegeben (rocker_mass): 0 angenommen",
+        ),
         Assumption::TrapezoidThirds => (
             "a trapezoid given by two quantities is split into thirds: acceleration, constant speed and deceleration",
             "Trapez aus zwei Angaben: je ein Drittel der Zeit für Beschleunigen, Konstantfahrt und Bremsen",

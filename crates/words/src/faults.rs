@@ -227,6 +227,9 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         Fault::WithoutEffect { key } => {
             said!(language => "`{key}` has no effect on this load" | "`{key}` hat auf diese Last keine Wirkung")
         }
+        Fault::OnlyBeside { key, needs } => said!(language =>
+            "`{key}` has no effect without `{needs}`" | "`{key}` hat ohne `{needs}` keine Wirkung"
+        ),
         Fault::NoMechanism => said!(language =>
             "`[load]` or a table `[mechanism.…]` is missing"
             | "`[load]` oder eine Tabelle `[mechanism.…]` fehlt"

@@ -429,8 +429,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "geforderte Lebensdauer des Wave-Generator-Lagers",
         ),
         About::Requirements(RequirementsName::torsion_max) => (
-            "permissible torsion angle of the gear under the largest torque",
-            "zulässiger Torsionswinkel des Getriebes unter dem größten Drehmoment",
+            "permissible torsion angle of gear and stage under the largest torque, with a stage at the mechanism",
+            "zulässiger Torsionswinkel von Getriebe und Zwischenstufe unter dem größten Drehmoment, mit Zwischenstufe an der Mechanik",
         ),
         About::Requirements(RequirementsName::natural_frequency_min) => (
             "minimum first natural frequency with locked motor",
@@ -441,16 +441,16 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "zulässiger Kippwinkel des Flansches unter dem Kippmoment",
         ),
         About::Requirements(RequirementsName::angle_error_max) => (
-            "permissible sum of all angular errors at the output",
-            "zulässige Summe aller Winkelfehler am Abtrieb",
+            "permissible sum of all angular errors at the output, with a stage at the mechanism",
+            "zulässige Summe aller Winkelfehler am Abtrieb, mit Zwischenstufe an der Mechanik",
         ),
         About::Requirements(RequirementsName::lever_arm) => (
             "distance from the axis at which the deviation is evaluated",
             "Abstand von der Drehachse, in dem die Abweichung bewertet wird",
         ),
         About::Requirements(RequirementsName::deviation_max) => (
-            "permissible deviation at the lever arm",
-            "zulässige Abweichung am Hebelarm",
+            "permissible deviation at the lever arm, or along the line of a linear mechanism",
+            "zulässige Abweichung am Hebelarm oder längs der Führung einer linearen Mechanik",
         ),
         About::Requirements(RequirementsName::resolution_max) => (
             "largest permissible position step at the output",

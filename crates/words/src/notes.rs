@@ -213,7 +213,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 },
                 |count| {
                     let count = format_number(count, 0, language);
-                    said!(language => "{count} are permitted in total" | "insgesamt zulässig sind {count}")
+                    said!(language => "{count} such emergency stops are permitted in total" | "insgesamt zulässig sind {count} solche Notbremsungen")
                 },
             );
             said!(language =>

@@ -38,8 +38,11 @@ fn without_options(text: &str) -> Cow<'_, str> {
 
 /// Returns the text without names of keys.
 fn without_names(text: &str, language: Language) -> Cow<'_, str> {
-    if !text.contains(['.', '_']) {
+    if !text.contains(['.', '_']) && !ASIDES.iter().any(|aside| text.contains(aside)) {
         return Cow::Borrowed(text);
+    }
+    if let Some((before, behind)) = ASIDES.iter().find_map(|aside| text.split_once(aside)) {
+        return Cow::Owned(without_names(&format!("{before}{behind}"), language).into_owned());
     }
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
@@ -107,8 +110,21 @@ fn end_of_aside(behind: &str) -> Option<&str> {
     behind.strip_prefix(')')
 }
 
+/// Keys of one word behind their purpose: elsewhere such a word may be an ordinary one.
+const ASIDES: [&str; 3] = [" (inclination)", " (inertia)", " (payload)"];
+
 /// Tables whose keys appear in texts without their table.
-const BARE: [&str; 6] = ["motion", "bearing", "requirements", "mechanism.arm", "mechanism.screw", "stage"];
+const BARE: [&str; 9] = [
+    "motion",
+    "bearing",
+    "requirements",
+    "mechanism.arm",
+    "mechanism.screw",
+    "mechanism.hoist",
+    "mechanism.scissor_lift",
+    "mechanism.four_bar",
+    "stage",
+];
 
 fn label(key: &str, language: Language) -> Option<String> {
     let known = input_label(key).or_else(|| {
@@ -146,6 +162,7 @@ mod tests {
         assert_eq!(de("wie angegeben (bearing.mechanism = \"ignore\"), ja"), "wie angegeben, ja");
         assert_eq!(de("Neigung (axis_tilt): oben"), "Neigung: oben");
         assert_eq!(de("ein Jahr (--inspect), zwei (--hours-per-day) oder mehr"), "ein Jahr, zwei oder mehr");
+        assert_eq!(de("Neigung (inclination): waagerecht (arm_mass)"), "Neigung: waagerecht");
         assert_eq!(de("nicht angegeben: bearing.belt_tension"), "nicht angegeben: statische Trumkraft des Riemens F_v");
         let time = de("Projekt motion[3].time");
         assert!(time.ends_with("(Abschnitt 3)") && !time.contains("motion"), "{time}");

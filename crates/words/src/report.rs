@@ -328,7 +328,7 @@ texts! {
     at_the_worst = "Worst case" | "Im ungünstigsten Fall";
     influence = "Influence on the utilisation" | "Einfluss auf die Auslastung";
     s_reasons = "Reasons for rejection" | "Ausschlussgründe";
-    r_check = "exceeded" | "nicht erfüllt";
+    r_check = "not met" | "nicht erfüllt";
     reasons_text =
         "Each actuator is listed once, under its governing check; if no check fails, under the requirement that is not met."
         | "Jeder Antrieb ist einmal aufgeführt, unter seinem maßgebenden Nachweis; sind alle Nachweise erfüllt, unter der nicht erfüllten Anforderung.";

@@ -500,8 +500,8 @@ pub fn row_name(symbol: &str, language: Language) -> String {
 #[must_use]
 pub fn ranking_rule(language: Language) -> String {
     said!(language =>
-        "ranking: fitting actuators first, then by smaller frame size, lower maximum utilisation and lower mass"
-        | "Rangfolge: geeignete Antriebe zuerst, dann nach kleinerer Baugröße, niedrigerer Höchstauslastung und geringerer Masse"
+        "ranking: fitting actuators first; of these, those that hold the load without power, then those that fit without relying on an estimate, then smaller frame size, lower utilisation, lower mass"
+        | "Rangfolge: geeignete Antriebe zuerst; davon zuerst solche, die die Last stromlos halten, dann ohne Schätzung geeignete, dann kleinere Baugröße, niedrigere Auslastung, geringere Masse"
     )
 }
 

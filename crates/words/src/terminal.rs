@@ -201,6 +201,7 @@ texts! {
         | "1 Druckfehler",
         "{count} errata: {corrected} corrected, {flagged} flagged"
         | "{count} Druckfehler: {corrected} korrigiert, {flagged} offen";
+    value_and_used(value, used) = "{value} (checks: {used})" | "{value} (Nachweise: {used})";
     used_by_checks(used, corrected) =
         "{used} in checks, {corrected} elsewhere"
         | "{used} in Nachweisen, sonst {corrected}";

@@ -437,6 +437,7 @@ fn other_faults() -> Vec<Fault> {
         Fault::MasterOfTimes,
         Fault::SupplyAndMains,
         Fault::HumidityOrder,
+        Fault::OnlyBeside { key: "deviation_max", needs: "lever_arm" },
         Fault::NotARow { path: path(), columns: &[&[Dimension::Angle], &[Dimension::Torque]] },
         Fault::RatioCount { most: 16 },
         Fault::RatioAndRatios,

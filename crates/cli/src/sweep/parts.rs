@@ -60,7 +60,7 @@ impl Parts {
             let why = found.failed(trouble);
             return Err(found.ended(why));
         }
-        while found.parts.has(found.kept).map_err(|trouble| found.failed(trouble))? {
+        while found.parts.holds(found.kept).map_err(|trouble| found.failed(trouble))? {
             found.kept += 1;
         }
         Ok(found)

@@ -189,3 +189,48 @@ fn a_folder_that_a_killed_run_did_not_place_is_removed_later() {
     left::clear(beside.path());
     assert!(!temporary[0].exists() && temporary[1].join("mine.txt").exists());
 }
+
+/// A part that is damaged, exchanged with another, or of another run is not one of this run.
+#[test]
+fn a_part_is_held_as_it_was_written() {
+    let beside = tempfile::tempdir().unwrap();
+    let path = beside.path().join("best.csv.parts");
+    let mut parts = Parts::open(&path).unwrap();
+    parts.begin("run 1").unwrap();
+    parts.put(0, b"first").unwrap();
+    parts.put(1, b"other").unwrap();
+    assert!(parts.holds(0).unwrap() && parts.holds(1).unwrap() && !parts.holds(2).unwrap());
+    let file = |index: u64| path.join(name(index));
+    let sum = |index: u64| path.join(sum_name(index));
+    for wrong in [&b"firs"[..], b"", b"First", b"first "] {
+        fs::write(file(0), wrong).unwrap();
+        assert!(!parts.holds(0).unwrap(), "{wrong:?}");
+    }
+    fs::write(file(0), "first").unwrap();
+    assert!(parts.holds(0).unwrap());
+    // Exchanged with their checksums.
+    for [a, b] in [[file(0), file(1)], [sum(0), sum(1)]] {
+        let away = path.join("away");
+        fs::rename(&a, &away).unwrap();
+        fs::rename(&b, &a).unwrap();
+        fs::rename(&away, &b).unwrap();
+    }
+    assert!(!parts.holds(0).unwrap() && !parts.holds(1).unwrap());
+    parts.put(0, b"first").unwrap();
+    for wrong in ["", "no checksum", &"f".repeat(64), &"x".repeat(1000)] {
+        fs::write(sum(0), wrong).unwrap();
+        assert!(!parts.holds(0).unwrap(), "{wrong}");
+    }
+    parts.put(0, b"first").unwrap();
+    let of_the_first_run = [file(0), sum(0)].map(|path| fs::read(path).unwrap());
+    parts.begin("run 2").unwrap();
+    assert!(!parts.holds(0).unwrap());
+    for (path, bytes) in [file(0), sum(0)].iter().zip(&of_the_first_run) {
+        fs::write(path, bytes).unwrap();
+    }
+    assert!(!parts.holds(0).unwrap());
+    parts.put(0, b"first").unwrap();
+    assert!(parts.holds(0).unwrap());
+    parts.remove();
+    assert_eq!(names(beside.path()), [""; 0]);
+}

@@ -1,6 +1,6 @@
 //! Expected values of measurements, with their bands and the sources of these.
 
-use super::{Commissioning, ParameterId, sensors};
+use super::{Commissioning, Parameter, ParameterId, sensors};
 use actuator::{NoLoadFriction, copper_resistance};
 use catalogue::{Cell, Value};
 use provenance::{Grade, Source};
@@ -262,8 +262,16 @@ impl Commissioning {
         let at = law.at(gear);
         let (starting, growing) = (at.starting.si(), at.constant.si() * speed_out.si().abs());
         let (below, beyond) = law.cold_band(gear).ok()?.unwrap_or((1.0, 1.0));
-        let (start, growth) =
-            (self.get(ParameterId::NoLoadStartingCurrent)?, self.get(ParameterId::NoLoadCurrentConstant30)?);
+        let start = self.get(ParameterId::NoLoadStartingCurrent)?;
+        // The value at a temperature of the manual is stated; between and below them it follows from both.
+        let stated = [
+            (law.cold_start(), ParameterId::NoLoadCurrentConstant30),
+            (law.warmest(), ParameterId::NoLoadCurrentConstant80),
+        ];
+        let (at_one, of_both) = (stated.iter().filter(|(at, _)| *at == gear), stated.iter());
+        let used: Vec<ParameterId> = at_one.map(|(_, id)| *id).collect();
+        let used = if used.is_empty() { of_both.map(|(_, id)| *id).collect() } else { used };
+        let growths: Vec<&Parameter> = used.into_iter().filter_map(|id| self.get(id)).collect();
         let (off_starting, off_growing) = (deviation("dev_starting")?, deviation("dev_growing")?);
         let band = [off_starting.1, off_growing.1].map(|cell| Source::Published(&cell.place)).to_vec();
         let (off_starting, off_growing) = (off_starting.0, off_growing.0);
@@ -273,10 +281,17 @@ impl Commissioning {
             low: below * (starting * (1.0 - off_starting) + growing * (1.0 - off_growing)),
             high: beyond * (starting * (1.0 + off_starting) + growing * (1.0 + off_growing)),
             band: Band::Friction,
-            sources: [start.sources.clone(), growth.sources.clone(), vec![Source::Model { name: "current" }], band]
-                .concat(),
-            grade: start.grade.worst(growth.grade).worst(Band::Friction.grade()),
-            errata: [start.errata.clone(), growth.errata.clone()].concat(),
+            sources: std::iter::once(start)
+                .chain(growths.iter().copied())
+                .flat_map(|datum| datum.sources.clone())
+                .chain([Source::Model { name: "current" }])
+                .chain(band)
+                .collect(),
+            grade: growths
+                .iter()
+                .fold(start.grade, |worst, datum| worst.worst(datum.grade))
+                .worst(Band::Friction.grade()),
+            errata: std::iter::once(start).chain(growths).flat_map(|datum| datum.errata.clone()).collect(),
         })
     }
 

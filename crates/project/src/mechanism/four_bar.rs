@@ -2,6 +2,7 @@
 
 use super::parts::{Friction, Losses, StartAngle};
 use super::{Driven, MechanismName, OnFlange, sound};
+use crate::Assumption;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
@@ -17,16 +18,16 @@ section! {
         coupler: Length => positive, needed, example("350 mm");
         rocker: Length => positive, needed, example("250 mm");
         crossed: bool;
-        inertia: MomentOfInertia => not_negative;
-        coupler_mass: Mass => not_negative;
+        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
+        coupler_mass: Mass => not_negative, noted(Assumption::CouplerWeightless);
         coupler_centre: Length => not_negative, example("175 mm");
         coupler_inertia: MomentOfInertia => not_negative;
-        rocker_mass: Mass => not_negative;
+        rocker_mass: Mass => not_negative, noted(Assumption::RockerWeightless);
         rocker_centre: Length => not_negative, example("125 mm");
         rocker_inertia: MomentOfInertia => not_negative;
         rocker_torque: Torque;
         axis_tilt: Angle => needed;
-        inclination: Angle;
+        inclination: Angle => noted(Assumption::GroundHorizontal);
         ..start: StartAngle;
         ..friction: Friction;
         ..losses: Losses;

@@ -2,6 +2,7 @@
 
 use super::parts::{Counterweight, Friction, Losses, ProcessForce};
 use super::{Driven, MechanismName, OnFlange, sound};
+use crate::Assumption;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
@@ -15,10 +16,10 @@ section! {
         drum_diameter: Length => positive, needed, example("320 mm");
         falls: u32 = 1 => whole(1, 32), example("2");
         mass: Mass => not_negative, needed;
-        inertia: MomentOfInertia => not_negative;
-        rope_mass: Mass => not_negative, example("4 kg");
+        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
+        rope_mass: Mass => not_negative, example("4 kg"), noted(Assumption::RopeWeightless);
         hanging: Length => positive, example("6 m");
-        sheave_efficiency: f64 = 1.0 => within(0.5, 1.0), example("0.98");
+        sheave_efficiency: f64 = 1.0 => within(0.5, 1.0), example("0.98"), noted(Assumption::SheavesNoLosses);
         ..counterweight: Counterweight;
         ..process: ProcessForce;
         ..friction: Friction;
@@ -43,6 +44,11 @@ impl Driven for Hoist {
 
     fn inertia(&self) -> Vec<&dyn Field> {
         vec![&self.inertia, &self.mass]
+    }
+
+    fn is_without_effect(&self, default: Assumption) -> bool {
+        // A single fall runs over no sheave.
+        default == Assumption::SheavesNoLosses && self.falls() == 1
     }
 
     fn series_efficiency(&self) -> f64 {

@@ -37,8 +37,8 @@ section! {
     /// A mass on a line, and the inertia that turns with the output.
     Slide, SlideName of About::Slide {
         mass: Mass => not_negative, needed;
-        inertia: MomentOfInertia => not_negative;
-        inclination: Angle;
+        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
+        inclination: Angle => noted(Assumption::TravelHorizontal);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::parts::{Friction, Losses, ProcessForce};
 use super::{Driven, MechanismName, OnFlange, sound};
+use crate::Assumption;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
@@ -17,8 +18,8 @@ section! {
         lead: Lead => positive, needed, example("10 mm");
         arm_angle: Angle => needed, example("20 deg");
         mass: Mass => not_negative, needed;
-        arm_mass: Mass => not_negative, example("60 kg");
-        inertia: MomentOfInertia => not_negative;
+        arm_mass: Mass => not_negative, example("60 kg"), noted(Assumption::ArmsWeightless);
+        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
         ..process: ProcessForce;
         ..friction: Friction;
         ..losses: Losses;

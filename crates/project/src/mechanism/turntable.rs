@@ -2,6 +2,7 @@
 
 use super::parts::{Friction, Losses};
 use super::{Driven, MechanismName, OnFlange};
+use crate::Assumption;
 use crate::about::About;
 use crate::bodies::{BodySection, fields};
 use crate::read::Reader;
@@ -18,7 +19,7 @@ section! {
     Turntable, TurntableName of About::Mechanism, MechanismName::Turntable {
         body: Tables<BodySection>;
         bodies: BodyLines;
-        axis_tilt: Angle;
+        axis_tilt: Angle => noted(Assumption::AxisVertical);
         start_angle: Angle;
         payload_distance: Length => not_negative;
         ..friction: Friction;

@@ -2,6 +2,7 @@
 
 use super::parts::{Friction, Losses};
 use super::{Driven, MechanismName, OnFlange, sound};
+use crate::Assumption;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
@@ -25,7 +26,7 @@ section! {
         width: Length => positive, needed, example("600 mm");
         density: MassDensity => positive, needed, example("900 kg/m^3");
         tension: Force => not_negative, needed, example("120 N");
-        inertia: MomentOfInertia => not_negative;
+        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
         ..friction: Friction;
         ..losses: Losses;
     }

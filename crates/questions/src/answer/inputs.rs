@@ -187,6 +187,9 @@ pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language)
             svg: drawing.picture(is_shown),
         },
         travel_mm_per_rev: load.travel_m_per_rad().map(|travel| Number::in_unit(travel * TAU, &MILLIMETRE)),
+        own_travel_mm_per_rev: load
+            .travel_m_per_rad()
+            .map(|travel| Number::in_unit(travel * load.stage_ratio() * TAU, &MILLIMETRE)),
         bodies: project.bodies().map(|answer| inertia(&answer)),
     }
 }

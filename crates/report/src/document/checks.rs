@@ -1,7 +1,7 @@
 //! The checks: their order, their counts, what is missing.
 
 use super::shown::{Shown, tied};
-use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Part, Verdict};
+use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Part, Shaft, Verdict};
 use quantities::Language;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -61,7 +61,11 @@ fn is_open(check: &Check) -> bool {
 
 impl Checks {
     pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
-        let travel = dossier.mechanism.travel_mm_per_rev;
+        let mechanism = &dossier.mechanism;
+        let travel = |shaft: Shaft| match shaft {
+            Shaft::Output => mechanism.travel_mm_per_rev,
+            Shaft::Mechanism => mechanism.own_travel_mm_per_rev,
+        };
         let checks = dossier.judgement.candidate.checks.iter();
         let (open, explained): (Vec<&Check>, Vec<&Check>) = checks.partition(|check| is_open(check));
         let mut notes: Vec<String> = Vec::new();
@@ -75,7 +79,7 @@ impl Checks {
                 }) + 1
             });
             let own = own.collect();
-            rows.push(row(check, own, travel, shown));
+            rows.push(row(check, own, check.id.shaft().and_then(travel), shown));
         }
         Self { rows, notes, open: open.into_iter().map(|check| missing(check, dossier)).collect() }
     }
@@ -106,7 +110,6 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         value.map(text).unwrap_or_default()
     };
     let along = |value: Option<Number>| {
-        let travel = travel.filter(|_| check.id.is_of_the_output());
         value.zip(travel).and_then(|(value, travel)| shown.along(value, unit, travel)).unwrap_or_default()
     };
     let passes = *check.verdict == Verdict::Pass;
