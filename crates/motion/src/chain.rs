@@ -74,6 +74,8 @@ pub struct Stretch {
     pub hold: Hold,
     /// Move with all its quantities; `None` for dwells and recordings.
     pub solved: Option<Solved>,
+    /// Distance of the plain change of speed, if that of the move is shorter ([`Law::overrun`]).
+    pub overrun: Option<Angle>,
 }
 
 /// A motion over one cycle: a chain of pieces and recordings, continuous in position and speed.
@@ -100,6 +102,10 @@ impl Motion {
         let mut stretches = Vec::with_capacity(segments.len());
         for (index, segment) in segments.iter().enumerate() {
             let (from, at) = (chain.pieces.len(), chain.clock);
+            let overrun = match segment {
+                SegmentSpec::Move(law, given) => law.overrun(given, chain.speed),
+                _ => None,
+            };
             let fault = match segment {
                 SegmentSpec::Manual(each) => chain.manual(each, index),
                 SegmentSpec::Dwell(time, _) => chain.rest(time.si(), index),
@@ -128,6 +134,7 @@ impl Motion {
                 duration: Time::from_si(chain.clock - at),
                 hold: if let SegmentSpec::Dwell(_, hold) = segment { *hold } else { Hold::Motor },
                 solved: moved.then(|| solved(chain.pieces.get(from..).unwrap_or_default())),
+                overrun,
             });
         }
         if segments.is_empty() {
@@ -224,6 +231,7 @@ impl Motion {
                         acceleration: AngularAcceleration::from_si(solved.acceleration.si() * ratio),
                         ..solved
                     }),
+                    overrun: stretch.overrun.map(|plain| Angle::from_si(plain.si() * ratio)),
                     ..*stretch
                 })
                 .collect(),

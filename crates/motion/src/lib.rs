@@ -13,6 +13,7 @@ mod recorded;
 mod resolution;
 mod seven_phase;
 mod solve;
+mod standstill;
 
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
@@ -20,4 +21,5 @@ pub use law::{Given, Law, Solved};
 pub use piece::{Piece, Runs, State};
 pub use points::{EndState, Ends, Points, PointsFault, Spline};
 pub use recorded::{Interval, Placed, Recorded, Samples, Treatment};
-pub use resolution::{MadeUp, RestNoise, SteppedColumn};
+pub use resolution::{MadeUp, SteppedColumn};
+pub use standstill::{Alternating, RestNoise};

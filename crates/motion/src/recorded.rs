@@ -1,7 +1,8 @@
 //! Motion given by samples instead of a law.
 
 use crate::faults::RecordedFault;
-use crate::resolution::{MadeUp, RestNoise, SteppedColumn, made_up, still};
+use crate::resolution::{MadeUp, SteppedColumn, made_up};
+use crate::standstill::{Alternating, RestNoise, alternating, still};
 use quantities::{AngularVelocity, Measure, Time};
 use std::ops::Range;
 use std::sync::Arc;
@@ -50,6 +51,7 @@ pub struct Recorded {
     is_placed: bool,
     end_errors_rad_s: (f64, f64),
     rest_noise: Option<RestNoise>,
+    alternating: Option<Alternating>,
     made_up: Option<MadeUp>,
 }
 
@@ -105,6 +107,7 @@ impl Recorded {
             }
             rest_noise = Some(noise);
         }
+        let alternating = treatment.standstill.is_none().then(|| alternating(&speed)).flatten();
         let position = position.unwrap_or_else(|| Arc::new(integral(&time_s, &speed)));
         let torque_nm = match (torque_nm, window) {
             (Some(torque), Some(window)) => Some(Arc::new(smooth(&time_s, &torque, window)?.0)),
@@ -118,6 +121,7 @@ impl Recorded {
             is_placed,
             end_errors_rad_s: end_errors,
             rest_noise,
+            alternating,
             made_up,
         })
     }
@@ -192,6 +196,12 @@ impl Recorded {
     #[must_use]
     pub const fn rest_noise(&self) -> Option<RestNoise> {
         self.rest_noise
+    }
+
+    /// Returns the speeds that alternate in sign and count as motion, if they are frequent and no `standstill` is stated.
+    #[must_use]
+    pub const fn alternating(&self) -> Option<Alternating> {
+        self.alternating
     }
 
     /// Returns the spurious acceleration caused by the resolution of the samples, if it is significant.

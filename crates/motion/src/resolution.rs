@@ -1,7 +1,4 @@
-//! Resolution of recorded samples: the step of a column, the spurious acceleration that it causes, and the noise of an
-//! axis at rest.
-
-use std::ops::Range;
+//! Resolution of recorded samples: the step of a column and the spurious acceleration that it causes.
 
 /// Rounding error of a value, relative to the largest: 64 units in the last place.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -18,27 +15,6 @@ const ROUGH: f64 = 0.5;
 
 /// Smallest spurious acceleration that is reported, relative to that of the motion.
 const NOTABLE: f64 = 0.05;
-
-/// Largest speed that may be rest, relative to the largest speed.
-const SLOW: f64 = 1e-3;
-
-/// Largest speed that is a rounding error of a computation, relative to the largest speed.
-const ROUNDED: f64 = 1e-9;
-
-/// Smallest number of samples of a rest with noise.
-const REST_LEAST: usize = 8;
-
-/// Bound of noise relative to its median: 5.4 standard deviations of normal noise.
-const ABOVE_MEDIAN: f64 = 8.0;
-
-/// Noise at rest that was set to zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RestNoise {
-    /// Largest speed that was set to zero [rad/s].
-    pub speed_rad_s: f64,
-    /// Time at rest hidden by the noise \[s\].
-    pub duration_s: f64,
-}
 
 /// Column whose steps cause a spurious acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +51,7 @@ pub struct MadeUp {
 
 /// Returns the step of a column: the largest number of which all differences of adjacent values are multiples; zero if
 /// there is none.
-fn step(values: &[f64]) -> f64 {
+pub(crate) fn step(values: &[f64]) -> f64 {
     let most = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let least = ROUNDING * most;
     let mut step = 0.0_f64;
@@ -123,7 +99,7 @@ fn is_rough(values: &[f64], step: f64, order: usize) -> bool {
 }
 
 /// Returns the median time step \[s\].
-fn median_interval(time: &[f64]) -> f64 {
+pub(crate) fn median_interval(time: &[f64]) -> f64 {
     let mut steps: Vec<f64> = time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one).collect();
     let middle = steps.len() / 2;
     if middle >= steps.len() {
@@ -200,169 +176,6 @@ fn largest_acceleration(time: &[f64], values: &[f64], column: SteppedColumn, apa
             slopes.zip(later).map(second).fold(0.0, |most, alpha| most.max(alpha.abs()))
         }
     }
-}
-
-/// Returns the samples at rest whose speeds are noise, and the noise; their speeds are to be set to zero.
-///
-/// Stretches are searched at decreasing speeds, from a thousandth of the largest, or two steps of the column, down to
-/// the rounding error. A stretch is rest if it has at least eight samples and the axis stays in place: recorded
-/// positions vary by less than a quarter of the travel that the speeds add up to, and by at most 10⁻⁴ of the total
-/// travel or two steps; without positions, the speeds must change sign often, and their travel must be that of white
-/// noise. Speeds in it up to eight times the median of those other than zero become zero.
-pub(crate) fn still(
-    time: &[f64],
-    speed: &[f64],
-    position: Option<&[f64]>,
-    differentiated: bool,
-) -> Option<(Vec<Range<usize>>, RestNoise)> {
-    let most = speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
-    let position_step = position.map_or(0.0, step);
-    let speed_step = if differentiated { position_step / (2.0 * median_interval(time)) } else { step(speed) };
-    let floor = ROUNDED * most;
-    let slowest = (SLOW * most).max((2.0 * speed_step).min(0.05 * most));
-    if !speed.iter().any(|speed| *speed != 0.0 && speed.abs() <= slowest) {
-        return None;
-    }
-    let span = match position {
-        Some(position) => range(position.iter().copied()),
-        None => range(travelled(time, speed)),
-    };
-    let stretch = Stretch { time, speed, position, position_step, span, floor, differentiated };
-    let mut found: Vec<Range<usize>> = Vec::new();
-    let mut open: Vec<Range<usize>> = std::iter::once(0..speed.len()).collect();
-    let mut level = slowest;
-    while !open.is_empty() && level >= floor {
-        let mut left = Vec::new();
-        for within in open {
-            let mut end = within.start;
-            for run in runs(speed, within.clone(), level) {
-                let bound = stretch.noise(&run).max(2.0 * speed_step).max(floor).min(level);
-                let parts = runs(speed, run, bound)
-                    .into_iter()
-                    .filter(|part| part.len() >= REST_LEAST && stretch.is_rest(part));
-                for part in parts {
-                    left.push(end..part.start);
-                    end = part.end;
-                    found.push(part);
-                }
-            }
-            left.push(end..within.end);
-        }
-        open = left.into_iter().filter(|range| range.len() >= REST_LEAST).collect();
-        level *= if level == floor { 0.0 } else { 0.1 };
-        level = if level > 0.0 && level < floor { floor } else { level };
-    }
-    found.sort_by_key(|range| range.start);
-    let noise = found.iter().flat_map(|range| speed.get(range.clone()).unwrap_or_default());
-    let speed_rad_s = noise.fold(0.0_f64, |most, speed| most.max(speed.abs()));
-    if speed_rad_s == 0.0 {
-        return None;
-    }
-    let length = |range: &Range<usize>| {
-        let ends = time.get(range.start).zip(time.get(range.end - 1));
-        ends.map_or(0.0, |(first, last)| last - first)
-    };
-    let is_noisy =
-        |range: &&Range<usize>| speed.get((*range).clone()).unwrap_or_default().iter().any(|speed| *speed != 0.0);
-    let duration_s = found.iter().filter(is_noisy).map(length).sum();
-    Some((found, RestNoise { speed_rad_s, duration_s }))
-}
-
-/// Samples among which rests are searched.
-struct Stretch<'s> {
-    time: &'s [f64],
-    speed: &'s [f64],
-    position: Option<&'s [f64]>,
-    position_step: f64,
-    span: f64,
-    floor: f64,
-    differentiated: bool,
-}
-
-impl Stretch<'_> {
-    /// Returns the bound of the noise in a run, from the median of the speeds other than zero.
-    fn noise(&self, run: &Range<usize>) -> f64 {
-        let sizes = self.speed.get(run.clone()).unwrap_or_default().iter().map(|speed| speed.abs());
-        let mut sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
-        let middle = sizes.len() / 2;
-        if middle >= sizes.len() {
-            return 0.0;
-        }
-        ABOVE_MEDIAN * *sizes.select_nth_unstable_by(middle, f64::total_cmp).1
-    }
-
-    /// Returns `true` if the axis stays in place in a run.
-    fn is_rest(&self, run: &Range<usize>) -> bool {
-        let time = self.time.get(run.clone()).unwrap_or_default();
-        let speed = self.speed.get(run.clone()).unwrap_or_default();
-        if speed.iter().all(|speed| speed.abs() <= self.floor) {
-            return true;
-        }
-        let moving = || speed.iter().filter(|speed| **speed != 0.0);
-        let count = moving().count();
-        if count < REST_LEAST {
-            return false;
-        }
-        // Noise reverses often, the ends of two moves at most once.
-        let turns = moving().zip(moving().skip(1)).filter(|(one, other)| (**one < 0.0) != (**other < 0.0)).count();
-        let turns_often = 8 * turns >= count;
-        let sizes: Vec<f64> = speed.iter().map(|speed| speed.abs()).collect();
-        let way = travelled(time, &sizes).last().unwrap_or(0.0);
-        let resolved = 2.0 * self.position_step;
-        let place = self.position.and_then(|position| position.get(run.clone())).map(|all| range(all.iter().copied()));
-        let near = 1e-4 * self.span;
-        match place {
-            Some(place) if self.differentiated => {
-                way <= resolved || turns_often && place <= 0.25 * way + resolved && place <= near.max(resolved)
-            }
-            Some(place) if way > 4.0 * resolved => place <= 0.25 * way && place <= near.max(resolved),
-            // Positions are missing or too coarse to decide.
-            _ => {
-                let place = range(travelled(time, speed));
-                // Standard deviation of the travel of white noise with these speeds; few samples may exceed it.
-                let duration = time.first().zip(time.last()).map_or(0.0, |(first, last)| last - first);
-                let square = speed.iter().map(|speed| speed * speed).sum::<f64>() / speed.len() as f64;
-                let drift = (square / count as f64).sqrt() * duration;
-                turns_often && place <= (0.25 * way).max((3.5 * drift).min(0.6 * way)) && place <= near.max(4.0 * drift)
-            }
-        }
-    }
-}
-
-/// Returns the longest runs of samples within a range that are no faster than `most`.
-fn runs(speed: &[f64], within: Range<usize>, most: f64) -> Vec<Range<usize>> {
-    let mut found = Vec::new();
-    let mut start = None;
-    for index in within.clone() {
-        let is_slow = speed.get(index).is_some_and(|speed| speed.abs() <= most);
-        match (is_slow, start) {
-            (true, None) => start = Some(index),
-            (false, Some(from)) => {
-                found.push(from..index);
-                start = None;
-            }
-            _ => {}
-        }
-    }
-    found.extend(start.map(|from| from..within.end));
-    found
-}
-
-/// Iterates over the travel up to each sample, by the trapezoidal rule.
-fn travelled<'v>(time: &'v [f64], speed: &'v [f64]) -> impl Iterator<Item = f64> + 'v {
-    let points = || time.iter().zip(speed);
-    let parts = points().zip(points().skip(1)).map(|((t0, w0), (t1, w1))| 0.5 * (w0 + w1) * (t1 - t0));
-    std::iter::once(0.0).chain(parts.scan(0.0, |sum, part| {
-        *sum += part;
-        Some(*sum)
-    }))
-}
-
-/// Returns the difference of the largest and the smallest value.
-fn range(values: impl Iterator<Item = f64>) -> f64 {
-    let (low, high) =
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-    (high - low).max(0.0)
 }
 
 #[cfg(test)]

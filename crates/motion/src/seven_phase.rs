@@ -25,19 +25,50 @@ fn distance(first: f64, peak: f64, last: f64, limits: &Limits) -> f64 {
         + 0.5 * (peak + last) * ramp_time((last - peak).abs(), limits)
 }
 
+/// Relative tolerance for equal speeds and distances: a phase that makes up a smaller difference is rounding.
+pub(crate) const SAME: f64 = 1e-9;
+
+/// Returns the distance of a plain change of speed if a move in the direction of its end speeds is shorter, so that the
+/// axis passes the end speed, or its end, and comes back.
+pub(crate) fn overrun(length: f64, first: f64, last: f64, limits: &Limits) -> Option<f64> {
+    let plain = distance(first, last, last, limits);
+    let onwards = first * length >= 0.0 && last * length >= 0.0;
+    (onwards && length.abs() < plain.abs() * (1.0 - SAME)).then_some(plain)
+}
+
 /// Returns the pieces of the shortest move over a distance between two speeds, with zero acceleration at both ends.
 ///
 /// The peak speed is the limit if the distance permits a constant phase, else the root of the distance as a function of
 /// a peak speed beyond the end speeds. A root exists: the distance is convex in the peak there and begins on the other
-/// side.
+/// side. A distance that differs from that without a constant phase, or from that of the plain change of speed, by
+/// rounding is that distance; the phases are stretched in time by the quotient of both.
 ///
 /// # Source
 /// own derivation, docs/theory/motion-laws.md; durations compared with an independent generator
 pub(crate) fn pieces(length: f64, first: f64, last: f64, limits: &Limits) -> Vec<Piece> {
+    // An end speed that differs from the limit by rounding is the limit.
+    let at_limit = |speed: f64| (speed.abs() - limits.speed).abs() <= SAME * limits.speed;
+    let ends = [first, last].into_iter().filter(|speed| at_limit(*speed));
+    let top = ends.fold(0.0_f64, |most, speed| most.max(speed.abs()));
+    let limits = &Limits { speed: if top > 0.0 { top } else { limits.speed }, ..*limits };
     let (low, high) = (first.min(last), first.max(last));
     // Distance of a plain change of speed; a longer one needs a higher peak, a shorter one a lower or reversed peak.
-    let forward = length >= distance(first, high, last, limits);
+    let plain = distance(first, high, last, limits);
+    let forward = length >= plain;
     let (near, far) = if forward { (high, limits.speed) } else { (low, -limits.speed) };
+    for (peak, reached) in [(high, plain), (far, distance(first, far, last, limits))] {
+        let way = 0.5 * (first.abs() + peak.abs()) * ramp_time((peak - first).abs(), limits)
+            + 0.5 * (peak.abs() + last.abs()) * ramp_time((last - peak).abs(), limits);
+        if (length - reached).abs() <= SAME * way {
+            // Without a distance of its own, as between opposite speeds, a change cannot be stretched.
+            let factor = Some(length / reached).filter(|factor| (factor - 1.0).abs() <= SAME).unwrap_or(1.0);
+            let Limits { acceleration, jerk, .. } = *limits;
+            let limits = Limits { acceleration: acceleration / factor, jerk: jerk / (factor * factor), ..*limits };
+            let mut pieces = change(first, peak, &limits);
+            pieces.extend(change(peak, last, &limits));
+            return pieces;
+        }
+    }
     let reached = distance(first, far, last, limits);
     let (peak, run) = if (forward && reached <= length) || (!forward && reached >= length) {
         (far, (length - reached) / far)
@@ -50,17 +81,24 @@ pub(crate) fn pieces(length: f64, first: f64, last: f64, limits: &Limits) -> Vec
     pieces.push(Piece::ramp(run, 0.0));
     pieces.extend(change(peak, last, limits));
     pieces.retain(|piece| piece.duration_s > 0.0);
+    if pieces.is_empty() {
+        // The speed changes by rounding only.
+        pieces.push(Piece::ramp(length / peak, 0.0));
+    }
     pieces
 }
 
-/// Returns the three phases of a change of speed: jerk, constant acceleration, opposite jerk.
+/// Returns the three phases of a change of speed: jerk, constant acceleration, opposite jerk; none if the change is
+/// rounding.
 fn change(from: f64, to: f64, limits: &Limits) -> Vec<Piece> {
     let (step, sign) = ((to - from).abs(), (to - from).signum());
-    if step == 0.0 {
+    if step <= SAME * from.abs().max(to.abs()) {
         return Vec::new();
     }
     let whole = ramp_time(step, limits);
-    let edge = (limits.acceleration / limits.jerk).min(0.5 * whole);
+    let half = 0.5 * whole;
+    let edge = limits.acceleration / limits.jerk;
+    let edge = if edge >= half * (1.0 - SAME) { half } else { edge };
     if edge == 0.0 {
         return vec![Piece::ramp(whole, step / whole * sign).ending_with(to)];
     }
@@ -69,12 +107,18 @@ fn change(from: f64, to: f64, limits: &Limits) -> Vec<Piece> {
     let top = jerk * edge;
     // The speeds between the phases lie between `from` and `to` despite rounding of the integral.
     let gained = (0.5 * top * edge).abs().min(0.5 * step) * sign;
-    vec![
+    let mut phases = vec![
         Piece::polynomial(edge, [0.0, jerk, 0.0, 0.0]).ending_with(from + gained),
         Piece::polynomial(whole - 2.0 * edge, [top, 0.0, 0.0, 0.0]).ending_with(to - gained),
         Piece::polynomial(edge, [top, -jerk, 0.0, 0.0]).ending_with(to),
-    ]
+    ];
+    phases.retain(|phase| phase.duration_s > 0.0);
+    phases
 }
+
+#[cfg(test)]
+#[path = "ramp_tests.rs"]
+mod ramp_tests;
 
 #[cfg(test)]
 mod tests {

@@ -3,8 +3,8 @@
 use crate::faults::{MoveFault, Needed};
 use crate::law::{Given, Law};
 use crate::piece::Piece;
-use crate::seven_phase::{self, Limits};
-use quantities::{AngularAcceleration, AngularVelocity, Measure};
+use crate::seven_phase::{self, Limits, SAME};
+use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure};
 
 impl Law {
     /// Returns the pieces of a move with an initial speed [rad/s].
@@ -23,23 +23,14 @@ impl Law {
         let boundary = first != 0.0 || last != 0.0;
         match self {
             Self::Constant => constant(&move_of, first, given.end_speed.map(Measure::si)),
-            Self::Jerk => {
-                let jerk = given.jerk.map(Measure::si).filter(|jerk| jerk.is_finite() && *jerk > 0.0);
-                match (move_of.distance, move_of.speed, move_of.acceleration, jerk, move_of.time) {
-                    (Some(distance), Some(speed), Some(acceleration), Some(jerk), None) => {
-                        within(distance, first, last, Limits { speed: speed.abs(), acceleration, jerk })
-                    }
-                    _ => Err(move_of.undetermined(Needed::DistanceAndLimits, usize::from(given.jerk.is_some()))),
-                }
-            }
-            Self::Trapezoid if boundary => {
-                match (move_of.distance, move_of.speed, move_of.acceleration, move_of.time) {
-                    (Some(distance), Some(speed), Some(acceleration), None) => {
-                        within(distance, first, last, Limits { speed: speed.abs(), acceleration, jerk: f64::INFINITY })
-                    }
-                    _ => Err(move_of.undetermined(Needed::DistanceSpeedAcceleration, 0)),
-                }
-            }
+            Self::Jerk => match self.limited(given) {
+                Some((distance, limits)) => within(distance, first, last, limits),
+                None => Err(move_of.undetermined(Needed::DistanceAndLimits, usize::from(given.jerk.is_some()))),
+            },
+            Self::Trapezoid if boundary => match self.limited(given) {
+                Some((distance, limits)) => within(distance, first, last, limits),
+                None => Err(move_of.undetermined(Needed::DistanceSpeedAcceleration, 0)),
+            },
             Self::Polynomial5 if boundary => match (move_of.distance, move_of.time, move_of.count()) {
                 (Some(distance), Some(time), 2) => Ok(vec![Self::quintic(distance, time, first, last)]),
                 _ => Err(move_of.undetermined(Needed::DistanceAndTime, 0)),
@@ -51,6 +42,29 @@ impl Law {
                 Ok(self.normalised(distance, time))
             }
         }
+    }
+
+    /// Returns the distance of the plain change of speed if that of the move, in the direction of its end speeds, is
+    /// shorter: the axis passes its end, or its end speed, and comes back with the full acceleration.
+    ///
+    /// # Valid
+    /// trapezoid and seven-phase move with a speed at one end; a difference up to 10⁻⁹ is rounding
+    #[must_use]
+    pub fn overrun(self, given: &Given, first: f64) -> Option<Angle> {
+        let last = given.end_speed.map_or(0.0, Measure::si);
+        let (distance, limits) = self.limited(given).filter(|_| first != 0.0 || last != 0.0)?;
+        seven_phase::overrun(distance, first, last, &limits).map(Angle::from_si)
+    }
+
+    /// Returns distance and limits of a move that is the shortest within limits; `None` for other laws and quantities.
+    fn limited(self, given: &Given) -> Option<(f64, Limits)> {
+        let jerk = match self {
+            Self::Jerk => given.jerk.map(Measure::si).filter(|jerk| jerk.is_finite() && *jerk > 0.0)?,
+            Self::Trapezoid => f64::INFINITY,
+            _ => return None,
+        };
+        let (speed, acceleration) = (given.speed?.si().abs(), given.acceleration?.si());
+        given.time.is_none().then_some((given.distance?.si(), Limits { speed, acceleration, jerk }))
     }
 }
 
@@ -115,10 +129,10 @@ fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
     let (distance, speed) = (wanted.distance.map(f64::abs), wanted.speed.map(f64::abs));
     let (v, a, time) = match (distance, wanted.time, speed, wanted.acceleration) {
         (Some(s), Some(t), Some(v), None) => {
-            if v * t <= s {
+            if v * t <= s * (1.0 + SAME) {
                 return Err(MoveFault::SpeedTooLow { above: AngularVelocity::from_si(s / t) });
             }
-            if v * t > 2.0 * s {
+            if v * t > 2.0 * s * (1.0 + SAME) {
                 return Err(MoveFault::SpeedTooHigh { most: AngularVelocity::from_si(2.0 * s / t) });
             }
             (v, v / (t - s / v), t)
@@ -126,11 +140,11 @@ fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
         (Some(s), Some(t), None, Some(a)) => {
             let least = 4.0 * s / (t * t);
             // A triangle meets the bound with equality and must not be rejected because of rounding.
-            if a < least * (1.0 - 1e-12) {
+            if a < least * (1.0 - SAME) {
                 return Err(MoveFault::AccelerationTooLow { least: AngularAcceleration::from_si(least) });
             }
-            // The smaller root of v² − a T v + a s, without cancellation.
-            let root = (a * a * t * t - 4.0 * a * s).max(0.0).sqrt();
+            // The smaller root of v² − a T v + a s, without cancellation; rounding of a double root would be a run.
+            let root = if a <= least * (1.0 + SAME) { 0.0 } else { (a * a * t * t - 4.0 * a * s).sqrt() };
             (2.0 * a * s / (a * t + root), a, t)
         }
         (Some(s), None, Some(v), Some(a)) => {
@@ -138,14 +152,17 @@ fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
         }
         (None, Some(t), Some(v), Some(a)) => {
             let least = 2.0 * v / t;
-            if a < least * (1.0 - 1e-12) {
+            if a < least * (1.0 - SAME) {
                 return Err(MoveFault::AccelerationTooLow { least: AngularAcceleration::from_si(least) });
             }
             (v, a, t)
         }
         _ => return Err(wanted.undetermined(Needed::TwoOrThreeOfFour, 0)),
     };
-    let ramp = (v / a).min(0.5 * time);
+    // A run or a ramp that differs from half of the time by rounding leaves a triangle.
+    let half = 0.5 * time;
+    let ramp = if v / a >= half * (1.0 - SAME) { half } else { v / a };
+    let v = distance.map_or(v, |distance| distance / (time - ramp));
     let a = sign * v / ramp;
     let mut pieces = vec![Piece::ramp(ramp, a), Piece::ramp(time - 2.0 * ramp, 0.0), Piece::ramp(ramp, -a)];
     pieces.retain(|piece| piece.duration_s > 0.0);
@@ -154,7 +171,7 @@ fn trapezoid(wanted: &Wanted) -> Result<Vec<Piece>, MoveFault> {
 
 /// Returns the shortest move within limits, which must also include the end speeds.
 fn within(distance: f64, first: f64, last: f64, limits: Limits) -> Result<Vec<Piece>, MoveFault> {
-    if first.abs().max(last.abs()) > limits.speed * (1.0 + 1e-12) {
+    if first.abs().max(last.abs()) > limits.speed * (1.0 + SAME) {
         return Err(MoveFault::EndSpeedAboveLimit);
     }
     Ok(seven_phase::pieces(distance, first, last, &limits))
@@ -171,7 +188,7 @@ fn constant(wanted: &Wanted, first: f64, last: Option<f64>) -> Result<Vec<Piece>
         (None, Some(_)) => return Err(MoveFault::OutOfRange),
         _ => return Err(wanted.undetermined(needed, 0)),
     };
-    let same = |other: f64| (other - speed).abs() <= 1e-9 * speed.abs();
+    let same = |other: f64| (other - speed).abs() <= SAME * speed.abs();
     if !same(first) || last.is_some_and(|last| !same(last)) {
         return Err(MoveFault::StillMoving { speed: AngularVelocity::from_si(first) });
     }

@@ -6,6 +6,7 @@
 
 mod about;
 mod bodies;
+mod computed;
 mod curves;
 mod diagnostic;
 mod drawn;
@@ -61,6 +62,7 @@ pub mod names {
 
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, inertia};
+pub use computed::Overrun;
 pub use curves::OwnCatalogue;
 pub use diagnostic::{Diagnostic, place};
 pub use drawn::drawn_figures;
@@ -85,7 +87,7 @@ pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};
 pub use twin::TwinInput;
 
 use ::mechanism::{Extra, Mechanism};
-use ::motion::{MadeUp, Motion, RestNoise, Spline, SteppedColumn};
+use ::motion::{Alternating, MadeUp, Motion, RestNoise, Spline, SteppedColumn};
 use bodies::together;
 use configurator::Requirements;
 use order_code::{Option1, Option2};
@@ -213,6 +215,10 @@ pub enum Assumption {
     RecordedModulo,
     /// Noise of a recorded speed at rest is treated as zero.
     RecordedRest(RestNoise),
+    /// A recorded speed changes its sign from sample to sample and counts as motion.
+    RecordedAlternating(Alternating),
+    /// The distance of a move is shorter than its change of speed takes: the axis comes back.
+    Overruns(Overrun),
     /// The resolution of a recording causes an apparent acceleration, with the torque that the load would need for it
     /// \[Nm\].
     RecordedSteps(MadeUp, f64),
@@ -232,7 +238,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 59] = [
+    pub const ALL: [Self; 62] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -287,6 +293,9 @@ impl Assumption {
         Self::RecordedPositionDifferentiated,
         Self::RecordedModulo,
         Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0 }),
+        Self::RecordedAlternating(Alternating { share: 0.15, speed_rad_s: 0.02 }),
+        Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: None }),
+        Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: Some(0.01) }),
         Self::RecordedSteps(STEPS, 0.5),
         Self::RecordedSteps(MadeUp { smoothing_s: None, ..STEPS }, 0.5),
         Self::RecordedSteps(MadeUp { column: SteppedColumn::Speed, ..STEPS }, 0.5),
@@ -451,7 +460,7 @@ fn assumptions(root: &AxisSection, axis: &Axis, toleranced: bool) -> Vec<Assumpt
         mechanism::assumptions(driven, &mut found);
     }
     motion::assumptions(root, driven, &mut found);
-    recorded::assumptions(axis, &mut found);
+    computed::assumptions(axis, &mut found);
     let absent = RequirementsSection::absent(root.head());
     let required = root.parts.requirements.get().unwrap_or(&absent);
     found.extend(required.ambient.note());

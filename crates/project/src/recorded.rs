@@ -7,14 +7,12 @@ use crate::read::{Found, Reader, shortened};
 use crate::section::{Section, section};
 use crate::stated::{Field, Stated};
 use crate::value::Value;
-use crate::{Assumption, Fault, Hint};
-use ::mechanism::Extra;
+use crate::{Fault, Hint};
 use ::motion::{Recorded, RecordedFault, Samples, Treatment};
-use quantities::{Measure, Unit};
+use quantities::Unit;
 use recording::{
     Along, Bytes, ColumnSpec, Content, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording, Role, Series,
 };
-use sizing::Axis;
 use std::io::Read;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -386,29 +384,6 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
             };
             reader.fault(span, Fault::Recorded { name: file.clone(), fault }, None);
             None
-        }
-    }
-}
-
-/// Adds the noise at rest in the recordings of an axis, and the apparent accelerations due to their resolution.
-pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
-    let nothing = Extra::none();
-    let mut put = |each: Assumption| {
-        if !found.contains(&each) {
-            found.push(each);
-        }
-    };
-    for placed in axis.motion.recordings() {
-        if let Some(noise) = placed.recorded.rest_noise() {
-            put(Assumption::RecordedRest(noise));
-        }
-        if let Some(made_up) = placed.recorded.made_up() {
-            let extra = axis.extras.get(placed.segment).unwrap_or(&nothing);
-            let (first, _) = placed.recorded.ends_rad();
-            // The samples are those of the mechanism; the inertia is that at the output, before a stage.
-            let at_output = made_up.acceleration_rad_s2 * axis.mechanism.stage_ratio().abs();
-            let torque_nm = axis.mechanism.inertia(first + placed.offset_rad, extra).si() * at_output;
-            put(Assumption::RecordedSteps(made_up, torque_nm));
         }
     }
 }

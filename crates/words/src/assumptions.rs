@@ -2,10 +2,12 @@
 
 use crate::pick;
 use crate::texts::said;
-use motion::{MadeUp, Spline, SteppedColumn};
-use project::Assumption;
-use quantities::unit::{DEGREE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND};
-use quantities::{Language, Unit, format_significant};
+use motion::{Alternating, MadeUp, Spline, SteppedColumn};
+use project::{Assumption, Overrun};
+use quantities::unit::{
+    DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
+};
+use quantities::{Language, Unit, format_number, format_significant};
 
 /// Returns a default that the user did not confirm, as text.
 #[must_use]
@@ -21,6 +23,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
                 | "Stillstand angesetzt (motion.standstill), solange die aufgezeichnete Geschwindigkeit im Rauschen liegt, bis {speed}, insgesamt {time}: dort keine Reibung"
             );
         }
+        Assumption::RecordedAlternating(alternating) => return alternating_text(&alternating, language),
+        Assumption::Overruns(overrun) => return overrun_text(&overrun, language),
         Assumption::RecordedSteps(made_up, torque) => return steps_text(&made_up, torque, language),
         Assumption::SplineThroughPoints(Spline::Cubic) => (
             "a cubic spline goes through the points of the cam table: the acceleration is continuous there (C²), the jerk is discontinuous; at the ends the acceleration may be discontinuous",
@@ -246,6 +250,44 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
 
 fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), 3, language), unit.symbol_in(language))
+}
+
+/// Returns the remark on speeds that change their sign from sample to sample, with the key that makes them rest.
+fn alternating_text(alternating: &Alternating, language: Language) -> String {
+    let share = format_number(100.0 * alternating.share, 0, language);
+    let below = figure(alternating.speed_rad_s, &REVOLUTION_PER_MINUTE, language);
+    // A line of the project file has a decimal point; rounded up, so that the noise remains below.
+    let speed = REVOLUTION_PER_MINUTE.from_si(alternating.speed_rad_s);
+    let digit = 10_f64.powi(speed.log10().floor() as i32 - 1);
+    let key = format_significant((speed / digit).ceil() * digit, 2, Language::En);
+    said!(language =>
+        "{share} % of the recorded speeds, up to {below}, have another sign than the samples before and behind them: they count as motion with friction to and fro; if the axis is at rest there, state standstill = \"{key} 1/min\""
+        | "{share} % der aufgezeichneten Geschwindigkeiten, bis {below}, haben ein anderes Vorzeichen als die Werte davor und dahinter: sie zählen als Bewegung mit wechselnder Reibung; steht die Achse dort, standstill = \"{key} 1/min\" angeben"
+    )
+}
+
+/// Returns the remark on a move that is shorter than its change of speed, with the distance of the plain change.
+fn overrun_text(overrun: &Overrun, language: Language) -> String {
+    let (unit, factor, key_unit) = match overrun.travel_m_per_rad {
+        Some(travel) => (&MILLIMETRE, travel, "mm"),
+        None => (&DEGREE, 1.0, "deg"),
+    };
+    // As many digits as make the change of speed of the file a plain one.
+    let of = |rad: f64, language: Language| {
+        let value = unit.from_si(rad * factor);
+        let off = |digits: usize| (format!("{value:.digits$}").parse::<f64>().unwrap_or(0.0) - value).abs();
+        let digits = (0..12).find(|digits| off(*digits) <= 2e-10 * value.abs()).unwrap_or(12);
+        format_number(value, digits, language)
+    };
+    let (stated, plain) = (overrun.stated_rad, overrun.plain_rad);
+    let (stated, plain) = (of(stated, language) + " " + unit.symbol, of(plain, language) + " " + unit.symbol);
+    let segment = overrun.segment;
+    // A line of the project file has a plain minus sign.
+    let key = of(overrun.plain_rad, Language::En).replace('−', "-") + " " + key_unit;
+    said!(language =>
+        "segment {segment} covers {stated}, its change of speed alone takes {plain} at the stated acceleration: the axis makes up for the difference with a movement to and fro; distance = \"{key}\" is the plain change of speed"
+        | "Abschnitt {segment} ist {stated} lang, seine Geschwindigkeitsänderung allein braucht mit der angegebenen Beschleunigung {plain}: die Achse gleicht den Unterschied durch eine Hin- und Herbewegung aus; distance = \"{key}\" ergibt die einfache Geschwindigkeitsänderung"
+    )
 }
 
 /// Returns the remark on an acceleration caused by the resolution of a column, with the remedy.
