@@ -89,7 +89,7 @@ class Load:
         falls, sheave = self.key.get("falls", 1), self.key.get("sheave_efficiency", 1.0)
         self.travel = self.get("drum_diameter") / 2 / falls
         # The pull of each fall is that of the one before, less the loss of a sheave.
-        self.eta *= sum(sheave**k for k in range(falls)) / falls
+        self.reeving = sum(sheave**k for k in range(falls)) / falls
 
     def prepare_turntable(self):
         found = [sum(values) for values in zip(*[body(text) for text in self.key["bodies"]])]
@@ -119,6 +119,16 @@ class Load:
         turns = range(int(np.floor((low - self.at[-1]) / (2 * pi))), int(np.ceil((high - self.at[0]) / (2 * pi))) + 1)
         return [point + 2 * pi * turn for turn in turns for point in self.at]
 
+    def sheaves(self, ropes, a, sign):
+        """Losses of both reevings: one rope is lifted while the other is lowered; no help while the ropes drive."""
+        if sign == 0:
+            return 0.0
+        balance = self.get("counterweight") * (G - self.travel * a) * self.travel
+        lifted, lowered = (ropes + balance, balance) if sign > 0 else (balance, ropes + balance)
+        opposing = lifted / self.reeving - lowered * self.reeving
+        opposing = np.where(opposing < 0, opposing / self.reeving, opposing)
+        return sign * (opposing - (lifted - lowered))
+
     def useful(self, segment, q, w, a, sign, recorded):
         """Torque without losses; `sign` is the direction of motion, 0 at rest."""
         inertia = self.extra(segment, "payload_inertia")
@@ -128,7 +138,10 @@ class Load:
         if self.kind == "load":
             torque = torque + self.get("inertia") * a
         elif self.linkage is not None:
-            torque = torque + self.linkage.torque(q, w, a, payload, force)
+            own = self.linkage.torque(q, w, a, payload, force)
+            torque = torque + own
+            if self.kind == "hoist":
+                torque = torque + self.sheaves(own - self.get("inertia") * a, a, sign)
         elif self.kind in ("arm", "turntable"):
             r = self.get("payload_distance", None)
             reach = payload * r if r is not None else 0.0

@@ -296,6 +296,7 @@ fn a_negative_overhang_turns_the_lever_round() {
         counterweight: Mass::from_si(0.0),
         rope_mass: Mass::from_si(0.0),
         hanging: metres_of(0.0),
+        reeving: 1.0,
     }));
     let belt = of(MechanismKind::Linear(linear(LinearKind::Belt)));
     for overhang in [-0.08, -0.02, -0.005, 0.0, 0.03] {

@@ -3,7 +3,8 @@
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
 use crate::equations::{Effects, Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
-use crate::{Endless, Extra, Geometry, MechanismId, Rope, gravity_m_s2};
+use crate::stage::with_losses;
+use crate::{Endless, Extra, Geometry, MechanismId, Output, Rope, gravity_m_s2};
 use quantities::{Length, Mass, Measure, MomentOfInertia};
 
 /// A hoist with drum, rope and counterweight.
@@ -11,10 +12,15 @@ use quantities::{Length, Mass, Measure, MomentOfInertia};
 /// k = D/2n, x = k q, J = J_d + (m + m_p + m_c) k² + μ k² ((L − x) Σ u² + n³ x),
 /// T_h = k ((m + m_p − m_c) g + n μ g (L − x) + F_p)
 ///
+/// with the losses of the sheaves T = J_d α + R (F_1 η_F^∓1 − F_2 η_F^±1), upper sign while lifting; divided by η_F
+/// where the ropes drive the drum
+///
 /// # Symbols
 /// D diameter of the drum to the centre of the rope, n falls, x lifted height, J_d inertia of the drum, m load with
 /// hook, m_p payload of the segment, m_c counterweight with equal reeving, μ = m_r/n L rope mass per length, m_r mass
-/// of all falls, L length of each at q = 0, u speed of a fall relative to that of the load: n, n − 2, n − 2, n − 4, …
+/// of all falls, L length of each at q = 0, u speed of a fall relative to that of the load: n, n − 2, n − 2, n − 4, …;
+/// R = D/2, F_1 and F_2 pulls of the load's and of the counterweight's rope on the drum without losses \[N\], η_F
+/// efficiency of each reeving
 /// # Source
 /// docs/theory/mechanisms.md; Lagrange's equation with the whole rope in the system
 /// # Valid
@@ -36,6 +42,8 @@ pub struct Hoist {
     pub rope_mass: Mass,
     /// L: length of each fall at position zero; positive if the rope has a mass, else unused.
     pub hanging: Length,
+    /// η_F: efficiency of each reeving, see [`reeving_efficiency`] \[1\].
+    pub reeving: f64,
 }
 
 /// Returns the efficiency of a reeving while lifting \[1\].
@@ -102,6 +110,32 @@ impl Hoist {
         let radius = 0.5 * self.drum_diameter.si();
         [at.line_torque(&of_load) / radius, self.counterweight.si() * (g - k * alpha) * k / radius]
     }
+
+    /// Returns the torque of both ropes on the drum with the losses of the sheaves, for a useful torque without them
+    /// that contains no external torque \[Nm\]; `None` if the sheaves have no losses.
+    pub(crate) fn ropes_nm(&self, useful_nm: f64, output: &Output, extra: &Extra) -> Option<[f64; 2]> {
+        if self.reeving == 1.0 {
+            return None;
+        }
+        let (k, alpha) = (self.travel(), output.acceleration_rad_s2);
+        // Drum, couples and a payload inertia turn in front of the sheaves.
+        let of_ropes = useful_nm - extra.torque.si() - (self.inertia.si() + extra.inertia.si()) * alpha;
+        let counterweight = self.counterweight.si() * (gravity_m_s2() - k * alpha) * k;
+        let [load, lowered] = self.through_sheaves([of_ropes + counterweight, counterweight], output.direction);
+        Some([of_ropes, load - lowered])
+    }
+
+    /// Returns the pulls, or torques, of both ropes on the drum for those without losses.
+    ///
+    /// A rope that is lifted pulls the drum by more than its load, one that is lowered by less. While both together
+    /// drive the drum, the loss in the lowered rope is not counted as a help: then the sum is that of the losses,
+    /// divided by η_F.
+    fn through_sheaves(&self, [load, counterweight]: [f64; 2], direction: f64) -> [f64; 2] {
+        let sheaves = [self.reeving; 2];
+        let (load, balance) = (with_losses(load, direction, sheaves), with_losses(-counterweight, direction, sheaves));
+        let help = if (load + balance) * direction < 0.0 { self.reeving } else { 1.0 };
+        [load / help, -balance / help]
+    }
 }
 
 impl Equations for Hoist {
@@ -163,17 +197,20 @@ impl Equations for Hoist {
         Some(OnFlange { missing: None, overhang, recurrence: Recurrence::never_if(self.has_rope()) })
     }
 
-    /// Both ropes pull the drum downwards.
+    /// Both ropes pull the drum downwards, with the forces that turn it.
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
-        let [load, counterweight] = self.pulls(at);
-        let amount = at.before_losses(load, at.output.direction) + counterweight.abs();
+        let direction = at.output.direction;
+        let [load, counterweight] = self.through_sheaves(self.pulls(at), direction);
+        let amount = at.before_losses(load, direction) + counterweight.abs();
         let mut forces = FlangeForces::default();
         forces.act([0.0, 0.0, metres(at.mounting.overhang)], [0.0, -amount, 0.0]);
         forces
     }
 
     fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
-        Some(self.pulls(at))
+        let pulls @ [load, counterweight] = self.pulls(at);
+        let [pulling, balancing] = self.through_sheaves(pulls, at.output.direction);
+        Some([load, if self.reeving == 1.0 { counterweight } else { pulling - balancing }])
     }
 
     /// Returns the pull on the drum.

@@ -386,12 +386,32 @@ impl Mechanism {
         self.loading(extra).at(output).useful_nm
     }
 
-    pub(crate) fn useful(&self, reduced: &Reduced, output: &Output) -> f64 {
-        reduced.inertia * output.acceleration_rad_s2
+    /// Returns T_u, and the torque of ropes over sheaves with losses within it, zero for others \[Nm\].
+    pub(crate) fn useful(&self, reduced: &Reduced, output: &Output, extra: &Extra) -> (f64, f64) {
+        let own = reduced.inertia * output.acceleration_rad_s2
             + 0.5 * reduced.slope * output.speed_rad_s * output.speed_rad_s
             + reduced.holding
-            + self.friction.external.si()
-            + reduced.coulomb * output.direction
+            + reduced.coulomb * output.direction;
+        let external = self.friction.external.si();
+        let ropes =
+            if let MechanismKind::Hoist(hoist) = &self.kind { hoist.ropes_nm(own, output, extra) } else { None };
+        match ropes {
+            Some([without, with]) => (own + external + (with - without), with),
+            None => (own + external, 0.0),
+        }
+    }
+
+    /// Returns `true` if power is lost in a transmission, so that the torque has a kink where it changes sides.
+    #[must_use]
+    pub fn has_losses(&self) -> bool {
+        self.efficiency_driving != 1.0 || self.efficiency_driven != 1.0 || self.has_lossy_sheaves()
+    }
+
+    /// Returns `true` if the ropes of a hoist run over sheaves with losses; then [`Load::ropes_nm`] changes its sign
+    /// where the torque has a kink.
+    #[must_use]
+    pub const fn has_lossy_sheaves(&self) -> bool {
+        matches!(&self.kind, MechanismKind::Hoist(hoist) if hoist.reeving != 1.0)
     }
 
     /// Returns the torque that the output must apply to the load \[Nm\].
@@ -412,7 +432,8 @@ impl Mechanism {
     /// Returns the torque required by the mechanism, on its side of the stage \[Nm\].
     pub(crate) fn own_torque(&self, output: &Output, extra: &Extra) -> f64 {
         let reduced = self.kind.reduced(output.position_rad, extra);
-        self.passed(self.useful(&reduced, output), output)
+        let (useful, _) = self.useful(&reduced, output, extra);
+        self.passed(useful, output)
     }
 
     /// Returns the torque required for a useful torque, with the losses and the friction on the mechanism side of the
@@ -491,8 +512,7 @@ impl Mechanism {
     /// is added unchanged
     #[must_use]
     pub fn plain(&self, extra: &Extra) -> Option<Plain> {
-        let losses = self.efficiency_driving != 1.0 || self.efficiency_driven != 1.0;
-        if losses || self.gearing().is_some() {
+        if self.has_losses() || self.gearing().is_some() {
             return None;
         }
         let (reduced, weight_nm, angle_rad) = match &self.kind {

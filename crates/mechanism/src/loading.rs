@@ -9,6 +9,8 @@ use crate::{Extra, Mechanism, MechanismKind, Output};
 pub struct Load {
     /// Torque required by the load beyond the transmission, see [`Mechanism::useful_torque`] \[Nm\].
     pub useful_nm: f64,
+    /// Torque of ropes over sheaves with losses, see [`Mechanism::has_lossy_sheaves`]; zero for others \[Nm\].
+    pub ropes_nm: f64,
     /// Torque that the output must apply, see [`Mechanism::torque`] \[Nm\].
     pub torque_nm: f64,
     /// Torque transmitted by a stage, see [`Mechanism::stage_torque`] \[Nm\].
@@ -40,10 +42,11 @@ impl Loading<'_> {
         let (mechanism, stage) = (self.mechanism, self.mechanism.gearing());
         let behind = stage.map_or(*output, |stage| stage.behind(output));
         let reduced = self.reduced(behind.position_rad);
-        let useful = mechanism.useful(&reduced, &behind);
+        let (useful, ropes) = mechanism.useful(&reduced, &behind, self.extra);
         let own = mechanism.passed(useful, &behind);
         Load {
             useful_nm: useful,
+            ropes_nm: ropes,
             torque_nm: stage.map_or(own, |stage| stage.torque(own, &behind, output)),
             stage_nm: stage.map_or(0.0, |stage| stage.handed_on(own, &behind)),
         }

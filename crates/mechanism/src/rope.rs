@@ -70,6 +70,7 @@ mod tests {
             counterweight: Mass::from_si(2.0),
             rope_mass: Mass::from_si(0.0),
             hanging: Length::from_si(0.0),
+            reeving: 1.0,
         }));
         let g = gravity_m_s2();
         for a in [-20.0, -9.0, 0.0, 9.0, 20.0] {

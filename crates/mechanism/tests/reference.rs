@@ -56,6 +56,7 @@ fn hoist(falls: u32) -> Hoist {
         counterweight: kg(150.0),
         rope_mass: kg(5.4),
         hanging: m(6.0),
+        reeving: 1.0,
     }
 }
 
@@ -88,6 +89,93 @@ fn a_hoist_by_hand() {
     let forces = balanced.flange_forces(&out(0.0, 0.0, 0.0), &Extra::none(), 0.0, &mounting);
     assert!((forces.radial() - 200.0 * 9.806_65).abs() < 1e-9 && forces.axial() == 0.0);
     assert!((forces.moment(m(0.0)) - 10.0 * 9.806_65).abs() < 1e-9);
+}
+
+/// Returns the pulls on the drum of a load on `falls`, lifted and lowered: from fall to fall the pull is that of the one
+/// before times the efficiency of the sheave between them, and all together bear the load.
+fn pulls(load: f64, falls: u32, sheave: f64) -> [f64; 2] {
+    [sheave, 1.0 / sheave].map(|step| load / (0..falls).map(|fall| step.powf(f64::from(fall))).sum::<f64>())
+}
+
+/// Lifted, the rope of the load pulls more and that of the counterweight less, lowered the other way round: 1000 kg
+/// against 950 kg on four falls of a drum of 200 mm, sheaves of 0.95.
+///
+/// η_F = (1 + 0.95 + 0.9025 + 0.857375)/4 = 0.92746875; F_1 = 2451.66 N, F_2 = 2329.08 N;
+/// up 0.1 (2643.39 − 2160.15) = 48.32 Nm, down 0.1 (2273.84 − 2511.22) = −23.74 Nm: both have to be driven
+#[test]
+fn a_counterweight_has_its_own_direction_of_losses() {
+    let with = |falls: u32, sheave: f64, mass: f64, counterweight: f64, drum: f64| {
+        mechanism(MechanismKind::Hoist(Hoist {
+            drum_diameter: m(0.2),
+            inertia: kgm2(drum),
+            mass: kg(mass),
+            counterweight: kg(counterweight),
+            rope_mass: kg(0.0),
+            reeving: reeving_efficiency(falls, sheave),
+            ..hoist(falls)
+        }))
+    };
+    let torque = |hoist: &Mechanism, direction: f64, a: f64| {
+        let state = Output { position_rad: 0.0, speed_rad_s: direction, acceleration_rad_s2: a, direction };
+        hoist.torque(&state, &Extra::none())
+    };
+    let balanced = with(4, 0.95, 1000.0, 950.0, 0.0);
+    assert!((torque(&balanced, 1.0, 0.0) - 48.32).abs() < 0.005, "{}", torque(&balanced, 1.0, 0.0));
+    assert!((torque(&balanced, -1.0, 0.0) + 23.74).abs() < 0.005, "{}", torque(&balanced, -1.0, 0.0));
+    assert!((torque(&balanced, 0.0, 0.0) - 0.1 * 50.0 / 4.0 * 9.806_65).abs() < 1e-9);
+    let mounting = Mounting { overhang: Some(m(0.05)), ..Mounting::default() };
+    let mut driven = 0;
+    for falls in [1, 2, 3, 4, 6, 8] {
+        for sheave in [1.0, 0.98, 0.95, 0.9] {
+            for counterweight in [0.0, 10.0, 300.0, 600.0, 950.0, 1000.0, 1020.0, 1600.0] {
+                for a in [-20.0, -3.0, 0.0, 3.0, 20.0] {
+                    let (drum, radius, n) = (0.8, 0.1, f64::from(falls));
+                    let hoist = with(falls, sheave, 1000.0, counterweight, drum);
+                    let along = radius / n * a;
+                    let (load, balance) = (1000.0 * (9.806_65 + along), counterweight * (9.806_65 - along));
+                    let eta = reeving_efficiency(falls, sheave);
+                    for direction in [1.0, -1.0] {
+                        let found = torque(&hoist, direction, a);
+                        let sides = if direction > 0.0 { [1.0 / eta, eta] } else { [eta, 1.0 / eta] };
+                        let ropes = radius / n * (load * sides[0] - balance * sides[1]);
+                        // While the ropes drive, the loss of the lowered one is no help.
+                        let ropes = if ropes * direction < 0.0 { ropes / eta } else { ropes };
+                        assert!((found - drum * a - ropes).abs() < 1e-9 * load, "{falls} {sheave} {counterweight} {a}");
+                        let ideal = radius / n * (load - balance);
+                        // Losses never relieve the motor beyond the ropes without them, and never drive.
+                        assert!((ropes - ideal) * direction > -1e-9 * load);
+                        driven += u32::from(ropes * direction < 0.0);
+                        // Fall by fall; lowered, η_F is a little more than the exact quotient.
+                        let [[up, down], [up_c, down_c]] = [load, balance].map(|of| pulls(of, falls, sheave));
+                        let exact = radius * if direction > 0.0 { up - down_c } else { down - up_c };
+                        let near = 0.1 * (1.0 - eta) * radius / n * (load + balance) + 1e-9 * load;
+                        if exact * direction > 0.0 && ropes * direction > 0.0 {
+                            assert!(
+                                (ropes - exact).abs() < near,
+                                "{falls} {sheave} {counterweight} {a}: {ropes} {exact}"
+                            );
+                        }
+                        // The ropes that turn the drum load the flange.
+                        let state =
+                            Output { position_rad: 0.0, speed_rad_s: direction, acceleration_rad_s2: a, direction };
+                        let radial = hoist.flange_forces(&state, &Extra::none(), 0.0, &mounting).radial();
+                        let help = if (load * sides[0] - balance * sides[1]) * direction < 0.0 { eta } else { 1.0 };
+                        let sum = (load * sides[0] + balance * sides[1]) / n / help;
+                        assert!(
+                            (radial - sum).abs() < 1e-9 * load,
+                            "{falls} {sheave} {counterweight} {a}: {radial} {sum}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+    assert!(driven > 200, "{driven}");
+    // Equal masses: the same torque up and down, all of it losses.
+    let equal = with(4, 0.95, 1000.0, 1000.0, 0.0);
+    let expected = 0.1 * 2_451.662_5 * (1.0 / 0.927_468_75 - 0.927_468_75);
+    assert!((torque(&equal, 1.0, 0.0) - expected).abs() < 1e-9);
+    assert!((torque(&equal, -1.0, 0.0) + expected).abs() < 1e-9);
 }
 
 fn winder(winding: Winding) -> Winder {

@@ -106,11 +106,6 @@ pub(crate) trait Driven: Fields {
         false
     }
 
-    /// Returns the efficiency of the parts in series with the stated one, in motor operation.
-    fn series_efficiency(&self) -> f64 {
-        1.0
-    }
-
     /// Returns the position at which the motion begins.
     fn start_angle(&self) -> Option<&Stated<Angle>> {
         group(self).map(|it: &StartAngle| &it.start_angle)
@@ -226,7 +221,7 @@ fn build(driven: &dyn Driven, reader: &mut Reader<'_>) -> Option<Load> {
     let mechanism = Mechanism {
         kind,
         friction: driven.friction().map_or_else(mechanism::Friction::none, Friction::build),
-        efficiency_driving: driven.losses().map_or(1.0, Losses::efficiency) * driven.series_efficiency(),
+        efficiency_driving: driven.losses().map_or(1.0, Losses::efficiency),
         efficiency_driven: driven.losses().map_or(1.0, Losses::efficiency_back),
         stage: None,
     };

@@ -325,6 +325,9 @@ impl<'a> Builder<'a> {
                 if self.mechanism.stage.is_some() {
                     search(&|(_, load)| load.stage_nm);
                 }
+                if self.mechanism.has_lossy_sheaves() {
+                    search(&|(_, load)| load.ropes_nm);
+                }
                 k += 1.0;
             }
         }

@@ -217,6 +217,7 @@ fn the_moments_agree_with_brute_force_where_the_inertia_depends_on_the_position(
             counterweight: kg(1.0),
             rope_mass: kg(2.0),
             hanging: m(3.0),
+            reeving: 1.0,
         }),
     ];
     let motions = [

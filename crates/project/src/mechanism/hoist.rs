@@ -37,6 +37,7 @@ impl Driven for Hoist {
             counterweight: self.counterweight.counterweight.or_zero(),
             rope_mass: self.rope_mass.or_zero(),
             hanging: self.hanging.or_zero(),
+            reeving: mechanism::reeving_efficiency(self.falls(), self.sheave_efficiency()),
         };
         sound(self, hoist.faults(), reader)?;
         Some(MechanismKind::Hoist(hoist))
@@ -49,10 +50,6 @@ impl Driven for Hoist {
     fn is_without_effect(&self, default: Assumption) -> bool {
         // A single fall runs over no sheave.
         default == Assumption::SheavesNoLosses && self.falls() == 1
-    }
-
-    fn series_efficiency(&self) -> f64 {
-        mechanism::reeving_efficiency(self.falls(), self.sheave_efficiency())
     }
 
     fn travel(&self) -> Option<&dyn Field> {

@@ -311,7 +311,7 @@ impl<'a> Walk<'a> {
     /// Returns `true` if the loads may step within a piece: at a kink of the load, or where losses change sides.
     fn has_steps(&self) -> bool {
         let mechanism = &self.axis.mechanism;
-        mechanism.efficiency_driving != 1.0 || mechanism.stage.is_some() || !mechanism.kinks().is_empty()
+        mechanism.has_losses() || mechanism.stage.is_some() || !mechanism.kinks().is_empty()
     }
 
     /// Evaluates the panels between two instants of a piece with one direction of rotation; each counts `times` over.

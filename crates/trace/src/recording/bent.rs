@@ -21,8 +21,7 @@ const BESIDE: f64 = 1e-9;
 impl Strip {
     /// Visits the panels of an interval with a curved load.
     pub(super) fn bent_interval(&self, interval: &Interval, look: &mut impl FnMut(Panel<'_>)) {
-        let lossless = |driving: f64, driven: f64| driving == 1.0 && driven == 1.0;
-        let lossy = !lossless(self.mechanism.efficiency_driving, self.mechanism.efficiency_driven);
+        let lossy = self.mechanism.has_losses();
         let plain = self.plain.is_some() || !lossy && self.mechanism.stage.is_none() && self.kinks.is_empty();
         for (from, to, direction) in parts(interval) {
             if plain {
@@ -59,6 +58,13 @@ impl Strip {
         };
         if lossy {
             crossings(&useful, from, to, cuts);
+        }
+        if self.mechanism.has_lossy_sheaves() {
+            let ropes = |u: f64| {
+                let (output, torque) = Self::output(interval, u, direction);
+                self.mechanism.loading(&self.with_recorded(torque)).at(&output).ropes_nm
+            };
+            crossings(&ropes, from, to, cuts);
         }
         if self.mechanism.stage.is_some() {
             let handed_on = |u: f64| {
