@@ -105,6 +105,8 @@ impl Recorded {
             for rest in rests {
                 speed.get_mut(rest).into_iter().flatten().for_each(|speed| *speed = 0.0);
             }
+            // A sample before the first rest or behind the last may be noise of it.
+            end_errors = (end_errors.0 + noise.speed_rad_s, end_errors.1 + noise.speed_rad_s);
             rest_noise = Some(noise);
         }
         let alternating = treatment.standstill.is_none().then(|| alternating(&speed)).flatten();
@@ -182,8 +184,8 @@ impl Recorded {
         ends(&self.speed_rad_s)
     }
 
-    /// Returns the errors of the speeds at the first and the last sample [rad/s] if they are slopes of positions; zero
-    /// if the speed is recorded.
+    /// Returns the errors of the speeds at the first and the last sample [rad/s]: that of the slope of positions, zero
+    /// if the speed is recorded, and the noise found at rest.
     ///
     /// h_0 (h_0 + h_1) |q'''|/3, for equal steps 2/3 h² |q'''|: twice the error of a cubic; q''' from the third
     /// difference of the four samples at the end

@@ -299,7 +299,11 @@ impl Stretch<'_> {
         let from_before = self.speed.get(run.start - outside..run.end)?.iter().copied();
         let beyond = SMOOTH.min(self.speed.len() - run.end);
         let from_behind = self.speed.get(run.start..run.end + beyond)?.iter().rev().copied();
-        let near = ABRUPT * self.noise(run);
+        let noise = self.noise(run);
+        if !by_sign && noise <= self.floor {
+            return Some(run.clone());
+        }
+        let near = ABRUPT * noise;
         let turns = |pair: &[f64]| matches!(pair, [one, other] if one * other < 0.0);
         let of_sign = |one_sign: &mut dyn ExactSizeIterator<Item = f64>, before: Option<f64>| {
             end_of_move(&one_sign.collect::<Vec<_>>(), before)

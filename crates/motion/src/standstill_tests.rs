@@ -294,7 +294,7 @@ fn oscillations_and_creeping_are_no_noise() {
     }
 }
 
-/// Noise at rest that cannot be told from motion, here filtered, is reported with a `standstill` that removes it.
+/// Noise at rest that is not distinguished from motion, here filtered, is reported with a `standstill` that removes it.
 #[test]
 fn noise_that_counts_as_motion_is_reported() {
     let mut noise = Noise(37);
