@@ -7,7 +7,7 @@ use project::Project;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
 use questions::list::{Asked, Unanswered, compare};
-use questions::texts::{figure_text, governing_text, margin_text, unit_text, verdict_of};
+use questions::texts::{checked_text, governing_text, margin_text, unit_text, verdict_of};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
 use words::{
@@ -100,7 +100,7 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
             match row.checks.get(*index).and_then(Option::as_ref) {
                 Some(check) => {
                     let better = if row.better == Some(*index) { '*' } else { ' ' };
-                    cells.push(figure_text(check.value, language));
+                    cells.push(checked_text(check.id, check.value, language));
                     cells.push(format!("{better}{} {}", margin_text(check, language), sign(check)));
                 }
                 None => cells.extend(["–".to_owned(), "–  ".to_owned()]),

@@ -13,7 +13,7 @@ use questions::list::check::Verification;
 use questions::list::size::Ranking;
 use questions::list::{Asked, Unanswered, check, size};
 use questions::texts::{
-    by_importance, counts_text, demand_figures, figure_text, fitting_text, margin_text, mend_text, objection_text,
+    by_importance, checked_text, counts_text, demand_figures, fitting_text, margin_text, mend_text, objection_text,
     percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_text,
 };
 use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdict};
@@ -331,8 +331,8 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
         table.row([
             check_title(check.id, language),
             verdict_text(check, language),
-            figure_text(check.value, language),
-            figure_text(check.limit, language),
+            checked_text(check.id, check.value, language),
+            checked_text(check.id, check.limit, language),
             unit_text(check.value, language).to_owned(),
             margin_text(check, language),
             check.at.map_or_else(|| "–".into(), |at| format_significant(at.si(), 3, language)),

@@ -4,8 +4,8 @@ use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent};
 use plot::{Axis, Bar, BarChart, Label};
 use quantities::Language;
-use questions::texts::{by_importance, counts_text, verdict_text};
-use questions::{Candidate, Check, Direction, Objection, Unmet, Verdict};
+use questions::texts::{by_importance, checked_text, counts_text, verdict_text};
+use questions::{Candidate, Check, CheckId, Direction, Objection, Unmet, Verdict};
 use words::{
     capitalised, check_missing, check_title, pictures, row_name, terms, unmet_text, verdict_word, without_keys,
     without_limit,
@@ -55,9 +55,13 @@ fn bar(check: &Check, language: Language) -> Bar {
     let mut bar = Bar::new(capitalised(&check_title(check.id, language)), sign).data("check", check.id.id());
     let numbers = match (check.value, check.limit) {
         (Some(value), Some(limit)) => {
-            let value = quantities::format_significant(value.value(), 4, language);
+            let shown = checked_text(check.id, Some(value), language);
             let sign = if check.direction() == Direction::AtLeast { "≥ " } else { "" };
-            format!("{value} / {sign}{}", amount(limit.si, limit.unit, language))
+            let limit = match check.id {
+                CheckId::Protection => checked_text(check.id, Some(limit), language),
+                _ => amount(limit.si, limit.unit, language),
+            };
+            format!("{shown} / {sign}{limit}")
         }
         (Some(value), None) => amount(value.si, value.unit, language),
         _ => String::new(),

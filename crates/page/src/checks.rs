@@ -5,7 +5,7 @@ use crate::{overlay, value};
 use maud::{Markup, html};
 use project::{Key, key_at};
 use quantities::{Language, Measure, format_significant};
-use questions::texts::{by_importance, figure_text, margin_share, margin_text, unit_text, verdict_text};
+use questions::texts::{by_importance, checked_text, margin_share, margin_text, unit_text, verdict_text};
 use questions::{Candidate, Check, Part, Verdict};
 use words::{
     about_text, capitalised, check_missing, check_title, grade_word, note_text, page, part_title, short_label,
@@ -84,8 +84,8 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
                 button.plain type="button" title=(page::how_it_came_about(l)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
                     hx-vals=(vals(&[("check", check.id.id())])) { (capitalised(&check_title(check.id, l))) }
             }
-            td.number { (figure_text(check.value, l)) }
-            td.number { (figure_text(check.limit, l)) }
+            td.number { (checked_text(check.id, check.value, l)) }
+            td.number { (checked_text(check.id, check.limit, l)) }
             td { (unit_text(check.value.or(check.limit), l)) }
             td.number {
                 (margin_text(check, l))

@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use quantities::{Language, format_significant};
 use questions::list::compare::{CheckRow, Comparison, DatumRow, errata_of};
 use questions::list::explain::derivation;
-use questions::texts::{figure_text, margin_share, margin_text, node_amount, trust, verdict_text};
+use questions::texts::{checked_text, margin_share, margin_text, node_amount, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
     ERRATUM_MARK, capitalised, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
@@ -111,7 +111,7 @@ fn check_row(row: &CheckRow, language: Language) -> Markup {
             @for (place, check) in row.checks.iter().enumerate() {
                 @match check {
                     Some(check) => td class={ "number " (verdict_class(check.verdict)) } {
-                        (figure_text(check.value, language)) " "
+                        (checked_text(check.id, check.value, language)) " "
                         @if check.verdict == Verdict::NotChecked { (verdict_text(check, language)) } @else if margin_share(check).is_some() { "(" (margin_text(check, language)) " %)" }
                         @if row.better == Some(place) { " *" }
                     },

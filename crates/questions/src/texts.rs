@@ -154,6 +154,15 @@ pub fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format_significant(unit.from_si(si), 4, language)
 }
 
+/// Formats value or limit of a check: as [`figure_text`], a degree of protection as its code.
+#[must_use]
+pub fn checked_text(id: CheckId, figure: Option<Amount>, language: Language) -> String {
+    match figure {
+        Some(numerals) if id == CheckId::Protection => words::degree_of_protection(numerals.si),
+        _ => figure_text(figure, language),
+    }
+}
+
 /// Formats a figure in its unit, with four digits, or as a dash.
 #[must_use]
 pub fn figure_text(figure: Option<Amount>, language: Language) -> String {
@@ -227,17 +236,20 @@ fn excess_text(check: &Check, language: Language) -> String {
             None => terminal::speed_beyond_the_curve(language).to_owned(),
         },
         CheckId::BrakeHolding if permits_nothing => {
-            let value = figure_text(check.value, language);
+            let value = checked_text(check.id, check.value, language);
             terminal::no_brake_for(&with_unit_text(&value, check.value, language), language)
         }
         CheckId::FeedbackRange if permits_nothing => {
-            let value = figure_text(check.value, language);
+            let value = checked_text(check.id, check.value, language);
             terminal::not_absolute_over(&with_unit_text(&value, check.value, language), language)
         }
         _ => {
-            let limit = with_unit_text(&figure_text(check.limit, language), check.limit, language);
-            let text =
-                format!("{} {} {limit}", figure_text(check.value, language), check.relation().unwrap_or_default());
+            let limit = with_unit_text(&checked_text(check.id, check.limit, language), check.limit, language);
+            let text = format!(
+                "{} {} {limit}",
+                checked_text(check.id, check.value, language),
+                check.relation().unwrap_or_default()
+            );
             match check.utilisation {
                 Some(_) => format!("{text} ({} %)", percent(check.utilisation, language)),
                 None => text,

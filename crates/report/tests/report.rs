@@ -325,6 +325,27 @@ fn a_linear_axis_is_reported_along_its_line_and_a_turntable_by_its_bodies() {
     assert!(text.contains("420mm") && !text.contains("diameter=420mm"), "a body in words");
 }
 
+/// Angles at the mechanism have the travel of the mechanism, those at the output that of the actuator.
+#[test]
+fn angles_behind_a_stage_are_converted_by_the_travel_of_the_mechanism() {
+    let mut content = content(named("screw-axis-de"));
+    let checks = &content.axes[0].dossier.judgement.candidate.checks;
+    let value_of = |id| checks.iter().find(|check| *check.id == id).unwrap().value.unwrap().0;
+    let (torsion, speed) = (value_of(answers::CheckId::Torsion), value_of(answers::CheckId::PeakSpeed));
+    let along = |arcmin: f64, travel_mm: f64| {
+        let way_mm = arcmin / 21_600.0 * travel_mm;
+        let (value, unit) = if way_mm < 0.01 { (way_mm * 1e3, "µm") } else { (way_mm, "mm") };
+        format!("{}{unit}", printed(value, Language::De))
+    };
+    let text = dense(&pages_of(&content, &settings()));
+    assert!(text.contains(&along(torsion, 40.0)), "without a stage");
+    // A stage of 2.5 between an actuator and a screw of 100 mm.
+    content.axes[0].dossier.mechanism.own_travel_mm_per_rev = Some(answers::Number(100.0));
+    let text = dense(&pages_of(&content, &settings()));
+    assert!(text.contains(&along(torsion, 100.0)) && !text.contains(&along(torsion, 40.0)), "behind a stage");
+    assert!(text.contains(&format!("{}mm/s", printed(speed * 40.0 / 60.0, Language::De))), "at the output");
+}
+
 #[test]
 fn several_axes_have_a_summary_and_a_part_each() {
     let content = content(named("two-axes-en"));

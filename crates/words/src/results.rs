@@ -496,6 +496,12 @@ pub fn row_name(symbol: &str, language: Language) -> String {
     row_sign(symbol).unwrap_or_else(|| symbol_term(symbol, language))
 }
 
+/// Returns the code of a degree of protection from its numerals, or from the second alone where only that is compared.
+#[must_use]
+pub fn degree_of_protection(numerals: f64) -> String {
+    if numerals < 10.0 { format!("IPX{numerals}") } else { format!("IP{numerals}") }
+}
+
 /// Returns the rule of the ranking.
 #[must_use]
 pub fn ranking_rule(language: Language) -> String {

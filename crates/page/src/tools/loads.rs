@@ -9,7 +9,7 @@ use order_code::Size;
 use project::{Edit, Project, edit, key_at, written};
 use quantities::Language;
 use questions::list::bearing::{bearing_checks, bearing_of_each_size};
-use questions::texts::{figure_text, margin_text, percent, unit_text, verdict_text};
+use questions::texts::{checked_text, margin_text, percent, unit_text, verdict_text};
 use questions::{Candidate, Unread, Verdict, read_all_watched, read_code};
 use words::{about_text, capitalised, check_title, grade_word, page, short_label, source_text, terminal, terms};
 
@@ -108,7 +108,7 @@ fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Langu
                 tbody { @for check in bearing_checks(candidate) { tr class=(verdict_class(check.verdict)) {
                     th scope="row" { (capitalised(&check_title(check.id, l))) }
                     td { span.verdict { (verdict_text(check, l)) } }
-                    td.number { (figure_text(check.value, l)) } td.number { (figure_text(check.limit, l)) }
+                    td.number { (checked_text(check.id, check.value, l)) } td.number { (checked_text(check.id, check.limit, l)) }
                     td { (unit_text(check.value, l)) } td.number { (margin_text(check, l)) }
                     td.small {
                         @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { (grade_word(grade, l)) ", " (source_text(source, l)) }

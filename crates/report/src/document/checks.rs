@@ -5,7 +5,7 @@ use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Part, Shaft, V
 use quantities::Language;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use words::{capitalised, grade_about, grade_word};
+use words::{capitalised, degree_of_protection, grade_about, grade_word};
 
 /// Every check, in the order of the dossier.
 #[derive(Serialize)]
@@ -104,7 +104,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
     let unit = check.unit.unwrap_or("1");
     let figure = |value: Option<Number>| {
         let text = |value: Number| match *check.id {
-            CheckId::Protection => degree_of_protection(value),
+            CheckId::Protection => degree_of_protection(value.0),
             _ => shown.figure(value, unit),
         };
         value.map(text).unwrap_or_default()
@@ -142,11 +142,6 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
 /// Returns `true` if the limit of a check is a rating of another manufacturer's gear: no other limit of the gear is published elsewhere.
 pub(super) fn is_of_another_gear(check: &Check) -> bool {
     *check.part == Part::Gear && check.margin && check.grade.is_some_and(|grade| *grade == Grade::Published)
-}
-
-/// A degree of protection: both numerals, or the second alone where only that is compared.
-fn degree_of_protection(numerals: Number) -> String {
-    if numerals.0 < 10.0 { format!("IPX{}", numerals.0) } else { format!("IP{}", numerals.0) }
 }
 
 /// Each text once.
