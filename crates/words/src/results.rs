@@ -392,8 +392,8 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
             said!(language => "mass {} exceeds {}" | "Masse {} überschreitet {}", kg(has.si()), kg(permits.si()))
         }
         Unmet::SupplyTooLow { needs, gives } => said!(language =>
-            "the supply provides {} at the motor terminals, the winding requires {}"
-            | "die Versorgung liefert {} an den Motorklemmen, die Wicklung erfordert {}", volt(gives.si()), volt(needs.si())
+            "the supply corresponds to {} at the motor terminals (U_DC/√2), the winding requires {}"
+            | "die Versorgung entspricht {} an den Motorklemmen (U_DC/√2), die Wicklung erfordert {}", volt(gives.si()), volt(needs.si())
         ),
         Unmet::NotKnown { symbol } => {
             let term = symbol_term(symbol, language);

@@ -89,7 +89,7 @@ texts! {
     highest_utilisation_about = "utilisation of the governing check, 1 (100 %) is the limit" | "Auslastung des maßgebenden Nachweises, 1 (100 %) ist die Grenze";
     tightest_check_about = "governing check: the failing one exceeded most, otherwise the one with the highest utilisation" | "maßgebender Nachweis: der am weitesten überschrittene, sonst der mit der höchsten Auslastung";
     margin_about = "1 − utilisation" | "1 − Auslastung";
-    open_questions = "open questions" | "offene Fragen";
+    open_questions = "not checked" | "nicht geprüft";
     open_questions_about =
         "number of checks not performed because of missing data"
         | "Anzahl der Nachweise, für die eine Angabe fehlt";

@@ -34,7 +34,7 @@ pub fn task_title(task: Task, language: Language) -> String {
         Task::ProtectiveEarth => ("inspect the protective earth", "Schutzleiter kontrollieren"),
         Task::Screws => ("check the screws of housing and load", "Schrauben von Gehäuse und Last kontrollieren"),
         Task::Seals => ("visually inspect the shaft seals", "Wellendichtungen sichtprüfen"),
-        Task::EncoderRecommended => ("replacement of the encoder, recommended", "Austausch des Gebers, empfohlen"),
+        Task::EncoderRecommended => ("recommended replacement of the encoder", "empfohlener Austausch des Gebers"),
         Task::BatteryEmpty => ("encoder battery discharged", "Geberbatterie entladen"),
         Task::EncoderLatest => ("replacement of the encoder, at the latest", "Austausch des Gebers, spätestens"),
     };

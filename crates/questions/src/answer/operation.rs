@@ -138,7 +138,9 @@ pub(super) fn data_sheet(code: &OrderCode, language: Language) -> Vec<DataLine> 
     let Some(sheet) = sheet(code) else { return Vec::new() };
     let rows: Vec<&SheetRow> = sheet.sections.iter().flat_map(|section| &section.rows).collect();
     let of = |(symbol, printed): &(&'static str, &'static str)| {
-        let found = rows.iter().filter(move |row| row.cell.place.symbol == *symbol);
+        // Thresholds of a sensor that no connector leads out do not apply.
+        let applies = *symbol != "T_KTY" || catalogue::leads_out_kty(code);
+        let found = rows.iter().filter(move |row| applies && row.cell.place.symbol == *symbol);
         let printed = *printed;
         found.map(move |row| line(row, printed, language)).collect::<Vec<_>>()
     };

@@ -2,8 +2,9 @@
 
 use super::checks::{Titles, is_of_another_gear};
 use super::shown::{Shown, tied};
-use answers::{Dossier, Fit, Rejection};
+use answers::{CheckId, Dossier, Fit, Rejection};
 use serde::Serialize;
+use words::terminal::speed_beyond_the_curve;
 use words::{capitalised, marked};
 
 /// Number of fitting actuators, and of those with the smallest excess, in the short form.
@@ -131,12 +132,16 @@ fn miss(rejection: &Rejection, titles: &Titles, shown: &Shown) -> Option<Miss> {
     let check = *rejection.check?;
     let (value, limit) = (rejection.value?, rejection.limit?);
     let unit = rejection.unit.unwrap_or("1");
+    let title = capitalised(&titles.of(check));
+    // Beyond the end of the curve no torque is permitted: the utilisation is that of the speed.
+    let is_beyond = check == CheckId::TorqueSpeedTrace && limit.0 == 0.0;
+    let figure = |number| if is_beyond { String::new() } else { shown.figure(number, unit) };
     Some(Miss {
         code: rejection.code.clone(),
-        check: capitalised(&titles.of(check)),
-        value: shown.figure(value, unit),
-        relation: check.direction().relation(false, value.0, limit.0),
-        limit: shown.figure(limit, unit),
+        check: if is_beyond { format!("{title}: {}", speed_beyond_the_curve(shown.0)) } else { title },
+        value: figure(value),
+        relation: if is_beyond { "" } else { check.direction().relation(false, value.0, limit.0) },
+        limit: figure(limit),
         percent: rejection.utilisation.map(|share| shown.share(share)).unwrap_or_default(),
         further: rejection.failing.iter().filter(|id| ***id != check).map(|id| titles.of(**id)).collect(),
     })
