@@ -133,28 +133,45 @@ fn height(lines: u32) -> f64 {
     (f64::from(lines) * 15.0).min(409.0)
 }
 
-/// Paper size of a printed sheet, one page wide, with the heading on every page.
+/// Paper of a printed sheet, landscape, with the heading on every page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Paper {
-    /// A4 landscape.
+struct Paper {
+    /// Size of the paper.
+    size: Size,
+    /// Number of pages beside each other.
+    pages: u16,
+}
+
+/// Size of a paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Size {
     A4,
-    /// A3 landscape, for sheets illegible on A4.
+    /// For sheets illegible on A4.
     A3,
 }
 
+/// Characters of all columns that A4 and A3 hold at a scale of sixty per cent, below which letters are hard to read.
+const CHARACTERS: [f64; 2] = [240.0, 340.0];
+
 impl Paper {
-    /// Returns the smallest paper on which columns of this total width in characters stay legible: a scale of sixty per
-    /// cent, at which A4 landscape holds 240.
+    /// One page of A4.
+    const A4: Self = Self { size: Size::A4, pages: 1 };
+
+    /// Returns the smallest paper on which columns of this total width in characters stay legible, A3 on as many pages as
+    /// that takes.
     fn for_width(characters: f64) -> Self {
-        if characters <= 240.0 { Self::A4 } else { Self::A3 }
+        let [a4, a3] = CHARACTERS;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
+        let pages = (characters / a3).ceil().clamp(1.0, 20.0) as u16;
+        if characters <= a4 { Self::A4 } else { Self { size: Size::A3, pages } }
     }
 
     fn set(self, sheet: &mut Worksheet) {
-        let number = match self {
-            Self::A4 => 9,
-            Self::A3 => 8,
+        let number = match self.size {
+            Size::A4 => 9,
+            Size::A3 => 8,
         };
-        sheet.set_paper_size(number).set_landscape().set_print_fit_to_pages(1, 0);
+        sheet.set_paper_size(number).set_landscape().set_print_fit_to_pages(self.pages, 0);
         sheet.set_margins(0.4, 0.4, 0.5, 0.5, 0.3, 0.3);
     }
 }

@@ -105,6 +105,8 @@ pub(super) fn sheet(
     let held = table.column("code").map_or(1, |code| u16::try_from(code).unwrap_or(0) + 1);
     sheet.set_freeze_panes(FIRST, held)?;
     sheet.set_repeat_rows(0, 1)?;
+    // The pages beside the first one name their rows too.
+    sheet.set_repeat_columns(0, held.saturating_sub(1))?;
     Paper::for_width(widths.iter().sum()).set(&mut sheet);
     Ok(sheet)
 }
