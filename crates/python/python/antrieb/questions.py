@@ -197,7 +197,7 @@ def sweep(
 
     Args:
         text: The project as text, or the path of its file.
-        table: Table of the rows, .csv or .parquet; headings such as "motion[1].time [s]", "requirements.ambient [degC]", "code".
+        table: Table of the rows, CSV or Parquet; headings such as "motion[1].time [s]", "requirements.ambient [degC]", "code".
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         check: All ordering codes of every row with verdict and utilisation of this check; may be repeated.
