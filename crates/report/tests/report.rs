@@ -159,7 +159,7 @@ fn every_number_of_a_check_stands_in_the_report_as_it_is_in_the_answer(sample: S
         let unit = match check.unit {
             None | Some("1") => "",
             Some("deg") => "°",
-            Some(unit) => quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol),
+            Some(unit) => quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol_in(sample.language)),
         };
         for value in [check.value, check.limit].into_iter().flatten() {
             let figure = format!("{}{unit}", printed(value.0, sample.language));

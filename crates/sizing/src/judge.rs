@@ -60,7 +60,7 @@ impl Judgement {
     /// a range; zero if no check has a margin.
     #[must_use]
     pub fn utilisation(&self) -> f64 {
-        contenders(&self.checks).map(Check::severity).fold(0.0, f64::max)
+        self.governing().map_or(0.0, Check::severity)
     }
 
     /// Returns `true` if gravity or tension acts on the axis and nothing holds it without power.

@@ -64,8 +64,8 @@ texts! {
         "the table has {rows} rows; at most {most} are evaluated here, more with `antrieb sweep`"
         | "die Tabelle hat {rows} Zeilen; hier werden höchstens {most} bewertet, mehr mit `antrieb sweep`";
     answers_too_large(rows, memory, most) =
-        "the table has {rows} rows, whose answers exceed the permitted memory of {memory} MiB: raise the limit with memory=\"2 GiB\", or pass at most {most} rows at a time to Sweep.batch"
-        | "die Tabelle hat {rows} Zeilen, deren Antworten den zulässigen Speicher von {memory} MiB überschreiten: Grenze mit memory=\"2 GiB\" erhöhen oder höchstens {most} Zeilen auf einmal an Sweep.batch übergeben";
+        "the table has {rows} rows, whose answers exceed the permitted memory of {memory} MiB: raise the limit (memory, such as 2 GiB), or pass at most {most} rows at a time to Sweep.batch"
+        | "die Tabelle hat {rows} Zeilen, deren Antworten den zulässigen Speicher von {memory} MiB überschreiten: Grenze erhöhen (memory, etwa 2 GiB) oder höchstens {most} Zeilen auf einmal an Sweep.batch übergeben";
     kept(folder) =
         "completed parts are kept in {folder}; the same call continues from them"
         | "fertige Teile bleiben in {folder}; derselbe Aufruf setzt mit ihnen fort";

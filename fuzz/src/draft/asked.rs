@@ -6,7 +6,7 @@ use super::page::{
 use arbitrary::Result;
 
 /// Keys with a quantity: name, lower and upper end of the usual range, units.
-const LIMITS: [(&str, f64, f64, Units); 21] = [
+const LIMITS: [(&str, f64, f64, Units); 18] = [
     ("hollow_shaft_min", 5.0, 60.0, LENGTH),
     ("length_max", 80.0, 400.0, LENGTH),
     ("mass_max", 2.0, 60.0, MASS),
@@ -17,7 +17,6 @@ const LIMITS: [(&str, f64, f64, Units); 21] = [
     ("tilt_angle_max", 0.001, 0.1, ANGLE),
     ("angle_error_max", 0.005, 0.5, ANGLE),
     ("lever_arm", 20.0, 1500.0, LENGTH),
-    ("deviation_max", 0.01, 5.0, LENGTH),
     ("resolution_max", 1e-4, 0.1, ANGLE),
     ("stop_angle_max", 1.0, 360.0, ANGLE),
     ("service_life", 100.0, 1e5, LIFE),
@@ -25,8 +24,6 @@ const LIMITS: [(&str, f64, f64, Units); 21] = [
     ("operation_per_day", 0.0, 24.0, LIFE),
     ("storage", 0.0, 5e4, LIFE),
     ("battery_life_min", 1e3, 1e5, LIFE),
-    ("collision_torque", 5.0, 900.0, TORQUE),
-    ("collision_time", 0.001, 0.5, TIME),
     ("dc_link_rise", 5.0, 200.0, VOLTAGE),
 ];
 
@@ -45,6 +42,20 @@ pub(super) fn requirements(page: &mut Page<'_, '_>) -> Result<()> {
     for (key, low, high, units) in LIMITS {
         if page.u.ratio(1, 8)? {
             page.key(key, low, high, units)?;
+            // Keys that have an effect only beside this one.
+            if key == "lever_arm" && page.often()? {
+                page.key("deviation_max", 0.01, 5.0, LENGTH)?;
+            }
+        }
+    }
+    if page.u.ratio(1, 8)? {
+        page.key("collision_torque", 5.0, 900.0, TORQUE)?;
+        if page.often()? {
+            page.key("collision_time", 0.001, 0.5, TIME)?;
+        }
+        if page.often()? {
+            let count = page.u.int_in_range(0..=500)?;
+            page.plain("collisions", count);
         }
     }
     for key in ["brake", "absolute"] {
@@ -53,11 +64,9 @@ pub(super) fn requirements(page: &mut Page<'_, '_>) -> Result<()> {
             page.plain(key, value);
         }
     }
-    for (key, most) in [("emergency_stops", 2000), ("collisions", 500)] {
-        if page.seldom()? {
-            let count = page.u.int_in_range(0..=most)?;
-            page.plain(key, count);
-        }
+    if page.seldom()? {
+        let count = page.u.int_in_range(0..=2000)?;
+        page.plain("emergency_stops", count);
     }
     if page.seldom()? {
         let some = *page.u.choose(&["[\"M512P\"]", "[\"RES\", \"C1024\"]", "[\"M128S\"]", "[\"D2048\"]", "[]"])?;
