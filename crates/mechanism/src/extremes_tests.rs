@@ -109,6 +109,7 @@ impl Drawn {
                 counterweight: self.mass(90.0),
                 rope_mass: self.mass(20.0),
                 hanging: Length::from_si(20.0),
+                reeving: 0.93,
             }),
             5 => {
                 let points = (0..7).map(|k| TablePoint {
