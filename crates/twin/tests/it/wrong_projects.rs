@@ -28,9 +28,9 @@ fn motor(factor: f64) -> Parameters {
 fn stated(mechanism: &Mechanism, extras: &[Extra], factors: [f64; 4]) -> (Mechanism, Vec<Extra>) {
     let [mass, payload, friction, constant] = factors;
     let mut all = mechanism.with_masses(mass);
-    all.friction.coulomb = all.friction.coulomb * friction;
+    all.friction.coulomb *= friction;
     all.friction.viscous = ViscousFriction::from_si(all.friction.viscous.si() * friction);
-    all.friction.external = all.friction.external * constant;
+    all.friction.external *= constant;
     let extra = |extra: &Extra| Extra { torque: extra.torque * payload, inertia: extra.inertia * payload, ..*extra };
     (all, extras.iter().map(extra).collect())
 }
