@@ -5,7 +5,6 @@
 //! `units -t -o %.16g`, such as `units -t -o %.16g 'kgf m/arcmin' 'N m/radian'`. pint 0.25.3 (`default_en.txt`) differs from each
 //! of them by less than 4·10⁻¹⁶ of the value. Neither shares a line with this crate or with `uom`.
 #![allow(clippy::excessive_precision, reason = "figures as the other program printed them")]
-
 #![allow(clippy::panic, reason = "a test may fail")]
 #![allow(clippy::approx_constant, reason = "figures as another program prints them")]
 
