@@ -7,9 +7,9 @@ use words::{percent_text, pictures};
 /// Writes a value with four digits and its unit.
 pub(crate) fn amount(si: f64, unit: &Unit, language: Language) -> String {
     let number = format_significant(unit.from_si(si), 4, language);
-    match unit.symbol {
+    match unit.symbol_in(language) {
         "1" => number,
-        "°" | "′" => format!("{number}{}", unit.symbol),
+        symbol @ ("°" | "′") => format!("{number}{symbol}"),
         symbol => format!("{number} {symbol}"),
     }
 }
