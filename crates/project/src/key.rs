@@ -319,7 +319,7 @@ mod tests {
         "joint.holding_torque",
     ];
 
-    /// What is not stated is shown: an optional key of a mechanism lists its default.
+    /// Requires that an optional key of a mechanism lists its default: an assumption is shown.
     #[test]
     fn every_default_of_a_mechanism_is_listed() {
         let mechanisms = KEYS.iter().find(|key| key.name == "mechanism").unwrap().kind.keys(false);

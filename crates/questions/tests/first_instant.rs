@@ -10,7 +10,7 @@ type Values = [&'static str; 5];
 
 const METRIC: Values = ["1.3 kg m^2", "5 N m", "0.5 N m s/rad", "500 N", "50 mm"];
 
-/// The same in other units, in as many digits as a number has.
+/// Writes the values in other units, in as many digits as a number has.
 const OTHERS: [Values; 3] = [
     ["1.3 kg m^2", "0.5098581064889641 kgf m", "0.5 N m s/rad", "500 N", "50 mm"],
     [

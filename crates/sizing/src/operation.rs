@@ -49,7 +49,7 @@ pub struct Operation {
 /// # Source
 /// docs/theory/moments.md, docs/theory/current.md, docs/theory/energy.md
 /// # Valid
-/// Each current, power and energy belongs to one state of the gear: cold where the name says so, else that of the settled
+/// A current, power or energy belongs to one state of the gear: cold where the name says so, else that of the settled
 /// cycle, with the winding at 20 °C as in the check of the regenerated power. The check of the peak current takes the larger
 /// of both peaks. Between two of the 32 to 256 instants of a piece of a law, or of the samples of
 /// a recording, torque, speed and current are taken as straight: the deviation is below 0.1 % of the largest value. The maxima of
