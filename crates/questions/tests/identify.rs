@@ -276,6 +276,10 @@ fn what_to_write_for_a_foreign_run_is_said() {
     );
     let head = "time_s;position_rad;motor_speed_rad_s;torque_nm;current_q_a\n";
     holds(&format!("Drive trace 14.03.2025\nsample time;1 ms\n\n{head}0;0;0;0;0\n"), &["line 4", "1 to 3"]);
+    holds(
+        &format!("{head}s;deg;1/min;Nm;A\n0;0;0;0;0\n"),
+        &["line 2", "position_rad in \"deg\", values times 0.0174533", "motor_speed_rad_s in \"1/min\""],
+    );
     let rows: String = (0..50).map(|k| format!("2025-03-14T10:00:00.{k:03};0;0;0;0\n")).collect();
     holds(&format!("{head}{rows}"), &["line 2", "2025-03-14T10:00:00.000", "seconds"]);
     let rows: String = (996..1010).map(|k| format!("{k};0;0;{};0\n", if k < 1000 { "998" } else { "1.002" })).collect();
@@ -303,6 +307,40 @@ fn a_measured_load_that_replaces_nothing_is_refused() {
     let why = simulate::record(&args, &asked).unwrap_err();
     let faults = why.faults(None, Language::En);
     assert!(faults.errors[0].message.contains("measured.load_inertia"), "{faults:?}");
+}
+
+/// An offset and a delay of the current are reported and taken into account, and a gap between two runs is no spacing of rows.
+#[test]
+fn zeros_and_delays_of_the_current_are_reported() {
+    let text = arm("2.4 kg m^2", "5 kg", "");
+    let trace = course(&text);
+    let rows: Vec<(&str, f64)> = trace
+        .lines()
+        .skip(1)
+        .map(|line| line.rsplit_once(',').unwrap())
+        .map(|(rest, current)| (rest, current.parse().unwrap()))
+        .collect();
+    let step = |row: &str| row.split(',').next().unwrap().parse::<f64>().unwrap();
+    let late = (0.006 / (step(rows[1].0) - step(rows[0].0))).round() as usize;
+    let mut other = trace.lines().next().unwrap().to_owned();
+    for (place, (rest, _)) in rows.iter().enumerate() {
+        other.push_str(&format!("\n{rest},{}", rows[place.saturating_sub(late)].1 + 0.05));
+    }
+    let found = identified(&text, other);
+    assert!(found.doubts.is_empty() && !found.overrides.contains("load_external"), "{found:?}");
+    let signal = |id: &str| {
+        let row = found.signals.iter().find(|each| each.id == id).unwrap_or_else(|| panic!("{id} of {found:?}"));
+        assert!(row.significant && row.column == "current_q_a", "{row:?}");
+        (row.value.written().unwrap(), row.half_width.written().unwrap())
+    };
+    let ((zero, of_zero), (delay, of_delay)) = (signal("current_zero"), signal("current_delay"));
+    assert!((zero - 0.05).abs() < of_zero && of_zero < 0.03, "{zero} {of_zero}");
+    assert!((delay - 6.0).abs() < of_delay.max(0.2) && of_delay < 1.0, "{delay} {of_delay}");
+    let (constant, half, stated) = value(&found, "torque_constant_out");
+    assert!((constant - stated.unwrap()).abs() < half, "{constant} {half} {stated:?}");
+    for part in ["lags the position", "zeros of current_q_a and torque_nm"] {
+        assert!(found.notes.iter().any(|note| note.contains(part)), "{:?}", found.notes);
+    }
 }
 
 /// Lines for the project say only what the run knows: no zero for what it leaves open, nothing of a run with a wrong convention.
@@ -333,6 +371,7 @@ fn lines_for_the_project_hold_only_what_the_run_knows() {
     let found = identified(&text, rms);
     assert!(found.doubts.len() == 1 && found.doubts[0].id == "rms" && found.overrides.is_empty(), "{found:?}");
     assert!(found.doubts[0].text.contains("current_q_a") && found.doubts[0].text.contains('√'), "{found:?}");
+    assert!(found.doubts[0].text.contains("1.41"), "{found:?}");
 }
 
 /// A run says the same with other separators, decimal commas, encodings and columns beside those that are read.
@@ -343,7 +382,11 @@ fn a_run_is_read_alike_in_every_dialect() {
     let expected = identified(&text, trace.clone());
     let german = trace.replace(',', ";").replace('.', ",").replace('\n', "\r\n");
     let quoted: String = trace.lines().map(|line| format!("\"{}\",\"ä\"\n", line.replace(',', "\",\""))).collect();
-    for other in [german.clone(), format!("sep=;\n# of the bench\n\n{german}"), trace.replace(',', "\t"), quoted] {
+    let (head, rows) = trace.split_once('\n').unwrap();
+    let with_units = format!("{head}\ns,rad,rad/s,rad/s²,rad/s,N m,A\n{rows}");
+    for other in
+        [with_units, german.clone(), format!("sep=;\n# of the bench\n\n{german}"), trace.replace(',', "\t"), quoted]
+    {
         assert_eq!(identified(&text, other), expected);
     }
 }

@@ -2,9 +2,10 @@
 //!
 //! [`identify`] integrates the equations of motion over short windows (`windows`), so that position, motor speed,
 //! torque and current are used as measured, and none is differentiated. `load` and `motor` form linear equations of the
-//! windows, `regression` solves them with confidence intervals, `moves` finds the segment of each window, `doubts`
-//! finds signals with another convention.
+//! windows, `regression` solves them with confidence intervals, `moves` finds the segment of each window, `delay`
+//! finds signals that lag the position, `doubts` signals with another convention.
 
+mod delay;
 mod doubts;
 mod load;
 mod motor;
@@ -129,6 +130,39 @@ pub enum Open {
     AtLimit,
 }
 
+/// Lag of a signal behind the position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Delay {
+    /// Lag \[s\]; negative if the signal leads.
+    pub s: f64,
+    /// Half width of its 95 % confidence interval \[s\].
+    pub half_width_s: f64,
+}
+
+/// Constant of the motor's equation: the zero of the current against that of the torque.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Zero {
+    /// Value of i_q without a current, if the torque has none \[A\].
+    pub current_q_a: f64,
+    /// Half width of its 95 % confidence interval \[A\].
+    pub half_width_a: f64,
+    /// Torque recorded without a torque, if the current has no zero \[Nm\].
+    pub torque_nm: f64,
+    /// The external torque deviates from the stated one by the same amount, so that the torque has the zero.
+    pub is_of_torque: bool,
+}
+
+/// Smallest zero relative to half its 95 % interval that counts. A choice: three standard deviations.
+const ZERO: f64 = 1.5;
+
+impl Zero {
+    /// Returns `true` if the run shows a zero.
+    #[must_use]
+    pub fn is_significant(&self) -> bool {
+        self.current_q_a.abs() > ZERO * self.half_width_a
+    }
+}
+
 /// Result of an identification.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Identification {
@@ -154,6 +188,14 @@ pub struct Identification {
     /// Lag of the motor speed behind the position, which the estimates take into account \[s\]; zero if it is a small
     /// part of the sampling interval.
     pub motor_lag_s: f64,
+    /// Lag of the torque behind the position, removed before the estimates; `None` if the run shows none.
+    pub torque_delay: Option<Delay>,
+    /// Lag of the current behind position and torque, removed before the estimates; `None` if the run shows none.
+    pub current_delay: Option<Delay>,
+    /// Zero of the current against that of the torque; `None` if the run does not separate it.
+    pub zero: Option<Zero>,
+    /// Median interval of the rows \[s\].
+    pub row_s: f64,
     /// k_Tout of the tables without the no-load friction [Nm/A].
     pub tabulated_nm_a: Option<f64>,
     /// Time of the cycle at the instant 0 of the run \[s\], if segments add different payloads or process torques.
@@ -195,10 +237,10 @@ impl From<NoWindows> for IdentifyFault {
 
 /// Estimates parameters of load and motor from a recorded run.
 ///
-/// load: T = J_L α + T_c σ + b ω + W_c cos q + W_s sin q + T_e; motor: I = T/k_Tout + I_NLS σ + K Ω + (J_M/k) Ω', where T drives
+/// load: T = J_L α + T_c σ + b ω + W_c cos q + W_s sin q + T_e; motor: I = T/k_Tout + I_NLS σ + K Ω + (J_M/k) Ω' + I_0, where T drives
 ///
 /// # Symbols
-/// T torque through the gear, I = i_q/√2, q and ω of the load, Ω of the motor over i, σ direction
+/// T torque through the gear, I = i_q/√2, q and ω of the load, Ω of the motor over i, σ direction, I_0 zero of the current
 /// # Source
 /// docs/theory/twin.md, *Identification*
 /// # Valid
@@ -241,20 +283,47 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
         let time = run.time_s.get(sample).copied().unwrap_or(0.0);
         followed.filter(|_| differs).map_or(0, |followed| followed.segment(time))
     };
-    let windows = Windows::of(&run, &strokes, limit, |a, b| !differs || same(segment(a), segment(b)))?;
+    let is_even = |a, b| !differs || same(segment(a), segment(b));
+    let windows = Windows::of(&run, &strokes, limit, is_even)?;
+    let of_sample = |sample: usize| extra(segment(sample));
+    let both_ways = strokes.both_ways();
+    let load = load::Load { mechanism: stated.mechanism, extra: &of_sample, extras, both_ways, is_delayed: false };
+    let made = |run: &Observed| Windows::of(run, &strokes, limit, is_even).ok();
+    let (run, windows, delays) =
+        delay::removed(run.clone(), windows, &made, &|run, windows| load::rows_of_delay(run, windows, &load));
+    let load = load::Load { is_delayed: delays.torque.is_some(), ..load };
     let mut found = Identification {
-        both_ways: strokes.both_ways(),
+        both_ways,
         window_s: windows.length_s,
         windows: windows.all.len(),
         at_limit: windows.all.iter().filter(|window| window.limited).count(),
         position_step_rad: strokes.quantum_rad,
         shift_s: followed.filter(|_| differs).map(|followed| followed.shift_s),
+        torque_delay: delays.torque,
+        current_delay: delays.current,
+        row_s: strokes.step_s,
         ..Identification::default()
     };
-    let shares = load::estimate(&run, &windows, stated.mechanism, |sample| extra(segment(sample)), extras, &mut found)?;
-    motor::estimate(&windows, stated.parameters, &mut found);
+    let shares = load::estimate(&run, &windows, &load, &mut found)?;
+    motor::estimate(&windows, stated.parameters, delays.current.is_some(), &mut found);
+    external(stated.mechanism.plain(extras.first().unwrap_or(&first)).map(|plain| plain.constant_nm), &mut found);
     doubts::of_estimates(stated, extras, &windows, &shares, &mut found);
     Ok(found)
+}
+
+/// Decides from the stated external torque which signal has a zero, and widens the interval of the external torque by a
+/// zero that the torque may have.
+fn external(stated_nm: Option<f64>, found: &mut Identification) {
+    let Some(zero) = found.zero.as_mut().filter(|zero| zero.is_significant()) else { return };
+    let of_external = |each: &&mut Estimate| each.of == Identified::External;
+    let Some(estimate) = found.estimates.iter_mut().find(of_external) else { return };
+    let half = (zero.torque_nm * zero.half_width_a / zero.current_q_a).abs();
+    zero.is_of_torque = stated_nm.is_some_and(|stated| {
+        let deviation = estimate.value - stated;
+        deviation.abs() > estimate.half_width
+            && (deviation - zero.torque_nm).abs() < (estimate.half_width + half).min(0.5 * zero.torque_nm.abs())
+    });
+    estimate.half_width += zero.torque_nm.abs() + half;
 }
 
 /// Checks the columns; a position counted within one revolution is unwrapped.

@@ -29,6 +29,29 @@ texts! {
     motor_lags(lag) =
         "The speed of the motor lags the position by {lag} ms, as the difference of two rows or a filter does; the estimates take this into account."
         | "Die Motordrehzahl eilt der Position um {lag} ms nach, wie die Differenz zweier Zeilen oder ein Filter; die Schätzwerte berücksichtigen das.";
+    signals = "zeros and delays of the signals" | "Nullpunkte und Verzögerungen der Signale";
+    current_zero = "zero of the current, against that of the torque" | "Nullpunkt des Stroms gegenüber dem des Moments";
+    torque_delay = "lag of the torque behind the position" | "Nacheilen des Moments hinter der Position";
+    current_delay = "lag of the current behind the position" | "Nacheilen des Stroms hinter der Position";
+    signal_lags(column, lag, half) =
+        "{column} lags the position by {lag} ms (± {half} ms), as after a filter or in another bus cycle; the lag is removed before the estimates."
+        | "{column} eilt der Position um {lag} ms nach (± {half} ms), wie nach einem Filter oder in einem anderen Zyklus des Busses; die Verzögerung ist vor der Schätzung herausgerechnet.";
+    signal_leads(column, lag, half) =
+        "{column} leads the position by {lag} ms (± {half} ms): the position is late; the difference is removed before the estimates."
+        | "{column} eilt der Position um {lag} ms voraus (± {half} ms): die Position kommt verspätet; der Unterschied ist vor der Schätzung herausgerechnet.";
+    zero_of_current(current, half, torque) =
+        "The zeros of current_q_a and torque_nm differ: {current} A (± {half} A) in the current, or {torque} Nm in the torque. The motor parameters take this into account. The run does not show which signal has the offset: the interval of the external torque includes it, and no line states that torque."
+        | "Die Nullpunkte von current_q_a und torque_nm passen nicht zusammen: {current} A (± {half} A) im Strom oder {torque} Nm im Moment. Die Motorparameter berücksichtigen das. Welches Signal den Versatz hat, zeigt der Lauf nicht: das Intervall des äußeren Moments enthält ihn, und keine Zeile gibt dieses Moment an.";
+    zero_of_torque(torque, current) =
+        "torque_nm has an offset of {torque} Nm, it seems: the external torque deviates from that of the project by as much, and current_q_a, {current} A beside it, does not contain it. If the project is right, subtract the offset from torque_nm. The motor parameters take it into account; no line states the external torque."
+        | "torque_nm hat offenbar einen Versatz von {torque} Nm: um so viel weicht das äußere Moment vom Projekt ab, und current_q_a enthält ihn nicht ({current} A daneben). Stimmt das Projekt, den Versatz von torque_nm abziehen. Die Motorparameter berücksichtigen ihn; keine Zeile gibt das äußere Moment an.";
+    about(value) = "about {value}" | "etwa {value}";
+    factor_of_convention(factor) = " (exact factor of this convention: {factor})" | " (genauer Faktor dieser Konvention: {factor})";
+    unit_row(line, units) =
+        "line {line} holds other units than the columns: {units}; convert the values and delete the line"
+        | "Zeile {line} enthält andere Einheiten als die der Spalten: {units}; Werte umrechnen und die Zeile löschen";
+    unit_with_factor(heading, unit, factor) = "{heading} in {unit}, values times {factor}" | "{heading} in {unit}, Werte mal {factor}";
+    unit_unknown(heading, unit) = "{heading} in {unit}" | "{heading} in {unit}";
     one_way =
         "Motion in one direction only: Coulomb friction and constant torques cannot be separated and are not stated."
         | "Bewegung in nur einer Richtung: Coulomb-Reibung und konstante Momente sind nicht zu trennen und werden nicht angegeben.";
@@ -159,6 +182,14 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "{value} times the speed of the position: the time is in milliseconds, it seems; divide time_s by 1000",
             "das {value}-Fache der Drehzahl aus der Position: die Zeit steht offenbar in Millisekunden; time_s durch 1000 teilen",
         ),
+        (_, Misread::Minutes) => (
+            "{value} times the speed of the position: the time is in minutes, it seems; multiply time_s by 60",
+            "das {value}-Fache der Drehzahl aus der Position: die Zeit steht offenbar in Minuten; time_s mit 60 multiplizieren",
+        ),
+        (_, Misread::Magnitude) => (
+            "never negative, though torque and current of this run change their sign: absolute values, it seems; record the signal with its sign",
+            "nie negativ, obwohl Moment und Strom dieses Laufs das Vorzeichen wechseln: offenbar Beträge; das Signal mit Vorzeichen aufzeichnen",
+        ),
         (_, Misread::Rms) => (
             "the torque constant is {value} times that of the table, more than motor and gear can give: rms values, it seems; the column is the peak value of a phase, √2 times as large",
             "die Drehmomentkonstante ist das {value}-Fache der Tabelle, mehr als Motor und Getriebe geben: offenbar Effektivwerte; die Spalte ist der Scheitelwert eines Strangs, √2-mal so groß",
@@ -220,12 +251,12 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "die Richtung des Gewichts weicht um {value}° von der des Projekts ab: entgegengesetzte Zählrichtung oder anderer Nullpunkt der Position, oder start_angle des Projekts ist falsch",
         ),
         (Column::Current, Misread::NegativeFriction) => (
-            "motor and gear have a negative friction ({value} A): an offset, another sign or a delay of the current",
-            "Motor und Getriebe haben eine negative Reibung ({value} A): ein Offset, ein anderes Vorzeichen oder eine Verzögerung des Stroms",
+            "motor and gear have a negative friction ({value} A): another sign or scale of the current, or a delay that varies",
+            "Motor und Getriebe haben eine negative Reibung ({value} A): ein anderes Vorzeichen, ein anderer Maßstab oder eine schwankende Verzögerung des Stroms",
         ),
         (_, Misread::NegativeFriction) => (
-            "the load has a negative friction ({value} Nm): another sign or a delay of the torque",
-            "die Last hat eine negative Reibung ({value} Nm): ein anderes Vorzeichen oder eine Verzögerung des Moments",
+            "the load has a negative friction ({value} Nm): another sign of the torque, or a delay that varies",
+            "die Last hat eine negative Reibung ({value} Nm): ein anderes Vorzeichen oder eine schwankende Verzögerung des Moments",
         ),
         (Column::Current, _) => (
             "the torque constant is {value} times that of the table: another scale of current or torque, or another actuator",

@@ -28,6 +28,19 @@ pub fn identification(record: &Identification, language: Language) -> Chapter {
             ],
         );
     }
+    if !record.signals.is_empty() {
+        chapter.section(capitalised(identification::signals(language)));
+        grid(
+            &mut chapter,
+            &record.signals,
+            &[
+                (Column::wide(capitalised(simulation::quantity(language))), &|each| each.title.clone()),
+                (Column::numbers(capitalised(words::terms::value(language))), &|each| number(Some(each.value), 3)),
+                (Column::numbers(simulation::interval_95(language)), &|each| number(Some(each.half_width), 2)),
+                (Column::text(words::terms::unit(language)), &|each| unit_shown(each.unit, language)),
+            ],
+        );
+    }
     if !record.open.is_empty() {
         chapter.section(capitalised(identification::open(language)));
         let point = |open: &LeftOpen| format!("{}: {}", open.title, open.reason);

@@ -15,13 +15,13 @@ use mechanism::{Extra, Mechanism, MechanismKind, Plain};
 use order_code::OrderCode;
 use project::Project;
 use quantities::unit::{
-    AMPERE, AMPERE_SECOND_PER_RADIAN, DEGREE, KILOGRAM_SQUARE_METRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE,
-    NEWTON_METRE_SECOND_PER_RADIAN,
+    AMPERE, AMPERE_SECOND_PER_RADIAN, DEGREE, KILOGRAM_SQUARE_METRE, MILLISECOND, NEWTON_METRE,
+    NEWTON_METRE_PER_AMPERE, NEWTON_METRE_SECOND_PER_RADIAN,
 };
 use quantities::{Language, Measure, Unit, format_significant};
 use schemars::JsonSchema;
 use serde::Serialize;
-use twin::{Doubt, Estimate, Identified, Misread, Observed, Open, Stated, identify};
+use twin::{Column as Signal, Delay, Doubt, Estimate, Identified, Misread, Open, Stated, Zero, identify};
 use words::{Word, help, help::values, identification, simulation};
 
 arguments! {
@@ -65,6 +65,8 @@ pub struct Identification {
     pub estimates: Vec<Identified95>,
     /// Parameters without an estimate.
     pub open: Vec<LeftOpen>,
+    /// Zeros and delays of the signals, which the estimates take into account.
+    pub signals: Vec<SignalDatum>,
     /// Signals that seem to have another unit, sign or side than their columns; while there are any, the estimates are not those of the
     /// axis, `overrides` is empty, and the exit status is 1.
     pub doubts: Vec<Doubted>,
@@ -83,6 +85,25 @@ pub struct LeftOpen {
     pub title: String,
     /// Reason, in words.
     pub reason: String,
+}
+
+/// A zero or delay of a signal of the run.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SignalDatum {
+    /// Identifier.
+    pub id: &'static str,
+    /// Heading of the column.
+    pub column: &'static str,
+    /// In words.
+    pub title: String,
+    /// The value.
+    pub value: Number,
+    /// Half the interval that holds the true value in 95 of 100 runs.
+    pub half_width: Number,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The value is apart from zero.
+    pub significant: bool,
 }
 
 /// A signal that does not fit its column.
@@ -130,9 +151,17 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     let stated =
         Stated { parameters: &parameters, mechanism: &axis.mechanism, motion: &axis.motion, extras: &axis.extras };
     let found = identify(&run.observed, &stated).map_err(|why| Unanswered::message(run.refused(&why, language)))?;
-    let shown = |estimate: &Estimate| row(estimate, &project, &parameters.actuator, found.tabulated_nm_a, language);
+    // An external torque may contain the zero of the torque.
+    let is_known = |each: &Estimate| {
+        each.is_known() && (each.of != Identified::External || !found.zero.is_some_and(|zero| zero.is_significant()))
+    };
+    let shown = |estimate: &Estimate| {
+        let row = row(estimate, &project, &parameters.actuator, found.tabulated_nm_a, language);
+        Identified95 { known: is_known(estimate), ..row }
+    };
     let overrides = if found.doubts.is_empty() {
-        overrides(&found.estimates, |of| is_replaced(of, &axis.mechanism))
+        let known: Vec<Estimate> = found.estimates.iter().filter(|each| is_known(each)).copied().collect();
+        overrides(&known, |of| is_replaced(of, &axis.mechanism))
     } else {
         String::new()
     };
@@ -142,20 +171,15 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
         samples: run.observed.time_s.len(),
         estimates: found.estimates.iter().map(shown).collect(),
         open: found.open.iter().map(|(of, open)| left_open(*of, *open, language)).collect(),
+        signals: signals(&found, language),
         doubts: found.doubts.iter().map(|doubt| doubted(doubt, language)).collect(),
         overrides,
-        notes: notes(&found, &axis.mechanism, &axis.extras, &run.observed, language),
+        notes: notes(&found, &axis.mechanism, &axis.extras, language),
     })
 }
 
 /// Returns the assumptions, omissions and validity of the estimates.
-fn notes(
-    found: &twin::Identification,
-    mechanism: &Mechanism,
-    extras: &[Extra],
-    run: &Observed,
-    language: Language,
-) -> Vec<String> {
+fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], language: Language) -> Vec<String> {
     let number = |value: f64, digits| format_significant(value, digits, language);
     let mut notes = Vec::new();
     if !found.doubts.is_empty() {
@@ -176,16 +200,31 @@ fn notes(
     }
     if let Some([inertia, spread]) = found.rotor {
         notes.push(identification::assumed_rotor(&number(inertia, 4), &number(spread * 100.0, 2), language));
-        if spread > ROTOR_ALONE
-            && let (Some(first), Some(last)) = (run.time_s.first(), run.time_s.last())
-        {
-            #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
-            let every_ms = (last - first) / (run.time_s.len() as f64 - 1.0).max(1.0) * 1e3;
-            notes.push(identification::in_step(&number(every_ms, 3), language));
+        if spread > ROTOR_ALONE {
+            notes.push(identification::in_step(&number(found.row_s * 1e3, 3), language));
         }
     }
     if found.motor_lag_s != 0.0 {
         notes.push(identification::motor_lags(&number(found.motor_lag_s * 1e3, 2), language));
+    }
+    let delays = [(Signal::Torque, found.torque_delay), (Signal::Current, found.current_delay)];
+    for (signal, Delay { s, half_width_s }) in delays.into_iter().filter_map(|(signal, delay)| Some((signal, delay?))) {
+        let (column, half) = (identification::column_heading(signal), number(half_width_s * 1e3, 2));
+        let lag = number(s.abs() * 1e3, 3);
+        notes.push(if s > 0.0 {
+            identification::signal_lags(&column, &lag, &half, language)
+        } else {
+            identification::signal_leads(&column, &lag, &half, language)
+        });
+    }
+    if let Some(zero) = found.zero.filter(Zero::is_significant) {
+        let [current, half] = [zero.current_q_a, zero.half_width_a].map(|value| number(value, 2));
+        let torque = number(zero.torque_nm, 2);
+        notes.push(if zero.is_of_torque {
+            identification::zero_of_torque(&torque, &current, language)
+        } else {
+            identification::zero_of_current(&current, &half, &torque, language)
+        });
     }
     if found.at_limit > 0 {
         notes.push(identification::windows_at_the_limit(&found.at_limit, language));
@@ -205,15 +244,47 @@ fn left_open(of: Identified, open: Open, language: Language) -> LeftOpen {
     LeftOpen { id: of.id(), title: title(language).to_owned(), reason: identification::open_reason(open, language) }
 }
 
+/// Returns zeros and delays of the signals.
+fn signals(found: &twin::Identification, language: Language) -> Vec<SignalDatum> {
+    let datum =
+        |id, signal, title: Word, [value, half_width]: [f64; 2], unit: &'static Unit, significant| SignalDatum {
+            id,
+            column: identification::column_heading(signal),
+            title: title(language).to_owned(),
+            value: Number::in_unit(value, unit),
+            half_width: Number::in_unit(half_width, unit),
+            unit: unit.json,
+            significant,
+        };
+    let zero = found.zero.map(|zero| {
+        let values = [zero.current_q_a, zero.half_width_a];
+        let title = identification::current_zero;
+        datum("current_zero", Signal::Current, title, values, &AMPERE, zero.is_significant())
+    });
+    let delays = [
+        ("torque_delay", Signal::Torque, identification::torque_delay as Word, found.torque_delay),
+        ("current_delay", Signal::Current, identification::current_delay, found.current_delay),
+    ];
+    let delays = delays.into_iter().filter_map(|(id, signal, title, delay)| {
+        let Delay { s, half_width_s } = delay?;
+        Some(datum(id, signal, title, [s, half_width_s], &MILLISECOND, true))
+    });
+    zero.into_iter().chain(delays).collect()
+}
+
 /// Returns the doubt with its value in the unit of the sentence.
 fn doubted(doubt: &Doubt, language: Language) -> Doubted {
-    let Doubt { column, misread, value } = *doubt;
-    let shown = if misread == Misread::GravityOpposite { value.to_degrees() } else { value };
-    Doubted {
-        id: misread.id(),
-        column: identification::column_heading(column),
-        text: identification::doubt(column, misread, &format_significant(shown, 3, language), language),
+    let Doubt { column, misread, value, by_convention } = *doubt;
+    let number = |value: f64| format_significant(value, 3, language);
+    let shown = number(if misread == Misread::GravityOpposite { value.to_degrees() } else { value });
+    // A factor that the run does not measure is that of the convention.
+    let is_measured = by_convention.is_none_or(|exact| exact != value);
+    let shown = if is_measured { shown } else { identification::about(&shown, language) };
+    let mut text = identification::doubt(column, misread, &shown, language);
+    if let Some(exact) = by_convention.filter(|_| is_measured) {
+        text.push_str(&identification::factor_of_convention(&number(exact), language));
     }
+    Doubted { id: misread.id(), column: identification::column_heading(column), text }
 }
 
 fn title_and_unit(of: Identified) -> (Word, &'static Unit) {

@@ -46,6 +46,8 @@ identified! {
         MotorShaftPerMinute = "motor_shaft_per_minute",
         /// Milliseconds instead of seconds.
         Milliseconds = "milliseconds",
+        /// Minutes instead of seconds.
+        Minutes = "minutes",
         /// The rms value instead of the peak value of a phase.
         Rms = "rms",
         /// i_q of a power-invariant transformation, √(3/2) times the peak of a phase.
@@ -75,6 +77,8 @@ identified! {
         /// The weight acts on the opposite side: the position counts in the opposite direction, or with an offset of
         /// half a turn.
         GravityOpposite = "gravity_opposite",
+        /// Absolute values, without the sign of the signal.
+        Magnitude = "magnitude",
         /// Negative friction, which would drive the axis.
         NegativeFriction = "negative_friction",
         /// Unknown convention.
@@ -92,6 +96,14 @@ pub struct Doubt {
     /// Value that causes the doubt: a ratio of two signals or of an estimate and its table value, an angle \[rad\], a
     /// torque \[Nm\].
     pub value: f64,
+    /// Ratio that the convention has exactly, if it differs from a measured one.
+    pub by_convention: Option<f64>,
+}
+
+impl Doubt {
+    pub(super) const fn new(column: Column, misread: Misread, value: f64) -> Self {
+        Self { column, misread, value, by_convention: None }
+    }
 }
 
 /// Largest deviation of a ratio of two signals that should be one. A choice.
@@ -114,6 +126,9 @@ const OPPOSITE: f64 = 0.75 * PI;
 
 /// One rad/s in revolutions per minute.
 const PER_MINUTE: f64 = 30.0 / PI;
+
+/// Speed of a time in minutes over that of the position differentiated with it.
+const MINUTES: f64 = 1.0 / 60.0;
 
 /// One radian in degrees.
 const DEGREES: f64 = 180.0 / PI;
@@ -143,7 +158,7 @@ impl Signals {
             // A run may make smaller or larger moves; only ratios with a known cause are doubts.
             let names = [(DEGREES, Misread::Degrees), (0.5 / PI, Misread::Turns), (ratio, Misread::MotorShaft)];
             let named = nearest(slope, &names);
-            doubts.extend(named.map(|misread| Doubt { column: Column::Position, misread, value: slope }));
+            doubts.extend(named.map(|misread| Doubt::new(Column::Position, misread, slope)));
         }
         let against = |signal: &[f64]| {
             let [mut product, mut square] = [0.0; 2];
@@ -160,6 +175,7 @@ impl Signals {
             (DEGREES, Misread::Degrees),
             (PER_MINUTE, Misread::PerMinute),
             (1e3, Misread::Milliseconds),
+            (MINUTES, Misread::Minutes),
         ];
         let of_motor = [
             (ratio, Misread::MotorShaft),
@@ -170,20 +186,22 @@ impl Signals {
         let speeds = run.speed_rad_s.as_ref().map(|speed| (Column::Speed, against(speed)));
         let motor = Some((Column::MotorSpeed, against(&run.motor_rad_s)));
         // A position in degrees disagrees with every speed.
-        let of_position = |factor: f64| (factor - 1.0 / DEGREES).abs() < NAMED / DEGREES;
+        let is_minutes = |factor: f64| (factor - MINUTES).abs() < (factor - 1.0 / DEGREES).abs();
+        let of_position = |factor: f64| (factor - 1.0 / DEGREES).abs() < NAMED / DEGREES && !is_minutes(factor);
         let all: Vec<(Column, f64)> = speeds.into_iter().chain(motor).collect();
         if all.iter().any(|(_, value)| of_position(*value)) && doubts.is_empty() {
             let value = all.first().map_or(0.0, |(_, value)| 1.0 / value);
-            doubts.push(Doubt { column: Column::Position, misread: Misread::Degrees, value });
+            doubts.push(Doubt::new(Column::Position, Misread::Degrees, value));
         }
         // The motor turns against the position: the motion, else the torque, shows which of both is wrong.
         let is_reversed = |value: f64| (value + 1.0).abs() < AGREE;
         let is_against = all.iter().any(|(column, value)| *column == Column::MotorSpeed && is_reversed(*value));
         let mut all = all;
         if is_against && direction.or_else(accelerating) == Some(-1.0) {
-            doubts.push(Doubt { column: Column::Position, misread: Misread::Reversed, value: -1.0 });
+            doubts.push(Doubt::new(Column::Position, Misread::Reversed, -1.0));
             all.iter_mut().for_each(|(_, value)| *value = -*value);
         }
+        doubts.extend(magnitudes(run).map(|column| Doubt::new(column, Misread::Magnitude, 1.0)));
         for (column, value) in all {
             if (value - 1.0).abs() < AGREE || of_position(value) {
                 continue;
@@ -192,10 +210,53 @@ impl Signals {
             let own = nearest(value, &names);
             let side = if column == Column::MotorSpeed { nearest(value, &of_motor) } else { None };
             let misread = side.or(own).unwrap_or(Misread::Other);
-            doubts.push(Doubt { column, misread, value });
+            doubts.push(Doubt::new(column, misread, value));
         }
         Self { doubts }
     }
+}
+
+/// Share of the largest value of a signal above which it counts as large, and below which as small. A choice.
+const LARGE: f64 = 0.3;
+const SMALL: f64 = 0.1;
+
+/// Largest mean of the sizes of a signal where the other is small, relative to that where it is large. A choice.
+const SIZED: f64 = 0.5;
+
+/// Returns the signal of torque and current that has lost its sign: large where the other is large with either sign, small
+/// where the other is small.
+fn magnitudes(run: &Observed) -> Option<Column> {
+    let is_of = |own: &[f64], other: &[f64]| {
+        let most = |column: &[f64]| column.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let (of_own, of_other) = (most(own), most(other));
+        // Against the other signal: large negative, small, large positive.
+        let [mut sums, mut counts] = [[0.0_f64; 3], [0.0_f64; 3]];
+        for (own, other) in own.iter().zip(other) {
+            if *own < -0.02 * of_own {
+                return false;
+            }
+            let place = match other / of_other {
+                ratio if ratio < -LARGE => 0,
+                ratio if ratio > LARGE => 2,
+                ratio if ratio.abs() < SMALL => 1,
+                _ => continue,
+            };
+            if let (Some(sum), Some(count)) = (sums.get_mut(place), counts.get_mut(place)) {
+                (*sum, *count) = (*sum + own, *count + 1.0);
+            }
+        }
+        #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+        let least = 0.02 * own.len() as f64;
+        let [negative, small, positive] = std::array::from_fn(|place| match (sums.get(place), counts.get(place)) {
+            (Some(sum), Some(count)) if *count > least => sum / count,
+            _ => f64::NAN,
+        });
+        negative.min(positive) * SIZED > small
+    };
+    if is_of(&run.torque_nm, &run.current_q_a) {
+        return Some(Column::Torque);
+    }
+    is_of(&run.current_q_a, &run.torque_nm).then_some(Column::Current)
 }
 
 /// Returns the convention with a ratio.
@@ -205,16 +266,20 @@ fn nearest(value: f64, names: &[(f64, Misread)]) -> Option<Misread> {
     near.min_by(|a, b| off(a).total_cmp(&off(b))).map(|(_, misread)| *misread)
 }
 
-/// Returns the convention of the current that a torque constant over that of the table, with its half width, speaks for.
-fn of_constant(value: f64, half: f64) -> Option<Misread> {
+/// Returns the convention of the current that a torque constant over that of the table, with its half width, speaks for,
+/// and its exact ratio.
+fn of_constant(value: f64, half: f64) -> Option<(Misread, Option<f64>)> {
     let names =
         [(SQRT_2, Misread::Rms), (1.0 / SQRT_2, Misread::PeakTwice), ((2.0_f64 / 3.0).sqrt(), Misread::PowerInvariant)];
     let off = (value - 1.0).abs() - half;
     let near = |(ratio, _): &&(f64, Misread)| (value - ratio).abs() < half;
     let within = names.iter().find(|name| off > SCATTER && near(name)).map(|(_, misread)| *misread);
     match nearest(value, &names).or(within) {
-        Some(misread) if off > SCATTER => Some(misread),
-        _ if off > CONSTANT => Some(Misread::Other),
+        Some(misread) if off > SCATTER => {
+            let exact = names.iter().find(|(_, own)| *own == misread).map(|(ratio, _)| *ratio);
+            Some((misread, exact))
+        }
+        _ if off > CONSTANT => Some((Misread::Other, None)),
         _ => None,
     }
 }
@@ -234,15 +299,16 @@ pub(super) fn of_estimates(
     let tabulated = Tabulated::of(stated.parameters);
     if let Some(inertia) = shares.inertia.filter(|share| share.value < -share.half_width) {
         let value = plain.map_or(inertia.value, |plain| inertia.value * plain.inertia_kgm2);
-        doubts.push(Doubt { column: Column::Torque, misread: Misread::Reversed, value });
+        doubts.push(Doubt::new(Column::Torque, Misread::Reversed, value));
     } else {
-        let scale = tabulated.as_ref().and_then(|tabulated| scale::doubt(windows, tabulated, shares));
+        let is_delayed = found.current_delay.is_some();
+        let scale = tabulated.as_ref().and_then(|tabulated| scale::doubt(windows, tabulated, shares, is_delayed));
         // Angles that are all in degrees agree with each other.
         let degrees = shares.inertia.map(|share| share.value).filter(|value| {
             scale.is_none_or(|doubt| doubt.misread == Misread::Other)
                 && nearest(*value, &[(1.0 / DEGREES, Misread::Degrees)]).is_some()
         });
-        let of_degrees = |value| Doubt { column: Column::Position, misread: Misread::Degrees, value };
+        let of_degrees = |value| Doubt::new(Column::Position, Misread::Degrees, value);
         doubts.extend(degrees.map(of_degrees).or(scale).or_else(|| scale::payload(shares)));
     }
     let has_doubt = !doubts.is_empty();
@@ -258,7 +324,7 @@ pub(super) fn of_estimates(
         (value < -half - least).then_some(value)
     };
     if !has_doubt && let Some(value) = friction(Identified::Coulomb, Identified::Viscous, 0.02 * size) {
-        doubts.push(Doubt { column: Column::Torque, misread: Misread::NegativeFriction, value });
+        doubts.push(Doubt::new(Column::Torque, Misread::NegativeFriction, value));
     }
     if !has_doubt
         && let (Some(weight), Some(angle), Some(plain)) = (of(Identified::Gravity), of(Identified::GravityAngle), plain)
@@ -268,7 +334,7 @@ pub(super) fn of_estimates(
         let own = if plain.weight_nm < 0.0 { plain.angle_rad + PI } else { plain.angle_rad };
         let between = (angle.value - own + PI).rem_euclid(2.0 * PI) - PI;
         if between.abs() - angle.half_width > OPPOSITE {
-            doubts.push(Doubt { column: Column::Position, misread: Misread::GravityOpposite, value: between });
+            doubts.push(Doubt::new(Column::Position, Misread::GravityOpposite, between));
         }
     }
     if !has_doubt && let (Some(constant), Some(tabulated)) = (of(Identified::TorqueConstant), tabulated) {
@@ -276,11 +342,11 @@ pub(super) fn of_estimates(
         let half = constant.half_width / tabulated.output_nm_a;
         let least = 0.02 * mean(|window| window.current.abs());
         if value < 0.0 {
-            doubts.push(Doubt { column: Column::Current, misread: Misread::Reversed, value });
-        } else if let Some(misread) = of_constant(value, half) {
-            doubts.push(Doubt { column: Column::Current, misread, value });
+            doubts.push(Doubt::new(Column::Current, Misread::Reversed, value));
+        } else if let Some((misread, by_convention)) = of_constant(value, half) {
+            doubts.push(Doubt { column: Column::Current, misread, value, by_convention });
         } else if let Some(value) = friction(Identified::StartingCurrent, Identified::CurrentConstant, least) {
-            doubts.push(Doubt { column: Column::Current, misread: Misread::NegativeFriction, value });
+            doubts.push(Doubt::new(Column::Current, Misread::NegativeFriction, value));
         }
     }
     found.doubts = doubts;

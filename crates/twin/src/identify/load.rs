@@ -41,64 +41,117 @@ pub(super) struct Shares {
     pub(super) weights: Vec<Share>,
 }
 
+/// Load of a run as the project states it.
+#[derive(Clone, Copy)]
+pub(super) struct Load<'a, 'e> {
+    pub(super) mechanism: &'a Mechanism,
+    /// Additions of a segment, by the sample of a run.
+    pub(super) extra: &'a dyn Fn(usize) -> Option<&'e Extra>,
+    /// Additions of all segments.
+    pub(super) extras: &'e [Extra],
+    /// The run moves in both directions.
+    pub(super) both_ways: bool,
+    /// A delay of the torque has been removed; what is left of it is a column.
+    pub(super) is_delayed: bool,
+}
+
 /// Estimates the parameters of the load, including the payload of the first segment.
 ///
 /// # Valid
 /// all parameters of a load with constant coefficients; for other loads the deviation from the stated one: friction,
 /// and for a linear drive the inertia too
-pub(super) fn estimate<'e>(
+pub(super) fn estimate(
     run: &Observed,
     windows: &Windows,
-    mechanism: &Mechanism,
-    extra: impl Fn(usize) -> Option<&'e Extra>,
-    extras: &[Extra],
+    load: &Load<'_, '_>,
     found: &mut Identification,
 ) -> Result<Shares, IdentifyFault> {
     let none = Extra::none();
-    let first = extras.first().unwrap_or(&none);
-    match mechanism.plain(first) {
-        Some(plain) => plainly(windows, mechanism, &plain, extra, found),
-        None => beside(run, windows, mechanism, extra, extras, found),
+    match load.mechanism.plain(load.extras.first().unwrap_or(&none)) {
+        Some(plain) => plainly(windows, load, &plain, found),
+        None => beside(run, windows, load, found),
     }
 }
 
-fn plainly<'e>(
-    windows: &Windows,
-    mechanism: &Mechanism,
-    first: &Plain,
-    extra: impl Fn(usize) -> Option<&'e Extra>,
-    found: &mut Identification,
-) -> Result<Shares, IdentifyFault> {
-    let (low, high) = windows.all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), window| {
-        (low.min(window.position), high.max(window.position))
-    });
-    let hangs = high - low > SWING || first.weight_nm != 0.0;
-    let both_ways = found.both_ways;
-    let row = |window: &Window, is_free: bool| {
+/// Returns the equations of the load with the rate of the torque as their last column, without a scale of the torque, and the
+/// variances of the noise of the columns; `true` if all parameters of the load are estimated.
+pub(super) fn rows_of_delay(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> (Vec<Row>, Vec<f64>, bool) {
+    let none = Extra::none();
+    let first = load.extras.first().unwrap_or(&none);
+    let differs = load.extras.iter().any(|each| each != first);
+    if let Some(plain) = load.mechanism.plain(first) {
+        let columns = Columns { rate: true, ..Columns::of(windows, load, &plain) };
+        let rows = windows.all.iter().map(|window| columns.row(window, load, &plain, differs));
+        return (rows.collect(), vec![windows.noise[0], 0.0, windows.noise[1]], true);
+    }
+    let row = |window: &Window| {
+        let own = (load.extra)(window.samples.start).map_or(0.0, |extra| without_friction(run, window, load, extra));
+        let regressors = vec![own, window.sign, window.speed, 1.0, window.acceleration, window.torque_rate];
+        Row { regressors, value: window.torque, stroke: window.stroke }
+    };
+    (windows.all.iter().map(row).collect(), Vec::new(), false)
+}
+
+/// Columns of the equations of a load with constant coefficients, besides those of acceleration, direction and speed.
+#[derive(Clone, Copy)]
+struct Columns {
+    /// Cosine and sine of the position.
+    hangs: bool,
+    /// One.
+    constant: bool,
+    /// Rate of the torque.
+    rate: bool,
+}
+
+impl Columns {
+    fn of(windows: &Windows, load: &Load<'_, '_>, first: &Plain) -> Self {
+        let (low, high) = windows.all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), window| {
+            (low.min(window.position), high.max(window.position))
+        });
+        let hangs = high - low > SWING || first.weight_nm != 0.0;
+        Self { hangs, constant: load.both_ways, rate: load.is_delayed }
+    }
+
+    /// Returns the place of the constant, if there is one.
+    const fn constant(self) -> usize {
+        if self.hangs { 5 } else { 3 }
+    }
+
+    /// Returns the place behind the constant.
+    fn last(self) -> usize {
+        self.constant() + usize::from(self.constant)
+    }
+
+    /// Returns the equation of a window; the additions of the segments are a column, behind the constant, if they are free.
+    fn row(self, window: &Window, load: &Load<'_, '_>, first: &Plain, is_free: bool) -> Row {
         let mut regressors = vec![window.acceleration, window.sign, window.speed];
-        if hangs {
+        if self.hangs {
             regressors.extend([window.cosine, window.sine]);
         }
-        if both_ways {
-            regressors.push(1.0);
-        }
-        let own = extra(window.samples.start).and_then(|extra| mechanism.plain(extra));
+        regressors.extend(self.constant.then_some(1.0));
+        let own = (load.extra)(window.samples.start).and_then(|extra| load.mechanism.plain(extra));
         let added = own.map_or(0.0, |own| difference(&own, first, window));
-        if is_free {
-            regressors.push(added);
-        }
+        regressors.extend(is_free.then_some(added));
+        regressors.extend(self.rate.then_some(window.torque_rate));
         Row { regressors, value: if is_free { window.torque } else { window.torque - added }, stroke: window.stroke }
-    };
+    }
+}
+
+fn plainly(
+    windows: &Windows,
+    load: &Load<'_, '_>,
+    first: &Plain,
+    found: &mut Identification,
+) -> Result<Shares, IdentifyFault> {
+    let both_ways = load.both_ways;
+    let columns = Columns::of(windows, load, first);
     let fitted = |is_free: bool| {
-        let rows: Vec<Row> = windows.all.iter().map(|window| row(window, is_free)).collect();
+        let rows: Vec<Row> = windows.all.iter().map(|window| columns.row(window, load, first, is_free)).collect();
         let [of_acceleration, of_speed] = windows.noise;
-        let mut noise = vec![of_acceleration, 0.0, of_speed];
-        noise.resize(rows.first().map_or(0, |row| row.regressors.len()), 0.0);
-        fit(&rows, &noise, None)
+        fit(&rows, &[of_acceleration, 0.0, of_speed], &[])
     };
     let fit = fitted(false).ok_or(IdentifyFault::NotExcited)?;
-    let constant = if hangs { 5 } else { 3 };
-    let last = constant + usize::from(both_ways);
+    let (hangs, constant, last) = (columns.hangs, columns.constant(), columns.last());
     let free = fitted(true).filter(|free| free.separates(last));
     let of = free.as_ref().unwrap_or(&fit);
     let (sine, cosine) = first.angle_rad.sin_cos();
@@ -181,30 +234,29 @@ const WITHIN: u32 = 8;
 
 /// Estimates friction, and for a linear drive inertia, of a load without constant coefficients, relative to the stated
 /// load without friction.
-fn beside<'e>(
+fn beside(
     run: &Observed,
     windows: &Windows,
-    mechanism: &Mechanism,
-    extra: impl Fn(usize) -> Option<&'e Extra>,
-    extras: &[Extra],
+    load: &Load<'_, '_>,
     found: &mut Identification,
 ) -> Result<Shares, IdentifyFault> {
+    let Load { mechanism, extra, both_ways, .. } = *load;
     let is_even = mechanism.travel_m_per_rad().is_some();
-    let both_ways = found.both_ways;
     let none = Extra::none();
     let rows: Vec<Row> = windows
         .all
         .iter()
         .map(|window| {
             // The flange turns with every load, so that the acceleration is a column in each case.
-            let regressors = vec![window.sign, window.speed, 1.0, window.acceleration];
-            let own = extra(window.samples.start).map_or(0.0, |extra| without_friction(run, window, mechanism, extra));
+            let mut regressors = vec![window.sign, window.speed, 1.0, window.acceleration];
+            regressors.extend(load.is_delayed.then_some(window.torque_rate));
+            let own = extra(window.samples.start).map_or(0.0, |extra| without_friction(run, window, load, extra));
             Row { regressors, value: window.torque - own, stroke: window.stroke }
         })
         .collect();
     let noise = [0.0, windows.noise[1], 0.0, windows.noise[0]];
-    let fit = fit(&rows, &noise, None).ok_or(IdentifyFault::NotExcited)?;
-    let shares = shares_beside(run, windows, mechanism, &extra, extras);
+    let fit = fit(&rows, &noise, &[]).ok_or(IdentifyFault::NotExcited)?;
+    let shares = shares_beside(run, windows, load);
     if is_even {
         let stated = mechanism.inertia(0.0, extra(0).unwrap_or(&none));
         let of = Identified::LoadInertia;
@@ -233,32 +285,28 @@ pub(super) fn accelerating(windows: &Windows) -> Option<f64> {
         Row { regressors, value: window.torque, stroke: window.stroke }
     };
     let rows: Vec<Row> = windows.all.iter().map(row).collect();
-    let (value, half) = fit(&rows, &[], None)?.estimate(0)?;
+    let (value, half) = fit(&rows, &[], &[])?.estimate(0)?;
     (value.abs() > half).then(|| value.signum())
 }
 
 /// Returns the stated load of the first segment, and what the segments add to it, as shares of the torque.
-fn shares_beside<'e>(
-    run: &Observed,
-    windows: &Windows,
-    mechanism: &Mechanism,
-    extra: &impl Fn(usize) -> Option<&'e Extra>,
-    extras: &[Extra],
-) -> Shares {
+fn shares_beside(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> Shares {
     let none = Extra::none();
-    let first = extras.first().unwrap_or(&none);
-    let differs = extras.iter().any(|each| each != first);
+    let first = load.extras.first().unwrap_or(&none);
+    let differs = load.extras.iter().any(|each| each != first);
     let row = |window: &Window| {
-        let own = without_friction(run, window, mechanism, first);
+        let own = without_friction(run, window, load, first);
         let mut regressors = vec![own, window.sign, window.speed, 1.0];
         if differs {
-            let all = extra(window.samples.start).map_or(own, |extra| without_friction(run, window, mechanism, extra));
+            let extra = (load.extra)(window.samples.start);
+            let all = extra.map_or(own, |extra| without_friction(run, window, load, extra));
             regressors.push(all - own);
         }
+        regressors.extend(load.is_delayed.then_some(window.torque_rate));
         Row { regressors, value: window.torque, stroke: window.stroke }
     };
     let rows: Vec<Row> = windows.all.iter().map(row).collect();
-    fit(&rows, &[], None).map_or_else(Shares::default, |fit| Shares {
+    fit(&rows, &[], &[]).map_or_else(Shares::default, |fit| Shares {
         payload: Share::of(&fit, 4, 1.0).filter(|_| differs),
         inertia: Share::of(&fit, 0, 1.0),
         ..Shares::default()
@@ -266,8 +314,8 @@ fn shares_beside<'e>(
 }
 
 /// Returns the mean torque of the stated load without friction and losses in a window \[Nm\].
-fn without_friction(run: &Observed, window: &Window, mechanism: &Mechanism, extra: &Extra) -> f64 {
-    let loading = mechanism.loading(extra);
+fn without_friction(run: &Observed, window: &Window, load: &Load<'_, '_>, extra: &Extra) -> f64 {
+    let loading = load.mechanism.loading(extra);
     let length = window.samples.len() - 1;
     let [mut sum, mut all] = [0.0; 2];
     let at = |place: usize| Some((*run.time_s.get(place)?, *run.position_rad.get(place)?));

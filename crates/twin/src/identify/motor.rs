@@ -2,7 +2,7 @@
 
 use super::regression::{Fit, Prior, Row, fit};
 use super::windows::{Window, Windows};
-use super::{Estimate, Identification, Identified, Open};
+use super::{Estimate, Identification, Identified, Open, Zero};
 use crate::gear::Spring;
 use crate::machine::Machine;
 use crate::{Parameters, Switches};
@@ -65,7 +65,10 @@ const CONSTANT: f64 = 0.005;
 pub(super) const LEAST: usize = 12;
 
 /// Share of the squares of the driven torque above which its own coefficient is estimated.
-const DRIVEN: f64 = 0.05;
+const DRIVEN: f64 = 1e-4;
+
+/// Standard deviation of d relative to the losses of the teeth in the tables: they lie between none and twice those. A guess.
+const TEETH: f64 = 0.5;
 
 /// Share of the sampling interval above which a lag of the motor speed counts, and the smallest lag that does \[s\].
 const LAG: f64 = 0.25;
@@ -99,17 +102,66 @@ pub(super) enum Tie {
 pub(super) struct Equations<'w> {
     windows: Vec<&'w Window>,
     step_s: f64,
+    /// Mean variances of the noise of driving and driven torque \[N²m²\].
+    noise: [f64; 2],
     tabulated: Option<Tabulated>,
     /// The load drives for a considerable part of the run.
     is_driven: bool,
+    /// The run moves in both directions, so that the zero of the current can be estimated.
+    has_zero: bool,
+    /// A delay of the current has been removed; what is left of it is a column.
+    is_delayed: bool,
 }
 
 impl<'w> Equations<'w> {
-    /// Returns the equations of windows.
-    pub(super) fn of(windows: Vec<&'w Window>, step_s: f64, tabulated: Option<Tabulated>) -> Self {
+    /// Returns the equations of the windows below the limit of the current; `None` if there are too few.
+    pub(super) fn free(windows: &'w Windows, tabulated: Option<Tabulated>, is_delayed: bool) -> Option<Self> {
+        let free: Vec<&Window> = windows.all.iter().filter(|window| !window.limited).collect();
+        (free.len() >= LEAST).then(|| Self::made(free, windows, tabulated, is_delayed))
+    }
+
+    /// Returns the equations of all windows if there are too few below the limit: currents beyond every limit are another
+    /// unit.
+    pub(super) fn of(windows: &'w Windows, tabulated: Option<Tabulated>, is_delayed: bool) -> Self {
+        let all = || Self::made(windows.all.iter().collect(), windows, tabulated, is_delayed);
+        Self::free(windows, tabulated, is_delayed).unwrap_or_else(all)
+    }
+
+    fn made(windows: Vec<&'w Window>, all: &Windows, tabulated: Option<Tabulated>, is_delayed: bool) -> Self {
+        #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
+        let count = (windows.len() as f64).max(1.0);
+        let share = |window: &&Window| (window.driving / window.torque).clamp(0.0, 1.0);
+        let share = windows.iter().map(share).filter(|share| share.is_finite()).sum::<f64>() / count;
         let squares = |part: fn(&Window) -> f64| windows.iter().map(|window| part(window).powi(2)).sum::<f64>();
         let (driving, driven) = (squares(|window| window.driving), squares(|window| window.torque - window.driving));
-        Self { is_driven: driven > DRIVEN * driving, windows, step_s, tabulated }
+        let has_zero = [1.0, -1.0].iter().all(|sign| windows.iter().any(|window| window.sign == *sign));
+        let noise = [share * all.torque_noise, (1.0 - share) * all.torque_noise];
+        let is_driven = driven > DRIVEN * driving;
+        Self { windows, step_s: all.step_s, noise, tabulated, is_driven, has_zero, is_delayed }
+    }
+
+    /// Returns the place of the zero of the current among the columns.
+    fn zero(&self) -> Option<usize> {
+        self.has_zero.then_some(4 + usize::from(self.is_driven))
+    }
+
+    /// Returns equations without a scale and a tie, whose last column is the rate of the current.
+    pub(super) fn rows_of_delay(&self) -> Vec<Row> {
+        let lag = self.lag_s(Scale::NONE);
+        let row = |window: &&Window| {
+            let speed = window.motor_speed + lag * window.motor_acceleration;
+            let acceleration = window.motor_acceleration + lag * window.motor_jerk;
+            let rest = window.torque - window.driving;
+            let mut regressors = vec![window.driving, window.sign, speed, acceleration];
+            match regressors.first_mut() {
+                Some(all) if !self.is_driven => *all += rest,
+                _ => regressors.push(rest),
+            }
+            regressors.extend(self.has_zero.then_some(1.0));
+            regressors.push(window.current_rate);
+            Row { regressors, value: window.current, stroke: window.stroke }
+        };
+        self.windows.iter().map(row).collect()
     }
 
     /// Standard deviation of c relative to the tables \[1\].
@@ -137,7 +189,7 @@ impl<'w> Equations<'w> {
         if lag.abs() > (LAG * self.step_s).max(LAG_LEAST_S) { lag } else { 0.0 }
     }
 
-    /// Solves I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω' with the signals divided by a scale.
+    /// Solves I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω' + I_0 with the signals divided by a scale.
     pub(super) fn fit(&self, scale: Scale, lag: f64, tie: Tie) -> Option<Fit> {
         let row = |window: &&Window| {
             let speed = window.motor_speed + lag * window.motor_acceleration;
@@ -154,55 +206,69 @@ impl<'w> Equations<'w> {
             if let (Tie::ToTable, Some(tabulated)) = (tie, &self.tabulated) {
                 value -= acceleration * tabulated.rotor_kgm2 / tabulated.motor_nm_a;
             }
+            regressors.extend(self.has_zero.then_some(1.0));
+            regressors.extend(self.is_delayed.then_some(window.current_rate / scale.current));
             Row { regressors, value, stroke: window.stroke }
         };
         let rows: Vec<Row> = self.windows.iter().map(row).collect();
         let width = rows.first().map_or(0, |row| row.regressors.len());
-        let prior = self.tabulated.as_ref().map(|tabulated| {
-            let Tabulated { rotor_kgm2, motor_nm_a, output_nm_a, .. } = *tabulated;
+        let priors = self.tabulated.as_ref().map(|tabulated| self.priors(tabulated, tie, width)).unwrap_or_default();
+        let [driving, driven] = self.noise.map(|noise| noise / (scale.torque * scale.torque));
+        let noise = [driving, 0.0, 0.0, 0.0, driven];
+        let noise = noise.get(..if self.is_driven { 5 } else { 1 }).unwrap_or_default();
+        fit(&rows, noise, &priors).or_else(|| fit(&rows, &[], &priors))
+    }
+
+    /// Returns what the tables say of the coefficients: c of the rotor, and d of the losses of the teeth.
+    fn priors(&self, tabulated: &Tabulated, tie: Tie, width: usize) -> Vec<Prior> {
+        let Tabulated { rotor_kgm2, motor_nm_a, output_nm_a, .. } = *tabulated;
+        let shares = match (tie, self.is_driven) {
+            (Tie::ToTable, _) => [0.0, 0.0],
+            (Tie::ToTorque, true) => [0.5, 0.5],
+            (Tie::ToTorque, false) => [output_nm_a / motor_nm_a, 0.0],
+        };
+        let relation = |cells: [(usize, f64); 3], spread| {
             let mut factors = vec![0.0; width];
-            if let Some(cell) = factors.get_mut(3) {
-                *cell = -1.0;
-            }
-            let shares = match (tie, self.is_driven) {
-                (Tie::ToTable, _) => [0.0, 0.0],
-                (Tie::ToTorque, true) => [0.5, 0.5],
-                (Tie::ToTorque, false) => [output_nm_a / motor_nm_a, 0.0],
-            };
-            for (place, share) in [0, 4].into_iter().zip(shares) {
+            for (place, factor) in cells {
                 if let Some(cell) = factors.get_mut(place) {
-                    *cell = rotor_kgm2 * share;
+                    *cell += factor;
                 }
             }
-            let spread = if tie == Tie::ToTable { self.spread().hypot(MAGNETS) } else { self.spread() };
-            Prior { factors, spread: spread * rotor_kgm2 / motor_nm_a }
-        });
-        fit(&rows, &[], prior.as_ref())
+            Prior { factors, spread }
+        };
+        let [of_driving, of_driven] = shares.map(|share| share * rotor_kgm2);
+        let last = if self.is_driven { 4 } else { 0 };
+        let spread = if tie == Tie::ToTable { self.spread().hypot(MAGNETS) } else { self.spread() };
+        let rotor = relation([(3, -1.0), (0, of_driving), (last, of_driven)], spread * rotor_kgm2 / motor_nm_a);
+        // d/a of the tables, at most one.
+        let ratio = 2.0 * output_nm_a / motor_nm_a - 1.0;
+        let teeth = relation([(4, 1.0), (0, -ratio), (3, 0.0)], TEETH * (1.0 - ratio) / output_nm_a);
+        let has_teeth = self.is_driven && ratio < 1.0;
+        std::iter::once(rotor).chain(has_teeth.then_some(teeth)).collect()
     }
 }
 
 /// Estimates the parameters of the motor.
 ///
-/// I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω', k_Tout = 1/a, c = J_M (a + d)/2
+/// I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω' + I_0, k_Tout = 1/a, c = J_M (a + d)/2
 ///
 /// # Symbols
-/// T₊ torque while it drives the load, T₋ while the load drives, c coefficient of the rotor acceleration
+/// T₊ torque while it drives the load, T₋ while the load drives, c coefficient of the rotor acceleration, I_0 zero of the
+/// current less a times that of the torque
 /// # Source
 /// docs/theory/twin.md, *Identification*: the losses of the teeth are equal in both directions, so that (a + d)/2 =
 /// 1/(i k_TM)
 /// # Valid
 /// J_M from the tables with a standard deviation of [`ROTOR_SPREAD`], or of [`SAMPLED_SPREAD`]: for a flywheel T is
 /// proportional to Ω' except for friction, and the run alone does not separate k_Tout from J_M
-pub(super) fn estimate(windows: &Windows, parameters: &Parameters, found: &mut Identification) {
+pub(super) fn estimate(windows: &Windows, parameters: &Parameters, is_delayed: bool, found: &mut Identification) {
     let of = [Identified::TorqueConstant, Identified::StartingCurrent, Identified::CurrentConstant];
-    let free: Vec<&Window> = windows.all.iter().filter(|window| !window.limited).collect();
     let tabulated = Tabulated::of(parameters);
     found.tabulated_nm_a = tabulated.map(|tabulated| tabulated.output_nm_a);
-    if free.len() < LEAST {
+    let Some(equations) = Equations::free(windows, tabulated, is_delayed) else {
         found.open.extend(of.map(|of| (of, Open::AtLimit)));
         return;
-    }
-    let equations = Equations::of(free, windows.step_s, tabulated);
+    };
     let lag = equations.lag_s(Scale::NONE);
     found.motor_lag_s = lag;
     found.rotor = tabulated.map(|tabulated| [tabulated.rotor_kgm2, equations.spread()]);
@@ -210,6 +276,7 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, found: &mut I
         found.open.extend(of.map(|of| (of, Open::NotSeparated)));
         return;
     };
+    found.zero = equations.zero().and_then(|place| zero(&fit, place));
     let [of_torque, of_start, of_speed] = of;
     match fit.estimate(0) {
         Some((slope, half)) if half < super::SHARE_MOST * slope.abs() => {
@@ -227,4 +294,12 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, found: &mut I
             _ => found.open.push((of, Open::NotSeparated)),
         }
     }
+}
+
+/// Returns the zero of the current against that of the torque, with the torque that explains it as well.
+fn zero(fit: &Fit, place: usize) -> Option<Zero> {
+    let (value, half_width) = fit.estimate(place).filter(|_| fit.separates(place))?;
+    let (slope, _) = fit.estimate(0).filter(|(slope, _)| *slope > 0.0)?;
+    let current_q_a = SQRT_2 * value;
+    Some(Zero { current_q_a, half_width_a: SQRT_2 * half_width, torque_nm: -value / slope, is_of_torque: false })
 }

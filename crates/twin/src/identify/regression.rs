@@ -1,4 +1,4 @@
-//! Least squares with correlated residuals, noisy regressors and one known linear relation.
+//! Least squares with correlated residuals, noisy regressors and known linear relations.
 
 use numeric::Symmetric;
 
@@ -27,6 +27,8 @@ pub(super) struct Fit {
     inflation: Vec<f64>,
     /// Quantile of Student's distribution for 95 %.
     pub(super) quantile: f64,
+    /// Sum of the squares of the residuals.
+    pub(super) square: f64,
 }
 
 /// Largest variance inflation factor of a coefficient; beyond it the run does not separate it from others.
@@ -64,18 +66,18 @@ impl Fit {
 
 /// Fits the coefficients of linear equations by least squares.
 ///
-/// c = (XᵀX − n Σ_u + w pᵀp)⁻¹ Xᵀy, cov c = s² g (XᵀX − n Σ_u + w pᵀp)⁻¹, g = (1 + ρ)/(1 − ρ), w = s² g/σ_p²
+/// c = (XᵀX − n Σ_u + Σ w pᵀp)⁻¹ Xᵀy, cov c = s² g (XᵀX − n Σ_u + Σ w pᵀp)⁻¹, g = (1 + ρ)/(1 − ρ), w = s² g/σ_p²
 ///
 /// # Symbols
 /// X regressors, y values, n number of equations, Σ_u variances of the noise of the regressors, s² variance of the
 /// residuals, ρ their correlation from equation to equation within a stroke (at least that of windows that overlap by
-/// half), p and σ_p prior relation with its standard deviation
+/// half), p and σ_p prior relations with their standard deviations
 /// # Source
 /// Fuller, Measurement Error Models (1987), eq. 2.2.11 for Σ_u; Theil and Goldberger, On pure and mixed statistical estimation in
 /// economics, International Economic Review 2 (1961), for the prior; n/g equations count as independent
 /// # Valid
 /// noise of the regressors small compared with the regressors
-pub(super) fn fit(rows: &[Row], noise: &[f64], prior: Option<&Prior>) -> Option<Fit> {
+pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> {
     let width = rows.first()?.regressors.len();
     if rows.len() <= width + 2 {
         return None;
@@ -101,11 +103,11 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], prior: Option<&Prior>) -> Option<
         }
         *cell = own;
     }
-    let mut weight = 0.0;
+    let mut variance = 0.0;
     let mut found = None;
-    // The weight of the prior depends on the variance of the residuals and vice versa.
-    for _ in 0..if prior.is_some() { 5 } else { 1 } {
-        let (values, inverse, inflation) = solved(&normal, &right, prior.map(|prior| (prior, weight)))?;
+    // The weight of a prior depends on the variance of the residuals and vice versa.
+    for _ in 0..if priors.is_empty() { 1 } else { 5 } {
+        let (values, inverse, inflation) = solved(&normal, &right, priors, variance)?;
         let residues: Vec<(usize, f64)> = rows
             .iter()
             .map(|row| (row.stroke, row.value - row.regressors.iter().zip(&values).map(|(a, b)| a * b).sum::<f64>()))
@@ -119,11 +121,10 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], prior: Option<&Prior>) -> Option<
         let grown = (1.0 + rho) / (1.0 - rho);
         #[allow(clippy::cast_precision_loss, reason = "a handful")]
         let width = width as f64;
-        let variance = square / (count - width) * grown;
+        variance = square / (count - width) * grown;
         let covariance = inverse.iter().map(|line| line.iter().map(|value| value * variance).collect()).collect();
         let quantile = student((count / grown - width).max(4.0));
-        found = Some(Fit { values, covariance, inflation, quantile });
-        weight = prior.map_or(0.0, |prior| variance / (prior.spread * prior.spread));
+        found = Some(Fit { values, covariance, inflation, quantile, square });
     }
     found
 }
@@ -131,10 +132,11 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], prior: Option<&Prior>) -> Option<
 /// Coefficients, inverse of the normal matrix, variance inflation factors.
 type Solved = (Vec<f64>, Vec<Vec<f64>>, Vec<f64>);
 
-fn solved(normal: &[Vec<f64>], right: &[f64], prior: Option<(&Prior, f64)>) -> Option<Solved> {
+fn solved(normal: &[Vec<f64>], right: &[f64], priors: &[Prior], variance: f64) -> Option<Solved> {
     let width = right.len();
     let mut normal = normal.to_vec();
-    if let Some((prior, weight)) = prior {
+    for prior in priors {
+        let weight = variance / (prior.spread * prior.spread);
         for (line, a) in normal.iter_mut().zip(&prior.factors) {
             line.iter_mut().zip(&prior.factors).for_each(|(cell, b)| *cell += weight * a * b);
         }
@@ -213,12 +215,12 @@ mod tests {
     fn noise_of_a_regressor_is_taken_out() {
         let mut random = Random::new(1);
         let rows = rows(&mut random, 0.4);
-        let plain = fit(&rows, &[0.0, 0.0], None).unwrap();
+        let plain = fit(&rows, &[0.0, 0.0], &[]).unwrap();
         assert!(plain.values[0] < 1.8, "{plain:?}");
-        let corrected = fit(&rows, &[0.16, 0.0], None).unwrap();
+        let corrected = fit(&rows, &[0.16, 0.0], &[]).unwrap();
         let (value, half) = corrected.estimate(0).unwrap();
         assert!((value - 2.0).abs() < half && half < 0.15, "{value} {half}");
-        assert!(fit(&rows, &[2.0, 0.0], None).is_none());
+        assert!(fit(&rows, &[2.0, 0.0], &[]).is_none());
     }
 
     #[test]
@@ -226,10 +228,10 @@ mod tests {
         let mut random = Random::new(2);
         let mut rows = rows(&mut random, 0.0);
         rows.iter_mut().for_each(|row| row.regressors.push(0.5 * row.regressors[0]));
-        let open = fit(&rows, &[0.0; 3], None).unwrap();
+        let open = fit(&rows, &[0.0; 3], &[]).unwrap();
         assert!(!open.separates(0) && open.separates(1) && !open.separates(2));
         let prior = Prior { factors: vec![0.5, 0.0, -1.0], spread: 0.02 };
-        let known = fit(&rows, &[0.0; 3], Some(&prior)).unwrap();
+        let known = fit(&rows, &[0.0; 3], &[prior]).unwrap();
         let (value, half) = known.estimate(0).unwrap();
         // 2 = a + b/2, b = a/2: a = 1.6.
         assert!(known.separates(0) && (value - 1.6).abs() < half && half < 0.06, "{value} {half}");

@@ -2,8 +2,8 @@
 
 use super::doubts::{Column, Doubt, Misread, SCATTER};
 use super::load::{Share, Shares};
-use super::motor::{Equations, LEAST, Scale, Tabulated, Tie};
-use super::windows::{Window, Windows};
+use super::motor::{Equations, Scale, Tabulated, Tie};
+use super::windows::Windows;
 use std::f64::consts::SQRT_2;
 
 /// One lbf ft in Nm.
@@ -86,6 +86,14 @@ impl Slopes {
         !self.all.iter().flatten().any(excludes)
     }
 
+    /// Returns the measured factor of a torque, or the measured torque constant over that of the tables.
+    fn measured(&self, column: Column) -> Option<f64> {
+        // The tie to the table leaves the scale of the torque open, that to the torque the scale of the current.
+        let [tied, loose] = self.all;
+        let slope = if column == Column::Torque { loose } else { tied };
+        slope.filter(|slope| slope.half_width < CONFIRMED * slope.value).map(|slope| slope.value.recip())
+    }
+
     /// Returns `true` if a slope lies near one, so that the scale is also confirmed.
     fn confirms(&self) -> bool {
         self.admits(SCATTER + FURTHER)
@@ -142,13 +150,8 @@ fn of_load(shares: &Shares) -> Option<f64> {
 /// the tables.
 /// # Valid
 /// one of both signals has another scale
-pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares) -> Option<Doubt> {
-    let mut free: Vec<&Window> = windows.all.iter().filter(|window| !window.limited).collect();
-    if free.len() < LEAST {
-        // Currents beyond every limit are another unit.
-        free = windows.all.iter().collect();
-    }
-    let equations = Equations::of(free, windows.step_s, Some(*tabulated));
+pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares, is_delayed: bool) -> Option<Doubt> {
+    let equations = Equations::of(windows, Some(*tabulated), is_delayed);
     let plain = Slopes::of(&equations, tabulated, Scale::NONE);
     let of_load = of_load(shares);
     let scaled = |column, factor| match column {
@@ -159,9 +162,12 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares) -
     if !is_wrong && of_load.is_none() {
         return None;
     }
+    let [tied, loose] = plain.all;
+    let ratio = |slope: Option<Share>| slope.filter(|slope| slope.value != 0.0).map(|slope| slope.value.recip());
+    let measured = ratio(loose).filter(|measured| *measured > 0.0);
+    let least = measured.map_or(f64::INFINITY, |measured| contradiction(shares, measured));
     // Two entries of a project that are off alike may be a coincidence: the motor must agree better, too.
     let is_better = |slopes: &Slopes| slopes.admits(SCATTER) && slopes.cost() < plain.cost();
-    let value = |column, factor: f64| if column == Column::Torque { factor } else { 1.0 / factor };
     let named = conventions(tabulated.ratio)
         .into_iter()
         .filter_map(|(column, misread, factor)| {
@@ -169,25 +175,31 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares) -
             // Without a contradiction of the motor only the load speaks, of the torque.
             let near = of_load.is_some_and(|scale| (scale / torque).ln().abs() < ALIKE);
             let slopes = Slopes::of(&equations, tabulated, scaled(column, factor));
-            let fits = if is_wrong { slopes.confirms() } else { near && is_better(&slopes) };
+            // The load may agree with the measured scale of the torque only.
+            let fits = if is_wrong {
+                slopes.confirms() && contradiction(shares, torque) < least + COST_MOST
+            } else {
+                near && is_better(&slopes)
+            };
             fits.then(|| (slopes.cost() + contradiction(shares, torque), column, misread, factor))
         })
         .min_by(|a, b| a.0.total_cmp(&b.0));
     if let Some((_, column, misread, factor)) = named {
-        return Some(Doubt { column, misread, value: value(column, factor) });
+        let by_convention = if column == Column::Torque { factor } else { 1.0 / factor };
+        let of_motor = is_wrong.then(|| plain.measured(column)).flatten();
+        let value = of_motor.or(of_load.filter(|_| column == Column::Torque)).unwrap_or(by_convention);
+        return Some(Doubt { column, misread, value, by_convention: Some(by_convention) });
     }
     if !is_wrong {
         let is_scale = |factor: &f64| is_better(&Slopes::of(&equations, tabulated, scaled(Column::Torque, *factor)));
         let is_far = |factor: &f64| factor.ln().abs() > UNKNOWN.ln();
         let value = of_load.filter(|_| shares.payload.is_some()).filter(is_far).filter(is_scale)?;
-        return Some(Doubt { column: Column::Torque, misread: Misread::Other, value });
+        return Some(Doubt::new(Column::Torque, Misread::Other, value));
     }
-    let [tied, loose] = plain.all;
-    let ratio = |slope: Option<Share>| slope.filter(|slope| slope.value != 0.0).map(|slope| slope.value.recip());
     let (of_torque, of_current) = (ratio(loose).or(ratio(tied))?, ratio(tied).or(ratio(loose))?);
     let is_torque = of_torque > 0.0 && contradiction(shares, of_torque) < contradiction(shares, 1.0);
     let (column, value) = if is_torque { (Column::Torque, of_torque) } else { (Column::Current, of_current) };
-    (value > 0.0).then_some(Doubt { column, misread: Misread::Other, value })
+    (value > 0.0).then_some(Doubt::new(column, Misread::Other, value))
 }
 
 /// Largest deviation of the payloads of a run from the stated ones, beyond its interval. A choice.
@@ -197,5 +209,5 @@ const LADEN: f64 = 0.15;
 pub(super) fn payload(shares: &Shares) -> Option<Doubt> {
     let Share { value, half_width } = shares.payload?;
     let is_off = (value - 1.0).abs() - half_width > LADEN;
-    is_off.then_some(Doubt { column: Column::Torque, misread: Misread::PayloadMissing, value })
+    is_off.then_some(Doubt::new(Column::Torque, Misread::PayloadMissing, value))
 }

@@ -27,6 +27,8 @@ pub(super) struct Window {
     pub(super) torque_rate: f64,
     /// i_q/√2 \[A\].
     pub(super) current: f64,
+    /// Rate of i_q/√2 \[A/s\].
+    pub(super) current_rate: f64,
     /// Motor speed over i [rad/s] and its derivatives [rad/s²], [rad/s³].
     pub(super) motor_speed: f64,
     pub(super) motor_acceleration: f64,
@@ -45,6 +47,8 @@ pub(super) struct Windows {
     pub(super) step_s: f64,
     /// Variances of the noise of α and ω of a window caused by the noise of the position.
     pub(super) noise: [f64; 2],
+    /// Variance of the noise of the torque of a window \[N²m²\].
+    pub(super) torque_noise: f64,
 }
 
 /// Reason for which a run has no windows.
@@ -183,15 +187,15 @@ fn largest(speeds: &[f64]) -> f64 {
     speeds.iter().fold(0.0, |most, speed| most.max(speed.abs()))
 }
 
-/// Returns the standard deviation of the noise of a position \[rad\].
+/// Returns the standard deviation of the noise of a signal.
 ///
 /// σ² = mean (Δ⁴q)²/70
 ///
 /// # Valid
-/// the fourth differences of the motion without noise are small compared with the noise; the median of their magnitudes
+/// the fourth differences of the signal without noise are small compared with the noise; the median of their magnitudes
 /// excludes single impacts
-fn noise_of(position: &[f64]) -> f64 {
-    let mut sizes: Vec<f64> = position
+fn noise_of(signal: &[f64]) -> f64 {
+    let mut sizes: Vec<f64> = signal
         .windows(5)
         .filter_map(|w| if let [a, b, c, d, e] = w { Some((a - 4.0 * b + 6.0 * c - 4.0 * d + e).abs()) } else { None })
         .filter(|size| *size > 0.0)
@@ -277,6 +281,9 @@ impl Windows {
             length = (length * 3 / 4).max(SAMPLES_LEAST);
             found = made(length);
         }
+        // ∫ w² dt = 35 L/128, as many samples as the length.
+        let independent = found.length_s / found.step_s * (9.0 / 64.0) / (35.0 / 128.0);
+        found.torque_noise = noise_of(&run.torque_nm).powi(2) / independent;
         found.judged(strokes)
     }
 
@@ -330,7 +337,7 @@ impl Windows {
         let variance = strokes.noise_rad.max(quantised).powi(2);
         let noise = [4.0 * PI.powi(4) / length_s.powi(4), 5.0 * PI.powi(2) / 8.0 / length_s.powi(2)]
             .map(|square| variance * square / count * 64.0 / 9.0);
-        Self { all, length_s, step_s: strokes.step_s, noise }
+        Self { all, length_s, step_s: strokes.step_s, noise, torque_noise: 0.0 }
     }
 }
 
@@ -410,7 +417,7 @@ fn window(
         ];
         sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
     }
-    let [mut motor_acceleration, mut motor_jerk, mut torque_rate] = [0.0; 3];
+    let [mut motor_acceleration, mut motor_jerk, mut torque_rate, mut current_rate] = [0.0; 4];
     for (k, t) in time.iter().enumerate() {
         let before = time.get(k.saturating_sub(1)).unwrap_or(t);
         let after = time.get(k + 1).unwrap_or(t);
@@ -420,6 +427,7 @@ fn window(
         let first = 4.0 * sine.powi(3) * cosine * (PI / length) * step;
         motor_acceleration -= first * own;
         torque_rate -= first * torque.get(k)?;
+        current_rate -= first * current.get(k)? / SQRT_2;
         let second = 12.0 * sine * sine * cosine * cosine - 4.0 * sine.powi(4);
         motor_jerk += second * (PI / length).powi(2) * step * own;
     }
@@ -438,6 +446,7 @@ fn window(
         torque_rate: torque_rate / all,
         driving: driving / all,
         current: mean_current / all,
+        current_rate: current_rate / all,
         motor_speed: motor_speed / all,
         motor_acceleration: motor_acceleration / all,
         motor_jerk: motor_jerk / all,

@@ -32,26 +32,38 @@ pub(crate) struct Instrument {
     pub(crate) current_a: f64,
     /// Steps of the angles of load and motor, the latter over i; speeds are then their differences.
     pub(crate) steps_rad: Option<[f64; 2]>,
+    /// What torque and current read without a torque and a current, in Nm and A.
+    pub(crate) zeros: [f64; 2],
+    /// Delays of torque and current, in s.
+    pub(crate) late_s: [f64; 2],
+}
+
+impl Instrument {
+    /// An instrument without steps, zeros and delays.
+    pub(crate) const NOISE: Self =
+        Self { torque_nm: 0.3, current_a: 0.05, steps_rad: None, zeros: [0.0; 2], late_s: [0.0; 2] };
 }
 
 /// A run without noise, with the angle of the motor over i.
 pub(crate) struct Course {
     run: Observed,
     motor_rad: Vec<f64>,
+    row_s: f64,
 }
 
 impl Instrument {
     /// Returns the run as the instrument shows it.
     pub(crate) fn seen(&self, course: &Course, random: &mut Random) -> Observed {
         let mut run = course.run.clone();
-        run.torque_nm.iter_mut().for_each(|torque| *torque += self.torque_nm * random.normal());
-        run.current_q_a.iter_mut().for_each(|current| *current += self.current_a * random.normal());
+        let [of_torque, of_current] = self.zeros;
+        run.torque_nm.iter_mut().for_each(|torque| *torque += of_torque + self.torque_nm * random.normal());
+        run.current_q_a.iter_mut().for_each(|current| *current += of_current + self.current_a * random.normal());
         if let Some([of_load, of_motor]) = self.steps_rad {
             let stepped =
                 |angles: &[f64], step: f64| angles.iter().map(|angle| (angle / step).round() * step).collect();
             // Speeds of a logger that has angles alone: the difference to the row before.
             let speeds = |angles: &[f64]| {
-                let pairs = angles.windows(2).map(|pair| (pair[1] - pair[0]) / (STEP_S * STEPS_PER_ROW as f64));
+                let pairs = angles.windows(2).map(|pair| (pair[1] - pair[0]) / course.row_s);
                 std::iter::once(0.0).chain(pairs).collect::<Vec<f64>>()
             };
             let motor: Vec<f64> = stepped(&course.motor_rad, of_motor);
@@ -59,14 +71,23 @@ impl Instrument {
             run.speed_rad_s = Some(speeds(&run.position_rad));
             run.motor_rad_s = speeds(&motor);
         }
+        let late = |column: &mut Vec<f64>, late_s: f64| {
+            let rows = (late_s / course.row_s).round() as usize;
+            column.splice(..0, vec![column[0]; rows]);
+            column.truncate(run.time_s.len());
+        };
+        late(&mut run.torque_nm, self.late_s[0]);
+        late(&mut run.current_q_a, self.late_s[1]);
         run
     }
 }
 
 const STIFFNESS: f64 = 2.0e4;
 const DAMPING: f64 = 8.0;
-const STEP_S: f64 = 2.5e-4;
-const STEPS_PER_ROW: usize = 4;
+/// Rows each millisecond: step of the integrator, and steps between rows.
+pub(crate) const EACH_MS: (f64, usize) = (2.5e-4, 4);
+/// Eight rows in a millisecond.
+pub(crate) const EIGHT_PER_MS: (f64, usize) = (1.25e-4, 1);
 /// Speed at which friction has nearly its full value [rad/s].
 const STEEP: f64 = 0.004;
 const CURRENT_LAG_S: f64 = 5e-4;
@@ -128,8 +149,8 @@ impl Plant {
         ]
     }
 
-    /// Returns a run along random strokes, a row each millisecond, without noise.
-    pub(crate) fn run(&self, random: &mut Random) -> Course {
+    /// Returns a run along random strokes without noise, with the step of the integrator and the steps between rows.
+    pub(crate) fn run(&self, random: &mut Random, (step_s, per_row): (f64, usize)) -> Course {
         let mut strokes: Vec<Stroke> = Vec::new();
         let mut begin = 0.2;
         for _ in 0..6 {
@@ -146,7 +167,7 @@ impl Plant {
         let mut time = 0.0;
         let mut step = 0_usize;
         while time < begin {
-            if step.is_multiple_of(STEPS_PER_ROW) {
+            if step.is_multiple_of(per_row) {
                 run.time_s.push(time);
                 run.position_rad.push(x[3]);
                 speeds.push(x[4]);
@@ -155,17 +176,16 @@ impl Plant {
                 run.torque_nm.push(self.gear_nm(&x));
                 run.current_q_a.push(x[0]);
             }
-            x = self.stepped(&x, time, &strokes);
+            x = self.stepped(&x, time, &strokes, step_s);
             step += 1;
-            time = STEP_S * step as f64;
+            time = step_s * step as f64;
         }
         run.speed_rad_s = Some(speeds);
-        Course { run, motor_rad }
+        Course { run, motor_rad, row_s: step_s * per_row as f64 }
     }
 
     /// Returns one step of Runge and Kutta's method of fourth order.
-    fn stepped(&self, x: &State, time: f64, strokes: &[Stroke]) -> State {
-        let h = STEP_S;
+    fn stepped(&self, x: &State, time: f64, strokes: &[Stroke], h: f64) -> State {
         let moved = |slope: &State, by: f64| std::array::from_fn(|k| x[k] + by * slope[k]);
         let a = self.derivatives(x, time, strokes);
         let b = self.derivatives(&moved(&a, 0.5 * h), time + 0.5 * h, strokes);

@@ -43,12 +43,13 @@ pub(crate) const EXCITING: [(f64, f64); 8] =
 
 /// Returns a recorded run of a load, a row each millisecond.
 fn recorded(mechanism: &Mechanism, motion: &Motion, extras: &[Extra], seed: u64) -> Observed {
-    recorded_by(&parameters(CODE), mechanism, motion, extras, seed)
+    recorded_by(&parameters(CODE), 16, mechanism, motion, extras, seed)
 }
 
-/// Returns a recorded run of a load on an actuator.
+/// Returns a recorded run of a load on an actuator, a row after a number of periods of the current loop.
 pub(crate) fn recorded_by(
     parameters: &Parameters,
+    periods: u64,
     mechanism: &Mechanism,
     motion: &Motion,
     extras: &[Extra],
@@ -58,7 +59,7 @@ pub(crate) fn recorded_by(
     let mut twin = Twin::new(&setup).unwrap();
     let (mut run, mut speeds) = (Observed::default(), Vec::new());
     while !twin.is_over() {
-        twin.advance(16);
+        twin.advance(periods);
         let now = twin.sample();
         run.time_s.push(now.time_s);
         run.position_rad.push(now.position_rad);
@@ -251,7 +252,9 @@ fn payloads_that_differ_from_move_to_move_are_taken_into_account() {
         for (of, value) in planted {
             let estimate = found(&all.estimates, of).unwrap();
             assert!((estimate.value - value).abs() <= estimate.half_width, "{value} {estimate:?}");
-            assert!(estimate.half_width < 0.02 * value.abs() + 0.02, "{estimate:?}");
+            // The load of the belt does not tell the torque constant from a zero of the current.
+            let share = if of == Identified::TorqueConstant { 0.1 } else { 0.02 };
+            assert!(estimate.half_width < share * value.abs() + 0.02, "{estimate:?}");
         }
         // The same run from the middle of a cycle, its clock beginning at another instant.
         let from = 2345;
@@ -361,17 +364,19 @@ type Case<'a> = (&'a str, &'a dyn Fn(&mut Observed), Column, Misread);
 fn signals_of_another_convention_are_named() {
     let [wheel, arm, _] = loads();
     let motion = moves(&EXCITING);
-    let named = |mechanism: &Mechanism, change: &dyn Fn(&mut Observed)| {
-        let mut run = recorded(mechanism, &motion, &none(), 2);
+    let named_of = |periods: u64, mechanism: &Mechanism, change: &dyn Fn(&mut Observed)| {
+        let mut run = recorded_by(&parameters(CODE), periods, mechanism, &motion, &none(), 2);
         change(&mut run);
         let found = said(&run, mechanism, &motion, &none()).doubts;
         found.iter().map(|doubt| (doubt.column, doubt.misread)).collect::<Vec<_>>()
     };
+    let named = |mechanism: &Mechanism, change: &dyn Fn(&mut Observed)| named_of(16, mechanism, change);
     let times = |column: &mut Vec<f64>, factor: f64| column.iter_mut().for_each(|value| *value *= factor);
+    let sized = |column: &mut Vec<f64>| column.iter_mut().for_each(|value| *value = value.abs());
     let degrees = 180.0 / std::f64::consts::PI;
     let root = std::f64::consts::SQRT_2;
     let speed = move |run: &mut Observed, factor: f64| times(run.speed_rad_s.as_mut().unwrap(), factor);
-    let cases: [Case<'_>; 27] = [
+    let cases: [Case<'_>; 30] = [
         ("torque", &|run| times(&mut run.torque_nm, -1.0), Column::Torque, Misread::Reversed),
         ("motor speed", &|run| times(&mut run.motor_rad_s, 100.0), Column::MotorSpeed, Misread::MotorShaft),
         ("motor, gear's sign", &|run| times(&mut run.motor_rad_s, -100.0), Column::MotorSpeed, Misread::MotorShaft),
@@ -381,6 +386,9 @@ fn signals_of_another_convention_are_named() {
         ("speed deg/s", &|run| speed(run, degrees), Column::Speed, Misread::Degrees),
         ("speed sign", &|run| speed(run, -1.0), Column::Speed, Misread::Reversed),
         ("time ms", &|run| times(&mut run.time_s, 1e3), Column::Speed, Misread::Milliseconds),
+        ("time min", &|run| times(&mut run.time_s, 1.0 / 60.0), Column::Speed, Misread::Minutes),
+        ("torque's size", &|run| sized(&mut run.torque_nm), Column::Torque, Misread::Magnitude),
+        ("current's size", &|run| sized(&mut run.current_q_a), Column::Current, Misread::Magnitude),
         ("position deg", &|run| times(&mut run.position_rad, degrees), Column::Position, Misread::Degrees),
         ("current rms", &|run| times(&mut run.current_q_a, 1.0 / root), Column::Current, Misread::Rms),
         ("current twice", &|run| times(&mut run.current_q_a, root), Column::Current, Misread::PeakTwice),
@@ -424,10 +432,17 @@ fn signals_of_another_convention_are_named() {
     ];
     for mechanism in [&wheel, &arm] {
         for (name, change, column, misread) in &cases {
-            let all = named(mechanism, change);
+            // Near one, a factor of the current is like a zero; the rotor separates both if a period of the control has
+            // several rows.
+            let periods = if *misread == Misread::PowerInvariant { 2 } else { 16 };
+            let all = named_of(periods, mechanism, change);
             assert!(all.contains(&(*column, *misread)), "{name}: {all:?}");
             // One wrong signal is named alone, but for what differs from it as well.
-            let most = if *misread == Misread::Milliseconds || name.starts_with("signs") { 2 } else { 1 };
+            let most = if matches!(misread, Misread::Milliseconds | Misread::Minutes) || name.starts_with("signs") {
+                2
+            } else {
+                1
+            };
             assert!(all.len() <= most, "{name}: {all:?}");
         }
         assert_eq!(named(mechanism, &|_| {}), []);

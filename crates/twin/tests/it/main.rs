@@ -7,6 +7,7 @@ mod course;
 mod coverage;
 mod foreign;
 mod identify;
+mod instrument;
 mod linear;
 mod link;
 mod moving;

@@ -52,7 +52,7 @@ fn a_wrong_project_is_no_wrong_scale() {
     let mut wrong = Vec::new();
     for (place, mechanism) in loads().iter().enumerate() {
         for (seed, constant) in [(71, 0.905), (72, 1.0), (73, 1.095)] {
-            let run = measured(&recorded_by(&motor(constant), mechanism, &motion, &extras, seed), seed);
+            let run = measured(&recorded_by(&motor(constant), 16, mechanism, &motion, &extras, seed), seed);
             for project in 0..2 * PROJECTS {
                 let mut off = || 0.6 + 0.8 * random.uniform();
                 let factors = if project < PROJECTS { [off(), off(), off(), off()] } else { [off(); 4] };

@@ -93,15 +93,13 @@ pub(super) fn proposed(lacking: &[&'static str], headings: &[String], language: 
     let renamed = lacking.iter().filter_map(|heading| {
         let names = NAMES.iter().find(|names| names.heading == *heading)?;
         let (written, unit) = named(names, headings)?;
-        let factor = unit.map(|unit| unit.to_si(1.0)).filter(|factor| (factor - 1.0).abs() > 1e-12);
-        Some(match factor {
-            Some(factor) => {
-                // Without trailing zeros: 0.001.
-                let rounded: f64 = format!("{factor:.5e}").parse().unwrap_or(factor);
-                let decimals = rounded.to_string().split_once('.').map_or(0, |(_, digits)| digits.len());
-                let factor = format_number(rounded, decimals, language);
-                identification::heading_with_factor(heading, &quoted(written), &factor, language)
-            }
+        Some(match unit.and_then(factor) {
+            Some(factor) => identification::heading_with_factor(
+                heading,
+                &quoted(written),
+                &factor_shown(factor, language),
+                language,
+            ),
             None => identification::heading_instead(heading, &quoted(written), language),
         })
     });
@@ -110,6 +108,51 @@ pub(super) fn proposed(lacking: &[&'static str], headings: &[String], language: 
         text.push_str(&identification::headings_to_write(&renamed.join(", "), language));
     }
     text
+}
+
+/// Returns the factor from a unit to that of the column, if it is not one.
+fn factor(unit: &Unit) -> Option<f64> {
+    Some(unit.to_si(1.0)).filter(|factor| (factor - 1.0).abs() > 1e-12)
+}
+
+/// Returns a factor without trailing zeros: 0.001.
+fn factor_shown(factor: f64, language: Language) -> String {
+    let rounded: f64 = format!("{factor:.5e}").parse().unwrap_or(factor);
+    let decimals = rounded.to_string().split_once('.').map_or(0, |(_, digits)| digits.len());
+    format_number(rounded, decimals, language)
+}
+
+/// Smallest number of cells that are units of their columns in a row of units.
+const UNITS_LEAST: usize = 2;
+
+/// Returns the units of a row that holds no number but units, and are not those of the columns, in words; `None` if it is
+/// no row of units.
+pub(super) fn of_units<R: Read>(
+    records: &mut Records<R>,
+    heading_of: impl Fn(usize) -> Option<&'static str>,
+    language: Language,
+) -> Option<Vec<String>> {
+    let (mut known, mut is_plain, mut others) = (0, true, Vec::new());
+    records
+        .numbers(|index, number, cell| {
+            let Some(names) = heading_of(index).and_then(|own| NAMES.iter().find(|names| names.heading == own)) else {
+                return;
+            };
+            is_plain &= number.is_none();
+            let unit = cell.trim().trim_matches(['[', ']', '(', ')', '{', '}']).trim();
+            let (heading, written) = (names.heading, quoted(unit));
+            match Unit::of_dimension(names.dimension, unit) {
+                Some(unit) => {
+                    known += 1;
+                    others.extend(factor(unit).map(|factor| {
+                        identification::unit_with_factor(&heading, &written, &factor_shown(factor, language), language)
+                    }));
+                }
+                None => others.push(identification::unit_unknown(&heading, &written, language)),
+            }
+        })
+        .ok()?;
+    (is_plain && known >= UNITS_LEAST).then_some(others)
 }
 
 /// Returns the number of a line further down that holds headings of a run.

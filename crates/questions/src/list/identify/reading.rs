@@ -208,6 +208,7 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
     }
     // A date in the column of time is one fault for all rows.
     let mut has_clock = false;
+    let mut is_first_row = true;
     while is_of_run && found.faults.len() < FAULTS_MOST {
         if found.lines.len().is_multiple_of(ROWS_COUNTED) {
             let granted = memory.go_on().and_then(|()| memory.take(ROW_BYTES * ROWS_COUNTED as u64));
@@ -226,6 +227,15 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
             Err(fault) => return Columns::unread(&[fault], language),
         }
         let line = usize::try_from(records.line()).unwrap_or(usize::MAX);
+        if std::mem::take(&mut is_first_row) {
+            let heading_of = |index: usize| Some(COLUMNS.get(places.get(index).copied()??)?.heading);
+            if let Some(others) = headings::of_units(&mut records, heading_of, language) {
+                if !others.is_empty() {
+                    found.faults.push(identification::unit_row(&line, &others.join(", "), language));
+                }
+                continue;
+            }
+        }
         found.lines.push(line);
         let Columns { values, faults, .. } = &mut found;
         let row = records.numbers(|index, number, cell| {
