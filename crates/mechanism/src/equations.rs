@@ -16,17 +16,6 @@ pub(crate) struct Reduced {
     pub(crate) coulomb: f64,
 }
 
-/// Additions of a motion segment that affect a mechanism; others would have no effect and are rejected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effects {
-    /// A payload that is carried.
-    pub payload: bool,
-    /// An inertia added at the output.
-    pub payload_inertia: bool,
-    /// A process force along a line.
-    pub process_force: bool,
-}
-
 /// Equations of a mechanism, referred to its own shaft; a stage precedes it.
 pub(crate) trait Equations {
     /// Returns the mechanism as named in a project file.
@@ -71,9 +60,6 @@ pub(crate) trait Equations {
     fn kinks(&self) -> Vec<f64> {
         Vec::new()
     }
-
-    /// Returns the additions of a segment that affect the mechanism.
-    fn effects(&self) -> Effects;
 
     /// Returns the properties of the flange load; `None` if masses and forces are not described.
     fn on_flange(&self) -> Option<OnFlange>;

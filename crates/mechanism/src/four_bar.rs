@@ -1,7 +1,7 @@
 //! `[mechanism.four_bar]`: crank, coupler and rocker on a fixed link.
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar as on_sheet};
-use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD, beside};
+use crate::equations::{Equations, Reduced, TWELFTH_RAD, beside};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Torque};
@@ -221,10 +221,6 @@ impl Equations for FourBar {
 
     fn endless(&self) -> Endless {
         Endless::EachRevolution
-    }
-
-    fn effects(&self) -> Effects {
-        Effects { payload: false, payload_inertia: true, process_force: false }
     }
 
     fn on_flange(&self) -> Option<OnFlange> {

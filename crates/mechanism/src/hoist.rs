@@ -1,7 +1,7 @@
 //! `[mechanism.hoist]`: a drum that lifts a load by a rope with several falls.
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
-use crate::equations::{Effects, Equations, Reduced};
+use crate::equations::{Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::stage::with_losses;
 use crate::{Endless, Extra, Geometry, MechanismId, Output, Rope, gravity_m_s2};
@@ -186,10 +186,6 @@ impl Equations for Hoist {
 
     fn travel_m_per_rad(&self) -> Option<f64> {
         Some(self.travel())
-    }
-
-    fn effects(&self) -> Effects {
-        Effects { payload: true, payload_inertia: true, process_force: true }
     }
 
     fn on_flange(&self) -> Option<OnFlange> {

@@ -1,7 +1,7 @@
 //! A joint whose torque is recorded together with its motion.
 
 use crate::drawing::{Drawing, Figures, Look, Step};
-use crate::equations::{Effects, Equations, Reduced};
+use crate::equations::{Equations, Reduced};
 use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
 use quantities::{Measure, MomentOfInertia, Torque};
@@ -51,10 +51,6 @@ impl Equations for Joint {
     }
 
     /// The recorded torque includes all inertia.
-    fn effects(&self) -> Effects {
-        Effects { payload: false, payload_inertia: false, process_force: false }
-    }
-
     fn on_flange(&self) -> Option<OnFlange> {
         None
     }

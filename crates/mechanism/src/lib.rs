@@ -32,7 +32,6 @@ mod turntable;
 mod winder;
 
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
-pub use equations::Effects;
 pub use extremes::Extremes;
 pub use flange::{Aligned, Contact, FlangeForces, Mounting, Recurrence};
 pub use four_bar::FourBar;
@@ -347,12 +346,6 @@ impl Mechanism {
     #[must_use]
     pub fn id(&self) -> MechanismId {
         self.kind.equations().id()
-    }
-
-    /// Returns the additions of a motion segment that affect the mechanism.
-    #[must_use]
-    pub fn effects(&self) -> Effects {
-        self.kind.equations().effects()
     }
 
     /// Returns the lowest and highest position of the actuator's output that the geometry permits \[rad\].

@@ -1,6 +1,6 @@
 //! A mass moved along a line in proportion to the angle: screw, belt, rack, conveyor.
 
-use crate::equations::{Effects, Equations, Reduced};
+use crate::equations::{Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, Recurrence, sine, wheel_forces};
 use crate::{Endless, Extra, MechanismId, Rope, gravity_m_s2};
 use quantities::{Angle, Force, Mass, Measure, MomentOfInertia};
@@ -105,10 +105,6 @@ impl Equations for Linear {
 
     fn travel_m_per_rad(&self) -> Option<f64> {
         Some(self.travel_m_per_rad)
-    }
-
-    fn effects(&self) -> Effects {
-        Effects { payload: true, payload_inertia: true, process_force: true }
     }
 
     fn on_flange(&self) -> Option<OnFlange> {

@@ -1,6 +1,6 @@
 //! A load that turns with the output: direct, turntable, unbalanced arm.
 
-use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD};
+use crate::equations::{Equations, Reduced, TWELFTH_RAD};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, cosine, metres, sine};
 use crate::{Endless, Extra, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
@@ -95,10 +95,6 @@ impl Equations for Rotor {
 
     fn endless(&self) -> Endless {
         if self.is_unbalanced() { Endless::EachRevolution } else { Endless::Everywhere }
-    }
-
-    fn effects(&self) -> Effects {
-        Effects { payload: self.payload_radius.si() > 0.0, payload_inertia: true, process_force: false }
     }
 
     fn on_flange(&self) -> Option<OnFlange> {

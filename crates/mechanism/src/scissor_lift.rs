@@ -1,7 +1,7 @@
 //! `[mechanism.scissor_lift]`: a platform on crossed arms that a screw draws together.
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
-use crate::equations::{Effects, Equations, Reduced, beside};
+use crate::equations::{Equations, Reduced, beside};
 use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, Recurrence};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::unit::DEGREE;
@@ -141,10 +141,6 @@ impl Equations for ScissorLift {
     fn range_rad(&self) -> Option<(f64, f64)> {
         let (start, most) = self.bases();
         Some(((start - most) / self.travel(), start / self.travel()))
-    }
-
-    fn effects(&self) -> Effects {
-        Effects { payload: true, payload_inertia: true, process_force: true }
     }
 
     fn on_flange(&self) -> Option<OnFlange> {

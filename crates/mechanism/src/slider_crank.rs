@@ -1,7 +1,7 @@
 //! `[mechanism.slider_crank]`: crank, rod and slider.
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
-use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD, beside};
+use crate::equations::{Equations, Reduced, TWELFTH_RAD, beside};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, MechanismId, Output, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
@@ -96,10 +96,6 @@ impl Equations for SliderCrank {
 
     fn endless(&self) -> Endless {
         Endless::EachRevolution
-    }
-
-    fn effects(&self) -> Effects {
-        Effects { payload: true, payload_inertia: true, process_force: true }
     }
 
     fn on_flange(&self) -> Option<OnFlange> {

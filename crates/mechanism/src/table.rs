@@ -1,7 +1,7 @@
 //! `[mechanism.table]`: inertia and torque as a function of position, point by point.
 
 use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step, polyline};
-use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD};
+use crate::equations::{Equations, Reduced, TWELFTH_RAD};
 use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
@@ -105,10 +105,6 @@ impl Equations for Table {
 
     fn kinks(&self) -> Vec<f64> {
         self.points.iter().map(|point| point.position.si()).collect()
-    }
-
-    fn effects(&self) -> Effects {
-        Effects { payload: false, payload_inertia: true, process_force: false }
     }
 
     fn on_flange(&self) -> Option<OnFlange> {

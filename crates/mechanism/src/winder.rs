@@ -1,7 +1,7 @@
 //! `[mechanism.winder]`: a web that is wound up or off, so that the diameter changes with every turn.
 
 use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
-use crate::equations::{Effects, Equations, Reduced};
+use crate::equations::{Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::{Force, Length, MassDensity, Measure, MomentOfInertia};
@@ -114,10 +114,6 @@ impl Equations for Winder {
         };
         let (core, full) = (turns(self.core_diameter), turns(self.full_diameter));
         Some((core.min(full), core.max(full)))
-    }
-
-    fn effects(&self) -> Effects {
-        Effects { payload: false, payload_inertia: true, process_force: false }
     }
 
     fn on_flange(&self) -> Option<OnFlange> {

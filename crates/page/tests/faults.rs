@@ -218,6 +218,50 @@ fn every_fault_has_its_place_in_the_page() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// A fault in the load, in the motion or in the requirements leaves the other faults of the file in the list, but for those that
+/// only a whole load has: the end of its cycle and its loads on the flange.
+#[test]
+fn no_fault_hides_another() {
+    let folder = InMemory::default();
+    let _ = folder.0.borrow_mut().insert("run.csv".to_owned(), b"q [deg]\n0\n1\n".to_vec());
+    let motor = b"t [s],q [deg],r0061[0]: Speed actual value [1/min]\n0,0,0\n1,1,40\n2,2,0\n";
+    let _ = folder.0.borrow_mut().insert("motor.csv".to_owned(), motor.to_vec());
+    let of_a_whole_load = ["no_flange_loads", "without_effect"];
+    let ids = |text: &str| -> Vec<String> {
+        let found = read_all(text, &folder).err().unwrap_or_default();
+        found.iter().map(|fault| fault.fault.id().to_owned()).collect()
+    };
+    let mut wrong = Vec::new();
+    let mut tried = 0;
+    for (id, text, _) in cases().into_iter().filter(|(id, ..)| *id != "syntax") {
+        let in_the_load = text.replace("inertia = \"1.3 kg m^2\"\n", "inertia = \"1.3 kg\"\n");
+        let in_the_motion = format!("{text}[[motion]]\nlaw = \"manual\"\nspeed = \"5 1/min\"\n");
+        let in_the_requirements = match text.contains("[requirements]\n") {
+            true => text.replace("[requirements]\n", "[requirements]\naltitude_derating = 0.9\n"),
+            false => format!("{text}[requirements]\naltitude_derating = 0.9\n"),
+        };
+        let more: [(&str, &str, &str); 3] = [
+            ("unit_of_another_quantity", &in_the_load, "load"),
+            ("missing_key", &in_the_motion, "motion"),
+            ("only_beside", &in_the_requirements, "requirements"),
+        ];
+        for (other, with_both, part) in more {
+            if with_both == text || part == "load" && of_a_whole_load.contains(&id) {
+                continue;
+            }
+            tried += 1;
+            let found = ids(with_both);
+            let both = |each: &str| found.iter().filter(|id| *id == each).count();
+            let is_kept = if id == other { both(id) >= 2 } else { both(id) >= 1 && both(other) >= 1 };
+            if !is_kept {
+                wrong.push(format!("{id} and {other} in the {part}: {found:?}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {tried}\n{}", wrong.len(), wrong.join("\n"));
+    assert!(tried > 200, "{tried}");
+}
+
 #[test]
 fn the_faults_of_another_axis_lead_there() {
     let axis = |name: &str, inertia: &str| {

@@ -499,17 +499,20 @@ fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
         reader.fault(root.head().start(), fault, Some(hint));
     }
     flange::stated(root, reader);
+    if let Some(required) = root.parts.requirements.get() {
+        required.battery(reader);
+        required.check(root.driven().is_none_or(|driven| driven.travel().is_some()), reader);
+    }
     let stage = root.parts.stage.get().and_then(|stage| stage.build(reader));
-    let load = mechanism::load(&root.parts, reader)?;
+    let Some(load) = mechanism::load(&root.parts, reader) else {
+        motion::without_load(root, reader);
+        return None;
+    };
     // The file states the motion of the mechanism; the following values are those of the actuator's output.
     let mechanism = Mechanism { stage, ..load.mechanism.clone() };
     let bearing = flange::duty(root, &mechanism, reader);
     let (motion, extras) = motion::motion(root, &load, reader)?;
     let motion = motion.geared(mechanism.stage_ratio());
-    if let Some(required) = root.parts.requirements.get() {
-        required.battery(reader);
-        required.check(mechanism.travel_m_per_rad().is_some(), reader);
-    }
     Some(Draft { mechanism, motion, extras, bearing })
 }
 

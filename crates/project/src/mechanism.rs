@@ -106,6 +106,16 @@ pub(crate) trait Driven: Fields {
         false
     }
 
+    /// Returns the force of the process along the line of the load, if there is such a line.
+    fn process_force(&self) -> Option<&Stated<Force>> {
+        group(self).map(|it: &ProcessForce| &it.process_force)
+    }
+
+    /// Returns `true` if a payload moves with the load.
+    fn carries(&self) -> bool {
+        self.process_force().is_some()
+    }
+
     /// Returns the position at which the motion begins.
     fn start_angle(&self) -> Option<&Stated<Angle>> {
         group(self).map(|it: &StartAngle| &it.start_angle)
@@ -226,7 +236,7 @@ fn build(driven: &dyn Driven, reader: &mut Reader<'_>) -> Option<Load> {
         stage: None,
     };
     let start = driven.start_angle().and_then(Stated::value);
-    let force = group(driven).map_or_else(|| Force::from_si(0.0), |it: &ProcessForce| it.process_force.or_zero());
+    let force = driven.process_force().map_or_else(|| Force::from_si(0.0), Stated::or_zero);
     Some(Load { mechanism, start, force })
 }
 

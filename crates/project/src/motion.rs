@@ -15,7 +15,7 @@ use ::motion::{
     Closing, EndState, Ends, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, Points, PointsFault,
     SegmentSpec, Spline,
 };
-use mechanism::{Effects, Extra, Mechanism, MechanismKind};
+use mechanism::{Extra, Mechanism};
 use quantities::{
     Angle, AngularAcceleration, AngularJerk, AngularVelocity, Dimension, Force, Mass, Measure, MomentOfInertia, Time,
     Torque,
@@ -479,46 +479,61 @@ pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -
     if crate::web::is_along_a_web(segments, &load.mechanism.kind, reader) {
         return None;
     }
-    let specs: Vec<Option<SegmentSpec>> = segments.iter().map(|segment| segment.spec(travel, reader)).collect();
-    for segment in segments {
-        without_effect(segment, load, reader);
-        if matches!(load.mechanism.kind, MechanismKind::Joint(_)) && !segment.has_torque() && segment.is_whole() {
-            reader.fault(segment.law.span(), Fault::JointWithoutTorque, None);
-        }
-    }
-    let specs: Vec<SegmentSpec> = specs.into_iter().collect::<Option<_>>()?;
+    let specs = specs(axis, travel, reader)?;
     let closing = if axis.single_move { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
+    let motion =
+        Motion::new(&specs, load.start, closing).map_err(|faults| report(axis, faults, travel, reader)).ok()?;
     let place_of_all = || axis.parts.motion.span();
     let place = |index: usize| segments.get(index).map_or_else(place_of_all, |segment| segment.law.span());
-    match Motion::new(&specs, load.start, closing) {
-        Ok(motion) => {
-            if let Some(found) = Axis::too_many_instants(&load.mechanism, &motion) {
-                reader.fault(place(found.segment), Fault::Instants(found), None);
-                return None;
+    if let Some(found) = Axis::too_many_instants(&load.mechanism, &motion) {
+        reader.fault(place(found.segment), Fault::Instants(found), None);
+        return None;
+    }
+    let beyond = beyond_range(&load.mechanism, &motion);
+    for (segment, fault) in &beyond {
+        reader.fault(place(*segment), fault.clone(), None);
+    }
+    beyond.is_empty().then(|| (motion, segments.iter().map(|segment| segment.extra(load)).collect()))
+}
+
+/// Reports the faults of a motion whose load is faulty: those that depend on the kind of the load alone, neither on its
+/// values nor on the end of the cycle.
+pub(crate) fn without_load(axis: &AxisSection, reader: &mut Reader<'_>) {
+    // A length counts as an angle, and is converted back where a fault shows it.
+    let travel = axis.driven().is_none_or(|driven| driven.travel().is_some()).then_some(1.0);
+    let Some(specs) = specs(axis, travel, reader) else { return };
+    if let Err(faults) = Motion::new(&specs, None, Closing::SingleMove) {
+        report(axis, faults, travel, reader);
+    }
+}
+
+/// Builds the segments and reports those of their keys that have no effect on the load.
+fn specs(axis: &AxisSection, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Vec<SegmentSpec>> {
+    let segments = axis.parts.motion.get()?.0.as_slice();
+    let specs: Vec<Option<SegmentSpec>> = segments.iter().map(|segment| segment.spec(travel, reader)).collect();
+    if let Some(driven) = axis.driven() {
+        for segment in segments {
+            without_effect(segment, driven, reader);
+            if driven.torque_is_recorded() && !segment.has_torque() && segment.is_whole() {
+                reader.fault(segment.law.span(), Fault::JointWithoutTorque, None);
             }
-            let beyond = beyond_range(&load.mechanism, &motion);
-            for (segment, fault) in &beyond {
-                reader.fault(place(*segment), fault.clone(), None);
-            }
-            if !beyond.is_empty() {
-                return None;
-            }
-            Some((motion, segments.iter().map(|segment| segment.extra(load)).collect()))
         }
-        Err(faults) => {
-            let recorded = segments.iter().any(|segment| segment.law.value() == Some(SegmentLaw::Recorded));
-            for MotionFault { segment, fault } in faults {
-                let unclosed = recorded && matches!(fault, MoveFault::SpeedNotClosed { .. });
-                let hint = unclosed.then_some(Hint::CloseTheRecording);
-                let segment = segment.and_then(|index| segments.get(index));
-                let span = segment.map_or_else(place_of_all, |segment| segment.place(&fault));
-                let along =
-                    segment.map_or_else(|| segments.iter().any(Segment::is_along_a_line), Segment::is_along_a_line);
-                let travel_m_per_rad = travel.filter(|_| along);
-                reader.fault(span, Fault::Move { fault, travel_m_per_rad }, hint);
-            }
-            None
-        }
+    }
+    specs.into_iter().collect()
+}
+
+/// Reports the faults of a chain of segments.
+fn report(axis: &AxisSection, faults: Vec<MotionFault>, travel: Option<f64>, reader: &mut Reader<'_>) {
+    let segments = axis.segments();
+    let recorded = segments.iter().any(|segment| segment.law.value() == Some(SegmentLaw::Recorded));
+    for MotionFault { segment, fault } in faults {
+        let unclosed = recorded && matches!(fault, MoveFault::SpeedNotClosed { .. });
+        let hint = unclosed.then_some(Hint::CloseTheRecording);
+        let segment = segment.and_then(|index| segments.get(index));
+        let span = segment.map_or_else(|| axis.parts.motion.span(), |segment| segment.place(&fault));
+        let along = segment.map_or_else(|| segments.iter().any(Segment::is_along_a_line), Segment::is_along_a_line);
+        let travel_m_per_rad = travel.filter(|_| along);
+        reader.fault(span, Fault::Move { fault, travel_m_per_rad }, hint);
     }
 }
 
@@ -558,8 +573,8 @@ fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
 }
 
 /// Reports a payload that no part carries and a force without a line, which would otherwise be ignored silently.
-fn without_effect(segment: &Segment, load: &Load, reader: &mut Reader<'_>) {
-    let Effects { payload: carries, payload_inertia: turns, process_force: has_line } = load.mechanism.effects();
+fn without_effect(segment: &Segment, driven: &dyn Driven, reader: &mut Reader<'_>) {
+    let (carries, turns, has_line) = (driven.carries(), !driven.torque_is_recorded(), driven.process_force().is_some());
     let of_payload: &[&str] = if turns { &["payload_inertia", "payload_distance"] } else { &["process_torque"] };
     let fields: [(&dyn Field, bool, &[&str]); 3] = [
         (&segment.payload, carries, of_payload),

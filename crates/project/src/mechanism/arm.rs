@@ -4,6 +4,7 @@ use super::parts::{Friction, Losses, StartAngle};
 use super::{Driven, MechanismName, OnFlange};
 use crate::about::About;
 use crate::read::Reader;
+use crate::stated::Field;
 use crate::section::section;
 use mechanism::{MechanismKind, Rotor, RotorKind};
 use quantities::{Measure, Angle, Length, Mass, MomentOfInertia};
@@ -33,6 +34,10 @@ impl Driven for Arm {
             angle: Angle::from_si(0.0),
             tilt: self.axis_tilt.value()?,
         }))
+    }
+
+    fn carries(&self) -> bool {
+        self.payload_distance.is_written() && self.payload_distance.value().is_none_or(|distance| distance.si() > 0.0)
     }
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {

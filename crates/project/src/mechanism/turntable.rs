@@ -11,7 +11,7 @@ use crate::stated::{Field, Stated};
 use crate::value::{BodyLines, Tables};
 use crate::{Fault, Hint};
 use mechanism::{Body, BodyError, MechanismKind, Rotor, RotorKind};
-use quantities::{Angle, Length};
+use quantities::{Angle, Measure, Length};
 use std::ops::Range;
 
 section! {
@@ -94,6 +94,10 @@ impl Driven for Turntable {
     fn bodies(&self) -> Option<&[BodySection]> {
         let lines = self.bodies.get().map(|all| all.0.as_slice());
         lines.or_else(|| self.body.get().map(|all| all.0.as_slice()))
+    }
+
+    fn carries(&self) -> bool {
+        self.payload_distance.is_written() && self.payload_distance.value().is_none_or(|distance| distance.si() > 0.0)
     }
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {
