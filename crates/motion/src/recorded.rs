@@ -2,7 +2,7 @@
 
 use crate::faults::RecordedFault;
 use crate::resolution::{MadeUp, SteppedColumn, made_up};
-use crate::standstill::{Alternating, RestNoise, alternating, still};
+use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use quantities::{AngularVelocity, Measure, Time};
 use std::ops::Range;
 use std::sync::Arc;
@@ -77,6 +77,16 @@ impl Recorded {
             (None, None) => None,
         };
         let differentiated = speed_rad_s.is_none();
+        // No window changes where the axis is at rest: smoothed noise is that of a slow motion.
+        let before_smoothing = match (window, treatment.standstill) {
+            (Some(_), None) => {
+                let position = position_rad.as_deref().map(Vec::as_slice);
+                let slopes = position.filter(|_| differentiated).map(|position| slopes(&time_s, position));
+                let speed = slopes.as_deref().or(speed_rad_s.as_deref().map(Vec::as_slice));
+                speed.and_then(|speed| rests(&time_s, speed, position, differentiated))
+            }
+            _ => None,
+        };
         let (position, mut speed) = match (position_rad, speed_rad_s, window) {
             (None, None, _) => return Err(RecordedFault::NoCourse),
             (Some(position), None, None) => {
@@ -98,9 +108,13 @@ impl Recorded {
             for speed in Arc::make_mut(&mut speed).iter_mut().filter(|speed| speed.abs() < least.si()) {
                 *speed = 0.0;
             }
-        } else if let Some((rests, noise)) =
-            still(&time_s, &speed, position.as_deref().map(Vec::as_slice), differentiated)
-        {
+        } else if let Some((rests, noise)) = still(
+            &time_s,
+            &speed,
+            position.as_deref().map(Vec::as_slice),
+            differentiated,
+            window.zip(before_smoothing.as_deref()),
+        ) {
             let speed = Arc::make_mut(&mut speed);
             for rest in rests {
                 speed.get_mut(rest).into_iter().flatten().for_each(|speed| *speed = 0.0);

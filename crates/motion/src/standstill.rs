@@ -37,6 +37,9 @@ const SMOOTH: usize = 5;
 /// Deviation of a smooth continuation relative to the bound of the noise: 0.05 standard deviations.
 const ABRUPT: f64 = 0.01;
 
+/// Largest smoothed speed at an end of a rest, relative to the largest in windows that hold samples of the rest alone.
+const OUTWARDS: f64 = 2.0;
+
 /// Bound of noise relative to its median: 5.4 standard deviations of normal noise.
 const ABOVE_MEDIAN: f64 = 8.0;
 
@@ -84,18 +87,82 @@ pub(crate) fn alternating(speed: &[f64]) -> Option<Alternating> {
 
 /// Returns the samples at rest whose speeds are noise, and the noise; their speeds are to be set to zero.
 ///
+/// Of smoothed speeds, `smoothed` contains the window \[s\] and the [`rests`] of the speeds before smoothing. There the axis is at
+/// rest too: half a window inside both ends and outwards, as long as the smoothed speed is at most twice the largest
+/// inside.
+pub(crate) fn still(
+    time: &[f64],
+    speed: &[f64],
+    position: Option<&[f64]>,
+    differentiated: bool,
+    smoothed: Option<(f64, &[Range<usize>])>,
+) -> Option<(Vec<Range<usize>>, RestNoise)> {
+    let mut found = rests(time, speed, position, differentiated).unwrap_or_default();
+    if let Some((window, before)) = smoothed {
+        found.extend(before.iter().flat_map(|rest| of_smoothed(time, speed, rest, 0.5 * window)));
+        found = joined(found);
+    }
+    let noise = found.iter().flat_map(|range| speed.get(range.clone()).unwrap_or_default());
+    let speed_rad_s = noise.fold(0.0_f64, |most, speed| most.max(speed.abs()));
+    if speed_rad_s == 0.0 {
+        return None;
+    }
+    let length = |range: &Range<usize>| {
+        let ends = time.get(range.start).zip(time.get(range.end - 1));
+        ends.map_or(0.0, |(first, last)| last - first)
+    };
+    let is_noisy =
+        |range: &&Range<usize>| speed.get((*range).clone()).unwrap_or_default().iter().any(|speed| *speed != 0.0);
+    let duration_s = found.iter().filter(is_noisy).map(length).sum();
+    Some((found, RestNoise { speed_rad_s, duration_s }))
+}
+
+/// Returns the parts of a rest found before smoothing in which the smoothed speed is noise.
+fn of_smoothed(time: &[f64], speed: &[f64], rest: &Range<usize>, half_window_s: f64) -> Vec<Range<usize>> {
+    // A window that is cut off at an end of the recording holds no sample beyond it.
+    let last = speed.len().saturating_sub(1);
+    let begin =
+        time.get(rest.start).filter(|_| rest.start > 0).map_or(f64::NEG_INFINITY, |begin| begin + half_window_s);
+    let end = time.get(rest.end - 1).filter(|_| rest.end <= last).map_or(f64::INFINITY, |end| end - half_window_s);
+    let inside = time.get(rest.clone()).into_iter().flatten().zip(speed.get(rest.clone()).into_iter().flatten());
+    let inside = inside.filter(|(time, _)| (begin..=end).contains(*time)).map(|(_, speed)| speed.abs());
+    let (count, most) = inside.fold((0_usize, 0.0_f64), |(count, most), size| (count + 1, most.max(size)));
+    if count < REST_LEAST {
+        return Vec::new();
+    }
+    let bound = OUTWARDS * most;
+    let mut found = runs(speed, rest.clone(), bound);
+    found.retain(|part| part.len() >= REST_LEAST);
+    found
+}
+
+/// Returns ranges in ascending order, those that overlap or meet joined.
+fn joined(mut ranges: Vec<Range<usize>>) -> Vec<Range<usize>> {
+    ranges.sort_by_key(|range| range.start);
+    let mut all: Vec<Range<usize>> = Vec::with_capacity(ranges.len());
+    for range in ranges {
+        match all.last_mut().filter(|last| range.start <= last.end) {
+            Some(last) => last.end = last.end.max(range.end),
+            None => all.push(range),
+        }
+    }
+    all
+}
+
+/// Returns the samples at rest whose speeds are noise; `None` if there are no slow samples other than zero.
+///
 /// Stretches are searched at decreasing speeds, from a twentieth of the largest down to the rounding error. Up to a
 /// thousandth of the largest speed, or two steps of the column, a stretch is rest if it has at least eight samples and
 /// the axis stays in place: recorded positions vary by less than a quarter of the travel that the speeds add up to, and
 /// by at most 10⁻⁴ of the total travel or two steps; without positions, the speeds must change sign often, and their
 /// travel must be that of white noise. Above, [`Stretch::noisy`] decides. Speeds in it up to eight times the median of
 /// those other than zero become zero.
-pub(crate) fn still(
+pub(crate) fn rests(
     time: &[f64],
     speed: &[f64],
     position: Option<&[f64]>,
     differentiated: bool,
-) -> Option<(Vec<Range<usize>>, RestNoise)> {
+) -> Option<Vec<Range<usize>>> {
     let most = speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
     let position_step = position.map_or(0.0, step);
     let speed_step = if differentiated { position_step / (2.0 * median_interval(time)) } else { step(speed) };
@@ -143,19 +210,7 @@ pub(crate) fn still(
         };
     }
     found.sort_by_key(|range| range.start);
-    let noise = found.iter().flat_map(|range| speed.get(range.clone()).unwrap_or_default());
-    let speed_rad_s = noise.fold(0.0_f64, |most, speed| most.max(speed.abs()));
-    if speed_rad_s == 0.0 {
-        return None;
-    }
-    let length = |range: &Range<usize>| {
-        let ends = time.get(range.start).zip(time.get(range.end - 1));
-        ends.map_or(0.0, |(first, last)| last - first)
-    };
-    let is_noisy =
-        |range: &&Range<usize>| speed.get((*range).clone()).unwrap_or_default().iter().any(|speed| *speed != 0.0);
-    let duration_s = found.iter().filter(is_noisy).map(length).sum();
-    Some((found, RestNoise { speed_rad_s, duration_s }))
+    Some(found)
 }
 
 /// Samples among which rests are searched.

@@ -319,3 +319,58 @@ fn noise_that_counts_as_motion_is_reported() {
     let [time, position, speed] = forth_and_back(0.002, 2.0, 1.5);
     assert_eq!(recorded(samples(&time, Some(&position), Some(&speed))).alternating(), None);
 }
+
+/// The width of the smoothing window changes no rest: with noise at rest at least what is at rest without noise, and nothing of the moves.
+#[test]
+fn no_window_turns_a_rest_with_noise_into_motion() {
+    let (h, rest) = (0.002, 1.5);
+    let [time, position, speed] = forth_and_back(h, rest, 0.9);
+    let still: Vec<bool> = speed.iter().map(|speed| *speed == 0.0).collect();
+    let rests = still.iter().filter(|still| **still).count();
+    let step = 0.001_f64.to_radians();
+    let mut wrong = Vec::new();
+    for seed in 1..=8 {
+        let mut noise = Noise(seed);
+        // A last digit that is up or down at random for some samples, sparse or at each sample.
+        let (mut digit, often) = (0.0, [0.02, 0.1, 0.5, 1.0][(seed % 4) as usize]);
+        let dithered: Vec<f64> = position
+            .iter()
+            .zip(&still)
+            .map(|(q, still)| {
+                if noise.next().abs() < often {
+                    digit = if noise.next() > 0.0 { step } else { 0.0 };
+                }
+                (q / step).round() * step + if *still { digit } else { 0.0 }
+            })
+            .collect();
+        let rounded: Vec<f64> = position.iter().map(|q| (q / step).round() * step).collect();
+        let noisy: Vec<f64> =
+            speed.iter().zip(&still).map(|(w, still)| w + if *still { 1e-3 * noise.normal() } else { 0.0 }).collect();
+        for window in [0.0, 0.02, 0.03, 0.06, 0.1, 0.2, 0.4] {
+            let treated = |samples: Samples| {
+                let smoothing = Some(quantities::Measure::from_si(window)).filter(|_| window > 0.0);
+                let treated = Recorded::new(samples, Treatment { smoothing, ..Treatment::default() }).unwrap();
+                at_rest(&treated)
+            };
+            for (kind, noisy, clean) in [
+                ("positions", samples(&time, Some(&dithered), None), samples(&time, Some(&rounded), None)),
+                ("speeds", samples(&time, None, Some(&noisy)), samples(&time, None, Some(&speed))),
+                ("both", samples(&time, Some(&position), Some(&noisy)), samples(&time, Some(&position), Some(&speed))),
+            ] {
+                let (found, without) = (treated(noisy), treated(clean));
+                let count = |all: &[bool]| all.iter().filter(|rest| **rest).count();
+                let moving = found.iter().zip(&still).filter(|(found, still)| **found && !**still).count();
+                // Neighbours of a rest move less than one step.
+                // Neighbours of a rest move less than one step of the position, or less than the noise.
+                let all = count(&found);
+                let is_right = moving <= 40 && all + 24 >= count(&without) && all <= rests + 40;
+                let least = count(&without);
+                wrong.extend(
+                    (!is_right)
+                        .then(|| format!("{kind}, {often}, {seed}, {window} s: {all}, {least} of {rests}, {moving}")),
+                );
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
