@@ -8,16 +8,17 @@ use quantities::is_unseen;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
-use std::time::{Duration, Instant};
 use testkit::parquet::{Column, claimed_children, file, nested_groups, page, ramp_of_deltas};
 
-/// Address space that a refusal may take, in KiB, and the time: a fraction of what the files claim.
+/// Address space that a refusal may take, in KiB: a fraction of what the files claim.
 const SPACE_KIB: u32 = 400_000;
-const TIME: Duration = Duration::from_secs(5);
+
+/// Processor time that a refusal may take unoptimised, in seconds; the system ends a process that takes more. Optimised it is a
+/// fifth of that. The time by the clock also depends on the work of others.
+const PROCESSOR_S: u32 = 10;
 
 fn antrieb(folder: &Path, arguments: &[&str]) -> Output {
-    let begin = Instant::now();
-    let script = format!("ulimit -v {SPACE_KIB}; exec \"$0\" \"$@\"");
+    let script = format!("ulimit -v {SPACE_KIB}; ulimit -t {PROCESSOR_S}; exec \"$0\" \"$@\"");
     let output = Command::new("sh")
         .args(["-c", &script, env!("CARGO_BIN_EXE_antrieb")])
         .args(arguments)
@@ -29,7 +30,7 @@ fn antrieb(folder: &Path, arguments: &[&str]) -> Output {
         .stdin(Stdio::null())
         .output()
         .unwrap();
-    assert!(begin.elapsed() < TIME, "{arguments:?}: {:?}", begin.elapsed());
+    assert!(output.status.code().is_some(), "{arguments:?}: {}", output.status);
     output
 }
 

@@ -330,6 +330,15 @@ impl Segment {
         }
     }
 
+    /// Returns true if the segment ends at rest, whatever its quantities are.
+    fn ends_at_rest(&self) -> bool {
+        match self.law.value() {
+            Some(SegmentLaw::Manual | SegmentLaw::Dwell) => true,
+            Some(SegmentLaw::Law(law)) => law != Law::Constant && !self.end_speed.is_written(),
+            Some(SegmentLaw::Recorded | SegmentLaw::Points) | None => false,
+        }
+    }
+
     /// Returns the segment at the output; `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
     fn spec(&self, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<SegmentSpec> {
         let before = reader.fault_count();
@@ -479,10 +488,14 @@ pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -
     if crate::web::is_along_a_web(segments, &load.mechanism.kind, reader) {
         return None;
     }
-    let specs = specs(axis, travel, reader)?;
+    let specs = specs(axis, travel, reader);
+    let Some(whole) = specs.iter().cloned().collect::<Option<Vec<SegmentSpec>>>() else {
+        report_stretches(axis, &specs, travel, reader);
+        return None;
+    };
     let closing = if axis.single_move { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
     let motion =
-        Motion::new(&specs, load.start, closing).map_err(|faults| report(axis, faults, travel, reader)).ok()?;
+        Motion::new(&whole, load.start, closing).map_err(|faults| report(axis, faults, travel, reader)).ok()?;
     let place_of_all = || axis.parts.motion.span();
     let place = |index: usize| segments.get(index).map_or_else(place_of_all, |segment| segment.law.span());
     if let Some(found) = Axis::too_many_instants(&load.mechanism, &motion) {
@@ -501,15 +514,35 @@ pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -
 pub(crate) fn without_load(axis: &AxisSection, reader: &mut Reader<'_>) {
     // A length counts as an angle, and is converted back where a fault shows it.
     let travel = axis.driven().is_none_or(|driven| driven.travel().is_some()).then_some(1.0);
-    let Some(specs) = specs(axis, travel, reader) else { return };
-    if let Err(faults) = Motion::new(&specs, None, Closing::SingleMove) {
-        report(axis, faults, travel, reader);
+    let specs = specs(axis, travel, reader);
+    report_stretches(axis, &specs, travel, reader);
+}
+
+/// Reports the faults of the stretches between faulty segments (`None`), apart from their end. A stretch after a faulty
+/// segment is judged only if that segment ends at rest.
+fn report_stretches(axis: &AxisSection, specs: &[Option<SegmentSpec>], travel: Option<f64>, reader: &mut Reader<'_>) {
+    let mut first = 0_usize;
+    for stretch in specs.split(Option::is_none) {
+        let before = first.checked_sub(1).and_then(|index| axis.segments().get(index));
+        let segments: Vec<SegmentSpec> = stretch.iter().flatten().cloned().collect();
+        if !segments.is_empty()
+            && before.is_none_or(Segment::ends_at_rest)
+            && let Err(mut faults) = Motion::new(&segments, None, Closing::SingleMove)
+        {
+            // A fault without a segment is one of the whole motion.
+            faults.retain(|each| each.segment.is_some() || stretch.len() == specs.len());
+            for fault in &mut faults {
+                fault.segment = fault.segment.map(|index| first + index);
+            }
+            report(axis, faults, travel, reader);
+        }
+        first += stretch.len() + 1;
     }
 }
 
-/// Builds the segments and reports those of their keys that have no effect on the load.
-fn specs(axis: &AxisSection, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Vec<SegmentSpec>> {
-    let segments = axis.parts.motion.get()?.0.as_slice();
+/// Builds the segments, `None` for a faulty one, and reports those of their keys that have no effect on the load.
+fn specs(axis: &AxisSection, travel: Option<f64>, reader: &mut Reader<'_>) -> Vec<Option<SegmentSpec>> {
+    let segments = axis.segments();
     let specs: Vec<Option<SegmentSpec>> = segments.iter().map(|segment| segment.spec(travel, reader)).collect();
     if let Some(driven) = axis.driven() {
         for segment in segments {
@@ -519,7 +552,7 @@ fn specs(axis: &AxisSection, travel: Option<f64>, reader: &mut Reader<'_>) -> Op
             }
         }
     }
-    specs.into_iter().collect()
+    specs
 }
 
 /// Reports the faults of a chain of segments.
