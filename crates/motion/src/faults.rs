@@ -129,6 +129,13 @@ pub enum RecordedFault {
         /// Largest permitted number of samples.
         most: usize,
     },
+    /// The rows are not evenly spaced, as `time_stamps` states.
+    StampsUneven {
+        /// Standard deviation of the time stamps from evenly spaced instants.
+        scatter: Time,
+        /// Interval of these instants.
+        interval: Time,
+    },
     /// Recorded positions and speeds contradict each other.
     Contradiction {
         /// Largest difference between recorded and integrated position, relative to the travel.

@@ -12,14 +12,16 @@ mod points;
 mod recorded;
 mod resolution;
 mod seven_phase;
+mod smoothing;
 mod solve;
 mod standstill;
+mod timing;
 
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};
 pub use piece::{Piece, Runs, State};
 pub use points::{EndState, Ends, Points, PointsFault, Spline};
-pub use recorded::{Interval, Placed, Recorded, Samples, Treatment};
-pub use resolution::{MadeUp, SteppedColumn};
+pub use recorded::{HeldValues, Interval, Placed, Recorded, Samples, TimeStamps, Treatment};
+pub use resolution::{MadeUp, Spurious, SteppedColumn};
 pub use standstill::{Alternating, RestNoise};

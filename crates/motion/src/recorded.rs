@@ -1,10 +1,13 @@
 //! Motion given by samples instead of a law.
 
 use crate::faults::RecordedFault;
-use crate::resolution::{MadeUp, SteppedColumn, made_up};
+use crate::resolution::{MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, median_interval};
+use crate::smoothing::smooth;
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
+use crate::timing::{
+    Interpolated, SpeedOverTime, evenly_spaced, held, interpolated, interpolated_position, scattered, with_time,
+};
 use quantities::{AngularVelocity, Measure, Time};
-use std::ops::Range;
 use std::sync::Arc;
 
 /// Largest permitted difference of recorded and integrated position, relative to the travel; beyond it one of them must
@@ -31,6 +34,30 @@ pub struct Treatment {
     pub smoothing: Option<Time>,
     /// Speeds below this value count as standstill; if `None`, those identified as noise at rest do.
     pub standstill: Option<AngularVelocity>,
+    /// Use of values held over several rows.
+    pub held_values: HeldValues,
+    /// Use of the time stamps.
+    pub time_stamps: TimeStamps,
+}
+
+/// Use of values that are held over several rows because their source is slower than the logger.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum HeldValues {
+    /// As they stand.
+    #[default]
+    Kept,
+    /// One value for each update, with the motion straight in speed between them.
+    Interpolated,
+}
+
+/// Use of the time stamps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TimeStamps {
+    /// As they stand.
+    #[default]
+    Kept,
+    /// Evenly spaced instants fitted to them.
+    Even,
 }
 
 /// A recorded motion: speed and torque are linear between two samples, so that the acceleration is constant there.
@@ -58,51 +85,43 @@ pub struct Recorded {
 impl Recorded {
     /// Creates a motion from samples.
     ///
+    /// In this order: the time stamps become even, if stated; held values are interpolated, if stated; rest is sought; the
+    /// window smooths; noise at rest becomes zero. A spurious acceleration is sought in the course that results, without
+    /// those causes that a key has taken out: held values first, then scattered stamps, then steps; the first found is the
+    /// one reported.
+    ///
     /// # Errors
     /// Returns the first [`RecordedFault`].
     pub fn new(samples: Samples, treatment: Treatment) -> Result<Self, RecordedFault> {
-        let Samples { time_s, position_rad, speed_rad_s, torque_nm } = samples;
-        check(&time_s, [position_rad.as_ref(), speed_rad_s.as_ref(), torque_nm.as_ref()])?;
-        let start = time_s.first().copied().unwrap_or(0.0);
-        let time_s = if start == 0.0 { time_s } else { Arc::new(time_s.iter().map(|t| t - start).collect()) };
-        let window = treatment.smoothing.map(Measure::si);
-        let is_placed = position_rad.is_some();
-        if let (Some(position), Some(speed)) = (&position_rad, &speed_rad_s) {
-            agree(&time_s, position, speed)?;
+        let columns = [&samples.position_rad, &samples.speed_rad_s, &samples.torque_nm];
+        check(&samples.time_s, columns.map(Option::as_ref))?;
+        let mut samples = samples;
+        let start = samples.time_s.first().copied().unwrap_or(0.0);
+        if start != 0.0 {
+            samples.time_s = Arc::new(samples.time_s.iter().map(|t| t - start).collect());
         }
-        let mut end_errors = (0.0, 0.0);
-        let made_up = match (&position_rad, &speed_rad_s) {
-            (_, Some(speed)) => made_up(&time_s, speed, SteppedColumn::Speed, window),
-            (Some(position), None) => made_up(&time_s, position, SteppedColumn::Position, window),
-            (None, None) => None,
-        };
-        let differentiated = speed_rad_s.is_none();
+        if treatment.time_stamps == TimeStamps::Even {
+            samples.time_s = evenly_spaced(&samples.time_s)?;
+        }
+        let window = treatment.smoothing.map(Measure::si);
+        let is_placed = samples.position_rad.is_some();
+        if let (Some(position), Some(speed)) = (&samples.position_rad, &samples.speed_rad_s) {
+            agree(&samples.time_s, position, speed)?;
+        }
+        let held_are_interpolated = treatment.held_values == HeldValues::Interpolated;
+        let derived = Course::of(&samples, window, held_are_interpolated)?;
+        let made_up = derived.spurious(&samples, window, treatment);
+        let differentiated = samples.speed_rad_s.is_none();
         // No window changes where the axis is at rest: smoothed noise is that of a slow motion.
         let before_smoothing = match (window, treatment.standstill) {
             (Some(_), None) => {
-                let position = position_rad.as_deref().map(Vec::as_slice);
-                let slopes = position.filter(|_| differentiated).map(|position| slopes(&time_s, position));
-                let speed = slopes.as_deref().or(speed_rad_s.as_deref().map(Vec::as_slice));
-                speed.and_then(|speed| rests(&time_s, speed, position, differentiated))
+                let Course { position, speed, .. } = Course::of(&samples, None, held_are_interpolated)?;
+                rests(&samples.time_s, &speed, position.as_deref().map(Vec::as_slice), differentiated)
             }
             _ => None,
         };
-        let (position, mut speed) = match (position_rad, speed_rad_s, window) {
-            (None, None, _) => return Err(RecordedFault::NoCourse),
-            (Some(position), None, None) => {
-                let speed = slopes(&time_s, &position);
-                end_errors = (slope_error(&time_s, &position, 0.0), slope_error_at_end(&time_s, &position, 0.0));
-                (Some(position), Arc::new(speed))
-            }
-            (Some(position), None, Some(window)) => {
-                let (position, speed) = smooth(&time_s, &position, window)?;
-                let half = 0.5 * window;
-                end_errors = (slope_error(&time_s, &position, half), slope_error_at_end(&time_s, &position, half));
-                (Some(Arc::new(position)), Arc::new(speed))
-            }
-            (position, Some(speed), None) => (position, speed),
-            (position, Some(speed), Some(window)) => (position, Arc::new(smooth(&time_s, &speed, window)?.0)),
-        };
+        let Samples { time_s, torque_nm, .. } = samples;
+        let Course { position, mut speed, mut end_errors } = derived;
         let mut rest_noise = None;
         if let Some(least) = treatment.standstill {
             for speed in Arc::make_mut(&mut speed).iter_mut().filter(|speed| speed.abs() < least.si()) {
@@ -125,6 +144,8 @@ impl Recorded {
         }
         let alternating = treatment.standstill.is_none().then(|| alternating(&speed)).flatten();
         let position = position.unwrap_or_else(|| Arc::new(integral(&time_s, &speed)));
+        let between = |torque: &Arc<Vec<f64>>| held_are_interpolated.then(|| interpolated(&time_s, torque)).flatten();
+        let torque_nm = torque_nm.map(|torque| between(&torque).map_or(torque, Arc::new));
         let torque_nm = match (torque_nm, window) {
             (Some(torque), Some(window)) => Some(Arc::new(smooth(&time_s, &torque, window)?.0)),
             (torque, _) => torque,
@@ -236,6 +257,106 @@ impl Recorded {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.time_s.is_empty()
+    }
+}
+
+/// Position and speed at each sample, before rest is detected.
+struct Course {
+    /// Positions \[rad\], if they are recorded.
+    position: Option<Arc<Vec<f64>>>,
+    /// Speeds [rad/s].
+    speed: Arc<Vec<f64>>,
+    /// Errors of the speeds at both ends [rad/s].
+    end_errors: (f64, f64),
+}
+
+impl Course {
+    /// Returns position and speed of samples; `between` interpolates held values between their updates.
+    fn of(samples: &Samples, window: Option<f64>, between: bool) -> Result<Self, RecordedFault> {
+        let time: &[f64] = &samples.time_s;
+        let speed = samples.speed_rad_s.clone().map(|speed| {
+            let found = if between { interpolated(time, &speed) } else { None };
+            found.map_or(speed, Arc::new)
+        });
+        let held = samples.position_rad.as_ref().filter(|_| between);
+        let held = held.and_then(|position| interpolated_position(time, position));
+        let mut end_errors = (0.0, 0.0);
+        let (position, slope) = match held {
+            Some(Interpolated { position, speed, update_s, updated }) => {
+                end_errors = (slope_error(&update_s, &updated, 0.0), slope_error_at_end(&update_s, &updated, 0.0));
+                (Some(Arc::new(position)), Some(speed))
+            }
+            None => (samples.position_rad.clone(), None),
+        };
+        let (position, speed) = match (position, speed, window) {
+            (None, None, _) => return Err(RecordedFault::NoCourse),
+            (Some(position), None, None) => {
+                let speed = slope.unwrap_or_else(|| {
+                    end_errors = (slope_error(time, &position, 0.0), slope_error_at_end(time, &position, 0.0));
+                    slopes(time, &position)
+                });
+                (Some(position), Arc::new(speed))
+            }
+            (Some(position), None, Some(window)) => {
+                let (position, speed) = smooth(time, &position, window)?;
+                let half = 0.5 * window;
+                end_errors = (slope_error(time, &position, half), slope_error_at_end(time, &position, half));
+                (Some(Arc::new(position)), Arc::new(speed))
+            }
+            (position, Some(speed), window) => {
+                end_errors = (0.0, 0.0);
+                let speed = window
+                    .map(|window| smooth(time, &speed, window))
+                    .transpose()?
+                    .map_or(speed, |fitted| Arc::new(fitted.0));
+                (position, speed)
+            }
+        };
+        Ok(Self { position, speed, end_errors })
+    }
+
+    /// Returns the spurious acceleration caused by held values, by scattered time stamps, or by steps of the column
+    /// from which the acceleration follows, if it is significant.
+    fn spurious(&self, samples: &Samples, window: Option<f64>, treatment: Treatment) -> Option<MadeUp> {
+        let time: &[f64] = &samples.time_s;
+        let (values, column) = match (&samples.position_rad, &samples.speed_rad_s) {
+            (_, Some(speed)) => (speed, SteppedColumn::Speed),
+            (Some(position), None) => (position, SteppedColumn::Position),
+            (None, None) => return None,
+        };
+        let own = SpeedOverTime { time, speed: &self.speed };
+        let between = treatment.held_values == HeldValues::Interpolated;
+        let of = |cause: Spurious, interval_s: f64, without: SpeedOverTime<'_>| {
+            let (motion, apart) = without.acceleration_and_difference(own);
+            (apart > NOTABLE * motion).then_some(MadeUp {
+                column,
+                cause,
+                interval_s,
+                acceleration_rad_s2: apart,
+                motion_rad_s2: motion,
+            })
+        };
+        if !between && let Some(period_s) = held(time, values) {
+            let without = Self::of(samples, window, true).ok()?;
+            return of(
+                Spurious::Held { period_s },
+                median_interval(time),
+                SpeedOverTime { time, speed: &without.speed },
+            );
+        }
+        if treatment.time_stamps == TimeStamps::Kept
+            && let Some(even) = scattered(time)
+        {
+            let even_samples = with_time(samples, even.time_s);
+            let without = Self::of(&even_samples, window, between).ok()?;
+            let without = SpeedOverTime { time: &even_samples.time_s, speed: &without.speed };
+            if without.is_smoother_than(own)
+                && let Some(found) = of(Spurious::Stamps { scatter_s: even.scatter_s }, even.interval_s, without)
+            {
+                return Some(found);
+            }
+        }
+        made_up(time, values, column, window)
     }
 }
 
@@ -360,7 +481,7 @@ fn check(time: &[f64], columns: [Option<&Arc<Vec<f64>>>; 3]) -> Result<(), Recor
 ///
 /// ẏ_k = (h_1 d_0 + h_0 d_1)/(h_0 + h_1), d slopes of the secants, h time steps; error h²/6 of the third derivative,
 /// h²/3 at the ends.
-fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
+pub(crate) fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
     // Computed lazily: for a long recording they would need as much memory as two of its columns.
     let secants = || {
         let ends = time.iter().zip(values).zip(time.iter().zip(values).skip(1));
@@ -418,119 +539,6 @@ fn integral(time: &[f64], speed: &[f64]) -> Vec<f64> {
         positions.push(position);
     }
     positions
-}
-
-/// Returns value and slope, at each sample, of the parabola fitted to the samples within half a window on both sides.
-///
-/// Least squares of y = a + b τ + c τ², τ = t − t_k; the window is cut off at the ends. Positions and speeds up to the
-/// second degree are reproduced.
-fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
-    // Samples at the edge belong to the window despite rounding of their instants.
-    let half = 0.5 * window * (1.0 + 1e-9);
-    let mut fitted = (Vec::with_capacity(time.len()), Vec::with_capacity(time.len()));
-    let groups = Sums::of_groups(time, values, half);
-    let (mut from, mut to) = (0, 0);
-    for t in time {
-        while time.get(from).is_some_and(|first| t - first > half) {
-            from += 1;
-        }
-        while time.get(to).is_some_and(|last| last - t <= half) {
-            to += 1;
-        }
-        if to - from > WINDOW_MOST {
-            return Err(RecordedFault::WindowTooLong { most: WINDOW_MOST });
-        }
-        // The window must determine a parabola even where it is cut off at an end.
-        if to - from < 4 {
-            let gap = time.windows(2).filter_map(|pair| Some(pair.last()? - pair.first()?)).fold(0.0, f64::max);
-            return Err(RecordedFault::WindowTooShort { least: Time::from_si(6.0 * gap) });
-        }
-        let mut sums = Sums::default();
-        let mut take = |range: Range<usize>| {
-            let near = time.get(range.clone()).unwrap_or_default().iter().zip(values.get(range).unwrap_or_default());
-            near.for_each(|(other, y)| sums.take((other - t) / half, *y));
-        };
-        let whole = from.div_ceil(GROUP)..to / GROUP;
-        if whole.len() < 2 {
-            take(from..to);
-        } else {
-            take(from..whole.start * GROUP);
-            take(whole.end * GROUP..to);
-            let inside = groups.get(whole).unwrap_or_default();
-            inside.iter().for_each(|(middle, group)| sums.take_group(group, (middle - t) / half));
-        }
-        let (value, slope) = sums.parabola();
-        fitted.0.push(value);
-        fitted.1.push(slope / half);
-    }
-    Ok(fitted)
-}
-
-/// Largest number of samples in one smoothing window.
-const WINDOW_MOST: usize = 10_001;
-
-/// Number of samples of a long window that are added at once.
-const GROUP: usize = 64;
-
-/// Sums of the powers of x and of their products with y, from which the parabola of least squares follows.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Sums {
-    /// Σ 1, Σ x, … Σ x⁴
-    s: [f64; 5],
-    /// Σ y, Σ x y, Σ x² y
-    r: [f64; 3],
-}
-
-impl Sums {
-    fn take(&mut self, x: f64, y: f64) {
-        let x2 = x * x;
-        for (sum, term) in self.s.iter_mut().zip([1.0, x, x2, x2 * x, x2 * x2]) {
-            *sum += term;
-        }
-        for (sum, term) in self.r.iter_mut().zip([y, x * y, x2 * y]) {
-            *sum += term;
-        }
-    }
-
-    /// Adds samples whose sums are known about a point at distance d: x = d + x', so that Σ xᵏ follows from the sums of
-    /// the powers up to k by the binomial theorem. Within a window |d| ≤ 1, without more cancellation than in the sums
-    /// themselves.
-    fn take_group(&mut self, group: &Self, d: f64) {
-        let ([s0, s1, s2, s3, s4], [r0, r1, r2]) = (group.s, group.r);
-        let d2 = d * d;
-        let moved = [
-            s0,
-            s1 + d * s0,
-            s2 + 2.0 * d * s1 + d2 * s0,
-            s3 + 3.0 * d * s2 + 3.0 * d2 * s1 + d2 * d * s0,
-            s4 + 4.0 * d * s3 + 6.0 * d2 * s2 + 4.0 * d2 * d * s1 + d2 * d2 * s0,
-        ];
-        self.s.iter_mut().zip(moved).for_each(|(sum, term)| *sum += term);
-        let moved = [r0, r1 + d * r0, r2 + 2.0 * d * r1 + d2 * r0];
-        self.r.iter_mut().zip(moved).for_each(|(sum, term)| *sum += term);
-    }
-
-    /// Returns the sums of each [`GROUP`] of samples about its middle instant, with that instant.
-    fn of_groups(time: &[f64], values: &[f64], half: f64) -> Vec<(f64, Self)> {
-        let groups = time.chunks(GROUP).zip(values.chunks(GROUP));
-        groups
-            .map(|(time, values)| {
-                let middle = time.get(time.len() / 2).copied().unwrap_or(0.0);
-                let mut sums = Self::default();
-                time.iter().zip(values).for_each(|(t, y)| sums.take((t - middle) / half, *y));
-                (middle, sums)
-            })
-            .collect()
-    }
-
-    /// Returns value and slope at zero of the parabola of least squares.
-    fn parabola(&self) -> (f64, f64) {
-        let ([s0, s1, s2, s3, s4], [r0, r1, r2]) = (self.s, self.r);
-        let (m00, m01, m02) = (s2 * s4 - s3 * s3, s2 * s3 - s1 * s4, s1 * s3 - s2 * s2);
-        let (m11, m12) = (s0 * s4 - s2 * s2, s1 * s2 - s0 * s3);
-        let determinant = s0 * m00 + s1 * m01 + s2 * m02;
-        ((m00 * r0 + m01 * r1 + m02 * r2) / determinant, (m01 * r0 + m11 * r1 + m12 * r2) / determinant)
-    }
 }
 
 /// Checks that recorded positions and speeds agree.

@@ -90,7 +90,7 @@ fn what_is_no_motion_is_reported() {
             speed_rad_s: speed.map(|values| values.to_vec().into()),
             torque_nm: None,
         };
-        Recorded::new(samples, Treatment { smoothing: window.map(Time::from_si), standstill: None }).err()
+        Recorded::new(samples, Treatment { smoothing: window.map(Time::from_si), ..Treatment::default() }).err()
     };
     let ramp: &[f64] = &[0.0, 1.0, 2.0];
     assert_eq!(new(&[0.0, 1.0], Some(&[0.0, 1.0]), None, None), Some(RecordedFault::TooFew { samples: 2 }));
@@ -104,26 +104,4 @@ fn what_is_no_motion_is_reported() {
         Some(RecordedFault::Contradiction { share }) if share > 0.9
     ));
     assert!(matches!(new(ramp, Some(ramp), None, Some(1.0)), Some(RecordedFault::WindowTooShort { .. })));
-}
-
-#[test]
-fn a_long_window_gives_the_parabola_that_its_samples_give_one_by_one() {
-    // Irregular instants, a signal far from zero, windows from a few samples to nearly all.
-    let mut time = vec![0.0];
-    for k in 1..3000_u32 {
-        time.push(time[time.len() - 1] + 1e-3 * (1.0 + 0.5 * f64::from(k * 7919 % 101) / 101.0));
-    }
-    let values: Vec<f64> = time.iter().map(|t| 700.0 + 3.0 * (2.0 * t).sin() + 0.1 * (311.0 * t).cos()).collect();
-    for window in [0.02, 0.2, 0.35, 1.0, 3.0] {
-        let (value, slope) = smooth(&time, &values, window).unwrap();
-        let half = 0.5 * window * (1.0 + 1e-9);
-        for (k, t) in time.iter().enumerate().step_by(37) {
-            let mut sums = Sums::default();
-            let near = time.iter().zip(&values).filter(|(other, _)| (*other - t).abs() <= half);
-            near.for_each(|(other, y)| sums.take((other - t) / half, *y));
-            let (one_value, one_slope) = sums.parabola();
-            assert!((value[k] - one_value).abs() < 1e-9, "{window} {t}: {} {one_value}", value[k]);
-            assert!((slope[k] - one_slope / half).abs() * half < 1e-9, "{window} {t}: {}", slope[k]);
-        }
-    }
 }

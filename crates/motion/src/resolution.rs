@@ -14,9 +14,9 @@ const STEP_SLACK: f64 = 0.05;
 const ROUGH: f64 = 0.5;
 
 /// Smallest spurious acceleration that is reported, relative to that of the motion.
-const NOTABLE: f64 = 0.05;
+pub(crate) const NOTABLE: f64 = 0.05;
 
-/// Column whose steps cause a spurious acceleration.
+/// Column that causes a spurious acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SteppedColumn {
     /// Positions, differentiated twice \[rad\].
@@ -25,7 +25,33 @@ pub enum SteppedColumn {
     Speed,
 }
 
-/// A spurious acceleration caused by the resolution of a column.
+/// Cause of a spurious acceleration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spurious {
+    /// The values have steps.
+    Steps {
+        /// Step of the column \[rad\] or [rad/s].
+        step: f64,
+        /// Width of a smoothing window that reduces the spurious acceleration to a twentieth of the motion's, if there
+        /// is one \[s\].
+        smoothing_s: Option<f64>,
+    },
+    /// The values are held over several rows: the source is slower than the logger.
+    Held {
+        /// Period at which the values are updated \[s\].
+        period_s: f64,
+    },
+    /// The time stamps scatter, the rows are evenly spaced.
+    Stamps {
+        /// Standard deviation of the stamps from evenly spaced instants \[s\].
+        scatter_s: f64,
+    },
+}
+
+/// A spurious acceleration caused by the resolution of a column in value or time.
+///
+/// Steps of a column are judged by the formulas below; held values and scattered stamps by the largest difference of
+/// the acceleration from that with one value for each update, or with evenly spaced rows.
 ///
 /// # Symbols
 /// s step of the column, h time step; positions: the second difference of rounded values reaches s/h², with smoothing
@@ -34,19 +60,17 @@ pub enum SteppedColumn {
 /// docs/theory/recorded-motion.md
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MadeUp {
-    /// Column with steps.
+    /// Column from which the acceleration follows.
     pub column: SteppedColumn,
-    /// Step of the column \[rad\] or [rad/s].
-    pub step: f64,
+    /// Cause.
+    pub cause: Spurious,
     /// Median time step of the samples \[s\].
     pub interval_s: f64,
     /// Largest spurious acceleration \[rad/s²\].
     pub acceleration_rad_s2: f64,
-    /// Largest acceleration of the motion, from samples far enough apart for the steps not to matter \[rad/s²\].
+    /// Largest acceleration of the motion, from samples far enough apart for the steps not to matter, or without the
+    /// cause \[rad/s²\].
     pub motion_rad_s2: f64,
-    /// Width of a smoothing window that reduces the spurious acceleration to a twentieth of the motion's, if there is
-    /// one \[s\].
-    pub smoothing_s: Option<f64>,
 }
 
 /// Returns the step of a column: the largest number of which all differences of adjacent values are multiples; zero if
@@ -154,11 +178,10 @@ pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, windo
     let is_short = window <= 0.1 * duration && half <= 5000.0 && window_s.is_none_or(|given| given < window);
     Some(MadeUp {
         column,
-        step,
+        cause: Spurious::Steps { step, smoothing_s: is_short.then_some(window) },
         interval_s: h,
         acceleration_rad_s2: acceleration,
         motion_rad_s2: motion,
-        smoothing_s: is_short.then_some(window),
     })
 }
 

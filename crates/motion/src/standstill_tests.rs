@@ -310,8 +310,8 @@ fn noise_that_counts_as_motion_is_reported() {
         let alternating = found.alternating().unwrap();
         assert!(alternating.share > 0.02 && alternating.share < 0.3, "{alternating:?}");
         let standstill = Some(quantities::Measure::from_si(alternating.speed_rad_s));
-        let found =
-            Recorded::new(samples(&time, None, Some(&speed)), Treatment { smoothing: None, standstill }).unwrap();
+        let found = Recorded::new(samples(&time, None, Some(&speed)), Treatment { standstill, ..Treatment::default() })
+            .unwrap();
         assert_eq!(found.alternating(), None);
         let rest = found.time_s().iter().zip(found.speed_rad_s()).filter(|(t, _)| **t > 1.05 && **t < 2.95);
         assert!(rest.clone().filter(|(_, w)| **w != 0.0).count() * 50 < rest.count(), "{size}");

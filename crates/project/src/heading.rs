@@ -289,8 +289,9 @@ fn nearest_key(written: &str, stated: &[&str]) -> Option<Hint> {
         // Spelt with underscores for points, or without its table.
         let plain = strsim::damerau_levenshtein(&written.replace('_', "."), &path.replace('_', "."));
         let table = usize::from(written.contains('.'));
-        let own = strsim::damerau_levenshtein(own_name, last) + table;
-        let own = if own * 3 <= last.len() && (own == 0 || last.len() > NAME_LEAST) { own } else { usize::MAX };
+        let letters = strsim::damerau_levenshtein(own_name, last);
+        let is_near = (letters + table) * 3 <= last.len() && (letters == 0 || last.len() > NAME_LEAST);
+        let own = if is_near { letters + table } else { usize::MAX };
         // `friction` of `friction_torque`, or the name that another program has for it.
         let begins = |rest: &str| rest.starts_with('_') && own_name.len() >= NAME_LEAST;
         let is_akin = last.strip_prefix(own_name).is_some_and(begins) || other_name == Some(last);

@@ -69,6 +69,7 @@ pub(crate) const fn recorded(fault: &RecordedFault) -> &'static str {
         RecordedFault::NotIncreasing { .. } => "samples_not_increasing",
         RecordedFault::WindowTooShort { .. } => "smoothing_too_short",
         RecordedFault::WindowTooLong { .. } => "smoothing_too_long",
+        RecordedFault::StampsUneven { .. } => "time_stamps_uneven",
         RecordedFault::Contradiction { .. } => "position_and_speed_contradict",
     }
 }
@@ -91,6 +92,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::TimeMissing { .. } => "recording_time_missing",
         Fault::CourseMissing { .. } => "recording_course_missing",
         Fault::Ambiguous { .. } => "recording_columns_ambiguous",
+        Fault::ClockUnknown { .. } => "recording_clock_unknown",
         Fault::HeadingMissing { .. } => "recording_heading_missing",
         Fault::TimesDiffer { .. } => "recording_times_differ",
         Fault::Foreign { .. } => "recording_other_format",

@@ -6,6 +6,7 @@
 
 mod about;
 mod bodies;
+mod cam;
 mod computed;
 mod curves;
 mod diagnostic;
@@ -87,7 +88,7 @@ pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};
 pub use twin::TwinInput;
 
 use ::mechanism::{Extra, Mechanism};
-use ::motion::{Alternating, MadeUp, Motion, RestNoise, Spline, SteppedColumn};
+use ::motion::{Alternating, MadeUp, Motion, RestNoise, Spline, Spurious, SteppedColumn};
 use bodies::together;
 use configurator::Requirements;
 use order_code::{Option1, Option2};
@@ -207,6 +208,8 @@ pub enum Assumption {
     RecordedTorqueAdds,
     /// The recorded rotary quantities are those at the output.
     RecordedAtOutput,
+    /// The recorded shaft turns in the direction of the output.
+    RecordedTurnsAlike,
     /// Inertia and friction of the recorded motor and gear are not removed from a torque recorded at the motor.
     RecordedTorqueOfMotor,
     /// Speed and acceleration are differences of a recorded position, not smoothed.
@@ -219,8 +222,8 @@ pub enum Assumption {
     RecordedAlternating(Alternating),
     /// The distance of a move is shorter than its change of speed takes: the axis comes back.
     Overruns(Overrun),
-    /// The resolution of a recording causes an apparent acceleration, with the torque that the load would need for it
-    /// \[Nm\].
+    /// The resolution of a recording in value or time causes an apparent acceleration, with the torque that the load would
+    /// need for it \[Nm\].
     RecordedSteps(MadeUp, f64),
     /// The motion between the points of a cam table is a spline with continuous derivatives.
     SplineThroughPoints(Spline),
@@ -229,16 +232,15 @@ pub enum Assumption {
 /// Steps of a position, as an example.
 const STEPS: MadeUp = MadeUp {
     column: SteppedColumn::Position,
-    step: 1.7e-8,
+    cause: Spurious::Steps { step: 1.7e-8, smoothing_s: Some(3.3e-3) },
     interval_s: 60e-6,
     acceleration_rad_s2: 4.8,
     motion_rad_s2: 0.31,
-    smoothing_s: Some(3.3e-3),
 };
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 62] = [
+    pub const ALL: [Self; 66] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -289,6 +291,7 @@ impl Assumption {
         Self::NoPayloadInDwell,
         Self::RecordedTorqueAdds,
         Self::RecordedAtOutput,
+        Self::RecordedTurnsAlike,
         Self::RecordedTorqueOfMotor,
         Self::RecordedPositionDifferentiated,
         Self::RecordedModulo,
@@ -297,8 +300,14 @@ impl Assumption {
         Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: None }),
         Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: Some(0.01) }),
         Self::RecordedSteps(STEPS, 0.5),
-        Self::RecordedSteps(MadeUp { smoothing_s: None, ..STEPS }, 0.5),
+        Self::RecordedSteps(MadeUp { cause: Spurious::Steps { step: 1.7e-8, smoothing_s: None }, ..STEPS }, 0.5),
         Self::RecordedSteps(MadeUp { column: SteppedColumn::Speed, ..STEPS }, 0.5),
+        Self::RecordedSteps(MadeUp { cause: Spurious::Held { period_s: 8e-3 }, ..STEPS }, 0.5),
+        Self::RecordedSteps(
+            MadeUp { cause: Spurious::Held { period_s: 8e-3 }, column: SteppedColumn::Speed, ..STEPS },
+            0.5,
+        ),
+        Self::RecordedSteps(MadeUp { cause: Spurious::Stamps { scatter_s: 3e-4 }, ..STEPS }, 0.5),
         Self::SplineThroughPoints(Spline::Cubic),
         Self::SplineThroughPoints(Spline::Quintic),
     ];

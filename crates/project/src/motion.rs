@@ -1,15 +1,16 @@
 //! Segments of the motion: their keys, the laws with their keys, and the motion at the output.
 
 use crate::about::About;
+use crate::cam::{CamEnds, CamPoint};
 use crate::flange::{FlangeLoads, needs};
-use crate::key::{Column, Variants};
+use crate::key::Variants;
 use crate::mechanism::{Driven, Load};
 use crate::read::Reader;
-use crate::recorded::{Columns, File, Ratios, Units};
+use crate::recorded::{Columns, File, Gaps, HeldValues, Ratios, TimeStamps, Units};
 use crate::root::AxisSection;
 use crate::section::{Fields, OfKinds, Section, names, section};
 use crate::stated::{Field, Stated};
-use crate::value::{Along, Cell, Choice, Row, Rows, Turning, Written, choice, choices, choices_by_id};
+use crate::value::{Along, Choice, Rows, Turning, Written, choice, choices, choices_by_id};
 use crate::{Assumption, Fault, Hint, Project};
 use ::motion::{
     Closing, EndState, Ends, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, Points, PointsFault,
@@ -48,6 +49,8 @@ section! {
         smoothing: Time => positive, example("20 ms");
         standstill: Along<AngularVelocity> => positive, example("0.1 1/min");
         gaps: Gaps;
+        held_values: HeldValues;
+        time_stamps: TimeStamps;
         payload: Mass => not_negative;
         payload_inertia: MomentOfInertia => not_negative;
         process_force: Force;
@@ -86,7 +89,7 @@ const LAWS: [LawLine; 14] = [
     ("parabola", SegmentLaw::Law(Law::Triangle), &[], MOVE),
     ("constant", SegmentLaw::Law(Law::Constant), names!(Segment: speed), names!(Segment: time distance)),
     ("dwell", SegmentLaw::Dwell, names!(Segment: time), names!(Segment: hold)),
-    ("recorded", SegmentLaw::Recorded, names!(Segment: file), names!(Segment: columns units recorded_ratio from to smoothing standstill gaps)),
+    ("recorded", SegmentLaw::Recorded, names!(Segment: file), names!(Segment: columns units recorded_ratio from to smoothing standstill gaps held_values time_stamps)),
     ("points", SegmentLaw::Points, names!(Segment: points spline ends), names!(Segment: master_speed start_speed end_speed start_acceleration end_acceleration)),
 ];
 
@@ -215,54 +218,10 @@ impl Choice for SegmentLaw {
 
 choice! { SegmentLaw }
 
-/// Permission of gaps between the samples of a recording.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Gaps {
-    Allow,
-}
-
-/// Conditions at both ends of a cam table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum CamEnds {
-    Rest,
-    Natural,
-    Periodic,
-    Stated,
-}
-
-/// A point of a cam table: a time or an angle of the master, and the position there.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct CamPoint([Cell; 2]);
-
-impl Row for CamPoint {
-    const COLUMNS: &'static [Column] = &[&[Dimension::Time, Dimension::Angle], &[Dimension::Angle, Dimension::Length]];
-
-    fn of(cells: &[Cell]) -> Option<Self> {
-        cells.try_into().ok().map(Self)
-    }
-
-    fn cells(&self) -> Vec<Cell> {
-        self.0.to_vec()
-    }
-
-    fn is_of_a_line(&self) -> bool {
-        self.measures()[1] == Dimension::Length
-    }
-}
-
-impl CamPoint {
-    /// Returns the dimensions of its columns.
-    fn measures(&self) -> [Dimension; 2] {
-        self.0.map(|(dimension, _)| dimension)
-    }
-}
-
 choices_by_id! { Spline }
 
 choices! {
-    CamEnds { Rest = "rest", Natural = "natural", Periodic = "periodic", Stated = "stated" }
     Hold { Motor = "motor", Brake = "brake", Free = "free" }
-    Gaps { Allow = "allow" }
 }
 
 impl Segment {
@@ -419,7 +378,8 @@ impl Segment {
         let per_turn = travel.filter(|_| along_a_line).unwrap_or(1.0);
         let points: Vec<(Time, Angle)> = rows
             .iter()
-            .map(|(CamPoint([(_, over), (_, position)]), _)| {
+            .map(|(point, _)| {
+                let [over, position] = point.values();
                 (Time::from_si(over / per_second), Angle::from_si(position / per_turn))
             })
             .collect();

@@ -2,11 +2,11 @@
 
 use crate::about::About;
 use crate::key::Kind;
-use crate::motion::{Gaps, Segment, SegmentLaw};
+use crate::motion::{Segment, SegmentLaw};
 use crate::read::{Found, Reader, shortened};
 use crate::section::{Section, section};
 use crate::stated::{Field, Stated};
-use crate::value::Value;
+use crate::value::{Value, choices};
 use crate::{Fault, Hint};
 use ::motion::{Recorded, RecordedFault, Samples, Treatment};
 use quantities::Unit;
@@ -26,6 +26,30 @@ const NO_COLUMN: &str = "none";
 /// Bytes of a sample of a segment in addition to those of its recording: time, position, speed and torque at the
 /// output.
 const SEGMENT_BYTES: u64 = 4 * 8;
+
+/// Permission of gaps between the samples of a recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gaps {
+    Allow,
+}
+
+/// Use of recorded values that are held over several rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum HeldValues {
+    Interpolate,
+}
+
+/// Use of the time stamps of a recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TimeStamps {
+    Even,
+}
+
+choices! {
+    Gaps { Allow = "allow" }
+    HeldValues { Interpolate = "interpolate" }
+    TimeStamps { Even = "even" }
+}
 
 section! {
     /// Names of the columns of a recording; `none` where a name must not be taken for a role.
@@ -48,11 +72,12 @@ section! {
 }
 
 section! {
-    /// Ratios between the shaft at which a quantity is recorded and the output: 1 at the output.
+    /// Ratios between the shaft at which a quantity is recorded and the output: 1 at the output, negative where it turns
+    /// the other way.
     Ratios, RatiosName of About::Ratios {
-        position: f64 => within(1e-4, 1e4), example("80");
-        speed: f64 => within(1e-4, 1e4), example("80");
-        torque: f64 => within(1e-4, 1e4), example("80");
+        position: f64 => within(-1e4, 1e4), example("80");
+        speed: f64 => within(-1e4, 1e4), example("80");
+        torque: f64 => within(-1e4, 1e4), example("80");
     }
 }
 
@@ -369,12 +394,24 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
     if reader.fault_count() > before {
         return None;
     }
-    let treatment = Treatment { smoothing: segment.smoothing.value(), standstill };
+    let treatment = Treatment {
+        smoothing: segment.smoothing.value(),
+        standstill,
+        held_values: match segment.held_values.value() {
+            Some(HeldValues::Interpolate) => ::motion::HeldValues::Interpolated,
+            None => ::motion::HeldValues::Kept,
+        },
+        time_stamps: match segment.time_stamps.value() {
+            Some(TimeStamps::Even) => ::motion::TimeStamps::Even,
+            None => ::motion::TimeStamps::Kept,
+        },
+    };
     match Recorded::new(samples, treatment) {
         Ok(recorded) => Some(Arc::new(recorded)),
         Err(fault) => {
             let span = match fault {
                 RecordedFault::WindowTooShort { .. } | RecordedFault::WindowTooLong { .. } => segment.smoothing.span(),
+                RecordedFault::StampsUneven { .. } => segment.time_stamps.span(),
                 RecordedFault::TooFew { .. }
                 | RecordedFault::NoCourse
                 | RecordedFault::Uneven

@@ -23,7 +23,7 @@ impl Side {
     /// q = q_rec/i, ω = ω_rec/i, T = i T_rec
     ///
     /// # Symbols
-    /// i ratio of the gear at which was recorded \[1\]
+    /// i ratio of the gear at which was recorded \[1\], negative if its input turns against the output
     /// # Valid
     /// for rotary quantities; the ratio belongs to the recorded machine, independent of the gears of the candidates
     pub(crate) fn factor(&self, role: Role) -> f64 {
@@ -47,6 +47,9 @@ fn stated(ratios: Option<&Ratios>, role: Role) -> Option<&Stated<f64>> {
     }
 }
 
+/// Smallest and largest ratio without its sign.
+const RATIO_BOUNDS: (f64, f64) = (1e-4, 1e4);
+
 /// Roles with a side, and their keys.
 const SIDED: [(Role, &str); 3] = [(Role::Position, "position"), (Role::Speed, "speed"), (Role::Torque, "torque")];
 
@@ -69,6 +72,12 @@ pub(crate) fn ratios(segment: &Segment, reader: &mut Reader<'_>) -> Side {
         for (role, _) in SIDED {
             if let Some(field) = stated(role).filter(|field| field.is_given() && !turns(&read.recording, role)) {
                 reader.fault(field.span(), Fault::NoColumnWithRatio { path: field.path() }, None);
+            }
+        }
+        for (role, _) in SIDED {
+            let (low, high) = RATIO_BOUNDS;
+            if let Some(field) = stated(role).filter(|field| field.value().is_some_and(|ratio| ratio.abs() < low)) {
+                reader.fault(field.span(), Fault::NumberOutOfRange { path: field.path(), low, high }, None);
             }
         }
         let column = |role: Role| read.recording.columns.iter().find(|column| column.role == role);
@@ -97,12 +106,19 @@ pub(crate) fn assumptions(segments: &[Segment], found: &mut Vec<Assumption>) {
         SIDED.into_iter().any(|(role, _)| turns(recording, role) && stated(segment, role).is_none())
     };
     let of_motor = |(segment, _): (&Segment, &Recording)| {
-        stated(segment, Role::Torque).is_some_and(|ratio| (ratio - 1.0).abs() > f64::EPSILON)
+        stated(segment, Role::Torque).is_some_and(|ratio| (ratio.abs() - 1.0).abs() > f64::EPSILON)
+    };
+    let is_alike = |(segment, _): (&Segment, &Recording)| {
+        SIDED
+            .into_iter()
+            .filter_map(|(role, _)| stated(segment, role))
+            .any(|ratio| ratio > 0.0 && (ratio - 1.0).abs() > f64::EPSILON)
     };
     let differences = |(segment, recording): (&Segment, &Recording)| {
         recording.course.speed.is_none() && !segment.smoothing.is_given()
     };
     found.extend(recordings().any(is_open).then_some(Assumption::RecordedAtOutput));
+    found.extend(recordings().any(is_alike).then_some(Assumption::RecordedTurnsAlike));
     found.extend(recordings().any(of_motor).then_some(Assumption::RecordedTorqueOfMotor));
     found.extend(recordings().any(differences).then_some(Assumption::RecordedPositionDifferentiated));
     let is_modulo = |(_, recording): (&Segment, &Recording)| recording.revolutions_removed > 0;

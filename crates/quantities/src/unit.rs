@@ -149,10 +149,12 @@ with_stiffnesses! {
             ///
             /// A rotational speed: 1/min means revolutions per minute, 2π/60 rad/s.
             REVOLUTION_PER_MINUTE: "1/min", "min⁻¹", "1/min",
-                ["min^-1", "rpm", "rev/min", "U/min", "r/min"],
+                ["min^-1", "rpm", "rev/min", "U/min", "r/min", "tr/min", "Upm"],
                 (is revolution_per_minute);
             RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", [], (is radian_per_second);
-            DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", [], (is degree_per_second);
+            DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", ["dps"], (is degree_per_second);
+            DEGREE_PER_MINUTE: "deg/min", "°/min", "deg/min", [], (times degree() / 60.0);
+            MILLIRADIAN_PER_SECOND: "mrad/s", "mrad/s", "mrad/s", [], (over 1e3);
             ///
             /// Never written 1/s, which some read as rad/s.
             REVOLUTION_PER_SECOND: "rev/s", "rev/s", "rev/s", ["U/s", "r/s", "rps"], (is revolution_per_second);
@@ -261,6 +263,9 @@ with_stiffnesses! {
             /// A thousandth of an inch.
             MIL: "mil", "mil", "mil", ["thou"], (times INCH_M / 1e3);
             FOOT: "ft", "ft", "ft", [], (times FOOT_M);
+            ///
+            /// Three feet.
+            YARD: "yd", "yd", "yd", [], (times 3.0 * FOOT_M);
         }
         Lead [] {
             MILLIMETRE_PER_REVOLUTION: "mm", "mm", "mm", ["mm/rev", "mm/U", "mm/r"], (over 1e3);

@@ -68,6 +68,31 @@ fn a_recording_of_the_motor_is_that_of_the_output_over_the_ratio_of_its_gear() {
     }
 }
 
+/// A negative ratio is that of a gear that turns the other way; a ratio above 0 is listed as taken to turn alike.
+#[test]
+fn a_recorded_gear_may_turn_the_other_way() {
+    let mechanism = "[mechanism.arm]\ninertia = \"0.9 kg m^2\"\nmass = \"8 kg\"\ncentre_distance = \"0.3 m\"\n\
+                     axis_tilt = \"90 deg\"\nstart_angle = \"20 deg\"";
+    for load in [LOAD, STAGE, JOINT, mechanism] {
+        let output = read(load, "", &recording(AT_OUTPUT, [1.0; 3])).unwrap();
+        for ratio in [80.0, 50.0, 1.0, 0.5] {
+            let keys = |i: f64| format!("recorded_ratio = {{ position = {i}, speed = {i}, torque = {i} }}");
+            let motor = read(load, &keys(-ratio), &recording(AT_OUTPUT, [-ratio; 3])).unwrap();
+            for (found, expected) in figures(&motor).into_iter().zip(figures(&output)) {
+                assert!((found / expected - 1.0).abs() < 1e-6, "{found} for {expected} with {ratio} under {load}");
+            }
+            assert!(!motor.assumptions.contains(&Assumption::RecordedTurnsAlike));
+            assert_eq!(motor.assumptions.contains(&Assumption::RecordedTorqueOfMotor), ratio != 1.0);
+            let alike = read(load, &keys(ratio), &recording(AT_OUTPUT, [ratio; 3])).unwrap();
+            assert_eq!(alike.assumptions.contains(&Assumption::RecordedTurnsAlike), ratio != 1.0);
+        }
+    }
+    for ratio in ["0", "1e-5", "-1e-5"] {
+        let faults = read(LOAD, &format!("recorded_ratio = {{ speed = {ratio} }}"), &recording(AT_OUTPUT, [1.0; 3]));
+        assert!(matches!(faults.unwrap_err().as_slice(), [Fault::NumberOutOfRange { .. }]), "{ratio}");
+    }
+}
+
 #[test]
 fn columns_of_the_motor_need_their_ratio() {
     let headings = ["r0482[1]: Position [deg]", "r0061[0]: Speed actual value [1/min]", "Motor.Torque [Nm]"];

@@ -49,8 +49,9 @@ impl<R: Read> Ahead<R> {
     /// file without lines.
     ///
     /// The heading is the line above the first of two rows with the same number of cells, most of them numbers; a row
-    /// of units may stand in between. Without such rows it is the first line.
-    pub(crate) fn heading(&mut self) -> Result<Option<Found>, Fault> {
+    /// of units may stand in between. Without such rows it is the first line. A first line with numbers in all columns
+    /// that `numbered` lists by their indices is a row, whatever the others hold.
+    pub(crate) fn heading(&mut self, numbered: &[usize]) -> Result<Option<Found>, Fault> {
         let mut seen: Vec<(u64, Vec<u8>)> = Vec::new();
         let (mut stated, mut bytes) = (None, 0);
         let mut found = None;
@@ -85,6 +86,13 @@ impl<R: Read> Ahead<R> {
                     comment = self.lines.comment().cloned();
                 }
                 seen.push((self.lines.number(), line));
+            }
+            if (seen.len() == 2 || is_end && seen.len() == 1)
+                && headers.are_over()
+                && let Some(delimiter) = delimiter_of_rows(&seen, numbered, stated)
+            {
+                found = Some((0, Found { delimiter, is_missing: true, notes: None }));
+                break;
             }
             // A row counts once the next one confirms it or the file ends.
             if let Some((row, number, headings, delimiter)) = headers.scope(&seen) {
@@ -281,6 +289,19 @@ fn is_row_with_units(cells: &[String]) -> bool {
     let filled = cells.iter().filter(|cell| !cell.is_empty());
     let values = cells.iter().filter(|cell| with_unit(cell).is_some()).count() + values(cells).0;
     2 * values > filled.count()
+}
+
+/// Returns the delimiter by which all lines have numbers or clock times in the numbered columns.
+fn delimiter_of_rows(lines: &[(u64, Vec<u8>)], numbered: &[usize], stated: Option<u8>) -> Option<u8> {
+    let (_, first) = lines.first().filter(|_| !numbered.is_empty())?;
+    let usual = [delimiter(first), b';', b'\t', b',', b'|'];
+    let signs = stated.map_or_else(|| usual.to_vec(), |sign| vec![sign]);
+    let is_value = |cell: &String| Decimals::is_number(cell) || is_clock(cell);
+    let is_row = |line: &[u8], sign: u8| {
+        let cells = split(line, sign).unwrap_or_default();
+        numbered.iter().all(|index| cells.get(*index).is_some_and(is_value))
+    };
+    signs.into_iter().find(|sign| lines.iter().all(|(_, line)| is_row(line, *sign)))
 }
 
 /// Predicate: the cells of a line can be those of a row of values.

@@ -1,7 +1,7 @@
 //! Clock times in the notations of loggers: `2025-04-17T17:00:08.005`, `17.04.2025 17:00:08,005`, `17:00:08.005`,
 //! `0 days 00:00:00.002`.
 
-use crate::number::Tick;
+use crate::number::{Decimals, Tick, with_unit};
 
 /// Seconds of a day.
 const DAY_S: i64 = 86_400;
@@ -80,6 +80,43 @@ pub(crate) fn is_clock(text: &str) -> bool {
     read(text).is_some_and(exists)
 }
 
+/// Returns `true` if a text looks like the time of a clock in a form that is not known: `T#12ms`, `02:59`,
+/// `2025-10-26_02-59-58`, `Oct 26, 2025 02:59:58`, `2025-10-26 02:59:58 CET`.
+pub(crate) fn is_clock_of_unknown_form(text: &str) -> bool {
+    /// Longest text of a time.
+    const LONGEST: usize = 48;
+    /// Number of digits of a date.
+    const DIGITS_LEAST: usize = 8;
+    let text = text.trim();
+    let may_stand = |sign: char| sign.is_alphanumeric() || " :.,-_/#+[]()\u{a0}".contains(sign);
+    let count = |is: fn(&char) -> bool| text.chars().filter(is).count();
+    let (digits, letters) = (count(char::is_ascii_digit), count(|sign| sign.is_alphabetic()));
+    if text.chars().count() > LONGEST || !text.chars().all(may_stand) || digits == 0 || letters > digits + 12 {
+        return false;
+    }
+    // Literals of IEC 61131-3.
+    const LITERALS: [&str; 9] = ["t#", "lt#", "time#", "ltime#", "tod#", "ltod#", "dt#", "ldt#", "d#"];
+    let is_literal =
+        || LITERALS.iter().any(|word| text.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word)));
+    let is_digit = |sign: Option<&u8>| sign.is_some_and(u8::is_ascii_digit);
+    let bytes = text.as_bytes();
+    let has_colon = || {
+        let colons = (1..bytes.len()).filter(|at| bytes.get(*at) == Some(&b':'));
+        colons.into_iter().any(|at| is_digit(bytes.get(at - 1)) && is_digit(bytes.get(at + 1)))
+    };
+    let begins = |digits: usize, signs: &[u8]| {
+        let date = bytes.get(..digits).is_some_and(|date| date.iter().all(u8::is_ascii_digit));
+        date && bytes.get(digits).is_some_and(|sign| signs.contains(sign)) && is_digit(bytes.get(digits + 1))
+    };
+    let is_stamp = || {
+        begins(8, b" _-T") || begins(4, b"-/.") && digits >= DIGITS_LEAST && text.matches(['-', '/', '.']).count() > 1
+    };
+    !is_clock(text)
+        && !Decimals::is_number(text)
+        && with_unit(text).is_none()
+        && (is_literal() || has_colon() || is_stamp())
+}
+
 impl Clock {
     /// Returns the time of a cell; `None` if the text is no clock time, or if its date has another order of day and
     /// month than those before.
@@ -114,7 +151,7 @@ fn read(text: &str) -> Option<Stamp> {
     let colon = text.find(':')?;
     let begin = text.get(..colon)?.rfind(|sign: char| !sign.is_ascii_digit()).map_or(0, |at| at + 1);
     let (date, time) = text.split_at_checked(begin)?;
-    let date = date.trim_end_matches(['T', ' ', '_', '\u{a0}', '+', ',']);
+    let date = date.trim_end_matches(['T', 't', ' ', '_', '\u{a0}', '+', ',']);
     let date = if date.is_empty() { None } else { Some(date_of(date)?) };
     let (time, offset) = offset(time)?;
     let (time, afternoon) = match time.trim_end().to_ascii_uppercase() {
@@ -327,6 +364,47 @@ mod tests {
         let mut clock = Clock::default();
         assert!(clock.tick("31/03/2025 10:00:00").is_some());
         assert!(clock.tick("03/31/2025 10:00:01").is_none(), "two orders");
+    }
+
+    #[test]
+    fn a_time_of_unknown_form_is_told_from_other_texts() {
+        for text in [
+            "T#12ms",
+            "LT#1s2ms",
+            "DT#2025-10-26-02:59:58.000",
+            "TOD#02:59:58",
+            "2025-10-26 02:59:58 CET",
+            "2025-10-26 02:59:58.000 EST",
+            "2025-10-26T02:59:58[Europe/Berlin]",
+            "2025-10-26_02-59-58",
+            "20251026 025958",
+            "Oct 26, 2025 02:59:58",
+            "26. August 2025 02:59:58",
+            "Sun Oct 26 02:59:58 2025",
+            "02:59",
+        ] {
+            assert!(is_clock_of_unknown_form(text), "{text}");
+        }
+        for text in [
+            "",
+            "12",
+            "-1.5e-3",
+            "1,5",
+            "12345678901",
+            "1.234.567,89",
+            "12 ms",
+            "0.5 s",
+            "RUN",
+            "state 3",
+            "key: 17",
+            "2025-04-17T17:00:08.005",
+            "2025-04-17t17:00:08.005z",
+            "17:00:08",
+            "1 234 567.5",
+        ] {
+            assert!(!is_clock_of_unknown_form(text), "{text}");
+        }
+        assert!((since("2025-04-17t17:00:08.000z", "2025-04-17t17:00:08.005z") - 0.005).abs() < 1e-9);
     }
 
     #[test]

@@ -16,12 +16,14 @@ pub(crate) struct Heading {
     pub(crate) named: Named,
     /// Text of the column in the line below the heading, which may be a row of units.
     pub(crate) below: Option<String>,
+    /// The first row has a clock time in the column.
+    pub(crate) is_clock: bool,
 }
 
 impl Heading {
     pub(crate) fn new(written: &str) -> Self {
         let written = written.trim();
-        Self { written: written.to_owned(), named: Named::marked(written), below: None }
+        Self { written: written.to_owned(), named: Named::marked(written), below: None, is_clock: false }
     }
 
     /// Matches the usual names of a role, also with a unit after an underscore, which may otherwise be part of the
@@ -133,7 +135,14 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -
     let missing = |role: Role| picks.iter().zip(Role::ALL).any(|(pick, of)| of == role && pick.is_none());
     let near = |roles: &[Role]| {
         let used = |index: usize| picks.iter().flatten().any(|pick| pick.index == index);
-        roles.iter().filter_map(|role| proposed(headings, *role, used)).collect()
+        let mut found: Vec<NearColumn> = Vec::new();
+        for near in roles.iter().filter_map(|role| proposed(headings, *role, used)) {
+            // One column cannot have two roles.
+            if found.iter().all(|other| other.column != near.column) {
+                found.push(near);
+            }
+        }
+        found
     };
     if missing(Role::Time) && !time_failed {
         faults.push(Fault::TimeMissing { headers: names(), near: near(&[Role::Time]) });
@@ -192,7 +201,7 @@ pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> V
         let is_wanted = |role: &Role| !layout.column(*role).unused;
         let mut usual: Vec<Role> = Role::ALL.into_iter().filter(|role| heading.usual(*role).is_some()).collect();
         if usual.is_empty() {
-            // `velocity_dps`, `Torque Reference [%]`: the word of a quantity, with a unit that is none of it or not known.
+            // `velocity_cps`, `Torque Reference [%]`: the word of a quantity, with a unit that is none of it or not known.
             let (roles, is_other) = heading.named.words_of_quantities();
             if is_other {
                 return true;
@@ -245,11 +254,13 @@ fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -
             .filter_map(|heading| Some((distance(heading)?, heading)));
         near.min_by_key(|(distance, _)| *distance).map(|(_, heading)| heading)
     };
-    let found = match with_unit.as_slice() {
-        [one] => *one,
+    let of_clock: Vec<&Heading> = free().filter(|heading| role == Role::Time && heading.is_clock).collect();
+    let found = match (with_unit.as_slice(), of_clock.as_slice()) {
+        ([one], _) | (_, [one]) => *one,
         _ => by_name()?,
     };
-    Some(NearColumn { role, column: writable(headings, found)?, has_unit: has_unit(&found) })
+    let has_unit = has_unit(&found) || role == Role::Time && found.is_clock;
+    Some(NearColumn { role, column: writable(headings, found)?, has_unit })
 }
 
 /// Number of leading columns that are searched for a proposal.
@@ -261,7 +272,7 @@ const LONGEST: usize = 64;
 
 fn chosen_names(headings: &[Heading], picks: &[Pick]) -> Vec<String> {
     let chosen = picks.iter().take(NAMES_MAX + 1).filter_map(|pick| headings.get(pick.index));
-    chosen.filter_map(|heading| writable(headings, heading)).collect()
+    chosen.filter_map(|heading| whole_name(heading).or_else(|| number(headings, heading))).collect()
 }
 
 /// Returns the name of a column closest to one that does not exist.
@@ -283,12 +294,24 @@ fn nearest(headings: &[Heading], name: &str) -> Option<String> {
         .and_then(|(_, heading)| writable(headings, heading))
 }
 
-/// Returns the name of a column as it can be written in a layout: a shortened name names no column, its number does.
+/// Returns the name of a column as it can be written in a layout: a shortened or empty name and one of several columns
+/// names no column, its number does.
 fn writable(headings: &[Heading], heading: &Heading) -> Option<String> {
+    let name = heading.written.to_lowercase();
+    let is_same = |other: &&Heading| [&other.written, &other.named.bare].iter().any(|text| text.to_lowercase() == name);
+    let is_only = || headings.iter().filter(is_same).take(2).count() == 1;
+    let whole = whole_name(heading).filter(|name| !name.is_empty() && is_only());
+    whole.or_else(|| number(headings, heading))
+}
+
+/// Returns the name of a column; `None` if it would be shortened.
+fn whole_name(heading: &Heading) -> Option<String> {
     let shown = excerpt(&heading.written);
-    if shown == heading.written {
-        return Some(shown);
-    }
+    (shown == heading.written).then_some(shown)
+}
+
+/// Returns the number of a column, `#3`.
+fn number(headings: &[Heading], heading: &Heading) -> Option<String> {
     let place = headings.iter().position(|other| std::ptr::eq(other, heading))?;
     Some(format!("#{}", place + 1))
 }
@@ -300,7 +323,8 @@ pub(crate) enum Said {
     Unit(&'static Unit),
 }
 
-/// Determines the unit of a column from all statements about it; reports missing, unknown and contradictory ones.
+/// Determines the unit of a column from all statements about it; reports missing, unknown and contradictory ones. A text
+/// that is no unit does not count where the layout states one: brackets also hold other words, `V(pos)`.
 pub(crate) fn decide(
     role: Role,
     heading: &Heading,
@@ -310,6 +334,8 @@ pub(crate) fn decide(
     let column = excerpt(&heading.written);
     let mut decided: Option<(&'static Unit, KnownBy)> = None;
     let mut sound = true;
+    let said: Vec<(KnownBy, Said)> = said.into_iter().collect();
+    let is_stated = said.iter().any(|(by, _)| *by == KnownBy::Layout);
     for (by, said) in said {
         let unit = match said {
             Said::Unit(unit) => unit,
@@ -317,6 +343,7 @@ pub(crate) fn decide(
                 let known = role.dimensions().iter().find_map(|dimension| Unit::of_dimension(*dimension, &text));
                 match known.or_else(|| Unit::of(&text)) {
                     Some(unit) => unit,
+                    None if is_stated => continue,
                     None => {
                         let nearest = nearest_unit(role, &text);
                         let (column, text) = (column.clone(), excerpt(&text));

@@ -2,7 +2,7 @@
 
 use crate::ahead::{Ahead, is_spaced_row};
 use crate::cells::{Cells, ends_empty};
-use crate::clock::{Clock, is_clock};
+use crate::clock::{Clock, is_clock, is_clock_of_unknown_form};
 use crate::columns::{Heading, Pick, Picks, Said, decide, pick, unused};
 use crate::encoding;
 use crate::faults::{Fault, Faults, excerpt};
@@ -57,7 +57,7 @@ pub fn read_csv_within(source: impl Read, layout: &Layout, memory: &mut Memory) 
 fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Faults) -> Option<Recording> {
     check_window(layout, faults);
     let mut lines = Ahead::new(source);
-    let Some(found) = lines.heading().map_err(|fault| faults.push(fault)).ok()? else {
+    let Some(found) = lines.heading(&layout.numbered()).map_err(|fault| faults.push(fault)).ok()? else {
         faults.push(Fault::NoHeader);
         return None;
     };
@@ -85,6 +85,9 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     // A row of values is none of units, though one of its cells may be: `Value;Unit` over `0.5;deg`.
     for (heading, cell) in headings.iter_mut().zip(second.iter().filter(|row| !is_row_of_values(row)).flatten()) {
         heading.below = Some(unbracketed(&encoding::text(cell)));
+    }
+    for (heading, cell) in headings.iter_mut().zip(second.iter().flatten()) {
+        heading.is_clock = is_clock(&encoding::text(cell));
     }
     let (picks, more_time) = pick(&headings, layout, faults);
 
@@ -134,6 +137,16 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
             let said = [(KnownBy::Values, Said::Unit(&SECOND))];
             wanted.put(index, heading);
             columns.extend(decide(role, heading, said, faults));
+            continue;
+        }
+        if role == Role::Time && is_clock_of_unknown_form(&cell) {
+            faults.push(Fault::ClockUnknown { column: excerpt(&heading.written), text: excerpt(cell.trim()) });
+            continue;
+        }
+        if role == Role::Time && is_time_of_wincc(heading, &headings) {
+            wanted.form = TimeForm::MillionthsOfDay;
+            wanted.put(index, heading);
+            columns.extend(decide(role, heading, [(KnownBy::Values, Said::Unit(&SECOND))], faults));
             continue;
         }
         let nanoseconds = more_time.nanoseconds.and_then(|index| Some((index, headings.get(index)?)));
@@ -240,15 +253,27 @@ pub(crate) fn advance(lines: &mut Ahead<impl Read>, faults: &mut Faults) -> Opti
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
-/// Returns the row as units if no cell in use is a number.
+/// Returns `true` if a column of time is that of WinCC, millionths of a day since 1899-12-30 despite its name, beside the
+/// clock time.
+fn is_time_of_wincc(heading: &Heading, headings: &[Heading]) -> bool {
+    let is = |heading: &Heading, name: &str| heading.written.eq_ignore_ascii_case(name);
+    is(heading, "Time_ms") && headings.iter().any(|other| is(other, "TimeString"))
+}
+
+/// Returns the row as units if no cell in use is a number. A dash beside a unit is none.
 fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
-    let texts: Vec<String> = row.iter().map(|cell| unbracketed(&encoding::text(cell))).collect();
-    let mut used =
-        picks.iter().flatten().filter_map(|pick| texts.get(pick.index)).filter(|text| !text.is_empty()).peekable();
+    let mut texts: Vec<String> = row.iter().map(|cell| unbracketed(&encoding::text(cell))).collect();
+    let used: Vec<&String> =
+        picks.iter().flatten().filter_map(|pick| texts.get(pick.index)).filter(|text| !text.is_empty()).collect();
     // A missing value in the first sample is no unit.
-    let missing = |text: &str| ["na", "n/a", "null", "none", "-"].contains(&text.to_lowercase().as_str());
-    let any = used.peek().is_some();
-    (any && used.all(|text| !is_value(text) && !missing(text))).then_some(texts)
+    let is_missing = |text: &str| ["na", "n/a", "null", "none", "-"].contains(&text.to_lowercase().as_str());
+    let has_unit = used.iter().any(|text| !is_value(text) && Unit::of(text).is_some());
+    let are_texts = used.iter().all(|text| !is_value(text) && (has_unit || !is_missing(text)));
+    if used.is_empty() || !are_texts {
+        return None;
+    }
+    texts.iter_mut().filter(|text| is_missing(text)).for_each(String::clear);
+    Some(texts)
 }
 
 /// Returns `true` if a cell is a number, with or without a unit behind it.
@@ -300,6 +325,8 @@ enum TimeForm {
     #[default]
     Number,
     Clock(Clock),
+    /// Millionths of a day.
+    MillionthsOfDay,
     /// Whole seconds; nanoseconds stand in the first column after the values.
     Seconds,
 }
@@ -433,6 +460,10 @@ fn row(
             quick.map_or_else(|| decimals.plain(bare, number).and_then(|text| Tick::read(&text)), Ok)
         }),
         TimeForm::Clock(clock) => clock.tick(&encoding::text(cell)).ok_or(Bad::Unreadable),
+        TimeForm::MillionthsOfDay => {
+            let tick = decimals.plain(cell, number).and_then(|text| Tick::read(&text));
+            tick.map(Tick::of_millionths_of_day)
+        }
         TimeForm::Seconds => {
             let more = cells.found(line).nth(behind).unwrap_or_default();
             let whole = decimals.plain(cell, number).and_then(|text| Tick::read(&text));

@@ -165,6 +165,14 @@ pub enum Fault {
         /// Number of cells in the line.
         columns: usize,
     },
+    /// The first time is written as that of a clock, in a form that is not known.
+    #[error("\"{text}\" in \"{column}\" is a time in a form that is not known")]
+    ClockUnknown {
+        /// Name of the column.
+        column: String,
+        /// Cell as written.
+        text: String,
+    },
     /// Two columns of time with one name differ.
     #[error("{at}: two columns \"{column}\" hold different times")]
     TimesDiffer {

@@ -34,6 +34,19 @@ impl Layout {
     }
 }
 
+impl Layout {
+    /// Returns the indices of the columns if all are named by their numbers, with the time and a course among them; empty
+    /// otherwise.
+    pub(crate) fn numbered(&self) -> Vec<usize> {
+        let named = || Role::ALL.into_iter().map(|role| (role, self.column(role))).filter(|(_, column)| !column.unused);
+        let index = |name: &String| name.trim().strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1);
+        let is_named = |role: Role| named().any(|(of, column)| of == role && column.name.is_some());
+        let indices: Option<Vec<usize>> = named().filter_map(|(_, column)| column.name.as_ref()).map(index).collect();
+        let is_whole = is_named(Role::Time) && (is_named(Role::Position) || is_named(Role::Speed));
+        indices.filter(|_| is_whole).unwrap_or_default()
+    }
+}
+
 /// Statements of the user about one column.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ColumnSpec {

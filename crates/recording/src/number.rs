@@ -235,6 +235,12 @@ impl Tick {
         Self { whole: self.whole, part: self.part + part }
     }
 
+    /// Returns a time in millionths of a day, 0.0864 s, in seconds.
+    pub(crate) const fn of_millionths_of_day(self) -> Self {
+        let scaled = self.whole.saturating_mul(864);
+        Self { whole: scaled / 10_000, part: (scaled % 10_000) as f64 / 1e4 + 0.0864 * self.part }
+    }
+
     pub(crate) const fn of_float(part: f64) -> Self {
         Self { whole: 0, part }
     }

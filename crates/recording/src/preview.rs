@@ -24,7 +24,7 @@ const SHOWN_MOST: usize = 32;
 pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
     let mut lines = Ahead::new(source);
     let mut faults = Faults::default();
-    let found = lines.heading().ok()??;
+    let found = lines.heading(&[]).ok()??;
     if !advance(&mut lines, &mut faults)? {
         return None;
     }

@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
-use recording::{ColumnSpec, Fault, FileRow, Layout, Recording, read_csv};
+use quantities::unit;
+use recording::{ColumnSpec, Fault, FileRow, Layout, Recording, Role, read_csv};
 
 /// Number of samples, 2 ms apart.
 const COUNT: u64 = 2_000;
@@ -165,4 +166,137 @@ fn a_unit_may_stand_in_every_cell() {
     let faults = read(listed, &Layout::default()).unwrap_err();
     let is_proposed = |fault: &Fault| matches!(fault, Fault::CourseMissing { near, .. } if !near.is_empty());
     assert!(!faults.iter().any(is_proposed), "{faults:?}");
+}
+
+/// Without a heading, columns named by their numbers are read from the first row, whatever the other cells hold.
+#[test]
+fn a_first_row_with_numbers_in_the_numbered_columns_is_a_row() {
+    for sign in [';', ',', '\t'] {
+        for before in ["", "RUN|", "a b|c|d|"] {
+            for behind in ["", "|RUN", "|ok|x|y"] {
+                for clock in [false, true] {
+                    let time = |k: u32| if clock { format!("10:00:0{k}") } else { format!("0.{k}") };
+                    let rows: Vec<String> = (0..5).map(|k| format!("{before}{}|{k}{behind}", time(k))).collect();
+                    let text = rows.join("\n").replace('|', &sign.to_string());
+                    let first = before.matches('|').count() + 1;
+                    let named =
+                        |number: usize, unit| ColumnSpec { name: Some(format!("#{number}")), unit, unused: false };
+                    let layout = Layout {
+                        time: named(first, (!clock).then_some(&unit::SECOND)),
+                        position: named(first + 1, Some(&unit::DEGREE)),
+                        ..Layout::default()
+                    };
+                    let found = read_csv(text.as_bytes(), &layout);
+                    let samples = found.as_ref().map(|recording| recording.time_s.len());
+                    assert_eq!(samples.ok(), Some(5), "{text}: {found:?}");
+                }
+            }
+        }
+    }
+}
+
+/// A bracket, or a row below the heading, that holds no unit does not count where the layout states the unit; a unit
+/// there does.
+#[test]
+fn a_stated_unit_replaces_what_is_no_unit() {
+    let layout = |speed| Layout {
+        time: ColumnSpec { unit: Some(&unit::SECOND), ..ColumnSpec::default() },
+        speed: ColumnSpec { unit: speed, ..ColumnSpec::default() },
+        ..Layout::default()
+    };
+    let stated = || layout(Some(&unit::REVOLUTION_PER_MINUTE));
+    for word in ["tours", "pos", "ø", "counts", "Units/s", "OFF", "FLT", "---"] {
+        let heading = format!("time;speed ({word})\n0;1\n1;2\n2;3\n");
+        let row = format!("time;speed\ns;{word}\n0;1\n1;2\n2;3\n");
+        for text in [heading, row] {
+            let found = read_csv(text.as_bytes(), &stated()).unwrap();
+            assert_eq!(found.time_s.len(), 3, "{text}");
+            let faults = read_csv(text.as_bytes(), &layout(None)).unwrap_err();
+            assert!(
+                matches!(faults.as_slice(), [Fault::UnitUnknown { .. } | Fault::UnitMissing { .. }]),
+                "{text}: {faults:?}"
+            );
+        }
+    }
+    for word in ["rad/s", "mm/s", "deg", "Nm"] {
+        let text = format!("time;speed ({word})\n0;1\n1;2\n2;3\n");
+        let faults = read_csv(text.as_bytes(), &stated()).unwrap_err();
+        let is_refused = |fault: &Fault| matches!(fault, Fault::UnitContradiction { .. } | Fault::UnitWrong { .. });
+        assert!(faults.iter().all(is_refused), "{text}: {faults:?}");
+    }
+    // A dash in a row of units leaves the others.
+    let text = "time;speed\ns;-\n0;1\n1;2\n2;3\n";
+    let only_speed = Layout { time: ColumnSpec::default(), ..stated() };
+    for layout in [stated(), only_speed] {
+        assert_eq!(read_csv(text.as_bytes(), &layout).unwrap().time_s.len(), 3);
+    }
+    assert!(matches!(
+        read_csv(text.as_bytes(), &Layout::default()).unwrap_err().as_slice(),
+        [Fault::UnitMissing { .. }]
+    ));
+}
+
+/// Every proposed column is read as proposed.
+#[test]
+fn proposals_name_columns_that_can_be_read() {
+    for (text, expected) in [
+        ("FLT,FLT,FLT\ns,deg,1/min\n0,0,0\n1,1,1\n2,2,2\n", 3),
+        ("stamp,FLT,FLT\ns,deg,1/min\n0,0,0\n1,1,1\n2,2,2\n", 3),
+        (
+            ",q [deg]\n2025-03-14 10:00:00.000+01:00,0\n2025-03-14 10:00:00.002+01:00,1\n2025-03-14 10:00:00.004+01:00,2\n",
+            3,
+        ),
+        ("when,q [deg]\n10:00:00.000,0\n10:00:00.002,1\n10:00:00.004,2\n", 3),
+    ] {
+        let mut layout = Layout::default();
+        let mut found = read_csv(text.as_bytes(), &layout);
+        assert!(found.is_err(), "{text}");
+        for fault in found.unwrap_err() {
+            let (Fault::TimeMissing { near, .. } | Fault::CourseMissing { near, .. }) = fault else {
+                panic!("{text}: {fault:?}")
+            };
+            assert!(!near.is_empty(), "{text}");
+            for near in near {
+                let spec = ColumnSpec { name: Some(near.column), ..ColumnSpec::default() };
+                match near.role {
+                    Role::Time => layout.time = spec,
+                    Role::Position => layout.position = spec,
+                    Role::Speed => layout.speed = spec,
+                    Role::Torque => layout.torque = spec,
+                }
+            }
+        }
+        found = read_csv(text.as_bytes(), &layout);
+        assert_eq!(found.as_ref().map(|recording| recording.time_s.len()).ok(), Some(expected), "{text}: {found:?}");
+    }
+}
+
+/// A clock time in a form that is not known is quoted as such, with a unit stated or not.
+#[test]
+fn a_clock_time_of_unknown_form_is_quoted() {
+    for written in ["T#0ms", "2025-10-26_02-59-58", "20251026 025958", "2025-10-26 02:59:58 CET", "02:59"] {
+        let text = format!("Time;q [deg]\n{written};0\n{written};1\n{written};2\n");
+        for unit in [None, Some(&unit::SECOND)] {
+            let time = ColumnSpec { unit, ..ColumnSpec::default() };
+            let faults = read_csv(text.as_bytes(), &Layout { time, ..Layout::default() }).unwrap_err();
+            assert!(matches!(faults.as_slice(), [Fault::ClockUnknown { text, .. }] if text == written), "{faults:?}");
+        }
+    }
+}
+
+/// `Time_ms` of WinCC beside `TimeString` counts millionths of a day.
+#[test]
+fn the_time_of_wincc_is_in_millionths_of_a_day() {
+    let rows: String = (0..20_u32)
+        .map(|k| {
+            let days = 45_730_416_666.666_67 + f64::from(k) * 0.01 / 0.0864;
+            format!("\"Pos\";\"14.03.2025 10:00:00\";{k};1;{}\n", format!("{days:.6}").replace('.', ","))
+        })
+        .collect();
+    let text = format!("\"VarName\";\"TimeString\";\"Position [deg]\";\"Validity\";\"Time_ms\"\n{rows}");
+    let found = read_csv(text.as_bytes(), &Layout::default()).unwrap();
+    assert!((found.time_s[19] - 0.19).abs() < 2e-5, "{:?}", found.time_s);
+    let alone = text.replace("TimeString", "Text");
+    let found = read_csv(alone.as_bytes(), &Layout::default()).unwrap();
+    assert!((found.time_s[19] - 19e-3 * 0.01 / 0.0864).abs() < 1e-6, "{:?}", found.time_s);
 }

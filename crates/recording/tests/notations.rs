@@ -97,8 +97,8 @@ fn positions_of_another_range_are_refused_with_the_way_out() {
 #[test]
 fn unused_quantities_are_listed() {
     for name in [
-        "velocity_dps",
-        "speed_dps",
+        "velocity_cps",
+        "speed_cps",
         "velocity_rads",
         "motor_speed_rpm",
         "rpm",

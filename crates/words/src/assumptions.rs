@@ -2,7 +2,7 @@
 
 use crate::pick;
 use crate::texts::said;
-use motion::{Alternating, MadeUp, Spline, SteppedColumn};
+use motion::{Alternating, MadeUp, Spline, Spurious, SteppedColumn};
 use project::{Assumption, Overrun};
 use quantities::unit::{
     DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
@@ -25,7 +25,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         }
         Assumption::RecordedAlternating(alternating) => return alternating_text(&alternating, language),
         Assumption::Overruns(overrun) => return overrun_text(&overrun, language),
-        Assumption::RecordedSteps(made_up, torque) => return steps_text(&made_up, torque, language),
+        Assumption::RecordedSteps(made_up, torque) => return spurious_text(&made_up, torque, language),
         Assumption::SplineThroughPoints(Spline::Cubic) => (
             "a cubic spline goes through the points of the cam table: the acceleration is continuous there (C²), the jerk is discontinuous; at the ends the acceleration may be discontinuous",
             "Kurventabelle mit kubischem Spline interpoliert: die Beschleunigung ist an den Stützpunkten stetig (C²), der Ruck unstetig; an den Enden kann die Beschleunigung springen",
@@ -153,8 +153,12 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "das aufgezeichnete Moment ist ein Prozessmoment; die Momente aus Trägheit, Gewicht und Reibung der Mechanik kommen hinzu",
         ),
         Assumption::RecordedAtOutput => (
-            "recorded angles, speeds and torques are those at the output of the actuator (motion.recorded_ratio is not stated), with a stage at the output of the stage",
-            "aufgezeichnete Winkel, Drehzahlen und Momente gelten am Abtrieb (motion.recorded_ratio nicht angegeben), bei einer Zwischenstufe an deren Abtrieb",
+            "recorded angles, speeds and torques are those at the output of the actuator (motion.recorded_ratio is not stated), with a stage at the output of the stage, positive in the direction of the axis",
+            "aufgezeichnete Winkel, Drehzahlen und Momente gelten am Abtrieb (motion.recorded_ratio nicht angegeben), bei einer Zwischenstufe an deren Abtrieb, positiv in der Richtung der Achse",
+        ),
+        Assumption::RecordedTurnsAlike => (
+            "the recorded shaft turns in the direction of the output (motion.recorded_ratio is positive); if the recorded gear turns the other way, as a strain wave gear does, and the drive does not invert the sign, the ratio is negative",
+            "die aufgezeichnete Welle dreht im Sinn des Abtriebs (motion.recorded_ratio positiv); kehrt das aufgezeichnete Getriebe die Drehrichtung um, wie ein Wellgetriebe, und der Servoregler nicht das Vorzeichen, ist die Übersetzung negativ",
         ),
         Assumption::RecordedTorqueOfMotor => (
             "inertia and friction of the recorded motor and gear are not removed from the torque recorded at the motor (motion.recorded_ratio); those of the actuator are added",
@@ -290,13 +294,48 @@ fn overrun_text(overrun: &Overrun, language: Language) -> String {
     )
 }
 
-/// Returns the remark on an acceleration caused by the resolution of a column, with the remedy.
-fn steps_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String {
+/// Returns the remark on an acceleration caused by the resolution of a column in value or time, with the remedy.
+fn spurious_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String {
     let interval = figure(made_up.interval_s, &MILLISECOND, language);
     let of = |si: f64| figure(si, &RADIAN_PER_SECOND_SQUARED, language);
     let (alone, motion) = (of(made_up.acceleration_rad_s2), of(made_up.motion_rad_s2));
     let torque = figure(torque_nm, &NEWTON_METRE, language);
-    let remedy = match (made_up.smoothing_s, made_up.column) {
+    let column = match made_up.column {
+        SteppedColumn::Position => said!(language => "position" | "Position"),
+        SteppedColumn::Speed => said!(language => "speed" | "Geschwindigkeit"),
+    };
+    match made_up.cause {
+        Spurious::Steps { step, smoothing_s } => {
+            let step = match made_up.column {
+                SteppedColumn::Position => figure(step, &DEGREE, language),
+                SteppedColumn::Speed => figure(step, &REVOLUTION_PER_MINUTE, language),
+            };
+            let remedy = smoothing_text(smoothing_s, made_up.column, language);
+            said!(language =>
+                "the recorded {column} has steps of {step} at intervals of {interval}: these steps alone produce apparent accelerations of up to {alone}, {torque} at the load, while the motion itself has {motion}; {remedy}"
+                | "die aufgezeichnete {column} hat Stufen von {step} im Abstand von {interval}: sie allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
+            )
+        }
+        Spurious::Held { period_s } => {
+            let period = figure(period_s, &MILLISECOND, language);
+            said!(language =>
+                "the recorded {column} is updated every {period} only, with rows every {interval}: the held values alone produce apparent accelerations of up to {alone}, {torque} at the load, while the motion itself has {motion}; held_values = \"interpolate\" uses one value for each update"
+                | "die aufgezeichnete {column} wird nur alle {period} aktualisiert, Zeilen stehen alle {interval}: die gehaltenen Werte allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; held_values = \"interpolate\" verwendet einen Wert je Aktualisierung"
+            )
+        }
+        Spurious::Stamps { scatter_s } => {
+            let scatter = figure(scatter_s, &MILLISECOND, language);
+            said!(language =>
+                "the time stamps of the recording scatter by {scatter} (standard deviation) about equal intervals of {interval}, which the recorded {column} does not follow: the scatter alone produces apparent accelerations of up to {alone}, {torque} at the load, while the motion itself has {motion}; time_stamps = \"even\" takes the rows as evenly spaced"
+                | "die Zeitstempel der Aufzeichnung streuen um {scatter} (Standardabweichung) um gleiche Abstände von {interval}, die aufgezeichnete {column} folgt dem nicht: die Streuung allein täuscht Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; time_stamps = \"even\" nimmt die Zeilen in gleichem Abstand"
+            )
+        }
+    }
+}
+
+/// Returns the remedy for steps of a column.
+fn smoothing_text(smoothing_s: Option<f64>, column: SteppedColumn, language: Language) -> String {
+    match (smoothing_s, column) {
         (Some(window), _) => {
             // A line of the project file has a decimal point.
             let window = format_significant(MILLISECOND.from_si(window), 4, Language::En);
@@ -310,21 +349,5 @@ fn steps_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String {
             | "nötig sind eine aufgezeichnete Geschwindigkeit oder mehr Stellen"
         ),
         (None, SteppedColumn::Speed) => said!(language => "more digits are needed" | "nötig sind mehr Stellen"),
-    };
-    match made_up.column {
-        SteppedColumn::Position => {
-            let step = figure(made_up.step, &DEGREE, language);
-            said!(language =>
-                "the recorded position has steps of {step} at intervals of {interval}: these steps alone produce apparent accelerations of up to {alone}, {torque} at the load, while the motion itself has {motion}; {remedy}"
-                | "die aufgezeichnete Position hat Stufen von {step} im Abstand von {interval}: sie allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
-            )
-        }
-        SteppedColumn::Speed => {
-            let step = figure(made_up.step, &REVOLUTION_PER_MINUTE, language);
-            said!(language =>
-                "the recorded speed has steps of {step} at intervals of {interval}: these steps alone produce apparent accelerations of up to {alone}, {torque} at the load, while the motion itself has {motion}; {remedy}"
-                | "die aufgezeichnete Geschwindigkeit hat Stufen von {step} im Abstand von {interval}: sie allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
-            )
-        }
     }
 }

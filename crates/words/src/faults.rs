@@ -351,8 +351,8 @@ pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
             let ratios: Vec<String> = ratios.iter().map(ratio).collect();
             let ratios = ratios.join(", ");
             Some(said!(language =>
-                "recorded_ratio = {{ {ratios} }} with the ratio of the recorded gear instead of 80, with 1 where a column is recorded at the output after all"
-                | "recorded_ratio = {{ {ratios} }} mit der Übersetzung des aufgezeichneten Getriebes statt 80, mit 1, wo eine Spalte doch am Abtrieb aufgezeichnet ist"
+                "recorded_ratio = {{ {ratios} }} with the ratio of the recorded gear instead of 80, negative where the motor turns against the output, with 1 where a column is recorded at the output after all"
+                | "recorded_ratio = {{ {ratios} }} mit der Übersetzung des aufgezeichneten Getriebes statt 80, negativ, wo der Motor gegen den Abtrieb dreht, mit 1, wo eine Spalte doch am Abtrieb aufgezeichnet ist"
             ))
         }
         _ => None,

@@ -269,6 +269,14 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "allow: long gaps between samples are intended",
             "allow: lange Lücken zwischen Abtastwerten sind gewollt",
         ),
+        About::Segment(SegmentName::held_values) => (
+            "interpolate: of values held over several rows one for each update is used; default: every row as it stands",
+            "interpolate: von Werten, die über mehrere Zeilen gehalten sind, zählt einer je Aktualisierung; ohne Angabe jede Zeile, wie sie dasteht",
+        ),
+        About::Segment(SegmentName::time_stamps) => (
+            "even: the rows are evenly spaced, their time stamps scatter about it; default: the time stamps as they stand",
+            "even: die Zeilen haben gleichen Abstand, um den die Zeitstempel streuen; ohne Angabe die Zeitstempel, wie sie dastehen",
+        ),
         About::Segment(SegmentName::payload) => ("mass carried in this segment", "in diesem Abschnitt mitgeführte Masse"),
         About::Segment(SegmentName::payload_inertia) => (
             "additional moment of inertia at the output in this segment",

@@ -217,6 +217,20 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
                 )),
             )
         }
+        RecordedFault::StampsUneven { scatter, interval } => {
+            let of = |seconds: f64| format!("{} ms", format_significant(1e3 * seconds, 3, language));
+            let (scatter, interval) = (of(scatter.si()), of(interval.si()));
+            (
+                said!(language =>
+                    "the rows are not evenly spaced: the time stamps deviate by {scatter} (standard deviation) from equal intervals of {interval}"
+                    | "die Zeilen haben keinen gleichen Abstand: die Zeitstempel weichen um {scatter} (Standardabweichung) von gleichen Abständen zu {interval} ab"
+                ),
+                Some(said!(language =>
+                    "leave out time_stamps, or select a part with one interval by from and to"
+                    | "time_stamps weglassen oder mit from und to einen Abschnitt mit einem einzigen Abstand wählen"
+                )),
+            )
+        }
         RecordedFault::TooFew { samples } => (
             said!(language =>
                 "{samples} samples are not a motion; at least three are required"

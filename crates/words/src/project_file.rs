@@ -107,6 +107,8 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("winding", "up", "winding", "Aufwickeln"),
     ("winding", "off", "unwinding", "Abwickeln"),
     ("gaps", "allow", "permitted", "zulässig"),
+    ("held_values", "interpolate", "one value for each update", "ein Wert je Aktualisierung"),
+    ("time_stamps", "even", "evenly spaced rows", "Zeilen in gleichem Abstand"),
     ("reaction", "ramp", "ramp", "Rampe"),
     ("reaction", "brake", "brake", "Bremse"),
     ("reaction", "coast", "coast to standstill", "Auslaufen"),

@@ -47,16 +47,16 @@ pub(crate) const fn unit_text(key: UnitsName, language: Language) -> &'static st
 pub(crate) const fn ratio_text(key: RatiosName, language: Language) -> &'static str {
     let (en, de) = match key {
         RatiosName::position => (
-            "turns at the place of recording per turn of the output; 1: recorded at the output",
-            "Umdrehungen am Ort der Aufzeichnung je Umdrehung des Abtriebs; 1: am Abtrieb aufgezeichnet",
+            "turns at the place of recording per turn of the output, negative where it turns the other way; 1: recorded at the output",
+            "Umdrehungen am Ort der Aufzeichnung je Umdrehung des Abtriebs, negativ bei Gegensinn; 1: am Abtrieb aufgezeichnet",
         ),
         RatiosName::speed => (
-            "speed at the place of recording per speed of the output; 1: recorded at the output",
-            "Drehzahl am Ort der Aufzeichnung je Drehzahl des Abtriebs; 1: am Abtrieb aufgezeichnet",
+            "speed at the place of recording per speed of the output, negative where it turns the other way; 1: recorded at the output",
+            "Drehzahl am Ort der Aufzeichnung je Drehzahl des Abtriebs, negativ bei Gegensinn; 1: am Abtrieb aufgezeichnet",
         ),
         RatiosName::torque => (
-            "ratio by which the recorded torque is multiplied; 1: recorded at the output",
-            "Übersetzung, mit der das aufgezeichnete Moment multipliziert wird; 1: am Abtrieb aufgezeichnet",
+            "ratio by which the recorded torque is multiplied, negative where it acts the other way; 1: recorded at the output",
+            "Übersetzung, mit der das aufgezeichnete Moment multipliziert wird, negativ bei Gegensinn; 1: am Abtrieb aufgezeichnet",
         ),
     };
     pick(language, en, de)

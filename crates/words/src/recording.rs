@@ -191,6 +191,16 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 None => columns(headers, language),
             }),
         ),
+        Fault::ClockUnknown { column, text } => (
+            said!(language =>
+                "{} in {} is a time in a form that is not known"
+                | "{} in {} ist eine Zeit in unbekannter Schreibweise", q(text), q(column)
+            ),
+            Some(said!(language =>
+                "export the time as a number with its unit, or in one of these forms: 2025-04-17T17:00:08.005 (also with Z or +02:00), 17.04.2025 17:00:08,005, 4/17/2025 5:00:08.005 PM, 17-Apr-2025 17:00:08, 17:00:08.005, 0 days 00:00:00.002, 00:01,5"
+                | "die Zeit als Zahl mit Einheit ausgeben oder in einer dieser Schreibweisen: 2025-04-17T17:00:08.005 (auch mit Z oder +02:00), 17.04.2025 17:00:08,005, 4/17/2025 5:00:08.005 PM, 17-Apr-2025 17:00:08, 17:00:08.005, 0 days 00:00:00.002, 00:01,5"
+            )),
+        ),
         Fault::ColumnTwice { column, roles: [first, second] } => {
             let (first, second) = (role_text(*first, language), role_text(*second, language));
             (
@@ -269,7 +279,13 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             ),
             Some(match nearest {
                 Some(unit) => said!(language => "did you mean {}?" | "ist {} gemeint?", q(unit.ascii)),
-                None => valid_units(*role, language),
+                None => {
+                    let (valid, key) = (valid_units(*role, language), role_key(*role));
+                    said!(language =>
+                        "{valid}; whatever the file says, units = {{ {key} = \"…\" }} states it in the project"
+                        | "{valid}; unabhängig von der Datei gibt units = {{ {key} = \"…\" }} sie im Projekt an"
+                    )
+                }
             }),
         ),
         Fault::UnitWrong { role, column, unit, by } => {

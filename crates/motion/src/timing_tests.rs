@@ -1,0 +1,223 @@
+use super::*;
+use crate::{HeldValues, MadeUp, Recorded, Spurious, SteppedColumn, TimeStamps, Treatment};
+
+/// Pseudorandom numbers, uniform from −1 to 1.
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Returns position and speed of a move of 1.5 rad in 1 s and back in 1.2 s, with rests; the law by its number.
+fn motion(law: u32, t: f64) -> (f64, f64) {
+    let one = |x: f64| {
+        let x = x.clamp(0.0, 1.0);
+        match law {
+            // 10x³ − 15x⁴ + 6x⁵
+            0 => (x * x * x * (10.0 - 15.0 * x + 6.0 * x * x), 30.0 * x * x * (1.0 - x) * (1.0 - x)),
+            // Inclined sine.
+            1 => {
+                let turn = std::f64::consts::TAU * x;
+                (x - turn.sin() / std::f64::consts::TAU, 1.0 - turn.cos())
+            }
+            // Trapezoid of thirds.
+            _ if x < 1.0 / 3.0 => (2.25 * x * x, 4.5 * x),
+            _ if x < 2.0 / 3.0 => (0.25 + 1.5 * (x - 1.0 / 3.0), 1.5),
+            _ => (1.0 - 2.25 * (1.0 - x) * (1.0 - x), 4.5 * (1.0 - x)),
+        }
+    };
+    let (forth, back) = (one((t - 0.3003) / 1.0), one((t - 1.8107) / 1.2));
+    (1.5 * (forth.0 - back.0), 1.5 * (forth.1 - back.1 / 1.2))
+}
+
+/// Duration of the motion \[s\].
+const END: f64 = 3.4;
+
+/// Rms of the inertia torque of 1.3 kgm², by a fine sum of differences of the law's speed.
+fn truth(law: u32) -> f64 {
+    let h = 1e-5;
+    let square = (0..340_000_u32).map(|k| {
+        let t = f64::from(k) * h;
+        let alpha = (motion(law, t + h).1 - motion(law, t).1) / h;
+        (1.3 * alpha).powi(2) * h
+    });
+    (square.sum::<f64>() / END).sqrt()
+}
+
+/// The same of a recording, whose acceleration is constant between two samples.
+fn rms(recorded: &Recorded) -> f64 {
+    let intervals = recorded.time_s().windows(2).zip(recorded.speed_rad_s().windows(2));
+    let square = intervals.map(|(t, w)| (1.3 * (w[1] - w[0])).powi(2) / (t[1] - t[0])).sum::<f64>();
+    (square / recorded.duration_s()).sqrt()
+}
+
+fn samples(time: &[f64], values: Vec<f64>, column: SteppedColumn) -> Samples {
+    let time_s = Arc::new(time.to_vec());
+    match column {
+        SteppedColumn::Position => Samples { time_s, position_rad: Some(values.into()), ..Samples::default() },
+        SteppedColumn::Speed => Samples { time_s, speed_rad_s: Some(values.into()), ..Samples::default() },
+    }
+}
+
+const COLUMNS: [SteppedColumn; 2] = [SteppedColumn::Position, SteppedColumn::Speed];
+
+fn of(law: u32, t: f64, column: SteppedColumn) -> f64 {
+    let (position, speed) = motion(law, t);
+    if column == SteppedColumn::Position { position } else { speed }
+}
+
+/// Rows of a logger at intervals of `h`, and the values of a source at those of `period`, read `phase` late.
+fn logged(law: u32, column: SteppedColumn, h: f64, period: f64, phase: f64) -> (Vec<f64>, Vec<f64>) {
+    let time: Vec<f64> = (0..=(END / h).round() as u32).map(|k| f64::from(k) * h).collect();
+    let value = |t: &f64| of(law, (((t - phase) / period + 1e-9).floor() * period).max(0.0), column);
+    let values = time.iter().map(value).collect();
+    (time, values)
+}
+
+fn interpolated_values() -> Treatment {
+    Treatment { held_values: HeldValues::Interpolated, ..Treatment::default() }
+}
+
+/// Values held over rows are found with their period; one value for each update leaves the torque of the motion.
+#[test]
+fn held_values_are_found_and_interpolated() {
+    for law in 0..3 {
+        let truth = truth(law);
+        for column in COLUMNS {
+            for (h, period) in [
+                (0.002, 0.004),
+                (0.002, 0.008),
+                (0.002, 0.040),
+                (0.001, 0.010),
+                (0.000_125, 0.004),
+                // The bus is no multiple of the logger.
+                (0.002, 0.005),
+                (0.002, 0.003),
+                (0.004, 0.010),
+                (0.003, 0.010),
+            ] {
+                for phase in [0.0, 0.37 * period] {
+                    let (time, values) = logged(law, column, h, period, phase);
+                    let plain = Recorded::new(samples(&time, values.clone(), column), Treatment::default()).unwrap();
+                    let what = format!("law {law} {column:?} h {h} period {period} phase {phase}");
+                    let Some(MadeUp { cause: Spurious::Held { period_s }, .. }) = plain.made_up() else {
+                        panic!("{what}: {:?}, rms {} of {truth}", plain.made_up(), rms(&plain));
+                    };
+                    assert!((period_s / period - 1.0).abs() < 0.02, "{what}: {period_s}");
+                    let found = Recorded::new(samples(&time, values, column), interpolated_values()).unwrap();
+                    let error = rms(&found) / truth - 1.0;
+                    // The corners of a trapezoid are rounded by half a period.
+                    let most = if law == 2 { 0.05 } else { 0.015 };
+                    assert!(error.abs() < most, "{what}: {error}, without {}", rms(&plain) / truth);
+                    assert!(!matches!(found.made_up(), Some(MadeUp { cause: Spurious::Held { .. }, .. })), "{what}");
+                }
+            }
+        }
+    }
+}
+
+/// The difference stated for held values is the error of the acceleration that they cause.
+#[test]
+fn the_acceleration_stated_for_held_values_is_their_error() {
+    for column in COLUMNS {
+        let (time, values) = logged(0, column, 0.002, 0.008, 0.0);
+        let plain = Recorded::new(samples(&time, values, column), Treatment::default()).unwrap();
+        let error = plain.time_s().windows(2).zip(plain.speed_rad_s().windows(2)).map(|(t, w)| {
+            let exact = (motion(0, t[1]).1 - motion(0, t[0]).1) / (t[1] - t[0]);
+            ((w[1] - w[0]) / (t[1] - t[0]) - exact).abs()
+        });
+        let error = error.fold(0.0, f64::max);
+        let stated = plain.made_up().unwrap().acceleration_rad_s2;
+        assert!((stated / error - 1.0).abs() < 0.1, "{column:?}: {stated} for {error}");
+    }
+}
+
+/// Steps, noise, rest and values that differ from row to row are not held.
+#[test]
+fn other_signals_are_not_held() {
+    let mut noise = Noise(5);
+    for law in 0..3 {
+        for column in COLUMNS {
+            for h in [0.0005, 0.002, 0.01] {
+                for step in [0.0, 1e-6, 1e-4, 1e-3, 5e-3] {
+                    for size in [0.0, 1.0, 4.0] {
+                        let (time, exact) = logged(law, column, h, h, 0.0);
+                        let written = exact.iter().map(|value| {
+                            let noisy = value + size * step * noise.next();
+                            if step > 0.0 { (noisy / step).round() * step } else { noisy }
+                        });
+                        let values: Vec<f64> = written.collect();
+                        assert_eq!(held(&time, &values), None, "law {law} {column:?} h {h} step {step} noise {size}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Stamps that scatter about an even grid are found; evenly spaced instants leave the torque of the motion.
+#[test]
+fn scattered_stamps_are_found_and_replaced() {
+    let mut noise = Noise(9);
+    let even = Treatment { time_stamps: TimeStamps::Even, ..Treatment::default() };
+    for law in 0..3 {
+        let truth = truth(law);
+        for column in COLUMNS {
+            for (h, kind) in [(0.0015, 0), (0.0024, 0), (0.002, 1), (0.010, 1), (0.002, 2)] {
+                let count = (END / h).round() as u32;
+                // Rows that the logger lost.
+                let kept = (0..=count).filter(|k| kind != 2 || !(700..720).contains(k));
+                let exact: Vec<f64> = kept.map(|k| f64::from(k) * h).collect();
+                let values: Vec<f64> = exact.iter().map(|t| of(law, *t, column)).collect();
+                let stamps: Vec<f64> = match kind {
+                    0 => exact.iter().map(|t| (t * 1e3).round() * 1e-3).collect(),
+                    _ => exact.iter().map(|t| t + 0.4 * h * noise.next()).collect(),
+                };
+                let what = format!("law {law} {column:?} h {h} kind {kind}");
+                let plain = Recorded::new(samples(&stamps, values.clone(), column), Treatment::default()).unwrap();
+                let Some(MadeUp { cause: Spurious::Stamps { scatter_s }, .. }) = plain.made_up() else {
+                    panic!("{what}: {:?}, rms {} of {truth}", plain.made_up(), rms(&plain));
+                };
+                let meant = if kind == 0 { 1e-3 / 12.0_f64.sqrt() } else { 0.4 * h / 3.0_f64.sqrt() };
+                assert!((scatter_s / meant - 1.0).abs() < 0.3, "{what}: {scatter_s} for {meant}");
+                let found = Recorded::new(samples(&stamps, values, column), even).unwrap();
+                let error = rms(&found) / truth - 1.0;
+                assert!(error.abs() < 0.015, "{what}: {error}, without {}", rms(&plain) / truth);
+                assert_eq!(found.made_up(), None, "{what}");
+            }
+        }
+    }
+}
+
+/// True instants, however irregular, are kept: uneven sampling, lost rows, another rate in the middle; the last is no
+/// even grid and refused as one.
+#[test]
+fn true_stamps_are_kept() {
+    let mut noise = Noise(3);
+    for law in 0..3 {
+        for column in COLUMNS {
+            for kind in 0..3 {
+                let mut stamps: Vec<f64> = vec![0.0];
+                while stamps.last().is_some_and(|last| *last < END) {
+                    let last = stamps[stamps.len() - 1];
+                    stamps.push(match kind {
+                        0 => (stamps.len() as f64 + 0.4 * noise.next()) * 0.002,
+                        1 => last + if stamps.len().is_multiple_of(50) { 0.012 } else { 0.002 },
+                        _ => last + if last < 1.0 { 0.002 } else { 0.01 },
+                    });
+                }
+                let values: Vec<f64> = stamps.iter().map(|t| of(law, *t, column)).collect();
+                let found = Recorded::new(samples(&stamps, values.clone(), column), Treatment::default()).unwrap();
+                assert_eq!(found.made_up(), None, "law {law} {column:?} kind {kind}");
+                let even = Treatment { time_stamps: TimeStamps::Even, ..Treatment::default() };
+                let forced = Recorded::new(samples(&stamps, values, column), even);
+                assert_eq!(kind == 2, matches!(forced, Err(RecordedFault::StampsUneven { .. })), "{kind}");
+            }
+        }
+    }
+}
