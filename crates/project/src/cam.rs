@@ -1,7 +1,13 @@
 //! Points of a cam table and the conditions at its ends.
 
+use crate::Fault;
+use crate::flange::needs;
 use crate::key::Column;
-use crate::value::{Cell, Row, choices};
+use crate::motion::Segment;
+use crate::read::Reader;
+use crate::stated::Field;
+use crate::value::{Cell, Row, Written, choices};
+use ::motion::Spline;
 use quantities::Dimension;
 
 /// Conditions at both ends of a cam table.
@@ -47,4 +53,32 @@ impl CamPoint {
 
 choices! {
     CamEnds { Rest = "rest", Natural = "natural", Periodic = "periodic", Stated = "stated" }
+}
+
+impl Segment {
+    /// Reports speeds and accelerations at the ends that are missing or that spline and ends do not use.
+    pub(crate) fn end_keys(&self, spline: Option<Spline>, ends: Option<CamEnds>, reader: &mut Reader<'_>) {
+        let Some(ends) = ends else { return };
+        let fields: [(&dyn Field, bool); 4] = [
+            (&self.start_speed, true),
+            (&self.end_speed, true),
+            (&self.start_acceleration, spline != Some(Spline::Cubic)),
+            (&self.end_acceleration, spline != Some(Spline::Cubic)),
+        ];
+        for (field, of_spline) in fields {
+            let other = if ends != CamEnds::Stated {
+                Some((self.ends.name(), ends.written()))
+            } else {
+                (!of_spline).then(|| (self.spline.name(), Spline::Cubic.written()))
+            };
+            match other {
+                Some((by, kind)) if field.is_given() => {
+                    let fault = Fault::KeyOfAnotherKind { path: field.path(), by, kind };
+                    reader.fault(field.span(), fault, None);
+                }
+                None if spline.is_some() => needs(&self.ends, field, reader),
+                Some(_) | None => {}
+            }
+        }
+    }
 }

@@ -10,7 +10,7 @@ use crate::recorded::{Columns, File, Gaps, HeldValues, Ratios, TimeStamps, Units
 use crate::root::AxisSection;
 use crate::section::{Fields, OfKinds, Section, names, section};
 use crate::stated::{Field, Stated};
-use crate::value::{Along, Choice, Rows, Turning, Written, choice, choices, choices_by_id};
+use crate::value::{Along, Choice, Rows, Turning, choice, choices, choices_by_id};
 use crate::{Assumption, Fault, Hint, Project};
 use ::motion::{
     Closing, EndState, Ends, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, Points, PointsFault,
@@ -397,32 +397,6 @@ impl Segment {
                     reader.fault(span, Fault::Points(fault), None);
                 }
                 None
-            }
-        }
-    }
-
-    /// Reports speeds and accelerations at the ends that are missing or that spline and ends do not use.
-    fn end_keys(&self, spline: Option<Spline>, ends: Option<CamEnds>, reader: &mut Reader<'_>) {
-        let Some(ends) = ends else { return };
-        let fields: [(&dyn Field, bool); 4] = [
-            (&self.start_speed, true),
-            (&self.end_speed, true),
-            (&self.start_acceleration, spline != Some(Spline::Cubic)),
-            (&self.end_acceleration, spline != Some(Spline::Cubic)),
-        ];
-        for (field, of_spline) in fields {
-            let other = if ends != CamEnds::Stated {
-                Some((self.ends.name(), ends.written()))
-            } else {
-                (!of_spline).then(|| (self.spline.name(), Spline::Cubic.written()))
-            };
-            match other {
-                Some((by, kind)) if field.is_given() => {
-                    let fault = Fault::KeyOfAnotherKind { path: field.path(), by, kind };
-                    reader.fault(field.span(), fault, None);
-                }
-                None if spline.is_some() => needs(&self.ends, field, reader),
-                Some(_) | None => {}
             }
         }
     }
