@@ -390,3 +390,40 @@ fn a_run_is_read_alike_in_every_dialect() {
         assert_eq!(identified(&text, other), expected);
     }
 }
+
+/// Rows are counted before the work: more than take ten seconds are refused with their number, unless the call has a time limit;
+/// a cancelled work ends.
+#[test]
+fn a_long_run_is_counted_before_the_work() {
+    let text = arm("2.4 kg m^2", "5 kg", "");
+    let run = course(&text);
+    let answered = |trace: Vec<u8>, refuses_long: bool, patience: &Patience| {
+        let files = Bytes(trace);
+        let arguments = asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, patience);
+        identify::found(&Asked { refuses_long, ..arguments }).map_err(|why| {
+            let faults = why.faults(Some(7.0), Language::En).errors;
+            faults.into_iter().map(|fault| fault.message).collect::<String>()
+        })
+    };
+    // A footer alone, which claims its rows.
+    let parquet = |rows: i64| {
+        let names = ["time_s", "position_rad", "motor_speed_rad_s", "torque_nm", "current_q_a"];
+        let column = |name| testkit::parquet::Column { name, physical: 5, codec: 0, values: rows, pages: Vec::new() };
+        testkit::parquet::file(rows, &names.map(column))
+    };
+    let most = 1 << 21;
+    let refused = answered(parquet(most + 1), true, &Patience::endless()).unwrap_err();
+    assert!(refused.starts_with("2097153 rows of the run take more than about 10 seconds"), "{refused}");
+    assert!(refused.contains("at most 2097152") && refused.contains("--deadline"), "{refused}");
+    for (rows, refuses_long) in [(most, true), (most + 1, false)] {
+        let other = answered(parquet(rows), refuses_long, &Patience::endless()).unwrap_err();
+        assert!(!other.contains("seconds"), "{other}");
+    }
+    let patience = Patience::endless();
+    assert!(answered(run.clone().into_bytes(), true, &patience).is_ok());
+    let (steps, _) = patience.progress();
+    assert!(steps > 30, "a step is a window: {steps}");
+    let patience = Patience::endless();
+    patience.displace();
+    assert!(answered(run.into_bytes(), false, &patience).unwrap_err().contains("7"));
+}

@@ -54,6 +54,7 @@ pub use number::{is_grouped, number, with_unit};
 pub use packed::{Content, Foreign, Packing, Sniffed, opened};
 pub use parquet::{
     Ranges, Table, TableColumn, TableValues, ValueKind, column_names, read_columns, read_parquet, read_parquet_within,
+    row_count,
 };
 pub use preview::{Preview, preview_csv};
 pub use records::Records;

@@ -65,6 +65,14 @@ pub fn column_names(file: &Bytes) -> Result<Vec<String>, Fault> {
     Ok(Footer::read(file)?.columns.into_iter().map(|column| column.path).collect())
 }
 
+/// Returns the number of rows that a Parquet file claims.
+///
+/// # Errors
+/// The fault of the file.
+pub fn row_count(file: &Bytes) -> Result<u64, Fault> {
+    Ok(Footer::read(file)?.rows)
+}
+
 /// Reads columns of numbers by their names as written, without units or conversion; `None` stands for a column that the
 /// file does not have. Only values of a type of time are converted, from the unit of the type to that of the name. Their memory is taken from `memory`.
 ///
@@ -104,10 +112,8 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
         let mut streams = opened(file, &used, chunks, memory, &spent)?;
         while let count @ 1.. = filled(&mut streams)? {
             for ((stream, values), used) in streams.iter().zip(&mut values).zip(&used) {
-                let converted = |value: f64| match used.kind.time.zip(unit_of_name(&used.column.path)) {
-                    Some((unit, named)) => named.from_si(unit.to_si(value)),
-                    None => value,
-                };
+                let units = used.kind.time.and_then(|unit| Some((unit, unit_of_name(&used.column.path)?)));
+                let converted = |value: f64| units.map_or(value, |(unit, named)| named.from_si(unit.to_si(value)));
                 for (row, cell) in (number + 1..).zip(&stream.cells) {
                     let (at, column) = (FileRow::Row(row), stream.name.as_str());
                     match *cell {

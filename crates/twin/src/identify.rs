@@ -198,6 +198,9 @@ pub struct Identification {
     pub row_s: f64,
     /// k_Tout of the tables without the no-load friction [Nm/A].
     pub tabulated_nm_a: Option<f64>,
+    /// Payloads and process torques that segments add to the first, relative to the stated ones, and half the 95 % interval;
+    /// `None` if none differ or the run does not separate them. The estimates take the stated ones.
+    pub payload: Option<[f64; 2]>,
     /// Time of the cycle at the instant 0 of the run \[s\], if segments add different payloads or process torques.
     pub shift_s: Option<f64>,
 }
@@ -224,6 +227,8 @@ pub enum IdentifyFault {
     OtherMotion,
     /// Segments add different payloads, and the run follows the motion at several shifts in time.
     AmbiguousMotion,
+    /// The caller ended the work.
+    Stopped,
 }
 
 impl From<NoWindows> for IdentifyFault {
@@ -231,6 +236,7 @@ impl From<NoWindows> for IdentifyFault {
         match why {
             NoWindows::TooFew => Self::TooFew,
             NoWindows::TooCoarse { step_rad, most_rad } => Self::TooCoarse { step_rad, most_rad },
+            NoWindows::Stopped => Self::Stopped,
         }
     }
 }
@@ -249,6 +255,21 @@ impl From<NoWindows> for IdentifyFault {
 /// # Errors
 /// [`IdentifyFault`]
 pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, IdentifyFault> {
+    identify_while(run.clone(), stated, &|| true)
+}
+
+/// Estimates parameters as [`identify`] does, as long as `goes_on`, which is called for each window, returns `true`.
+///
+/// Cost: O(n) for n rows, each in two windows; the search for delays repeats the windows up to eight times for each of torque
+/// and current
+///
+/// # Errors
+/// As [`identify`], and [`IdentifyFault::Stopped`].
+pub fn identify_while(
+    run: Observed,
+    stated: &Stated<'_>,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Identification, IdentifyFault> {
     let run = prepared(run)?;
     let strokes = Strokes::of(&run)?;
     let first = Extra::none();
@@ -261,8 +282,11 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
         let rms: quantities::ElectricCurrent = known.value;
         std::f64::consts::SQRT_2 * quantities::Measure::si(rms)
     });
-    let accelerating = || load::accelerating(&Windows::of(&run, &strokes, limit, |_, _| true).ok()?);
+    let accelerating = || load::accelerating(&Windows::of(&run, &strokes, limit, |_, _| true, goes_on).ok()?);
     let signals = Signals::of(&run, &strokes, followed.as_ref(), stated, accelerating);
+    if !goes_on() {
+        return Err(IdentifyFault::Stopped);
+    }
     if !signals.doubts.is_empty() {
         // Signals with another unit do not satisfy an equation of motion.
         return Ok(Identification {
@@ -284,13 +308,16 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
         followed.filter(|_| differs).map_or(0, |followed| followed.segment(time))
     };
     let is_even = |a, b| !differs || same(segment(a), segment(b));
-    let windows = Windows::of(&run, &strokes, limit, is_even)?;
+    let windows = Windows::of(&run, &strokes, limit, is_even, goes_on)?;
     let of_sample = |sample: usize| extra(segment(sample));
     let both_ways = strokes.both_ways();
     let load = load::Load { mechanism: stated.mechanism, extra: &of_sample, extras, both_ways, is_delayed: false };
-    let made = |run: &Observed| Windows::of(run, &strokes, limit, is_even).ok();
+    let made = |run: &Observed| Windows::of(run, &strokes, limit, is_even, goes_on).ok();
     let (run, windows, delays) =
         delay::removed(run.clone(), windows, &made, &|run, windows| load::rows_of_delay(run, windows, &load));
+    if !goes_on() {
+        return Err(IdentifyFault::Stopped);
+    }
     let load = load::Load { is_delayed: delays.torque.is_some(), ..load };
     let mut found = Identification {
         both_ways,
@@ -305,6 +332,7 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
         ..Identification::default()
     };
     let shares = load::estimate(&run, &windows, &load, &mut found)?;
+    found.payload = shares.payload.map(|share| [share.value, share.half_width]);
     motor::estimate(&windows, stated.parameters, delays.current.is_some(), &mut found);
     external(stated.mechanism.plain(extras.first().unwrap_or(&first)).map(|plain| plain.constant_nm), &mut found);
     doubts::of_estimates(stated, extras, &windows, &shares, &mut found);
@@ -327,7 +355,7 @@ fn external(stated_nm: Option<f64>, found: &mut Identification) {
 }
 
 /// Checks the columns; a position counted within one revolution is unwrapped.
-fn prepared(run: &Observed) -> Result<Observed, IdentifyFault> {
+fn prepared(mut run: Observed) -> Result<Observed, IdentifyFault> {
     let count = run.time_s.len();
     let columns = [&run.position_rad, &run.motor_rad_s, &run.torque_nm, &run.current_q_a];
     let speeds = run.speed_rad_s.as_ref().is_some_and(|speeds| speeds.len() != count);
@@ -341,7 +369,6 @@ fn prepared(run: &Observed) -> Result<Observed, IdentifyFault> {
     if let Some(before) = falls {
         return Err(IdentifyFault::TimeNotRising(before + 1));
     }
-    let mut run = run.clone();
     let turn = std::f64::consts::TAU;
     let (mut added, mut last) = (0.0, run.position_rad.first().copied().unwrap_or(0.0));
     for position in &mut run.position_rad {

@@ -30,7 +30,7 @@ pub use control::{CURRENT_RATE_HZ, Demand, Gains, POSITION_EVERY};
 pub use drive::Limits;
 pub use identify::{
     Column, Delay, Doubt, Estimate, Identification, Identified, IdentifyFault, Misread, Observed, Open, Stated, Zero,
-    identify,
+    identify, identify_while,
 };
 pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};
 pub use plant::Energies;

@@ -14,6 +14,12 @@ texts! {
     method(windows, length) =
         "Estimated from {windows} windows of {length} ms in motion; position and motor speed are weighted and integrated, not differentiated."
         | "Geschätzt aus {windows} Fenstern von {length} ms in Bewegung; Position und Motordrehzahl werden gewichtet und integriert, nicht differenziert.";
+    scale_of_the_torque =
+        "The intervals hold for the scale of torque_nm as it is: values 5 % too large make inertia, friction, weight, external torque and torque constant 5 % too large. Current and rotor show a wrong scale only from about 20 % on."
+        | "Die Intervalle setzen den Maßstab von torque_nm voraus: um 5 % zu große Werte machen Massenträgheitsmoment, Reibung, Gewichtsmoment, äußeres Moment und Drehmomentkonstante um 5 % zu groß. Strom und Rotor zeigen einen falschen Maßstab erst ab etwa 20 %.";
+    payloads_off(share, half) =
+        "The run shows {share} (± {half}) times the payloads and process torques that the moves of the project add: they are stated wrong, or torque_nm has another scale. The estimates take them as stated."
+        | "Der Lauf zeigt das {share}-Fache (± {half}) der Nutzlasten und Prozessmomente, die die Bewegungen des Projekts hinzufügen: sie sind falsch angegeben, oder torque_nm hat einen anderen Maßstab. Die Schätzung übernimmt sie wie angegeben.";
     assumed_rotor(inertia, spread) =
         "Assumed: rotor and wave generator have {inertia} kgm² at the output (table, less the share of the flange), standard deviation {spread} %."
         | "Angenommen: Rotor und Wave Generator haben {inertia} kgm² am Abtrieb (Tabelle abzüglich des Flanschanteils), Standardabweichung {spread} %.";
@@ -52,6 +58,9 @@ texts! {
         | "Zeile {line} enthält andere Einheiten als die der Spalten: {units}; Werte umrechnen und die Zeile löschen";
     unit_with_factor(heading, unit, factor) = "{heading} in {unit}, values times {factor}" | "{heading} in {unit}, Werte mal {factor}";
     unit_unknown(heading, unit) = "{heading} in {unit}" | "{heading} in {unit}";
+    too_many_rows(rows, most, seconds) =
+        "{rows} rows of the run take more than about {seconds} seconds; by default at most {most} are evaluated: use a shorter part of the run or rows further apart, or state a time limit with --deadline"
+        | "{rows} Zeilen des Laufs dauern länger als etwa {seconds} Sekunden; ohne Angabe werden höchstens {most} ausgewertet: einen kürzeren Abschnitt des Laufs oder größere Zeilenabstände verwenden oder mit --deadline eine Zeitgrenze angeben";
     one_way =
         "Motion in one direction only: Coulomb friction and constant torques cannot be separated and are not stated."
         | "Bewegung in nur einer Richtung: Coulomb-Reibung und konstante Momente sind nicht zu trennen und werden nicht angegeben.";

@@ -21,7 +21,8 @@ use quantities::unit::{
 use quantities::{Language, Measure, Unit, format_significant};
 use schemars::JsonSchema;
 use serde::Serialize;
-use twin::{Column as Signal, Delay, Doubt, Estimate, Identified, Misread, Open, Stated, Zero, identify};
+use sizing::Watch;
+use twin::{Column as Signal, Delay, Doubt, Estimate, Identified, Misread, Open, Stated, Zero, identify_while};
 use words::{Word, help, help::values, identification, simulation};
 
 arguments! {
@@ -145,12 +146,14 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     let language = asked.language;
     let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
     let candidate = check_one(&project, args.code.as_ref())?;
-    let run = reading::run(asked, &args.trace.unwrap_or_default())?;
+    let reading::Run { observed, lines } = reading::run(asked, &args.trace.unwrap_or_default())?;
+    let samples = observed.time_s.len();
     let parameters = replaced(&project, twin::Parameters::of(candidate.parameters));
     let axis = &project.axis;
     let stated =
         Stated { parameters: &parameters, mechanism: &axis.mechanism, motion: &axis.motion, extras: &axis.extras };
-    let found = identify(&run.observed, &stated).map_err(|why| Unanswered::message(run.refused(&why, language)))?;
+    let goes_on = || asked.patience.step().is_ok();
+    let found = identify_while(observed, &stated, &goes_on).map_err(|why| reading::refused(&lines, &why, language))?;
     // An external torque may contain the zero of the torque.
     let is_known = |each: &Estimate| {
         each.is_known() && (each.of != Identified::External || !found.zero.is_some_and(|zero| zero.is_significant()))
@@ -168,7 +171,7 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     Ok(Identification {
         axis: project.name.clone(),
         code: candidate.id.to_string(),
-        samples: run.observed.time_s.len(),
+        samples,
         estimates: found.estimates.iter().map(shown).collect(),
         open: found.open.iter().map(|(of, open)| left_open(*of, *open, language)).collect(),
         signals: signals(&found, language),
@@ -189,6 +192,14 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
         return notes;
     }
     notes.push(identification::method(&found.windows, &number(found.window_s * 1e3, 3), language));
+    if found.doubts.is_empty() {
+        notes.push(identification::scale_of_the_torque(language).to_owned());
+        if let Some([share, half]) =
+            found.payload.filter(|[share, half]| (share - 1.0).abs() > PAYLOAD_OFF.max(1.5 * half))
+        {
+            notes.push(identification::payloads_off(&number(share, 3), &number(half, 1), language));
+        }
+    }
     if !found.both_ways {
         notes.push(identification::one_way(language).to_owned());
     }
@@ -235,6 +246,9 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
     }
     notes
 }
+
+/// Smallest deviation of the payloads of the run from the stated ones that is reported. A choice.
+const PAYLOAD_OFF: f64 = 0.03;
 
 /// Standard deviation of the rotor's inertia above which the sampling of the current is part of it, as a share.
 const ROTOR_ALONE: f64 = 0.05;

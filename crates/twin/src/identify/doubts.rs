@@ -247,11 +247,14 @@ fn magnitudes(run: &Observed) -> Option<Column> {
         }
         #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
         let least = 0.02 * own.len() as f64;
-        let [negative, small, positive] = std::array::from_fn(|place| match (sums.get(place), counts.get(place)) {
-            (Some(sum), Some(count)) if *count > least => sum / count,
-            _ => f64::NAN,
+        // A torque of one sign, as of a weight that hangs, has no samples on one of both sides.
+        if counts.iter().any(|count| *count <= least) {
+            return false;
+        }
+        let [negative, small, positive] = std::array::from_fn(|place| {
+            sums.get(place).zip(counts.get(place)).map_or(f64::NAN, |(sum, count)| sum / count)
         });
-        negative.min(positive) * SIZED > small
+        negative * SIZED > small && positive * SIZED > small
     };
     if is_of(&run.torque_nm, &run.current_q_a) {
         return Some(Column::Torque);

@@ -58,6 +58,8 @@ pub(super) enum NoWindows {
     TooFew,
     /// Step of the position that hides the acceleration \[rad\], and the largest that would be acceptable \[rad\].
     TooCoarse { step_rad: f64, most_rad: f64 },
+    /// The caller ended the work.
+    Stopped,
 }
 
 /// Smallest number of samples of a window, with which the trapezoidal rule over the weight function is accurate to
@@ -242,6 +244,7 @@ impl Windows {
         strokes: &Strokes,
         current_limit_a: Option<f64>,
         is_even: impl Fn(usize, usize) -> bool,
+        goes_on: &dyn Fn() -> bool,
     ) -> Result<Self, NoWindows> {
         let mut lengths: Vec<usize> = strokes.ranges.iter().map(|(range, _)| range.len()).collect();
         if lengths.is_empty() {
@@ -262,8 +265,13 @@ impl Windows {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
         let short = (ramps / strokes.step_s).clamp(1.0, 1e7) as usize;
         let mut length = longest.min(short).max(SAMPLES_LEAST);
-        let made = |length: usize| Self::of_length(run, strokes, current_limit_a, length, &is_even);
-        let mut found = made(length);
+        let made = |length: usize| {
+            let is_even = |first: usize, last: usize| {
+                if goes_on() { Ok(is_even(first, last)) } else { Err(NoWindows::Stopped) }
+            };
+            Self::of_length(run, strokes, current_limit_a, length, &is_even)
+        };
+        let mut found = made(length)?;
         // The noise decreases with the length to the power of 2.5, while the acceleration hardly changes.
         let grown = (found.noise_share() / NOISE_WANTED).powf(0.4);
         if grown > 1.0 && length < longest && found.all.len() >= WINDOWS_LEAST {
@@ -275,11 +283,11 @@ impl Windows {
             )]
             let wanted = (length as f64 * grown).ceil().min(longest as f64) as usize;
             length = wanted.max(length);
-            found = made(length);
+            found = made(length)?;
         }
         while found.all.len() < WINDOWS_LEAST && length > SAMPLES_LEAST {
             length = (length * 3 / 4).max(SAMPLES_LEAST);
-            found = made(length);
+            found = made(length)?;
         }
         // ∫ w² dt = 35 L/128, as many samples as the length.
         let independent = found.length_s / found.step_s * (9.0 / 64.0) / (35.0 / 128.0);
@@ -313,8 +321,8 @@ impl Windows {
         strokes: &Strokes,
         current_limit_a: Option<f64>,
         length: usize,
-        is_even: &impl Fn(usize, usize) -> bool,
-    ) -> Self {
+        is_even: &impl Fn(usize, usize) -> Result<bool, NoWindows>,
+    ) -> Result<Self, NoWindows> {
         let mut all = Vec::new();
         for (stroke, (range, sign)) in strokes.ranges.iter().enumerate() {
             let count = range.len().saturating_sub(1);
@@ -325,7 +333,7 @@ impl Windows {
             let gaps = (2 * (count - length)).div_ceil(length);
             for place in 0..=gaps {
                 let first = range.start + (count - length) * place / gaps.max(1);
-                if is_even(first, first + length) {
+                if is_even(first, first + length)? {
                     all.extend(window(run, first..first + length + 1, (stroke, *sign), current_limit_a));
                 }
             }
@@ -337,7 +345,7 @@ impl Windows {
         let variance = strokes.noise_rad.max(quantised).powi(2);
         let noise = [4.0 * PI.powi(4) / length_s.powi(4), 5.0 * PI.powi(2) / 8.0 / length_s.powi(2)]
             .map(|square| variance * square / count * 64.0 / 9.0);
-        Self { all, length_s, step_s: strokes.step_s, noise, torque_noise: 0.0 }
+        Ok(Self { all, length_s, step_s: strokes.step_s, noise, torque_noise: 0.0 })
     }
 }
 

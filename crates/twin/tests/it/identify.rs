@@ -480,6 +480,20 @@ fn a_wrong_scale_is_named_with_payloads_too() {
             all.iter().map(|doubt| (doubt.column, doubt.misread)).collect::<Vec<_>>()
         };
         assert_eq!(named(&run), []);
+        // What is stated an eighth too large, and a torque a tenth too large, is no doubt, but measured.
+        let larger = |extra: &Extra| Extra {
+            torque: Torque::from_si(1.125 * extra.torque.si()),
+            inertia: MomentOfInertia::from_si(1.125 * extra.inertia.si()),
+            ..*extra
+        };
+        let larger: Vec<Extra> = extras.iter().map(larger).collect();
+        let mut scaled = run.clone();
+        times(&mut scaled.torque_nm, 1.1);
+        for (run, extras, share) in [(&run, &extras, 1.0), (&run, &larger, 1.0 / 1.125), (&scaled, &extras, 1.1)] {
+            let all = said(run, &mechanism, &motion, extras);
+            let [value, half] = all.payload.unwrap();
+            assert!(all.doubts.is_empty() && (value - share).abs() < half && half < 0.08, "{share}: {value} {half}");
+        }
         for (factor, misread) in [
             (0.01, Misread::MotorShaft),
             (0.1, Misread::KilogramForceMetres),

@@ -137,3 +137,56 @@ fn delays_of_some_rows_are_removed() {
 fn delays_of_many_rows_are_removed() {
     delays_are_removed([[0.005, 0.005], [0.0, 0.010]], EIGHT_PER_MS, 4);
 }
+
+/// A torque that never changes its sign is no absolute value: loads that hang, with the size and the sign of the torque drawn.
+#[test]
+fn a_torque_of_one_sign_is_no_absolute_value() {
+    let tables = tables();
+    for kind in KINDS {
+        for seed in 0..12 {
+            let mut random = Random::new(4000 + seed);
+            let hanging = (15.0 + 45.0 * random.uniform()) * if seed % 2 == 0 { 1.0 } else { -1.0 };
+            let plant = Plant { external_nm: hanging, ..Plant::drawn(kind, &tables, &mut random) };
+            let run = Instrument::NOISE.seen(&plant.run(&mut random, EACH_MS), &mut random);
+            let result = identified(kind, &plant, &run);
+            assert_eq!(result.doubts, [], "{kind}, {hanging} Nm");
+        }
+    }
+}
+
+/// The caller can end the work at each window.
+#[test]
+fn the_work_ends_when_the_caller_wants() {
+    use super::parameters;
+    use std::cell::Cell;
+    let tables = tables();
+    let mut random = Random::new(7);
+    let plant = Plant::drawn("flywheel", &tables, &mut random);
+    let late = Instrument { late_s: [0.005, 0.005], ..Instrument::NOISE };
+    let run = late.seen(&plant.run(&mut random, EACH_MS), &mut random);
+    let (all, motion) = (parameters(super::identify::CODE), super::identify::moves(&[(1.0, 1.0), (-1.0, 1.0)]));
+    let mechanism = mechanism::Mechanism::direct(
+        quantities::Measure::from_si(plant.load_kgm2),
+        quantities::Measure::from_si(plant.coulomb_nm),
+    );
+    let extras = [mechanism::Extra::none()];
+    let stated = twin::Stated { parameters: &all, mechanism: &mechanism, motion: &motion, extras: &extras };
+    let calls = Cell::new(0_usize);
+    let counted = |most: usize| {
+        calls.set(0);
+        twin::identify_while(run.clone(), &stated, &|| {
+            calls.set(calls.get() + 1);
+            calls.get() <= most
+        })
+    };
+    let whole = counted(usize::MAX).unwrap();
+    assert_eq!(twin::identify(&run, &stated).unwrap(), whole);
+    // The search for delays repeats the windows.
+    let all = calls.get();
+    assert!(all > 3 * whole.windows, "{all} of {}", whole.windows);
+    for most in (0..all).step_by(all / 60) {
+        assert_eq!(counted(most), Err(twin::IdentifyFault::Stopped), "{most} of {all}");
+        // What notices the end are the windows of one more length at most.
+        assert!(calls.get() <= most + 4, "{most}: {}", calls.get());
+    }
+}

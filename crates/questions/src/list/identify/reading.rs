@@ -13,6 +13,12 @@ use words::{identification, recording_text, simulation};
 /// Largest size of the file of a run.
 const TRACE_MOST: u64 = 256 << 20;
 
+/// Largest number of rows without a time limit: some ten seconds on one core, with the search for delays.
+const ROWS_MOST: usize = 1 << 21;
+
+/// Approximate time that this number takes \[s\].
+const SECONDS: usize = 10;
+
 /// Largest number of faults that are reported.
 const FAULTS_MOST: usize = 20;
 
@@ -43,7 +49,7 @@ const TIME: usize = 0;
 pub(super) struct Run {
     pub(super) observed: Observed,
     /// Line of each row, from 1; empty where rows are numbered.
-    lines: Vec<usize>,
+    pub(super) lines: Vec<usize>,
 }
 
 /// Columns of a file, and their faults.
@@ -56,9 +62,12 @@ struct Columns {
     headings: Vec<String>,
     /// Line with headings of a run below those read.
     headings_below: Option<u64>,
+    /// Number of rows, if they are more than permitted; their values are not kept.
+    too_many: Option<u64>,
 }
 
-/// Reads the run of a file, in the packings and dialects of recordings, within the memory of the project.
+/// Reads the run of a file, in the packings and dialects of recordings, within the memory of the project. The rows are counted
+/// first; more than [`ROWS_MOST`] are refused unless the call states a time limit.
 ///
 /// # Errors
 /// Every fault, each with its line and column.
@@ -68,16 +77,17 @@ pub(super) fn run(asked: &Asked<'_>, name: &str) -> Result<Run, Unanswered> {
     let source = asked.source()?;
     let mut memory = Memory::new(source.files.grant().memory).until(Some(asked.patience.flag()));
     let (content, file) = source.files.open(name).and_then(recording::opened).map_err(unread)?;
+    let most = if asked.refuses_long { ROWS_MOST as u64 } else { u64::MAX };
     // One byte above the limit shows that the file is larger.
     let mut file = file.take(TRACE_MOST + 1);
     let columns = match content {
         Content::Parquet => {
             let mut bytes = Vec::new();
             let _ = file.read_to_end(&mut bytes).map_err(unread)?;
-            if file.limit() > 0 { of_parquet(bytes, &mut memory, language) } else { Columns::default() }
+            if file.limit() > 0 { of_parquet(bytes, &mut memory, most, language) } else { Columns::default() }
         }
         Content::Foreign(format) => Columns::unread(&[Fault::Foreign { format }], language),
-        Content::Text | Content::Packed(_) => of_csv(&mut file, &mut memory, language),
+        Content::Text | Content::Packed(_) => of_csv(&mut file, &mut memory, most, language),
     };
     if file.limit() == 0 {
         return Err(Unanswered::message(simulation::trace_too_large(&seen(name), &(TRACE_MOST >> 20), language)));
@@ -85,28 +95,32 @@ pub(super) fn run(asked: &Asked<'_>, name: &str) -> Result<Run, Unanswered> {
     if asked.patience.is_over() {
         return Err(Unanswered::Refused(Refusal::from(Stopped), None));
     }
-    columns.run(language).map_err(|faults| Unanswered::together(faults.into_iter().map(Unanswered::message).collect()))
+    if let Some(rows) = columns.too_many {
+        return Err(Unanswered::message(identification::too_many_rows(&rows, &ROWS_MOST, &SECONDS, language)));
+    }
+    let run = columns.run(language);
+    let run = run.map_err(|faults| Unanswered::together(faults.into_iter().map(Unanswered::message).collect()))?;
+    let needed = WORK_BYTES * run.observed.time_s.len() as u64;
+    memory.take(needed).map_err(|fault| Unanswered::message(recording_text(&fault, language)))?;
+    Ok(run)
 }
 
-impl Run {
-    fn line(&self, row: usize) -> usize {
-        self.lines.get(row).copied().unwrap_or(row + 1)
-    }
-
-    /// Returns the reason why nothing is estimated.
-    pub(super) fn refused(&self, why: &IdentifyFault, language: Language) -> String {
-        let degrees = |angle: f64| format_significant(angle.to_degrees(), 2, language);
-        match why {
-            IdentifyFault::Uneven | IdentifyFault::TooFew => simulation::trace_too_short(language).to_owned(),
-            IdentifyFault::NotExcited => simulation::trace_not_excited(language).to_owned(),
-            IdentifyFault::TimeNotRising(row) => identification::time_not_rising(&self.line(*row), language),
-            IdentifyFault::TooCoarse { step_rad, most_rad } => {
-                identification::too_coarse(&degrees(*step_rad), &degrees(*most_rad), language)
-            }
-            IdentifyFault::OtherMotion => identification::other_motion(language).to_owned(),
-            IdentifyFault::AmbiguousMotion => identification::ambiguous_motion(language).to_owned(),
+/// Returns the reason why nothing is estimated.
+pub(super) fn refused(lines: &[usize], why: &IdentifyFault, language: Language) -> Unanswered {
+    let degrees = |angle: f64| format_significant(angle.to_degrees(), 2, language);
+    let line = |row: usize| lines.get(row).copied().unwrap_or(row + 1);
+    let text = match why {
+        IdentifyFault::Uneven | IdentifyFault::TooFew => simulation::trace_too_short(language).to_owned(),
+        IdentifyFault::NotExcited => simulation::trace_not_excited(language).to_owned(),
+        IdentifyFault::TimeNotRising(row) => identification::time_not_rising(&line(*row), language),
+        IdentifyFault::TooCoarse { step_rad, most_rad } => {
+            identification::too_coarse(&degrees(*step_rad), &degrees(*most_rad), language)
         }
-    }
+        IdentifyFault::OtherMotion => identification::other_motion(language).to_owned(),
+        IdentifyFault::AmbiguousMotion => identification::ambiguous_motion(language).to_owned(),
+        IdentifyFault::Stopped => return Unanswered::Refused(Refusal::from(Stopped), None),
+    };
+    Unanswered::message(text)
 }
 
 impl Columns {
@@ -153,10 +167,15 @@ fn out_of_range(line: usize, column: &Column, value: f64, language: Language) ->
     identification::out_of_range(&line, &column.heading, &number(value), &number(column.most), language)
 }
 
-fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, language: Language) -> Columns {
+fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, most: u64, language: Language) -> Columns {
     let headings = COLUMNS.map(|column| column.heading);
     let held = bytes.len() as u64;
     let file = Bytes::from(bytes);
+    match recording::row_count(&file) {
+        Ok(rows) if rows > most => return Columns { too_many: Some(rows), ..Columns::default() },
+        Ok(_) => {}
+        Err(fault) => return Columns::unread(&[fault], language),
+    }
     let read = memory.take(held).map_err(|fault| vec![fault]).and_then(|()| {
         let names = recording::column_names(&file).map_err(|fault| vec![fault])?;
         Ok((names, recording::read_columns(&file, &headings, memory)?))
@@ -175,13 +194,29 @@ fn of_parquet(bytes: Vec<u8>, memory: &mut Memory, language: Language) -> Column
     found
 }
 
+/// Counts the remaining rows of a run with too many.
+fn counted(records: &mut Records<impl Read>, read: u64, memory: &Memory, language: Language) -> Columns {
+    let mut rows = read;
+    loop {
+        let advanced = if rows.is_multiple_of(ROWS_COUNTED as u64) { memory.go_on() } else { Ok(()) };
+        match advanced.and_then(|()| records.advance()) {
+            Ok(true) | Err(Fault::LineTooLong { .. }) => rows += 1,
+            Ok(false) => return Columns { too_many: Some(rows), ..Columns::default() },
+            Err(fault) => return Columns::unread(&[fault], language),
+        }
+    }
+}
+
+/// Bytes of a row during the work: its speed, and its numbers again with shifted signals.
+const WORK_BYTES: u64 = 8 * (2 * COLUMNS.len() as u64 + 2);
+
 /// Bytes of a row: its numbers and its line.
 const ROW_BYTES: u64 = 8 * (COLUMNS.len() as u64 + 1);
 
 /// Number of rows that are counted together.
 const ROWS_COUNTED: usize = 4096;
 
-fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
+fn of_csv(file: impl Read, memory: &mut Memory, most: u64, language: Language) -> Columns {
     let mut records = match Records::open(file) {
         Ok(records) => records,
         Err(fault) => return Columns::unread(&[fault], language),
@@ -236,6 +271,9 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
                 continue;
             }
         }
+        if found.lines.len() as u64 == most {
+            return counted(&mut records, most + 1, memory, language);
+        }
         found.lines.push(line);
         let Columns { values, faults, .. } = &mut found;
         let row = records.numbers(|index, number, cell| {
@@ -268,4 +306,22 @@ fn of_csv(file: impl Read, memory: &mut Memory, language: Language) -> Columns {
         found.add(&[fault], language);
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The rows of a text are counted up to its end, the values of too many are not kept.
+    #[test]
+    fn rows_of_a_text_are_counted() {
+        let text =
+            format!("time_s,position_rad,motor_speed_rad_s,torque_nm,current_q_a\n{}", "0,0,0,0,0\n".repeat(9000));
+        let read = |most| of_csv(text.as_bytes(), &mut Memory::default(), most, Language::En);
+        assert_eq!((read(9000).too_many, read(9000).lines.len()), (None, 9000));
+        for most in [0, 1, 4095, 4096, 8999] {
+            let columns = read(most);
+            assert_eq!((columns.too_many, columns.lines.len(), columns.faults), (Some(9000), 0, Vec::new()), "{most}");
+        }
+    }
 }
