@@ -952,6 +952,8 @@ class Identification:
     """Estimates that the run separates from each other."""
     open: list[LeftOpen]
     """Parameters without an estimate."""
+    signals: list[SignalDatum]
+    """Zeros and delays of the signals, which the estimates take into account."""
     doubts: list[Doubted]
     """Signals that seem to have another unit, sign or side than their columns; while there are any, the estimates are not those of the
 axis, `overrides` is empty, and the exit status is 1."""
@@ -991,6 +993,26 @@ class LeftOpen:
     """In words."""
     reason: str
     """Reason, in words."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SignalDatum:
+    """A zero or delay of a signal of the run."""
+
+    id: str
+    """Identifier."""
+    column: str
+    """Heading of the column."""
+    title: str
+    """In words."""
+    value: float | None
+    """The value."""
+    half_width: float | None
+    """Half the interval that holds the true value in 95 of 100 runs."""
+    unit: str
+    """Its unit."""
+    significant: bool
+    """The value is apart from zero."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -3265,6 +3287,7 @@ __all__ = [
     "SheetValue",
     "Side",
     "Signal",
+    "SignalDatum",
     "SignalForm",
     "SignalGroup",
     "SimulatedEvent",
