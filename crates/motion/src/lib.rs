@@ -6,6 +6,8 @@
 
 mod chain;
 mod faults;
+#[cfg(test)]
+mod generated;
 mod law;
 mod piece;
 mod points;

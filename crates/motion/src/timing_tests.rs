@@ -1,17 +1,6 @@
 use super::*;
+use crate::generated::Noise;
 use crate::{HeldValues, MadeUp, Recorded, Spurious, SteppedColumn, TimeStamps, Treatment};
-
-/// Pseudorandom numbers, uniform from −1 to 1.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
 
 /// Returns position and speed of a move of 1.5 rad in 1 s and back in 1.2 s, with rests; the law by its number.
 fn motion(law: u32, t: f64) -> (f64, f64) {

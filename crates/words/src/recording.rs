@@ -1,6 +1,7 @@
 //! Words for recordings that cannot be read.
 
 mod beyond;
+mod counter;
 mod foreign;
 mod headings;
 mod modulo;
@@ -9,6 +10,7 @@ mod tables;
 use crate::pick;
 use crate::texts::said;
 use beyond::{beyond, damage};
+use counter::counter;
 use foreign::foreign;
 use headings::{LIST_MOST, columns, columns_and_names, header, list, toml_text, valid_units};
 use modulo::{position_jumps, turn_begun};
@@ -429,13 +431,14 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         }
         Fault::PositionJumps { .. } => position_jumps(fault, language),
         Fault::Backwards { at, time, before } => {
+            let hint = counter(*before, *time, language);
             let (time, before) = (stamp(*time, language), stamp(*before, language));
             (
                 said!(language =>
                     "{}: time runs backwards, {time} follows {before}"
                     | "{}: die Zeit läuft rückwärts, {time} folgt auf {before}", place(*at, language)
                 ),
-                None,
+                hint,
             )
         }
         Fault::SameTime { at, first, time } => {
