@@ -5,7 +5,8 @@ use crate::resolution::{MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, media
 use crate::smoothing::smooth;
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::timing::{
-    Interpolated, SpeedOverTime, evenly_spaced, held, interpolated, interpolated_position, scattered, with_time,
+    Interpolated, SpeedOverTime, Updated, evenly_spaced, held, interpolated, interpolated_position, scattered,
+    with_time,
 };
 use quantities::{AngularVelocity, Measure, Time};
 use std::sync::Arc;
@@ -112,16 +113,20 @@ impl Recorded {
         let derived = Course::of(&samples, window, held_are_interpolated)?;
         let made_up = derived.spurious(&samples, window, treatment);
         let differentiated = samples.speed_rad_s.is_none();
-        // No window changes where the axis is at rest: smoothed noise is that of a slow motion.
-        let before_smoothing = match (window, treatment.standstill) {
+        // No window and no interpolation changes where the axis is at rest: both make noise resemble a slow motion.
+        let before = match (window, treatment.standstill) {
+            (None, None) => derived.updated.as_ref().map(|updated| updated.rests(&samples.time_s)),
             (Some(_), None) => {
-                let Course { position, speed, .. } = Course::of(&samples, None, held_are_interpolated)?;
-                rests(&samples.time_s, &speed, position.as_deref().map(Vec::as_slice), differentiated)
+                let plain = Course::of(&samples, None, held_are_interpolated)?;
+                let position = plain.position.as_deref().map(Vec::as_slice);
+                let mut found = rests(&samples.time_s, &plain.speed, position, differentiated).unwrap_or_default();
+                found.extend(plain.updated.into_iter().flat_map(|updated| updated.rests(&samples.time_s)));
+                Some(found)
             }
-            _ => None,
+            (_, Some(_)) => None,
         };
         let Samples { time_s, torque_nm, .. } = samples;
-        let Course { position, mut speed, mut end_errors } = derived;
+        let Course { position, mut speed, mut end_errors, .. } = derived;
         let mut rest_noise = None;
         if let Some(least) = treatment.standstill {
             for speed in Arc::make_mut(&mut speed).iter_mut().filter(|speed| speed.abs() < least.si()) {
@@ -132,7 +137,7 @@ impl Recorded {
             &speed,
             position.as_deref().map(Vec::as_slice),
             differentiated,
-            window.zip(before_smoothing.as_deref()),
+            before.as_deref().map(|before| (window.unwrap_or(0.0), before)),
         ) {
             let speed = Arc::make_mut(&mut speed);
             for rest in rests {
@@ -268,23 +273,34 @@ struct Course {
     speed: Arc<Vec<f64>>,
     /// Errors of the speeds at both ends [rad/s].
     end_errors: (f64, f64),
+    /// Updates of the speed, if held values are interpolated.
+    updated: Option<Updated>,
 }
 
 impl Course {
     /// Returns position and speed of samples; `between` interpolates held values between their updates.
     fn of(samples: &Samples, window: Option<f64>, between: bool) -> Result<Self, RecordedFault> {
         let time: &[f64] = &samples.time_s;
-        let speed = samples.speed_rad_s.clone().map(|speed| {
-            let found = if between { interpolated(time, &speed) } else { None };
-            found.map_or(speed, Arc::new)
-        });
+        let mut updated = None;
+        let speed =
+            samples.speed_rad_s.clone().map(|speed| match between.then(|| Updated::new(time, &speed)).flatten() {
+                Some((rows, updates)) => {
+                    updated = Some(updates);
+                    Arc::new(rows)
+                }
+                None => speed,
+            });
         let held = samples.position_rad.as_ref().filter(|_| between);
         let held = held.and_then(|position| interpolated_position(time, position));
         let mut end_errors = (0.0, 0.0);
         let (position, slope) = match held {
-            Some(Interpolated { position, speed, update_s, updated }) => {
-                end_errors = (slope_error(&update_s, &updated, 0.0), slope_error_at_end(&update_s, &updated, 0.0));
-                (Some(Arc::new(position)), Some(speed))
+            Some(Interpolated { position, speed: slope, update_s, updated: at }) => {
+                end_errors = (slope_error(&update_s, &at, 0.0), slope_error_at_end(&update_s, &at, 0.0));
+                if speed.is_none() {
+                    let speed = slopes(&update_s, &at);
+                    updated = Some(Updated { time: update_s, speed, position: Some(at) });
+                }
+                (Some(Arc::new(position)), Some(slope))
             }
             None => (samples.position_rad.clone(), None),
         };
@@ -312,7 +328,7 @@ impl Course {
                 (position, speed)
             }
         };
-        Ok(Self { position, speed, end_errors })
+        Ok(Self { position, speed, end_errors, updated })
     }
 
     /// Returns the spurious acceleration caused by held values, by scattered time stamps, or by steps of the column

@@ -4,6 +4,7 @@
 use crate::faults::RecordedFault;
 use crate::recorded::{Samples, slopes};
 use crate::resolution::{median_interval, step};
+use crate::standstill::rests;
 use quantities::{Measure, Time};
 use std::sync::Arc;
 
@@ -259,8 +260,38 @@ pub(crate) fn interpolated_position(time: &[f64], values: &[f64]) -> Option<Inte
 
 /// Returns the values of a held column at each row, straight between its updates; `None` if it is not held.
 pub(crate) fn interpolated(time: &[f64], values: &[f64]) -> Option<Vec<f64>> {
-    let updates = Updates::new(time, values, held(time, values)?);
-    Some(updates.at_rows(time, None).0)
+    Some(Updated::new(time, values)?.0)
+}
+
+/// Instants of the updates of a held speed \[s\], and the speeds there [rad/s], with positions from which they follow.
+pub(crate) struct Updated {
+    pub(crate) time: Vec<f64>,
+    pub(crate) speed: Vec<f64>,
+    pub(crate) position: Option<Vec<f64>>,
+}
+
+impl Updated {
+    /// Returns the values of a held column at each row, straight between its updates, and the updates.
+    pub(crate) fn new(time: &[f64], values: &[f64]) -> Option<(Vec<f64>, Self)> {
+        let updates = Updates::new(time, values, held(time, values)?);
+        let rows = updates.at_rows(time, None).0;
+        Some((rows, Self { time: updates.time, speed: updates.values, position: None }))
+    }
+
+    /// Returns the rows at which the axis is at rest with noise: between two rows the noise of a held speed is straight, and
+    /// resembles slow motion.
+    pub(crate) fn rests(&self, rows_s: &[f64]) -> Vec<std::ops::Range<usize>> {
+        let position = self.position.as_deref();
+        let found = rests(&self.time, &self.speed, position, position.is_some()).unwrap_or_default();
+        let last = self.time.len();
+        let rows = |range: std::ops::Range<usize>| {
+            let begin = self.time.get(range.start).filter(|_| range.start > 0);
+            let end = self.time.get(range.end - 1).filter(|_| range.end < last);
+            begin.map_or(0, |begin| rows_s.partition_point(|t| t < begin))
+                ..end.map_or(rows_s.len(), |end| rows_s.partition_point(|t| t <= end))
+        };
+        found.into_iter().map(rows).filter(|range| !range.is_empty()).collect()
+    }
 }
 
 /// Evenly spaced instants in place of time stamps.

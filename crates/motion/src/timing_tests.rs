@@ -210,3 +210,34 @@ fn true_stamps_are_kept() {
         }
     }
 }
+
+/// Noise at rest, held over several rows, is rest once the values are interpolated, with a window or without.
+#[test]
+fn held_noise_at_rest_is_rest() {
+    let mut noise = Noise(21);
+    for (h, period) in [(0.002, 0.008), (0.001, 0.004), (0.002, 0.005)] {
+        for size in [1e-5, 1e-3, 1e-2] {
+            let time: Vec<f64> = (0..=(END / h).round() as u32).map(|k| f64::from(k) * h).collect();
+            let updates = (END / period).ceil() as usize + 1;
+            let noisy: Vec<f64> = (0..updates)
+                .map(|k| {
+                    let speed = motion(0, k as f64 * period).1;
+                    if speed == 0.0 { size * noise.normal() } else { speed }
+                })
+                .collect();
+            let values: Vec<f64> = time.iter().map(|t| noisy[(t / period + 1e-9).floor() as usize]).collect();
+            for smoothing in [None, Some(quantities::Measure::from_si(0.03))] {
+                let treatment = Treatment { smoothing, ..interpolated_values() };
+                let samples = samples(&time, values.clone(), SteppedColumn::Speed);
+                let found = Recorded::new(samples, treatment).unwrap();
+                let still = found.speed_rad_s().iter().filter(|speed| **speed == 0.0).count() as f64 * h;
+                // Rests of 0.3, 0.51 and 0.39 s, less an update and the window at both ends of the moves.
+                let meant = 0.3003 + 0.5104 + 0.3893;
+                assert!(
+                    (-0.2..0.02).contains(&(still - meant)),
+                    "h {h} period {period} noise {size} {smoothing:?}: {still}"
+                );
+            }
+        }
+    }
+}
