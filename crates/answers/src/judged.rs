@@ -86,6 +86,8 @@ pub struct Reserve {
     pub units: Units,
     /// Names of the fields above whose value fits only if an estimate holds, `fits_if_estimate`.
     pub if_estimate: Vec<&'static str>,
+    /// Names of the fields above whose value fits unless a gear rating of another manufacturer applies, `fits_if_estimate`.
+    pub unless_rating: Vec<&'static str>,
     /// Quantities not searched because of the cost; `null` if all were.
     pub not_sought: Option<NotSought>,
 }
@@ -170,6 +172,10 @@ pub struct WouldFit {
     pub code: String,
     /// Verdict on this code.
     pub verdict: Fit,
+    /// `true` if the code fits only if an estimate holds.
+    pub if_estimate: bool,
+    /// `true` if the code fits unless a gear rating of another manufacturer applies.
+    pub unless_rating: bool,
 }
 
 /// An actuator that fits, with its rank.

@@ -12,7 +12,7 @@ use quantities::{Language, Measure, Torque, format_significant};
 use questions::Candidate;
 use questions::list::bearing::bearing_checks;
 use questions::list::{Asked, Cost, Unanswered, battery, bearing, curve, new};
-use questions::texts::{battery_lines, checked_text, unit_text, verdict_text};
+use questions::texts::{battery_lines, checked_text, margin_text, unit_text, verdict_text};
 use std::path::Path;
 use words::{check_title, curve_title, grade_word, source_text, terminal, terms};
 
@@ -82,7 +82,7 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
             checked_text(check.id, check.value, language),
             checked_text(check.id, check.limit, language),
             unit_text(check.value, language).to_owned(),
-            check.utilisation.map_or_else(|| "–".into(), |share| format_significant(share * 100.0, 3, language)),
+            margin_text(check, language),
         ]);
     }
     let mut keys: Vec<&str> = Vec::new();

@@ -8,7 +8,7 @@ use project::InputChange;
 use quantities::{Language, format_number};
 use questions::list::diff::{CheckChange, Difference, revisions};
 use questions::list::{Asked, Unanswered};
-use questions::texts::{checked_text, percent, verdict_text};
+use questions::texts::{checked_text, margin_share, percent, verdict_text};
 use questions::{CandidateId, Check, answer};
 use std::fmt::Write as _;
 use words::{check_title, terminal, terms};
@@ -123,7 +123,7 @@ fn changed(change: &CheckChange, language: Language) -> [String; 8] {
     let value = |check: &Option<Check>| {
         check.as_ref().map_or_else(|| "–".into(), |check| checked_text(check.id, check.value, language))
     };
-    let share = |check: &Option<Check>| percent(check.as_ref().and_then(|check| check.utilisation), language);
+    let share = |check: &Option<Check>| percent(check.as_ref().and_then(margin_share), language);
     let (before, after) = (word(&change.before), word(&change.after));
     let unit = [&change.after, &change.before].into_iter().flatten().find_map(|check| check.value.or(check.limit));
     let by = change.change().map_or_else(none, |by| {

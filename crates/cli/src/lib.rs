@@ -62,9 +62,13 @@ pub fn run(call: Vec<OsString>) -> u8 {
     let language = command::language_of(call.iter().cloned());
     let arguments = command::with_help_asked(call.into_iter());
     let as_json = command::json_of(&arguments);
-    let matches = match command::build_for(&arguments, language).try_get_matches_from(arguments) {
+    let mut command = command::build_for(&arguments, language);
+    let matches = match command.try_get_matches_from_mut(&arguments) {
         Ok(matches) => matches,
-        Err(error) if error.use_stderr() => return command::usage::refused(&error, as_json, language).write(language),
+        Err(error) if error.use_stderr() => {
+            let missing = command::usage::missing(&error, &command, &arguments);
+            return command::usage::refused(&error, &missing, as_json, language).write(language);
+        }
         Err(help) => return Answer::data(help.render().ansi().to_string()).write(language),
     };
     let json = matches.get_flag("json");

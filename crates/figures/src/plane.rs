@@ -1,7 +1,7 @@
 //! The torque-speed plane: limits in four quadrants, the cycle, its mean and its peaks.
 
 use crate::drawing::{Chart, Drawing, Figure};
-use crate::labels::{amount, listed, subject};
+use crate::labels::{amount, listed, percent, subject};
 use order_code::OrderCode;
 use plot::{Area, Axis, Dash, Hatch, Item, Label, Line, Markers, Note, Reference, Shape, Tone, Width, XyChart};
 use project::Project;
@@ -327,6 +327,10 @@ fn caption_of_known(candidate: &Candidate<'_>, language: Language) -> String {
 
 fn caption(plane: &Plane, language: Language) -> String {
     let mut parts = vec![pictures::quadrants_and_colours(language)];
+    // The curves state their voltages; the shares are those of the terminal voltage.
+    let full = plane.curves.iter().find_map(|curve| curve.voltage);
+    let shares: Vec<String> =
+        plane.sagged.iter().filter_map(|curve| Some(percent(curve.voltage?.si() / full?.si(), language))).collect();
     let cycle = plane.curves.iter().find_map(|curve| match curve.kind {
         CurveKind::S3 { cycle, .. } => Some(cycle),
         CurveKind::Continuous | CurveKind::ShortTime => None,
@@ -344,5 +348,7 @@ fn caption(plane: &Plane, language: Language) -> String {
     } else {
         parts.push(pictures::volts_explained(language));
     }
+    let sagged = (!shares.is_empty()).then(|| pictures::sagged_explained(&listed(&shares, language), language));
+    parts.extend(sagged.as_deref());
     parts.join(" ")
 }

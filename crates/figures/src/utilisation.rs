@@ -4,7 +4,7 @@ use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent};
 use plot::{Axis, Bar, BarChart, Label};
 use quantities::Language;
-use questions::texts::{by_importance, checked_text, counts_text, verdict_text};
+use questions::texts::{by_importance, checked_text, counts_text, margin_share, verdict_text};
 use questions::{Candidate, Check, CheckId, Direction, Objection, Unmet, Verdict};
 use words::{
     capitalised, check_missing, check_title, pictures, row_name, terms, unmet_text, verdict_word, without_keys,
@@ -82,8 +82,7 @@ fn bar(check: &Check, language: Language) -> Bar {
         return bar.text(text).tooltip(&format!("{reason} {numbers}"));
     }
     // A recommendation or a class that is met has no utilisation to compare with others.
-    let shows_share = check.id.has_margin() || check.verdict != Verdict::Pass;
-    let Some(share) = check.utilisation.filter(|_| shows_share) else { return bar.text(numbers) };
+    let Some(share) = margin_share(check) else { return bar.text(numbers) };
     bar = bar.percent(share * 100.0).data("utilisation", &format!("{share}"));
     bar.text(if numbers.is_empty() {
         percent(share, language)

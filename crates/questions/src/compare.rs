@@ -3,6 +3,7 @@
 use crate::list::size::sized;
 use crate::patience::Patience;
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, check, check_own};
+use crate::texts::margin_share;
 use order_code::OrderCode;
 use project::Project;
 use provenance::Datum;
@@ -192,10 +193,10 @@ pub struct CheckChange {
 }
 
 impl CheckChange {
-    /// Returns the utilisation after minus that before.
+    /// Returns the shown utilisation after minus that before.
     #[must_use]
     pub fn change(&self) -> Option<f64> {
-        Some(self.after.as_ref()?.utilisation? - self.before.as_ref()?.utilisation?)
+        Some(margin_share(self.after.as_ref()?)? - margin_share(self.before.as_ref()?)?)
     }
 
     /// Returns `true` if the verdict differs.

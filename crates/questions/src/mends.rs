@@ -5,7 +5,7 @@ use crate::sizing_use::{Candidate, Refusal, Rejected, size_watched};
 use project::{Gearing, Project};
 use quantities::Unit;
 use quantities::unit::ONE;
-use sizing::{Check, CheckId, Fit, Verdict};
+use sizing::{Check, CheckId, Fit, Proviso, Verdict};
 
 /// A value of the gearing with which an actuator fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +23,8 @@ pub struct Mend {
     pub code: String,
     /// Verdict on the actuator.
     pub fit: Fit,
+    /// Conditions of this verdict.
+    pub proviso: Proviso,
 }
 
 /// Number of digits of a value.
@@ -83,8 +85,8 @@ pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusa
     let mut found = Vec::new();
     let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<Project>| {
         let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, patience));
-        if let Some((si, (code, fit))) = nearest(&ranked, stated, &here, unit, fine)? {
-            found.push(Mend { path: path.to_owned(), is_stated, si, unit, code, fit });
+        if let Some((si, (code, fit, proviso))) = nearest(&ranked, stated, &here, unit, fine)? {
+            found.push(Mend { path: path.to_owned(), is_stated, si, unit, code, fit, proviso });
         }
         Ok::<_, Refusal>(())
     };
@@ -98,7 +100,7 @@ pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusa
 }
 
 /// The best actuator with its verdict.
-type Best = (String, Fit);
+type Best = (String, Fit, Proviso);
 
 /// Result of ranking the catalogue with one value of the gearing.
 struct Ranked {
@@ -121,7 +123,7 @@ impl Ranked {
         let is_met = |candidate: &&Candidate<'_>| candidate.objections.is_empty();
         let farther = sizing.candidates.iter().filter(is_met).filter_map(farther).reduce(f64::min);
         Ok(Self {
-            best: sizing.answer().map(|best| (best.id.to_string(), best.fit())),
+            best: sizing.answer().map(|best| (best.id.to_string(), best.fit(), best.judgement.proviso())),
             farther: farther.unwrap_or(f64::INFINITY),
         })
     }
@@ -238,7 +240,7 @@ mod tests {
                 false => project.with_stage(mend.si),
             };
             let best = Ranked::of(&with.unwrap(), &Patience::endless()).unwrap().best;
-            assert_eq!(best, Some((mend.code.clone(), mend.fit)));
+            assert_eq!(best, Some((mend.code.clone(), mend.fit, mend.proviso)));
         }
         // A stage of ratio r turns the screw like a lead longer by 1/r.
         assert!((found[0].si / 0.020 * found[1].si - 1.0).abs() < 0.15, "{found:?}");
@@ -270,7 +272,7 @@ mod tests {
     fn window(low: f64, high: f64, value: f64) -> Ranked {
         let (speed, heat) = (low / value, (value / high).powi(2));
         let farther = speed.powf(1.0 / power(CheckId::PeakSpeed)).max(heat.powf(1.0 / power(CheckId::Thermal)));
-        Ranked { best: (farther <= 1.0).then(|| ("the only one".to_owned(), Fit::Fits)), farther }
+        Ranked { best: (farther <= 1.0).then(|| ("the only one".to_owned(), Fit::Fits, Proviso::default())), farther }
     }
 
     #[test]

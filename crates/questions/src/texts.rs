@@ -22,10 +22,10 @@ use quantities::unit::{
 };
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
 use recording::{ColumnRead, KnownBy};
-use sizing::{Amount, Check, CheckId, Demand, Fit, Reserve, SAMPLES_ANEW, Unsought, Verdict};
+use sizing::{Amount, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought};
 use words::{
-    Provisos, check_title, describe_rule, encoding_guess, grade_word, marked, percent_text, records, source_text,
-    symbol_term, terminal, unmet_text, unpadded,
+    Provisos, check_title, describe_rule, encoding_guess, grade_word, marked, percent_text, proviso_text, records,
+    source_text, symbol_term, terminal, unmet_text, unpadded,
 };
 
 /// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power.
@@ -144,8 +144,7 @@ pub fn margin_text(check: &Check, language: Language) -> String {
 /// Returns the utilisation of [`margin_text`] as a number.
 #[must_use]
 pub fn margin_share(check: &Check) -> Option<f64> {
-    let says_why = matches!(check.verdict, Verdict::Fail | Verdict::Advice);
-    check.utilisation.filter(|_| check.id.has_margin() || says_why)
+    check.utilisation.filter(|_| check.id.shows_utilisation(check.verdict))
 }
 
 /// Formats a value in its unit, with four digits.
@@ -291,21 +290,21 @@ pub fn reserve_lines(
 ) -> Vec<(&'static str, Vec<String>)> {
     let number = |value: f64| format_significant(value, 4, language);
     let mut parts = Vec::new();
-    let mut add = |text: String, fit: Fit| match fit {
-        Fit::FitsIfEstimate => parts.push(format!("{text} ({})", terminal::if_the_estimate_holds(language))),
-        Fit::Fits | Fit::DoesNotFit => parts.push(text),
+    let mut add = |text: String, Proviso { estimate, rating }: Proviso| match proviso_text(estimate, rating, language) {
+        Some(proviso) => parts.push(format!("{text} ({proviso})")),
+        None => parts.push(text),
     };
     if let Some(reach) = reserve.payload_factor {
-        add(terminal::payload_factor(&number(reach.value), language), reach.fit);
+        add(terminal::payload_factor(&number(reach.value), language), reach.proviso);
     }
     if let Some(reach) = reserve.load_factor {
-        add(terminal::load_factor(&number(reach.value), language), reach.fit);
+        add(terminal::load_factor(&number(reach.value), language), reach.proviso);
     }
     if let Some(reach) = reserve.cycle_time {
-        add(terminal::cycle_time(&number(reach.value.si()), language), reach.fit);
+        add(terminal::cycle_time(&number(reach.value.si()), language), reach.proviso);
     }
     if let Some(reach) = reserve.ambient {
-        add(terminal::ambient(&number(DEGREE_CELSIUS.from_si(reach.value.si())), language), reach.fit);
+        add(terminal::ambient(&number(DEGREE_CELSIUS.from_si(reach.value.si())), language), reach.proviso);
     }
     let mut lines = Vec::new();
     if !parts.is_empty() {
@@ -338,9 +337,9 @@ pub fn mend_text(mend: &Mend, language: Language) -> String {
     } else {
         terminal::a_stage(&value, language)
     };
-    match mend.fit {
-        Fit::FitsIfEstimate => format!("{what} ({}, {})", mend.code, terminal::if_the_estimate_holds(language)),
-        Fit::Fits | Fit::DoesNotFit => format!("{what} ({})", mend.code),
+    match proviso_text(mend.proviso.estimate, mend.proviso.rating, language) {
+        Some(proviso) => format!("{what} ({}, {proviso})", mend.code),
+        None => format!("{what} ({})", mend.code),
     }
 }
 

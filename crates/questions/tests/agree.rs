@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail")]
 
 use project::{Counted, Edit, Heading, Input, NoFiles, Project, edit, inputs};
-use quantities::Measure;
+use quantities::{Language, Measure};
 use questions::list::size::{mends, sized};
 use questions::sweep::{Cells, Judged, Options, Sweep};
 use questions::{Candidate, CandidateId, Check, Fit, Patience, Rejected, Sizing, Verdict, check};
@@ -290,7 +290,7 @@ fn stated_si(project: &Project, path: &str) -> f64 {
 /// fits, and with one step of the last digit more it does not.
 #[test]
 fn a_reserve_fits_as_it_is_printed() {
-    let (mut loads, mut paces) = (0, 0);
+    let (mut loads, mut paces, mut alone) = (0, 0, 0);
     for (text, keys) in &axes() {
         let project = questions::read(text).unwrap();
         let sizing = questions::size(&project);
@@ -301,13 +301,22 @@ fn a_reserve_fits_as_it_is_printed() {
             let values: Vec<(&Input, f64)> =
                 keys.iter().filter(|key| of(key)).map(|key| (key, key.amount.unwrap().0 * factor)).collect();
             let project = questions::read(&with(text, &values)).ok()?;
-            Some(check(&project, &code(&named)).ok()?.judgement.fit())
+            let found = check(&project, &code(&named)).ok()?;
+            let beyond = found.inside_bands();
+            let ratings = beyond.iter().filter(|check| check.is_of_another_gear()).count();
+            Some((found.judgement.fit(), beyond.len() > ratings, ratings > 0))
         };
         // What of the load is no key with a mass, such as a density of a web by its thickness, is not typed here.
         if let Some(reach) = reserve.load_factor.filter(|_| !text.contains("[mechanism.table]")) {
             let step = 10_f64.powf(reach.value.log10().floor() - 3.0);
-            assert_eq!(fit_with(reach.value, &is_mass), Some(reach.fit), "× {} of {}\n{text}", reach.value, named.id);
-            let beyond = fit_with(reach.value + step, &is_mass);
+            let expected = (reach.fit, reach.proviso.estimate, reach.proviso.rating);
+            assert_eq!(fit_with(reach.value, &is_mass), Some(expected), "× {} of {}\n{text}", reach.value, named.id);
+            let lines = questions::texts::reserve_lines(&reserve, &named, Language::En);
+            let line = lines.iter().flat_map(|(_, parts)| parts).find(|part| part.contains("masses")).unwrap();
+            assert_eq!(line.contains("if the estimate holds"), expected.1, "{line}");
+            assert_eq!(line.contains("gear rating of another manufacturer"), expected.2, "{line}");
+            alone += usize::from(expected.2 && !expected.1);
+            let beyond = fit_with(reach.value + step, &is_mass).map(|found| found.0);
             assert_eq!(beyond, Some(Fit::DoesNotFit), "× {} + {step} of {}\n{text}", reach.value, named.id);
             loads += 1;
         }
@@ -322,10 +331,16 @@ fn a_reserve_fits_as_it_is_printed() {
             let (cycle, now) = (reach.value.si(), project.axis.motion.duration().si());
             let step = 10_f64.powf(cycle.log10().floor() - 3.0);
             let with = |cycle: f64| fit_with(cycle / now, &is_timed);
-            assert_eq!(with(cycle), Some(reach.fit), "{cycle} s of {}\n{text}", named.id);
-            assert_eq!(with(cycle - step), Some(Fit::DoesNotFit), "{cycle} s − {step} of {}\n{text}", named.id);
+            let expected = (reach.fit, reach.proviso.estimate, reach.proviso.rating);
+            assert_eq!(with(cycle), Some(expected), "{cycle} s of {}\n{text}", named.id);
+            assert_eq!(
+                with(cycle - step).map(|found| found.0),
+                Some(Fit::DoesNotFit),
+                "{cycle} s − {step} of {}\n{text}",
+                named.id
+            );
             paces += 1;
         }
     }
-    assert!(loads > 15 && paces > 8, "{loads} loads, {paces} paces");
+    assert!(loads > 15 && paces > 8 && alone > 0, "{loads} loads, {paces} paces, {alone} by a rating alone");
 }

@@ -40,6 +40,14 @@ const fn of_another_gear(rating: &Source) -> Notes {
     }
 }
 
+impl CheckId {
+    /// Returns `true` if another gear may have a rating for it, which advises: only a limit of the actuator itself rejects.
+    #[must_use]
+    pub const fn may_be_rated_elsewhere(self) -> bool {
+        matches!(self, Self::GearMeanInputSpeed | Self::GearMeanTorque | Self::GearLife | Self::CollisionTorque)
+    }
+}
+
 /// Checks i n_av ≤ n_in,av; only if a limit of the gear is published.
 pub(crate) fn mean_input_speed(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;

@@ -25,6 +25,15 @@ pub struct Judgement {
     pub checks: Vec<Check>,
 }
 
+/// Conditions under which an actuator fits though a check is beyond its limit; none for [`Fit::Fits`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Proviso {
+    /// A value is within the band of an estimate, which must hold.
+    pub estimate: bool,
+    /// A value is beyond a rating of another manufacturer's gear, which must not apply.
+    pub rating: bool,
+}
+
 impl Judgement {
     /// Returns `true` if no check fails.
     #[must_use]
@@ -41,6 +50,16 @@ impl Judgement {
             Fit::FitsIfEstimate
         } else {
             Fit::Fits
+        }
+    }
+
+    /// Returns the conditions of a fitting actuator.
+    #[must_use]
+    pub fn proviso(&self) -> Proviso {
+        let beyond = || self.checks.iter().filter(|check| check.is_inside_band());
+        Proviso {
+            estimate: beyond().any(|check| !check.is_of_another_gear()),
+            rating: beyond().any(Check::is_of_another_gear),
         }
     }
 

@@ -48,7 +48,7 @@ pub use course::{Course, Sample};
 pub use demand::{Demand, ManualDemand, MoveTorques, Moves};
 pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
-pub use judge::{Depth, Judge, Judgement, Naming, Scope, governing, judge};
+pub use judge::{Depth, Judge, Judgement, Naming, Proviso, Scope, governing, judge};
 pub use list::{Asked, MountingPosition, Shaft, SpecialApplication};
 pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds, RopeSlack};
 pub use operation::{DutyType, MotorSide, Operation, SegmentLoad};

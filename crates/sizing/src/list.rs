@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::bearing_checks::{self, Borne};
 use crate::brake_checks;
-use crate::check::{Check, Direction, Margin, Part};
+use crate::check::{Check, Direction, Margin, Part, Verdict};
 use crate::checks;
 use crate::comparison::not_checked;
 use crate::currents::{self, Currents};
@@ -494,6 +494,13 @@ impl CheckId {
             Margin::Share | Margin::Range => true,
             Margin::Recommendation | Margin::Class => false,
         }
+    }
+
+    /// Returns `true` if a face shows its utilisation beside a verdict: always as a margin; that of a recommendation or a
+    /// class only as the reason of a failure or an advice, without the colours of a margin.
+    #[must_use]
+    pub const fn shows_utilisation(self, verdict: Verdict) -> bool {
+        self.has_margin() || matches!(verdict, Verdict::Fail | Verdict::Advice)
     }
 
     /// Returns `true` if it can at most advise, because its limit is a recommendation.

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::brake_times::carried;
 use crate::check::{Check, CheckId, Fit, Verdict};
-use crate::judge::{Judgement, Scope, judge};
+use crate::judge::{Judgement, Proviso, Scope, judge};
 use crate::watch::{Unwatched, Watch, finished};
 use actuator::Parameters;
 use numeric::border;
@@ -18,6 +18,8 @@ pub struct Reach<T> {
     pub value: T,
     /// Verdict of the checks with it: that an actuator fits, or that it fits if an estimate holds.
     pub fit: Fit,
+    /// Conditions of this verdict.
+    pub proviso: Proviso,
 }
 
 /// Largest change of each quantity, with all others unchanged, for which no check of an actuator fails.
@@ -208,9 +210,10 @@ impl<S, F: Fn(f64) -> Result<Judgement, S>> Search<F> {
         while (last - steps) * inward > 0.0 {
             // A division by a whole number of digits: 1.341, not 1.3410000000000002.
             let si = self.unit.to_si(if digit < 1.0 { steps / (1.0 / digit).round() } else { steps * digit });
-            let fit = self.judged(si)?.fit();
+            let judgement = self.judged(si)?;
+            let (fit, proviso) = (judgement.fit(), judgement.proviso());
             if fit.fits() {
-                return Ok(Some(Reach { value: of(si), fit }));
+                return Ok(Some(Reach { value: of(si), fit, proviso }));
             }
             steps += inward;
         }
@@ -355,7 +358,7 @@ mod tests {
     }
 
     const fn reach<T>(value: T) -> Option<Reach<T>> {
-        Some(Reach { value, fit: Fit::Fits })
+        Some(Reach { value, fit: Fit::Fits, proviso: Proviso { estimate: false, rating: false } })
     }
 
     fn axis(inertia: f64) -> Axis {

@@ -33,7 +33,7 @@ fn column(column: &Column) -> TableColumn {
         title: column.title.clone(),
         kind: match column.kind {
             ColumnContent::Text | ColumnContent::Id => ColumnKind::Text,
-            ColumnContent::Number | ColumnContent::Share => ColumnKind::Number,
+            ColumnContent::Number | ColumnContent::Share | ColumnContent::Ratio => ColumnKind::Number,
             ColumnContent::Count => ColumnKind::Count,
             ColumnContent::Verdict => ColumnKind::Word,
         },

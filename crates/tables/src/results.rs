@@ -4,8 +4,8 @@ use crate::define::{Subject, column, titled};
 use crate::table::{Cell, Column, ColumnContent, Derived, Table};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit};
-use questions::texts::{by_importance, verdict_of, verdict_text};
-use questions::{Candidate, Check, CheckId, Demand, Direction};
+use questions::texts::{by_importance, margin_share, verdict_of, verdict_text};
+use questions::{Candidate, Check, CheckId, Demand, Direction, Verdict};
 use words::{
     Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
     without_keys,
@@ -114,7 +114,10 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         column("objections", tables::objections, ColumnContent::Text, None, tables::objections_about, l),
     ];
     let of_check = tables::utilisation_of_check_about;
-    let share = |id: &CheckId| titled(id.id(), check_title(*id, l), ColumnContent::Share, Some(&ONE), of_check, l);
+    let share = |id: &CheckId| {
+        let kind = if id.has_margin() { ColumnContent::Share } else { ColumnContent::Ratio };
+        titled(id.id(), check_title(*id, l), kind, Some(&ONE), of_check, l)
+    };
     columns.extend(ids.iter().map(share));
     #[allow(clippy::cast_precision_loss, reason = "counts of a few hundred")]
     let count = |count: usize| Cell::number(count as f64);
@@ -142,7 +145,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         ];
         row.extend(ids.iter().map(|id| {
             let check = candidate.judgement.checks.iter().find(|check| check.id == *id);
-            check.and_then(|check| check.utilisation).map_or(Cell::Empty, Cell::number)
+            check.and_then(margin_share).map_or(Cell::Empty, Cell::number)
         }));
         row
     };
@@ -225,8 +228,12 @@ fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
         .collect();
     sources.dedup();
     let notes: Vec<String> = check.notes.iter().map(|note| said(note_text(note, l))).collect();
-    let utilisation = check.utilisation.map_or(Cell::Empty, Cell::number);
-    let margin = utilisation.as_number().map_or(Cell::Empty, |share| Cell::number(1.0 - share));
+    let utilisation = margin_share(check).map_or(Cell::Empty, Cell::number);
+    // A recommendation that is not met has a utilisation and no margin.
+    let margin = utilisation
+        .as_number()
+        .filter(|_| check.verdict == Verdict::Fail || check.id.has_margin())
+        .map_or(Cell::Empty, |share| Cell::number(1.0 - share));
     vec![
         Cell::text(code),
         Cell::text(check.id.id()),

@@ -15,8 +15,10 @@ pub enum ColumnContent {
     Number,
     /// A whole number.
     Count,
-    /// A ratio of which 1 is the whole: a utilisation, a margin.
+    /// A ratio of which 1 is the whole: a utilisation, a margin. Marked and coloured close to 1 and above.
     Share,
+    /// A ratio to a recommendation or a class, which is no margin; neither marked nor coloured.
+    Ratio,
     /// A word of a fixed set, also shown by colour.
     Verdict,
 }
@@ -202,7 +204,7 @@ impl Column {
     /// Returns `true` if it contains numbers.
     #[must_use]
     pub const fn is_numeric(&self) -> bool {
-        matches!(self.kind, ColumnContent::Number | ColumnContent::Count | ColumnContent::Share)
+        matches!(self.kind, ColumnContent::Number | ColumnContent::Count | ColumnContent::Share | ColumnContent::Ratio)
     }
 }
 

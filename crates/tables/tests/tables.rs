@@ -7,7 +7,7 @@ use parquet::record::Field;
 use project::Files;
 use quantities::Language;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use questions::Candidate;
+use questions::{Candidate, CheckId};
 use recording::{Bytes, Layout};
 use std::io::{Cursor, Read};
 use std::path::PathBuf;
@@ -374,4 +374,37 @@ fn a_long_course_is_left_to_the_other_formats() {
         let shown = cover.rows().find(|row| row[0] == Data::String("Time series".to_owned())).unwrap();
         assert!(shown[1].to_string().contains("--table course"), "{shown:?}");
     });
+}
+
+/// The choice of the report, the page and the terminal: a recommendation and a class show a utilisation only as the reason
+/// of a verdict, and never a margin.
+#[test]
+fn a_recommendation_or_a_class_that_is_met_has_no_utilisation_in_a_table() {
+    let (mut met, mut shown, mut columns) = (0, 0, 0);
+    each(Language::En, 3, &mut |name, tables, _| {
+        let checks = table(tables, "checks");
+        let of = |column: &str| checks.column(column).unwrap();
+        for row in checks.rows.iter() {
+            let id = row[of("check")].as_text().unwrap();
+            let id = *CheckId::ALL.iter().find(|known| known.id() == id).unwrap();
+            let verdict = row[of("verdict")].as_text().unwrap();
+            let [utilisation, margin] = ["utilisation", "margin"].map(|column| row[of(column)].as_number());
+            if id.has_margin() {
+                assert_eq!(utilisation.is_some(), margin.is_some(), "{name} {id:?}");
+            } else if verdict == "pass" {
+                assert_eq!((utilisation, margin), (None, None), "{name} {id:?}");
+                met += 1;
+            } else {
+                assert!(verdict == "fail" || margin.is_none(), "{name} {id:?}");
+                shown += usize::from(utilisation.is_some());
+            }
+        }
+        for column in &table(tables, "candidates").columns {
+            let Some(id) = CheckId::ALL.iter().find(|known| known.id() == column.name) else { continue };
+            let expected = if id.has_margin() { ColumnContent::Share } else { ColumnContent::Ratio };
+            assert_eq!(column.kind, expected, "{name} {id:?}");
+            columns += 1;
+        }
+    });
+    assert!(met > 40 && shown > 5 && columns > 300, "{met} {shown} {columns}");
 }

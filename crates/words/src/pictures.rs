@@ -86,6 +86,9 @@ texts! {
     no_voltage_limit =
         "No voltage limit drawn: no voltage stated."
         | "Ohne Spannungsgrenze: keine Spannung angegeben.";
+    sagged_explained(shares) =
+        "Dotted: the short-time limit at {shares} of the terminal voltage, as when the DC link sags; a share chosen by antrieb, for orientation, no check uses it."
+        | "Punktiert: Kurzzeitgrenze bei {shares} der Klemmenspannung, etwa bei einem Einbruch des Zwischenkreises; von antrieb gewählter Anteil, nur zur Orientierung, kein Nachweis verwendet sie.";
     volts_explained = "Voltages: at the motor terminals, rms." | "Spannungen: an den Motorklemmen, effektiv.";
     limit_from_to(curve_name, torque, speed) =
         "{curve_name} from {torque} at standstill, up to {speed}"

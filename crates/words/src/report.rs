@@ -246,7 +246,6 @@ texts! {
         "Dashed bar: the limit is a gear rating of another manufacturer, not of this actuator; it rejects no actuator."
         | "Gestrichelter Balken: Die Grenze ist die eines Getriebes eines anderen Herstellers, nicht dieses Antriebs; sie schließt keinen Antrieb aus.";
     v_open_points = "The result is valid only after the open points have been settled." | "Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
-    if_estimate = "if the estimate holds" | "sofern die Schätzung zutrifft";
     fitting_if_estimate = "more if an estimate holds" | "weitere, sofern eine Schätzung zutrifft";
     nothing_to_order =
         "Nothing is ordered: the actuator does not fit."
@@ -307,6 +306,8 @@ texts! {
         | "Angaben fehlen. Diese Nachweise gelten weder als erfüllt noch als nicht erfüllt; sie sind vor der Unterschrift anderweitig zu klären.";
     consequence = "If not met" | "Falls nicht erfüllt";
     can_reject = "rules out the actuator" | "schließt den Antrieb aus";
+    can_reject_by_own_limit =
+        "rules out only if the manufacturer states it" | "schließt nur bei Herstellerangabe aus";
     can_advise = "advice only" | "nur Hinweis";
     each_text =
         "Value required by the axis, then limit of the actuator. For the full derivation see the command “antrieb explain”."

@@ -22,6 +22,16 @@ texts! {
         | "json, csv oder parquet für eine Tabelle, xlsx für die Arbeitsmappe; ohne Angabe json, wenn eine Tabelle genannt ist, sonst xlsx";
     figure = "Picture" | "Bild";
     kind = "Kind of the project" | "Art des Projekts";
+    kind_manual =
+        "load as moment of inertia and torque, moves as in the manual"
+        | "Last als Massenträgheitsmoment und Moment, Bewegungen wie in der Anleitung";
+    kind_table =
+        "turntable or drum of solid bodies, the same file as turntable"
+        | "Drehtisch oder Trommel aus Vollkörpern, dieselbe Datei wie turntable";
+    kind_recording =
+        "recorded motion and torque (CSV or Parquet), the same file as joint"
+        | "aufgezeichnete Bewegung mit Drehmoment (CSV oder Parquet), dieselbe Datei wie joint";
+    kind_sweep = "table of many axes for antrieb sweep" | "Tabelle vieler Achsen für antrieb sweep";
     moves =
         "Motion of an axis, every segment with the derived quantities"
         | "Bewegung einer Achse, jeder Abschnitt mit den abgeleiteten Größen";

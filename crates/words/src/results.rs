@@ -163,6 +163,18 @@ pub struct Provisos {
     pub ratings: String,
 }
 
+/// Returns the conditions under which a value fits: that an estimate holds, that a gear rating of another manufacturer does
+/// not apply, or both; `None` without conditions.
+#[must_use]
+pub fn proviso_text(estimate: bool, rating: bool, language: Language) -> Option<&'static str> {
+    match (estimate, rating) {
+        (false, false) => None,
+        (true, false) => Some(terminal::if_the_estimate_holds(language)),
+        (false, true) => Some(terminal::unless_the_rating_applies(language)),
+        (true, true) => Some(terminal::if_the_estimate_holds_and_no_rating_applies(language)),
+    }
+}
+
 /// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power. Only
 /// this function words it.
 #[must_use]

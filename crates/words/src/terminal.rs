@@ -237,6 +237,9 @@ texts! {
     unless_the_rating_applies =
         "unless the gear rating of another manufacturer applies"
         | "sofern die Getriebegrenze eines anderen Herstellers nicht gilt";
+    if_the_estimate_holds_and_no_rating_applies =
+        "if the estimate holds and the gear rating of another manufacturer does not apply"
+        | "sofern die Schätzung zutrifft und die Getriebegrenze eines anderen Herstellers nicht gilt";
     remarks_on(id) = "remarks on {id}" | "Bemerkungen zu {id}";
     move_number(number) = "move {number}" | "Bewegung {number}";
     at_s = "time s" | "Zeitpunkt s";

@@ -2,18 +2,28 @@
 
 use crate::answer::{Answer, written};
 use answers::{Fault, Faults};
+use clap::Command;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use project::Hint;
 use quantities::{Language, seen};
+use questions::list::new::kind_about;
 use std::error::Error as _;
+use std::ffi::OsString;
 use words::help::library;
 use words::{Usage, UsageHint, usage_hint, usage_text};
 
 /// Returns the answer to a call that cannot be parsed.
-pub(crate) fn refused(error: &clap::Error, as_json: bool, language: Language) -> Answer {
-    let (usage, hint) = (usage_of(error), hint_of(error));
+///
+/// `missing`: the valid values of a missing argument, see [`missing`].
+pub(crate) fn refused(error: &clap::Error, missing: &[String], as_json: bool, language: Language) -> Answer {
+    let (usage, hint) = (usage_of(error), hint_of(error, missing));
     let (message, hint) = (usage_text(&usage, language), hint.map(|hint| usage_hint(&hint, language)));
-    let shown = hint.as_ref().map(|hint| format!("  {hint}\n")).unwrap_or_default();
+    let kinds = kinds(missing, language);
+    let shown = match &hint {
+        Some(_) if !kinds.is_empty() => kinds,
+        Some(hint) => format!("  {hint}\n"),
+        None => String::new(),
+    };
     let talk = format!("{}: {message}\n{shown}\n{}\n", library::error(language), library::more(language));
     let option = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(name)) => name.strip_prefix("--").map(|name| {
@@ -26,6 +36,27 @@ pub(crate) fn refused(error: &clap::Error, as_json: bool, language: Language) ->
     let faults = Faults::from(vec![fault]);
     let data = if as_json { written(&faults) } else { String::new() };
     Answer { data, talk, code: 2 }
+}
+
+/// Returns the valid values of the argument that a call lacks; empty if it lacks none, several, or one whose values cannot
+/// be listed.
+pub(crate) fn missing(error: &clap::Error, command: &Command, arguments: &[OsString]) -> Vec<String> {
+    let name = match (error.kind(), error.get(ContextKind::InvalidArg)) {
+        (ErrorKind::MissingRequiredArgument, Some(ContextValue::Strings(names))) if names.len() == 1 => names.first(),
+        _ => None,
+    };
+    let Some(name) = name else { return Vec::new() };
+    let called = arguments.iter().skip(1).fold(command, |of, word| of.find_subcommand(word).unwrap_or(of));
+    let argument = called.get_arguments().find(|argument| argument.to_string() == *name);
+    let values = argument.map(clap::Arg::get_possible_values).unwrap_or_default();
+    values.iter().map(|value| value.get_name().to_owned()).collect()
+}
+
+/// Returns the kinds of project files with a line each; empty if other values are missing.
+fn kinds(missing: &[String], language: Language) -> String {
+    let width = missing.iter().map(String::len).max().unwrap_or(0);
+    let line = |kind: &String| Some(format!("  {kind:width$}  {}\n", kind_about(kind, language)?));
+    missing.iter().map(line).collect::<Option<String>>().unwrap_or_default()
 }
 
 fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
@@ -55,7 +86,10 @@ fn usage_of(error: &clap::Error) -> Usage {
     }
 }
 
-fn hint_of(error: &clap::Error) -> Option<UsageHint> {
+fn hint_of(error: &clap::Error, missing: &[String]) -> Option<UsageHint> {
+    if !missing.is_empty() {
+        return Some(UsageHint::Words(Hint::ValidAre(missing.to_vec())));
+    }
     let near = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue];
     if let Some(near) = near.into_iter().find_map(|kind| context(error, kind)).filter(|near| !near.is_empty()) {
         return Some(UsageHint::Words(Hint::DidYouMean(near)));
@@ -76,5 +110,47 @@ fn hint_of(error: &clap::Error) -> Option<UsageHint> {
             })
         }
         _ => Some(UsageHint::Help),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::build_for;
+    use questions::list::new::template_kinds;
+
+    /// Returns the answer to a call with an argument missing.
+    fn refused_for(call: &str, as_json: bool, language: Language) -> Answer {
+        let arguments: Vec<OsString> = call.split(' ').map(OsString::from).collect();
+        let mut command = build_for(&arguments, language);
+        let error = command.try_get_matches_from_mut(&arguments).unwrap_err();
+        refused(&error, &missing(&error, &command, &arguments), as_json, language)
+    }
+
+    #[test]
+    fn a_missing_word_of_a_fixed_set_is_answered_by_the_set() {
+        for (language, scissor, valid) in [
+            (Language::En, "scissor lift with a screw", "valid here"),
+            (Language::De, "Scherenhubtisch mit Spindel", "hier gültig"),
+        ] {
+            let found = refused_for("antrieb new", false, language);
+            assert_eq!((found.code, found.data.as_str()), (2, ""), "{language:?}");
+            for kind in template_kinds().chain(["sweep"]) {
+                let about = kind_about(kind, language).unwrap();
+                let line = found.talk.lines().find(|line| line.trim_start().starts_with(&format!("{kind} "))).unwrap();
+                assert!(line.ends_with(about) && about.len() > 9, "{kind}: {line}");
+            }
+            assert!(found.talk.contains(scissor), "{}", found.talk);
+            assert!(refused_for("antrieb new", true, language).data.contains("manual, table, arm"));
+            for (call, word) in
+                [("antrieb plot axis.toml", "candidate_map"), ("antrieb commission CHA-25A-50-H-C1024", "sinamics")]
+            {
+                let found = refused_for(call, false, language);
+                let talk = &found.talk;
+                assert!(found.code == 2 && talk.contains(word) && talk.contains(valid), "{call}: {talk}");
+            }
+            // A file has no list of values.
+            assert!(refused_for("antrieb sweep", false, language).talk.contains("--help"));
+        }
     }
 }

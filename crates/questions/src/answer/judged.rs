@@ -15,7 +15,7 @@ use answers::{
 use project::{ALL_CORNERS_MOST, Project};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
 use quantities::{Language, Measure};
-use sizing::{Reserve, SAMPLES_ANEW, Verdict};
+use sizing::{Proviso, Reserve, SAMPLES_ANEW, Verdict};
 use words::ranking_rule;
 
 /// Returns the objections to a candidate besides failing checks, as text.
@@ -133,6 +133,8 @@ fn would_fit(mend: &Mend) -> WouldFit {
         unit: mend.unit.json,
         code: mend.code.clone(),
         verdict: mend.fit.into(),
+        if_estimate: mend.proviso.estimate,
+        unless_rating: mend.proviso.rating,
     }
 }
 
@@ -156,11 +158,14 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
         answers::NeededLimit { key: needed.key, value: Number::in_unit(needed.enough.si, unit), unit: unit.json }
     };
     let reaches = [
-        ("load_factor", reserve.load_factor.map(|reach| reach.fit)),
-        ("payload_factor", reserve.payload_factor.map(|reach| reach.fit)),
-        ("cycle_time", reserve.cycle_time.map(|reach| reach.fit)),
-        ("ambient", reserve.ambient.map(|reach| reach.fit)),
+        ("load_factor", reserve.load_factor.map(|reach| reach.proviso)),
+        ("payload_factor", reserve.payload_factor.map(|reach| reach.proviso)),
+        ("cycle_time", reserve.cycle_time.map(|reach| reach.proviso)),
+        ("ambient", reserve.ambient.map(|reach| reach.proviso)),
     ];
+    let names = |of: fn(Proviso) -> bool| {
+        reaches.iter().filter(|(_, proviso)| proviso.is_some_and(of)).map(|(name, _)| *name).collect()
+    };
     answers::Reserve {
         limits: limits_needed(candidate).map(|limits| limits.into_iter().map(limit).collect()),
         load_factor: reserve.load_factor.map(|reach| Number(reach.value)),
@@ -168,11 +173,8 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
         cycle_time: reserve.cycle_time.map(|reach| Number::in_unit(reach.value.si(), &SECOND)),
         ambient: reserve.ambient.map(|reach| Number::in_unit(reach.value.si(), &DEGREE_CELSIUS)),
         units: Units::of(&[("cycle_time", &SECOND), ("ambient", &DEGREE_CELSIUS)]),
-        if_estimate: reaches
-            .into_iter()
-            .filter(|(_, fit)| *fit == Some(sizing::Fit::FitsIfEstimate))
-            .map(|(name, _)| name)
-            .collect(),
+        if_estimate: names(|proviso| proviso.estimate),
+        unless_rating: names(|proviso| proviso.rating),
         not_sought: reserve.unsought.map(|unsought| NotSought {
             quantities: ["load_factor", "payload_factor"]
                 .into_iter()

@@ -69,7 +69,7 @@ fn load(of: &sizing::SegmentLoad) -> SegmentLoad {
 }
 
 /// Symbols of the data sheet, in their order, each with its letters in the manual; empty if the manual has none.
-const SHEET: [(&str, &str); 60] = [
+const SHEET: [(&str, &str); 61] = [
     ("T_max", "T_max"),
     ("T_0", "T_0"),
     ("n_max", "n_max"),
@@ -98,6 +98,7 @@ const SHEET: [(&str, &str); 60] = [
     ("t_c", "t_c"),
     ("transmission_accuracy", ""),
     ("repeatability", ""),
+    ("hysteresis_loss", ""),
     ("lost_motion", ""),
     ("K_1", "K_1"),
     ("K_2", "K_2"),
@@ -178,5 +179,28 @@ fn line(row: &SheetRow, symbol: &'static str, language: Language) -> DataLine {
         value: if is_none { "–".to_owned() } else { value },
         table: cell.place.table,
         errata: cell.errata,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A check that counts a datum of the gear, such as the sum of angle errors, can be followed in the report.
+    #[test]
+    fn the_data_sheet_has_every_datum_of_the_accuracy_and_stiffness_of_the_gear() {
+        let mut seen = 0;
+        for (code, _) in configurator::all().iter().step_by(41) {
+            let Some(sheet) = sheet(code) else { continue };
+            let of_the_gear = |section: &&crate::sheet::SheetSection| section.table.id.starts_with("54.");
+            let rows = sheet.sections.iter().filter(of_the_gear).flat_map(|section| &section.rows);
+            let lines = data_sheet(code, Language::En);
+            for row in rows {
+                let name = symbol_term(row.cell.place.symbol, Language::En);
+                assert!(lines.iter().any(|line| line.name.starts_with(&name)), "{code} {name}");
+                seen += 1;
+            }
+        }
+        assert!(seen > 200, "{seen}");
     }
 }

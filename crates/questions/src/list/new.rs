@@ -5,6 +5,7 @@ use super::{Answer, Argument, ArgumentKind, Asked, Entry, Form, Gives, OutputFil
 use crate::sizing_use::Refusal;
 pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
 pub use crate::templates::{Template, template, template_kinds};
+use quantities::Language;
 use words::help::values;
 use words::{help, requests};
 
@@ -48,6 +49,22 @@ pub static ENTRY: Entry = Entry {
         Ok(Answer::text(media, found(asked, USUAL_NAME)?.text))
     }),
 };
+
+/// Returns the description of a kind in a few words; `None` for an unknown one.
+#[must_use]
+pub fn kind_about(kind: &str, language: Language) -> Option<&'static str> {
+    let about = match kind {
+        "manual" => requests::kind_manual,
+        "table" => requests::kind_table,
+        "recording" => requests::kind_recording,
+        SWEEP => requests::kind_sweep,
+        mechanism => {
+            let key = project::key_at(&format!("mechanism.{mechanism}"))?;
+            return Some(words::about_text(key.about, language));
+        }
+    };
+    Some(about(language))
+}
 
 /// Default file name in the header of a new project.
 pub const USUAL_NAME: &str = "axis.toml";

@@ -12,7 +12,7 @@ use super::shown::{Shown, tied};
 use crate::{AxisContent, Diagram, DiagramPlace};
 use answers::{Check, Dossier, Fit, Item, Number, ScrewJoint, Tolerance, Verdict};
 use serde::Serialize;
-use words::{capitalised, marked};
+use words::{capitalised, marked, proviso_text};
 
 /// Data of the chapters of one axis, for the template.
 #[derive(Serialize)]
@@ -83,8 +83,8 @@ struct Reserved {
     /// The key of a limit of the project; empty elsewhere.
     key: String,
     value: String,
-    /// `true` if the actuator fits at this value only provided that an estimate holds.
-    is_estimate: bool,
+    /// Conditions under which the actuator fits at this value; empty without any.
+    proviso: &'static str,
 }
 
 /// Quantity to which a reserve refers.
@@ -222,6 +222,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         });
         named.collect::<Vec<_>>().join("; ")
     };
+    let proviso = |estimate, rating| proviso_text(estimate, rating, shown.0).unwrap_or_default();
     let reserve = &judgement.reserve;
     let reserve = [
         (Reserve::LoadFactor, "load_factor", reserve.load_factor, "1"),
@@ -232,20 +233,20 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
     .into_iter()
     .filter_map(|(what, name, value, unit)| {
         let value = shown.figure(value?, unit);
-        let is_estimate = reserve.if_estimate.contains(&name);
-        Some(Reserved { what, key: String::new(), value, is_estimate })
+        let proviso = proviso(reserve.if_estimate.contains(&name), reserve.unless_rating.contains(&name));
+        Some(Reserved { what, key: String::new(), value, proviso })
     });
     let limits = judgement.reserve.limits.iter().flatten().map(|limit| Reserved {
         what: Reserve::Limits,
         key: words_of(&limit.key, &content.dossier),
         value: shown.figure(limit.value, limit.unit),
-        is_estimate: false,
+        proviso: "",
     });
     let gearing = content.dossier.sizing.would_fit_with.iter().map(|found| Reserved {
         what: Reserve::Gearing,
         key: words_of(&found.key, &content.dossier),
         value: format!("{} ({})", shown.figure(found.value, found.unit), found.code),
-        is_estimate: found.verdict == Fit::FitsIfEstimate,
+        proviso: proviso(found.if_estimate, found.unless_rating),
     });
     let cycle: f64 = judgement.motion.segments.iter().map(|segment| segment.duration.0).sum();
     Cover {
@@ -268,7 +269,10 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         shown: counts.without_limit,
         passed: counts.passed,
         utilisation: governing.map_or_else(String::new, |check| {
-            check.utilisation.map_or_else(|| "–".to_owned(), |share| shown.share(share))
+            // A limit without a ratio, such as a degree of protection, is shown itself.
+            check
+                .utilisation
+                .map_or_else(|| checks.compared(check).unwrap_or_else(|| "–".to_owned()), |share| shown.share(share))
         }),
         tightest: candidate.tightest.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
         mass: candidate

@@ -30,6 +30,7 @@ struct CheckRow {
     line: [String; 2],
     /// The sign that is true between value and limit.
     relation: &'static str,
+    /// Utilisation, where [`CheckId::shows_utilisation`].
     utilisation: Option<f64>,
     /// `true` if the utilisation is a margin; that of a recommendation or of a voltage class is not.
     margin: bool,
@@ -50,6 +51,8 @@ struct Open {
     missing: String,
     /// `true` if the missing datum could reject the actuator.
     rejects: bool,
+    /// `true` if only a limit of the manufacturer of the actuator could reject it.
+    by_own_limit: bool,
     notes: Vec<String>,
 }
 
@@ -84,6 +87,12 @@ impl Checks {
         Self { rows, notes, open: open.into_iter().map(|check| missing(check, dossier)).collect() }
     }
 
+    /// Returns value and limit of a check with the sign between them; `None` if it has no limit.
+    pub(super) fn compared(&self, check: &Check) -> Option<String> {
+        let row = self.rows.iter().find(|row| row.id == check.id.id())?;
+        (!row.relation.is_empty()).then(|| format!("{} {} {}", row.value, row.relation, row.limit))
+    }
+
     /// Returns the number of open checks that may reject the actuator.
     pub(super) fn rejecting(&self) -> usize {
         self.open.iter().filter(|open| open.rejects).count()
@@ -96,6 +105,7 @@ fn missing(check: &Check, dossier: &Dossier) -> Open {
         title: capitalised(&check.title),
         missing: missing.map(|missing| tied(&missing.text)).unwrap_or_default(),
         rejects: !check.id.is_recommendation(),
+        by_own_limit: check.id.may_be_rated_elsewhere(),
         notes: check.notes.iter().map(|note| tied(note)).collect(),
     }
 }
@@ -114,6 +124,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
     };
     let passes = *check.verdict == Verdict::Pass;
     let both = check.value.zip(check.limit);
+    let utilisation = check.utilisation.filter(|_| check.id.shows_utilisation(*check.verdict));
     CheckRow {
         id: check.id.id(),
         part: check.part.id(),
@@ -123,15 +134,10 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         limit: figure(check.limit),
         line: [along(check.value), along(check.limit)],
         relation: both.map_or("", |(value, limit)| check.direction.relation(passes, value.0, limit.0)),
-        utilisation: check.utilisation.and_then(Number::written),
+        utilisation: utilisation.and_then(Number::written),
         margin: *check.verdict == Verdict::Fail || check.margin,
         is_of_another_gear: is_of_another_gear(check),
-        // The utilisation of a recommendation or of a voltage class is no margin and is not shown as one.
-        percent: check
-            .utilisation
-            .filter(|_| matches!(*check.verdict, Verdict::Fail | Verdict::Advice) || check.margin)
-            .map(|share| shown.share(share))
-            .unwrap_or_default(),
+        percent: utilisation.map(|share| shown.share(share)).unwrap_or_default(),
         at: check.at.map(|at| shown.figure(at, "s")).unwrap_or_default(),
         grade: check.grade.map_or("", |grade| shown.grade(*grade)),
         sources: once(&check.sources),

@@ -1,6 +1,6 @@
 //! One table on a sheet.
 
-use super::style::{MARGIN, NEAR, SHARE, Styles, decimals, single};
+use super::style::{MARGIN, NEAR, RATIO, SHARE, Styles, decimals, single};
 use super::{Paper, height, lines};
 use crate::error::WriteError;
 use crate::table::{Cell, Column, ColumnContent, Derived, Table};
@@ -63,12 +63,13 @@ pub(super) fn sheet(
     let mut sheet = Worksheet::new();
     sheet.set_name(table.title.as_str())?;
     let mut widths: Vec<f64> = Vec::new();
+    let ratio = styles.number(RATIO);
     let last = FIRST + u32::try_from(table.rows.len()).unwrap_or(u32::MAX - FIRST).max(1) - 1;
     for (at, column) in (0_u16..).zip(&table.columns) {
         let index = usize::from(at);
         // A heading stands over its values: those of numbers at the right.
         let over = |format: &Format| match column.kind {
-            ColumnContent::Number | ColumnContent::Count | ColumnContent::Share => {
+            ColumnContent::Number | ColumnContent::Count | ColumnContent::Share | ColumnContent::Ratio => {
                 format.clone().set_align(FormatAlign::Right)
             }
             ColumnContent::Text | ColumnContent::Id | ColumnContent::Verdict => format.clone(),
@@ -84,12 +85,21 @@ pub(super) fn sheet(
         }
         let derived = table.derived.iter().find(|derived| derived.column() == index);
         let format = column_format(table, index, column, derived, styles);
+        let margin = table.derived.iter().find_map(|derived| match *derived {
+            Derived::Margin { column, utilisation } if utilisation == index => Some(column),
+            _ => None,
+        });
         for (row, cells) in (FIRST..).zip(table.rows.iter()) {
             let Some(cell) = cells.get(index) else { continue };
             let place = RowCells { row, at, cells: &cells };
-            write(&mut sheet, &place, cell, (column, derived), format.as_ref(), (table.name, links), styles)?;
+            // A utilisation without a margin beside it is one of a recommendation or a class.
+            let plain = margin.is_some_and(|at| cells.get(at).is_some_and(|margin| margin.as_number().is_none()));
+            let format = if plain { Some(&ratio) } else { format.as_ref() };
+            write(&mut sheet, &place, cell, (column, derived), format, (table.name, links), styles)?;
         }
-        colour(&mut sheet, column, derived, (at, last), styles, language)?;
+        let beside =
+            Beside { margin, verdict: table.columns.iter().position(|each| each.kind == ColumnContent::Verdict) };
+        colour(&mut sheet, (column, derived), beside, (at, last), styles, language)?;
     }
     let title = table.columns.iter().zip(&widths).map(|(column, wide)| lines(&column.title, *wide)).max();
     sheet.set_row_height(0, height(title.unwrap_or(1)))?;
@@ -122,7 +132,7 @@ impl Derived {
 /// Returns the unit below the heading.
 fn unit(column: &Column, language: Language) -> &'static str {
     match (column.kind, column.unit) {
-        (ColumnContent::Share, _) => "%",
+        (ColumnContent::Share | ColumnContent::Ratio, _) => "%",
         (_, Some(unit)) if unit.symbol != "1" => unit.symbol_in(language),
         _ => "",
     }
@@ -157,6 +167,7 @@ fn column_format(
     match (column.kind, derived) {
         (ColumnContent::Share, Some(Derived::Margin { .. })) => Some(styles.number(MARGIN)),
         (ColumnContent::Share, _) => Some(styles.number(SHARE)),
+        (ColumnContent::Ratio, _) => Some(styles.number(RATIO)),
         (ColumnContent::Count, _) => Some(styles.number("0")),
         (ColumnContent::Number, _) if column.unit.is_some() => {
             let largest = table.numbers(index).flatten().fold(0.0, |most: f64, number| most.max(number.abs()));
@@ -235,38 +246,84 @@ fn formula(place: &RowCells<'_>, number: f64, derived: Derived) -> Option<String
     }
 }
 
+/// Columns on which the colour of a share depends.
+#[derive(Clone, Copy)]
+struct Beside {
+    /// Column of the margin of this utilisation.
+    margin: Option<usize>,
+    /// Column of the verdicts.
+    verdict: Option<usize>,
+}
+
 /// Adds colours by rule, which follow a changed value.
 fn colour(
     sheet: &mut Worksheet,
-    column: &Column,
-    derived: Option<&Derived>,
+    kind: (&Column, Option<&Derived>),
+    beside: Beside,
     (at, last): (u16, u32),
     styles: &Styles,
     language: Language,
 ) -> Result<(), WriteError> {
-    let cell = format!("${}{}", column_number_to_name(at), FIRST + 1);
+    for (rule, format) in rules(kind, beside, at, styles, language) {
+        // The first rule that holds decides alone; the bold of another would remain.
+        let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(format).set_stop_if_true(true);
+        sheet.add_conditional_format(FIRST, at, last, at, &rule)?;
+    }
+    Ok(())
+}
+
+/// Returns the rules of the colours of a column, the first one decides. A share above 1 that does not reject has the
+/// colour of an advice; a utilisation without a margin beside it has none.
+fn rules<'s>(
+    (column, derived): (&Column, Option<&Derived>),
+    beside: Beside,
+    at: u16,
+    styles: &'s Styles,
+    language: Language,
+) -> Vec<(String, &'s Format)> {
+    let first = |at: u16| format!("${}{}", column_number_to_name(at), FIRST + 1);
+    let of = |index: usize| u16::try_from(index).ok().map(first);
+    let cell = first(at);
+    let advised = [
+        verdict_word(Verdict::Advice, language),
+        terms::fits_if_estimate(language).to_owned(),
+        terms::fits_unless_rating(language).to_owned(),
+    ];
+    let is_advised = beside.verdict.and_then(of).map(|verdict| {
+        let words = advised.each_ref().map(|word| format!("{verdict}=\"{word}\"")).join(",");
+        format!("OR({words})")
+    });
     let mut rules: Vec<(String, &Format)> = Vec::new();
     match (column.kind, derived) {
         (ColumnContent::Share, Some(Derived::Margin { .. })) => {
+            if let Some(is_advised) = is_advised {
+                rules.push((format!("=AND(ISNUMBER({cell}),{cell}<0,{is_advised})"), &styles.near));
+            }
             rules.push((format!("=AND(ISNUMBER({cell}),{cell}<0)"), &styles.over));
         }
         (ColumnContent::Share, _) => {
-            rules.push((format!("=AND(ISNUMBER({cell}),{cell}>1)"), &styles.over));
-            rules.push((format!("=AND(ISNUMBER({cell}),{cell}>{NEAR},{cell}<=1)"), &styles.near));
-            rules.push((format!("=AND(ISNUMBER({cell}),{cell}<={NEAR})"), &styles.fine));
+            let margin = beside.margin.and_then(of).unwrap_or_else(|| cell.clone());
+            let number = format!("ISNUMBER({cell}),ISNUMBER({margin})");
+            if let Some(is_advised) = is_advised {
+                rules.push((format!("=AND({number},{cell}>1,{is_advised})"), &styles.near));
+            }
+            rules.push((format!("=AND({number},{cell}>1)"), &styles.over));
+            rules.push((format!("=AND({number},{cell}>{NEAR},{cell}<=1)"), &styles.near));
+            rules.push((format!("=AND({number},{cell}<={NEAR})"), &styles.fine));
         }
         (ColumnContent::Verdict, _) => {
             let word = |verdict| verdict_word(verdict, language);
+            let [advice, if_estimate, unless_rating] = advised;
             for (text, format) in [
                 (word(Verdict::Pass), &styles.fine),
                 (word(Verdict::Fail), &styles.over),
-                (word(Verdict::Advice), &styles.near),
+                (advice, &styles.near),
                 (word(Verdict::NotChecked), &styles.open),
                 (without_limit(language), &styles.open),
                 (terms::not_required(language).to_owned(), &styles.open),
                 (terms::fits(language).to_owned(), &styles.fine),
-                (terms::fits_if_estimate(language).to_owned(), &styles.near),
-                (terms::fits_unless_rating(language).to_owned(), &styles.near),
+                (if_estimate, &styles.near),
+                (unless_rating, &styles.near),
                 (terms::does_not_fit(language).to_owned(), &styles.over),
             ] {
                 rules.push((format!("={cell}=\"{text}\""), format));
@@ -274,9 +331,35 @@ fn colour(
         }
         _ => {}
     }
-    for (rule, format) in rules {
-        let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(format);
-        sheet.add_conditional_format(FIRST, at, last, at, &rule)?;
+    rules
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn column(kind: ColumnContent) -> Column {
+        Column { name: String::new(), title: String::new(), unit: None, about: String::new(), kind }
     }
-    Ok(())
+
+    #[test]
+    fn a_share_that_is_no_margin_has_no_colour_and_an_advice_has_its_own() {
+        let styles = Styles::new();
+        let beside = Beside { margin: Some(9), verdict: Some(3) };
+        for language in [Language::En, Language::De] {
+            let of = |kind, derived| rules((&column(kind), derived), beside, 8, &styles, language);
+            assert!(of(ColumnContent::Ratio, None).is_empty());
+            let utilisation = Derived::Utilisation { column: 8, value: 4, limit: 5, direction: 7 };
+            let found = of(ColumnContent::Share, Some(&utilisation));
+            assert_eq!(found.len(), 4);
+            assert!(found.iter().all(|(rule, _)| rule.contains("ISNUMBER($J3)")), "{found:?}");
+            let advice = verdict_word(Verdict::Advice, language);
+            let (first, format) = &found[0];
+            assert!(first.contains("$I3>1") && first.contains(&format!("$D3=\"{advice}\"")), "{first}");
+            assert_eq!(**format, styles.near);
+            let margin = Derived::Margin { column: 9, utilisation: 8 };
+            let found = rules((&column(ColumnContent::Share), Some(&margin)), beside, 9, &styles, language);
+            assert!(found[0].0.contains("$J3<0") && *found[0].1 == styles.near, "{found:?}");
+        }
+    }
 }

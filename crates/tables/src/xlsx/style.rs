@@ -7,6 +7,8 @@ pub(super) const NEAR: f64 = 0.8;
 
 /// Shares: `●` marks a value near its limit, `▲` one above it.
 pub(super) const SHARE: &str = "[>1]\"▲ \"0.0%;[>0.8]\"● \"0.0%;0.0%";
+/// Ratios that are no margin.
+pub(super) const RATIO: &str = "0.0%";
 /// Margins: `▲` marks a negative one.
 pub(super) const MARGIN: &str = "0.0%;\"▲ \"-0.0%";
 
