@@ -187,8 +187,8 @@ texts! {
     with = "with" | "mit";
     missing = "Missing" | "Fehlende Angabe";
     legend =
-        "The mark in the bar is the limit, 100 %. Bars beyond it are hatched. Outlined bars belong to a recommendation or to a class that is met or not met; they do not count towards the highest utilisation."
-        | "Der Strich im Balken ist die Grenze, 100 %. Balken darüber sind schraffiert. Balken im Umriss gehören zu einer Empfehlung oder einer Klasse, die erfüllt oder nicht erfüllt ist; sie zählen nicht zur höchsten Auslastung.";
+        "The mark in the bar is the limit, 100 %. Bars beyond it are hatched. An outlined bar belongs to a recommendation or a class that is not met; it does not count towards the highest utilisation."
+        | "Der Strich im Balken ist die Grenze, 100 %. Balken darüber sind schraffiert. Ein Balken im Umriss gehört zu einer Empfehlung oder Klasse, die nicht eingehalten ist; er zählt nicht zur höchsten Auslastung.";
     no_limit = "no limit stated" | "keine Grenze angegeben";
     s_fitting = "Suitable actuators" | "Geeignete Antriebe";
     s_nearest = "Rejected actuators with the smallest excess" | "Verworfene Antriebe mit der geringsten Überschreitung";
