@@ -1,6 +1,6 @@
 //! Search for the heading of a CSV, which may follow lines about the file.
 
-use crate::cells::Cells;
+use crate::cells::{Cells, DELIMITERS};
 use crate::clock::is_clock;
 use crate::encoding;
 use crate::faults::Fault;
@@ -11,6 +11,7 @@ use crate::series::Encoding;
 use crate::tools::Headers;
 use memchr::memchr;
 use quantities::Unit;
+use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::io::Read;
 
@@ -221,12 +222,18 @@ fn stated_delimiter(line: &[u8]) -> Option<u8> {
         [sign] => *sign,
         _ => return None,
     };
-    (key.eq_ignore_ascii_case(b"sep=") && [b';', b',', b'\t', b'|'].contains(&sign)).then_some(sign)
+    (key.eq_ignore_ascii_case(b"sep=") && DELIMITERS.contains(&sign)).then_some(sign)
 }
 
 /// Returns the delimiter found in a line: `;`, else a tab, else `,`, else `|`; `,` if there is none of them.
 pub(crate) fn delimiter(header: &[u8]) -> u8 {
-    [b';', b'\t', b',', b'|'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
+    DELIMITERS.into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
+}
+
+/// Returns the delimiters to try, most likely first.
+fn possible_delimiters(stated: Option<u8>, likely: u8) -> Vec<u8> {
+    let others = DELIMITERS.into_iter().filter(|sign| *sign != likely);
+    stated.map_or_else(|| std::iter::once(likely).chain(others).collect(), |sign| vec![sign])
 }
 
 /// Returns the delimiter of a line of headings; of a single column no comma separates cells, so that its numbers may have
@@ -238,8 +245,7 @@ fn of_headings(line: &[u8]) -> u8 {
 
 /// Returns the delimiter by which a line has two known names, or known names in half of its cells.
 fn delimiter_of_names(line: &[u8], stated: Option<u8>, is_known: impl Fn(&str) -> bool) -> Option<u8> {
-    let usual = [of_headings(line), b';', b'\t', b',', b'|'];
-    let signs = stated.map_or_else(|| usual.to_vec(), |sign| vec![sign]);
+    let signs = possible_delimiters(stated, of_headings(line));
     signs.into_iter().find(|sign| {
         let cells = split(line, *sign).unwrap_or_default();
         let known = cells.iter().filter(|cell| is_known(cell)).count();
@@ -261,8 +267,16 @@ fn is_heading_of(comment: &[u8], row: &[u8], delimiter: u8) -> bool {
     names.len() == cells.len() && values(&names).0 == 0 && names.iter().any(|name| is_usual_name(name))
 }
 
+thread_local! {
+    /// Splitters for the search for a heading, which splits the same lines at every delimiter.
+    static SPLITTERS: RefCell<[Cells; 4]> = RefCell::new(DELIMITERS.map(Cells::new));
+}
+
 pub(crate) fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
-    let cells = Cells::new(delimiter).try_all(line)?;
+    let cells = SPLITTERS.with_borrow_mut(|all| {
+        let known = all.iter_mut().find(|cells| cells.delimiter == delimiter);
+        known.map_or_else(|| Cells::new(delimiter).try_all(line), |cells| cells.try_all(line))
+    })?;
     Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
 }
 
@@ -294,8 +308,7 @@ fn is_row_with_units(cells: &[String]) -> bool {
 /// Returns the delimiter by which all lines have numbers or clock times in the numbered columns.
 fn delimiter_of_rows(lines: &[(u64, Vec<u8>)], numbered: &[usize], stated: Option<u8>) -> Option<u8> {
     let (_, first) = lines.first().filter(|_| !numbered.is_empty())?;
-    let usual = [delimiter(first), b';', b'\t', b',', b'|'];
-    let signs = stated.map_or_else(|| usual.to_vec(), |sign| vec![sign]);
+    let signs = possible_delimiters(stated, delimiter(first));
     let is_value = |cell: &String| Decimals::is_number(cell) || is_clock(cell);
     let is_row = |line: &[u8], sign: u8| {
         let cells = split(line, sign).unwrap_or_default();
@@ -311,8 +324,7 @@ type IsRow = fn(&[String]) -> bool;
 fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<u8>, IsRow)) -> Option<(usize, Found)> {
     let line = |place: usize| seen.get(place).map(|(_, line)| line.as_slice());
     let above = row.checked_sub(1).and_then(line);
-    let usual = [above.map_or(b';', delimiter), b';', b'\t', b',', b'|'];
-    let signs = stated.map_or_else(|| usual.to_vec(), |sign| vec![sign]);
+    let signs = possible_delimiters(stated, above.map_or(b';', delimiter));
     signs.into_iter().find_map(|delimiter| {
         let cells = split(line(row)?, delimiter).filter(|cells| cells.len() > 1 && is_row(cells))?;
         let alike = |place: usize| split(line(place)?, delimiter).filter(|other| other.len() == cells.len());

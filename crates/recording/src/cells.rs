@@ -5,10 +5,14 @@ use csv_core::{ReadRecordResult, ReaderBuilder};
 use memchr::{memchr, memchr2_iter};
 use std::ops::Range;
 
+/// Signs that separate cells.
+pub(crate) const DELIMITERS: [u8; 4] = [b';', b'\t', b',', b'|'];
+
 /// Splitter of lines into cells.
 pub(crate) struct Cells {
     pub(crate) delimiter: u8,
-    quoted: csv_core::Reader,
+    /// Reader of lines with quotes, built at the first of them: that takes far longer than splitting a line.
+    quoted: Option<csv_core::Reader>,
     /// Cells of a line with quotes, without their quotes.
     text: Vec<u8>,
     ends: Vec<usize>,
@@ -19,8 +23,7 @@ pub(crate) struct Cells {
 
 impl Cells {
     pub(crate) fn new(delimiter: u8) -> Self {
-        let quoted = ReaderBuilder::new().delimiter(delimiter).build();
-        Self { delimiter, quoted, text: Vec::new(), ends: Vec::new(), found: Vec::new(), in_text: false }
+        Self { delimiter, quoted: None, text: Vec::new(), ends: Vec::new(), found: Vec::new(), in_text: false }
     }
 
     /// Finds the requested cells and returns the number of all cells; `None` if a quoted cell does not end.
@@ -70,9 +73,7 @@ impl Cells {
 
     /// Returns every cell of a line; `None` if a quoted cell does not end.
     pub(crate) fn try_all(&mut self, line: &[u8]) -> Option<Vec<Vec<u8>>> {
-        let count = self.unquote(line)?;
-        let cell = |index| self.text.get(range_of(&self.ends, index)).unwrap_or_default().to_vec();
-        Some((0..count).map(cell).collect())
+        self.every(line).map(|cells| cells.map(<[u8]>::to_vec).collect())
     }
 
     /// Returns the number of cells of a line; `None` if a quoted cell does not end.
@@ -92,14 +93,16 @@ impl Cells {
     }
 
     fn unquote(&mut self, line: &[u8]) -> Option<usize> {
-        self.quoted.reset();
+        let delimiter = self.delimiter;
+        let quoted = self.quoted.get_or_insert_with(|| ReaderBuilder::new().delimiter(delimiter).build());
+        quoted.reset();
         // No cell is longer than the line, and a line has at most one more cell than bytes.
         self.text.resize(line.len() + 1, 0);
         self.ends.resize(line.len() + 2, 0);
-        let (_, _, written, cells) = self.quoted.read_record(line, &mut self.text, &mut self.ends);
+        let (_, _, written, cells) = quoted.read_record(line, &mut self.text, &mut self.ends);
         let (text, ends) = (self.text.get_mut(written..)?, self.ends.get_mut(cells..)?);
         // An end of line within quotes belongs to the cell and continues the record.
-        let (result, _, _, rest) = self.quoted.read_record(b"\n", text, ends);
+        let (result, _, _, rest) = quoted.read_record(b"\n", text, ends);
         (result == ReadRecordResult::Record).then_some(cells + rest)
     }
 }

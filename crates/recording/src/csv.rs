@@ -171,9 +171,9 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         let column = decide(role, heading, said.into_iter().flatten(), faults);
         wanted.put(index, heading);
         if let Some(place) = wanted.of_cells.last_mut()
-            && in_cell.is_some()
+            && let Some(spelling) = in_cell
         {
-            *place = column.as_ref().map(|column| column.unit);
+            *place = column.as_ref().map(|column| (column.unit, spelling.to_owned()));
         }
         columns.extend(column);
     }
@@ -308,8 +308,9 @@ struct Wanted {
     is_padded: bool,
     indices: Vec<usize>,
     names: Vec<String>,
-    /// Units that every cell of a column states; shorter than the columns if the last ones state none.
-    of_cells: Vec<Option<&'static Unit>>,
+    /// Units that every cell of a column states, as written in the first; shorter than the columns if the last ones state
+    /// none.
+    of_cells: Vec<Option<(&'static Unit, String)>>,
     form: TimeForm,
     /// Number of value columns, which follow the time.
     channels: usize,
@@ -340,13 +341,19 @@ impl Wanted {
 
     /// Returns the number of a cell, without the unit that every cell of its column states.
     fn number<'c>(&self, place: usize, cell: &'c [u8]) -> Result<&'c [u8], Bad> {
-        let Some(Some(unit)) = self.of_cells.get(place) else { return Ok(cell) };
+        let Some(Some((unit, spelling))) = self.of_cells.get(place) else { return Ok(cell) };
         let cell = cell.trim_ascii();
         if cell.is_empty() {
             return Ok(cell);
         }
         let text = encoding::text(cell);
         let same = |other: &str| Unit::of_dimension(unit.dimension, other) == Some(*unit);
+        // What follows the number is usually written alike in all cells.
+        if let Some(number) = text.strip_suffix(spelling.as_str()).map(str::trim_ascii_end)
+            && (plain(number.as_bytes(), b'.').is_some() || plain(number.as_bytes(), b',').is_some())
+        {
+            return Ok(cell.get(..number.len()).unwrap_or_default());
+        }
         let (number, _) = with_unit(&text).filter(|(_, other)| same(other)).ok_or(Bad::OtherUnit(unit))?;
         // The characters of a number are those of its bytes.
         Ok(cell.get(..number.len()).unwrap_or_default())
@@ -361,6 +368,10 @@ impl Wanted {
     }
 }
 
+/// Number of bytes tried first for rows of plain numbers; twice as many after each success. Few rows are then read in vain
+/// where other rows stand among them.
+const BYTES_FIRST: usize = 1 << 12;
+
 /// Reads the following rows of plain numbers; returns `None` if no further row can be kept.
 fn plain_rows(
     lines: &mut Lines<impl Read>,
@@ -371,10 +382,11 @@ fn plain_rows(
     gather: &mut Gather<'_>,
     faults: &mut Faults,
 ) -> Option<()> {
+    let mut most = BYTES_FIRST;
     loop {
         let (before, end) = (lines.number(), lines.ending());
         let written = Written { delimiter: cells.delimiter, sign, end, fields: wanted.fields, wanted: &wanted.indices };
-        let text = lines.whole();
+        let text = written.first(lines.whole(), most);
         written.read(text, rows);
         let numbers = rows.iter().flat_map(|rows| rows.numbers.chunks_exact(wanted.indices.len().max(1)));
         // Lines are needed only for faults and are visited once each.
@@ -412,6 +424,7 @@ fn plain_rows(
         if bytes < all || bytes == 0 || gather.go_on().is_err() {
             return Some(());
         }
+        most = most.saturating_mul(2);
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::layout::Role;
 use crate::limits::LINE_BYTES_MAX;
 use crate::number::plain;
-use memchr::{memchr3_iter, memrchr};
+use memchr::{memchr, memchr3_iter, memrchr};
 
 /// Minimum number of bytes from which a second thread saves time.
 const SHARED_FROM: usize = 1 << 17;
@@ -43,6 +43,13 @@ pub(crate) fn plain_time(cell: &[u8], sign: u8) -> Option<f64> {
 }
 
 impl Written<'_> {
+    /// Returns the first of complete lines: as many as `most` bytes hold, at least one.
+    pub(crate) fn first<'t>(&self, lines: &'t [u8], most: usize) -> &'t [u8] {
+        let Some((head, rest)) = lines.split_at_checked(most) else { return lines };
+        let length = memrchr(self.end, head).or_else(|| memchr(self.end, rest).map(|at| head.len() + at));
+        length.and_then(|at| lines.get(..=at)).unwrap_or(lines)
+    }
+
     /// Reads complete lines up to the first one that is no row of plain numbers, in two threads; replaces the previous
     /// content of `rows`.
     pub(crate) fn read(&self, lines: &[u8], rows: &mut [Rows; 2]) {

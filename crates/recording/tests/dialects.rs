@@ -4,6 +4,7 @@
 
 use quantities::unit;
 use recording::{ColumnSpec, Fault, FileRow, Layout, Recording, Role, read_csv};
+use std::time::Instant;
 
 /// Number of samples, 2 ms apart.
 const COUNT: u64 = 2_000;
@@ -299,4 +300,49 @@ fn the_time_of_wincc_is_in_millionths_of_a_day() {
     let alone = text.replace("TimeString", "Text");
     let found = read_csv(alone.as_bytes(), &Layout::default()).unwrap();
     assert!((found.time_s[19] - 19e-3 * 0.01 / 0.0864).abs() < 1e-6, "{:?}", found.time_s);
+}
+
+/// Every way of writing numbers takes a small multiple of the time of plain ones.
+#[test]
+fn no_dialect_takes_much_longer_than_plain_numbers() {
+    const ROWS: u64 = 12_000;
+    let time = |k: u64| 2e-3 * k as f64;
+    let text = |heading: &str, row: &dyn Fn(u64) -> String| -> String {
+        std::iter::once(heading.to_owned()).chain((0..ROWS).map(row)).collect::<Vec<_>>().join("\n")
+    };
+    let seconds_of = |text: &str, what: &str| {
+        let once = || {
+            let start = Instant::now();
+            let recording = read(text, &Layout::default()).unwrap_or_else(|faults| panic!("{what}: {faults:?}"));
+            assert_eq!(recording.time_s.len() as u64, ROWS, "{what}");
+            start.elapsed().as_secs_f64()
+        };
+        (0..3).map(|_| once()).fold(f64::INFINITY, f64::min)
+    };
+    let plain = seconds_of(&text("t [s];q [deg]", &|k| format!("{:.3};{:.9}", time(k), position(k))), "plain");
+    let nanoseconds = |k: u64| 1_700_000_000_000_000_000 + 2_000_000 * k;
+    type Row<'r> = &'r dyn Fn(u64) -> String;
+    let dialects: [(&str, &str, Row<'_>); 11] = [
+        ("exponents", "t [s];q [deg]", &|k| format!("{:e};{:e}", time(k), position(k))),
+        ("exponents in every second row", "t [s];q [deg]", &|k| match k % 2 {
+            0 => format!("{:e};{:e}", time(k), position(k)),
+            _ => format!("{:.3};{:.9}", time(k), position(k)),
+        }),
+        ("exponents in every hundredth row", "t [s];q [deg]", &|k| match k % 100 {
+            0 => format!("{:e};{:e}", time(k), position(k)),
+            _ => format!("{:.3};{:.9}", time(k), position(k)),
+        }),
+        ("nanoseconds", "t [ns];q [deg]", &|k| format!("{};{:.9}", nanoseconds(k), position(k))),
+        ("spaces", "t [s]; q [deg]", &|k| format!("{:.3}; {:.9}", time(k), position(k))),
+        ("signs", "t [s];q [deg]", &|k| format!("{:+.3};{:+.9}", time(k), position(k))),
+        ("quotes", "t [s],q [deg]", &|k| format!("\"{:.3}\",\"{:.9}\"", time(k), position(k))),
+        ("units", "t;q", &|k| format!("{:.3} s;{:.9} deg", time(k), position(k))),
+        ("clock", "t;q [deg]", &|k| format!("10:00:{:02}.{:03};{:.9}", k / 500, (2 * k) % 1000, position(k))),
+        ("more headings than cells", "t [s];q [deg];;", &|k| format!("{:.3};{:.9}", time(k), position(k))),
+        ("the same in quotes", "\"t [s]\";\"q [deg]\";;", &|k| format!("\"{:.3}\";\"{:.9}\"", time(k), position(k))),
+    ];
+    for (what, heading, row) in dialects {
+        let seconds = seconds_of(&text(heading, row), what);
+        assert!(seconds < 15.0 * plain + 0.05, "{what}: {seconds:.3} s, plain numbers {plain:.3} s");
+    }
 }
