@@ -52,7 +52,7 @@ texts! {
         "torque_nm has an offset of {torque} Nm, it seems: the external torque deviates from that of the project by as much, and current_q_a, {current} A beside it, does not contain it. If the project is right, subtract the offset from torque_nm. The motor parameters take it into account; no line states the external torque."
         | "torque_nm hat offenbar einen Versatz von {torque} Nm: um so viel weicht das äußere Moment vom Projekt ab, und current_q_a enthält ihn nicht ({current} A daneben). Stimmt das Projekt, den Versatz von torque_nm abziehen. Die Motorparameter berücksichtigen ihn; keine Zeile gibt das äußere Moment an.";
     about(value) = "about {value}" | "etwa {value}";
-    factor_of_convention(factor) = " (exact factor of this convention: {factor})" | " (genauer Faktor dieser Konvention: {factor})";
+    factor_of_convention(factor) = "(exact factor of this convention: {factor})" | "(genauer Faktor dieser Konvention: {factor})";
     unit_row(line, units) =
         "line {line} holds other units than the columns: {units}; convert the values and delete the line"
         | "Zeile {line} enthält andere Einheiten als die der Spalten: {units}; Werte umrechnen und die Zeile löschen";

@@ -296,6 +296,7 @@ fn doubted(doubt: &Doubt, language: Language) -> Doubted {
     let shown = if is_measured { shown } else { identification::about(&shown, language) };
     let mut text = identification::doubt(column, misread, &shown, language);
     if let Some(exact) = by_convention.filter(|_| is_measured) {
+        text.push(' ');
         text.push_str(&identification::factor_of_convention(&number(exact), language));
     }
     Doubted { id: misread.id(), column: identification::column_heading(column), text }
