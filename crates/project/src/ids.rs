@@ -134,7 +134,8 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
             Limit::BlankBytes => "recording_no_rows",
         },
         Fault::ParquetUnreadable { .. } => "recording_parquet_unreadable",
-        Fault::Repeated { first, .. } => recording(first),
+        Fault::Repeated { first, .. } | Fault::BelowRows { first, .. } => recording(first),
+        Fault::Advised { fault, .. } => recording(fault),
         Fault::More { .. } => "recording_more_faults",
     }
 }

@@ -4,13 +4,14 @@ use crate::ahead::{Ahead, is_spaced_row};
 use crate::cells::{Cells, ends_empty};
 use crate::clock::{Clock, is_clock, is_clock_of_unknown_form};
 use crate::columns::{Heading, Pick, Picks, Said, decide, pick, unused};
+use crate::csv_faults::{cell_fault, ragged};
 use crate::encoding;
 use crate::faults::{Fault, Faults, excerpt};
 use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
 use crate::limits::{COLUMNS_MAX, FILE_BYTES_MAX, Limit, Memory};
 use crate::lines::Lines;
-use crate::number::{Bad, Decimals, Tick, finite, is_grouped, plain, with_unit};
+use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
 use crate::plain::{Rows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
 use crate::thousands::Thousands;
@@ -208,6 +209,8 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         faults.push(Fault::ThousandsPossible { line: found.place, column, text: found.text.clone() });
         return None;
     }
+    faults.advise(gather.remedies(is_read.is_some()));
+    wanted.end(&gather, faults);
     is_read?;
     let encoding = Some(if is_utf8 { lines.encoding() } else { Encoding::Windows1252Guessed });
     gather.finish(faults).map(|recording| Recording { encoding, unused, ..recording })
@@ -239,6 +242,7 @@ fn read_rows(
         if let Some(sign) = decimals.sign()
             && is_certain
             && wanted.is_plain()
+            && wanted.no_rows.is_empty()
             && let Some(lines) = lines.unread()
         {
             plain_rows(lines, sign, wanted, cells, &mut rows, gather, faults)?;
@@ -277,7 +281,7 @@ fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
 }
 
 /// Returns `true` if a cell is a number, with or without a unit behind it.
-fn is_value(cell: &str) -> bool {
+pub(crate) fn is_value(cell: &str) -> bool {
     Decimals::is_number(cell) || with_unit(cell).is_some()
 }
 
@@ -318,6 +322,8 @@ struct Wanted {
     beside: Vec<(usize, String)>,
     /// Notation of the numbers read so far.
     thousands: Thousands,
+    /// Faults of the lines since the last row that are no rows.
+    no_rows: Vec<Fault>,
 }
 
 /// Notation of the times.
@@ -333,6 +339,36 @@ enum TimeForm {
 }
 
 impl Wanted {
+    /// Adds the fault of a line that is no row; lines behind the end of the window do not matter.
+    fn no_row(&mut self, fault: Fault, gather: &mut Gather<'_>, faults: &mut Faults) {
+        // Longer footers are not known.
+        const LINES_MOST: usize = 100;
+        if gather.is_over() {
+            return;
+        }
+        gather.time_failed();
+        self.no_rows.push(fault);
+        if self.no_rows.len() > LINES_MOST {
+            self.follow(faults);
+        }
+    }
+
+    /// Reports the lines that are no rows, as further rows follow.
+    fn follow(&mut self, faults: &mut Faults) {
+        self.no_rows.drain(..).for_each(|fault| faults.push(fault));
+    }
+
+    /// Reports the lines that are no rows at the end of the file.
+    fn end(&mut self, gather: &Gather<'_>, faults: &mut Faults) {
+        let count = self.no_rows.len() as u64;
+        if let Some(last) = gather.last_time()
+            && let Some(first) = self.no_rows.first_mut()
+        {
+            *first = Fault::BelowRows { first: Box::new(first.clone()), count, last };
+        }
+        self.follow(faults);
+    }
+
     fn put(&mut self, index: usize, heading: &Heading) {
         self.names.push(excerpt(&heading.written));
         self.indices.push(index);
@@ -439,8 +475,7 @@ fn row(
     faults: &mut Faults,
 ) -> bool {
     let Some(count) = cells.split(line, &wanted.indices) else {
-        faults.push(Fault::QuoteOpen { line: number });
-        gather.time_failed();
+        wanted.no_row(Fault::QuoteOpen { line: number }, gather, faults);
         return true;
     };
     // The last line of a scope.
@@ -452,8 +487,7 @@ fn row(
     } else if count != wanted.fields {
         let (found, expected) = (count, wanted.fields);
         let may_be_twice = *decimals == Decimals::PointAlways && (found == 2 * expected || gather.is_empty());
-        faults.push(ragged(line, (number, found, expected), may_be_twice));
-        gather.time_failed();
+        wanted.no_row(ragged(line, (number, found, expected), may_be_twice), gather, faults);
         return true;
     }
     if *decimals != Decimals::PointAlways && !wanted.thousands.is_decimal() {
@@ -495,10 +529,13 @@ fn row(
             return true;
         }
     }
+    if tick.is_ok() {
+        wanted.no_rows.drain(..).for_each(|fault| faults.push(fault));
+    }
     match tick {
         Err(bad) => {
-            gather.time_failed();
-            faults.push(cell_fault(bad, number, name, cell));
+            let fault = cell_fault(bad, number, name, cell);
+            wanted.no_row(fault, gather, faults);
             return true;
         }
         Ok(tick) => match gather.sample(number, tick, faults) {
@@ -518,7 +555,10 @@ fn row(
                     faults.push(cell_fault(bad, number, name, cell));
                 }
             }
-            Err(bad) => faults.push(cell_fault(bad, number, name, cell)),
+            Err(bad) => {
+                gather.lacks(channel);
+                faults.push(cell_fault(bad, number, name, cell));
+            }
         }
     }
     true
@@ -528,50 +568,4 @@ fn row(
 fn is_padded(line: &[u8], count: usize, wanted: &Wanted, delimiter: u8) -> bool {
     let Some(more) = count.checked_sub(wanted.fields) else { return count >= wanted.named };
     ends_empty(line, more, delimiter)
-}
-
-/// Returns the fault of a row with more or fewer cells than the header; commas that separate cells `may_be_twice` decimal signs
-/// as well, where the cells are whole numbers.
-pub(crate) fn ragged(line: &[u8], (number, found, expected): (u64, usize, usize), may_be_twice: bool) -> Fault {
-    let is_whole = |cell: &[u8]| cell.iter().all(|sign| sign.is_ascii_digit() || b"+- ".contains(sign));
-    let are_decimal =
-        may_be_twice && (expected..=2 * expected).contains(&found) && line.split(|sign| *sign == b',').all(is_whole);
-    match are_decimal {
-        true => Fault::CommasTwice { line: number, found, expected },
-        false => Fault::Ragged { line: number, found, expected },
-    }
-}
-
-fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
-    let (at, column) = (crate::FileRow::Line(line), column.to_owned());
-    if let Bad::OtherUnit(unit) = bad {
-        let text = encoding::text(cell);
-        let is_quotable = is_value(&text);
-        return Fault::UnitOfCell { at, column, text: Some(excerpt(text.trim())).filter(|_| is_quotable), unit };
-    }
-    let Some(text) = shown(String::from_utf8_lossy(cell).trim()) else {
-        let is_empty = matches!(bad, Bad::Missing);
-        return if is_empty {
-            Fault::ValueMissing { at, column }
-        } else {
-            Fault::ValueUnreadable { at, column, text: None }
-        };
-    };
-    match bad {
-        Bad::Unreadable | Bad::Mixed(_) if is_grouped(&text) => Fault::ThousandsGrouped { at, column, text },
-        Bad::Missing => Fault::ValueMissing { at, column },
-        Bad::Unreadable | Bad::OtherUnit(_) => Fault::ValueUnreadable { at, column, text: Some(text) },
-        Bad::NotFinite => Fault::ValueNotFinite { at, column, text },
-        Bad::Implausible => Fault::ValueImplausible { at, column, text },
-        Bad::Mixed(decided) => Fault::DecimalMixed { line, column, text, decided },
-    }
-}
-
-/// Returns the text of a cell for a fault if it is written like a number or a time of day; other text of a file is not
-/// quoted.
-fn shown(cell: &str) -> Option<String> {
-    let may_stand = |sign: char| sign.is_ascii_digit() || "+-.,:/'’ eE\u{a0}\u{202f}".contains(sign);
-    let is_number = cell.chars().all(may_stand) && cell.contains(|sign: char| sign.is_ascii_digit());
-    let is_word = ["nan", "inf", "infinity"].contains(&cell.trim_start_matches(['+', '-']).to_lowercase().as_str());
-    (is_number || is_word).then(|| excerpt(cell))
 }

@@ -1,6 +1,6 @@
 //! Reasons why a file cannot be read as a recording.
 
-use crate::FAULTS_MAX;
+pub(crate) use crate::collected::{FaultKind, Faults};
 pub use crate::damage::Damage;
 use crate::layout::Role;
 use crate::limits::{Limit, SAMPLES_MAX};
@@ -9,7 +9,6 @@ use crate::series::{Along, KnownBy};
 use quantities::{Angle, Dimension, Time, Unit, is_unseen};
 use std::fmt;
 use std::io::ErrorKind;
-use std::mem::Discriminant;
 use thiserror::Error;
 
 /// Place in a file.
@@ -54,6 +53,22 @@ pub struct NearColumn {
     pub column: String,
     /// The column states a unit of the role.
     pub has_unit: bool,
+}
+
+/// Way to read a recording some of whose values are missing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Remedy {
+    /// The recording is read without the column of this role.
+    Without(Role),
+    /// All values stand in the rows between these times.
+    Within {
+        /// Time of the first row with all values, if rows before it lack some.
+        from: Option<Stamp>,
+        /// Time of the last one, if rows after it lack some.
+        to: Option<Stamp>,
+    },
+    /// Rows among others are deleted.
+    Delete,
 }
 
 /// Reason why a file cannot be read as a recording. Quoted text of the file is shortened to 40 characters.
@@ -441,6 +456,24 @@ pub enum Fault {
         /// There is a column of speed, which suffices.
         has_speed: bool,
     },
+    /// Lines below the last row are no rows, as a footer.
+    #[error("{first}; below the last row, {count} lines like it")]
+    BelowRows {
+        /// Fault of the first of them.
+        first: Box<Fault>,
+        /// Number of the lines.
+        count: u64,
+        /// Time of the last row.
+        last: Stamp,
+    },
+    /// A fault of a column with a way to read the recording nevertheless.
+    #[error("{fault}")]
+    Advised {
+        /// Fault.
+        fault: Box<Fault>,
+        /// Way to read the recording.
+        remedy: Remedy,
+    },
     /// A fault that occurs in many lines.
     #[error("{first}; {more} more like it")]
     Repeated {
@@ -461,7 +494,7 @@ pub enum Fault {
 
 impl Fault {
     /// Returns the kind of a fault in a line or its cells; `None` for a fault of the whole file.
-    fn kind(&self) -> Option<FaultKind> {
+    pub(crate) fn kind(&self) -> Option<FaultKind> {
         let column = match self {
             Self::ValueMissing { column, .. }
             | Self::ValueUnreadable { column, .. }
@@ -483,98 +516,27 @@ impl Fault {
         Some((std::mem::discriminant(self), column))
     }
 
+    /// Returns the fault without the ways to read the recording nevertheless.
+    #[must_use]
+    pub fn bare(&self) -> &Self {
+        match self {
+            Self::BelowRows { first: fault, .. } | Self::Advised { fault, .. } => fault.bare(),
+            fault => fault,
+        }
+    }
+
+    /// Returns the column of a value that is missing or no number.
+    pub(crate) fn column_of_value(&self) -> Option<&str> {
+        match self {
+            Self::ValueMissing { column, .. }
+            | Self::ValueUnreadable { column, .. }
+            | Self::ValueNotFinite { column, .. } => Some(column),
+            _ => None,
+        }
+    }
+
     pub(crate) const fn too_many_samples() -> Self {
         Self::TooManySamples { most: SAMPLES_MAX }
-    }
-}
-
-/// Number of faults after which reading stops, because the rest of the file gives no new information.
-const COUNTED_MAX: u64 = 10_000;
-
-/// Number of equal faults reported individually; of more than that, only the first is kept.
-const EQUAL_MAX: u64 = 3;
-
-/// Key of equal faults: variant and column.
-type FaultKind = (Discriminant<Fault>, Option<String>);
-
-/// Faults of a file, in the order found.
-#[derive(Debug, Default)]
-pub(crate) struct Faults {
-    listed: Vec<Fault>,
-    /// Kinds of repeatable faults, with the number of occurrences.
-    kinds: Vec<(FaultKind, u64)>,
-    /// Number of faults found but not kept.
-    more: u64,
-    /// Number of these whose kind is represented by its first fault.
-    repeated: u64,
-}
-
-impl Faults {
-    pub(crate) fn push(&mut self, fault: Fault) {
-        if let Some(kind) = fault.kind() {
-            match self.kinds.iter_mut().find(|(known, _)| *known == kind) {
-                Some((_, count)) => {
-                    *count = count.saturating_add(1);
-                    if *count > EQUAL_MAX {
-                        self.more = self.more.saturating_add(1);
-                        self.repeated = self.repeated.saturating_add(1);
-                        return;
-                    }
-                }
-                None if self.listed.len() < FAULTS_MAX => self.kinds.push((kind, 1)),
-                None => {}
-            }
-        }
-        if self.listed.len() < FAULTS_MAX {
-            self.listed.push(fault);
-        } else {
-            self.more = self.more.saturating_add(1);
-        }
-    }
-
-    /// Returns the faults kept, with many equal ones combined into one.
-    fn grouped(&mut self) -> Vec<Fault> {
-        let mut grouped: Vec<Fault> = Vec::new();
-        let mut begun: Vec<FaultKind> = Vec::new();
-        for fault in std::mem::take(&mut self.listed) {
-            let kind = fault.kind();
-            let count = kind.as_ref().and_then(|kind| self.kinds.iter().find(|(known, _)| known == kind));
-            match (kind.clone(), count) {
-                (Some(kind), Some((_, count))) if *count > EQUAL_MAX => {
-                    if !begun.contains(&kind) {
-                        begun.push(kind);
-                        grouped.push(Fault::Repeated { first: Box::new(fault), more: count - 1 });
-                    }
-                }
-                _ => grouped.push(fault),
-            }
-        }
-        grouped
-    }
-
-    pub(crate) const fn none(&self) -> bool {
-        self.listed.is_empty()
-    }
-
-    /// Returns `true` if further reading is pointless.
-    pub(crate) const fn enough(&self) -> bool {
-        self.more >= COUNTED_MAX
-    }
-
-    /// Returns the answer if there is no fault, else the faults.
-    pub(crate) fn outcome<T>(mut self, answer: Option<T>) -> Result<T, Vec<Fault>> {
-        match answer {
-            Some(answer) if self.listed.is_empty() => Ok(answer),
-            _ => {
-                let stopped = self.enough();
-                let mut listed = self.grouped();
-                let count = self.more - self.repeated;
-                if count > 0 || stopped {
-                    listed.push(Fault::More { count, stopped });
-                }
-                Err(listed)
-            }
-        }
     }
 }
 

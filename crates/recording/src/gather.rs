@@ -2,7 +2,8 @@
 
 use crate::GAP_FACTOR;
 use crate::columns::check_course;
-use crate::faults::{Fault, Faults, FileRow, Stamp, excerpt};
+use crate::faults::{Fault, Faults, FileRow, Remedy, Stamp, excerpt};
+use crate::lacking::Lacking;
 use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
 use crate::modulo::{first_jump, unwrap_revolutions};
@@ -53,6 +54,16 @@ pub(crate) struct Gather<'m> {
     after: u64,
     /// No faulty time was found.
     sound: bool,
+    /// Kept samples that lack a value, in runs from an index up to another one.
+    lacking: Lacking,
+}
+
+/// Relative deviation of times in faults, which are shown with twelve digits.
+const SHOWN: f64 = 1e-11;
+
+/// Rounds a time to twelve digits, for a line to write.
+fn short(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
 }
 
 /// Checks the window of the layout.
@@ -100,7 +111,42 @@ impl<'m> Gather<'m> {
             before: 0,
             after: 0,
             sound: true,
+            lacking: Lacking::default(),
         })
+    }
+
+    /// Adds a value that the sample kept last lacks, by the index of its channel.
+    pub(crate) fn lacks(&mut self, channel: usize) {
+        self.lacking.note(self.time_s.len().saturating_sub(1), channel);
+    }
+
+    /// Returns the columns that lack values, each with the way to read the recording nevertheless; `is_end` states that all samples
+    /// were read.
+    pub(crate) fn remedies(&self, is_end: bool) -> Vec<(String, Remedy)> {
+        let first = self.first_kept.map_or(0.0, Tick::value);
+        let stamp = |index: usize| {
+            let since = self.unit.from_si(self.time_s.get(index).copied().unwrap_or(0.0));
+            Stamp { value: short(first + since), unit: self.unit }
+        };
+        let roles: Vec<Role> = self.channels.iter().map(|channel| channel.role).collect();
+        let remedies = self.lacking.remedies(&roles, is_end.then_some(self.time_s.len()), stamp);
+        let name = |channel: usize| {
+            let role = roles.get(channel)?;
+            self.columns.iter().find(|column| column.role == *role).map(|column| excerpt(&column.name))
+        };
+        remedies.into_iter().filter_map(|(channel, remedy)| Some((name(channel)?, remedy))).collect()
+    }
+
+    /// Returns the time of the last row that has one.
+    pub(crate) fn last_time(&self) -> Option<Stamp> {
+        self.last.map(|(tick, _)| Stamp { value: short(tick.value()), unit: self.unit })
+    }
+
+    /// Returns `true` if a row reached the end of the window: what follows is no part of the recording.
+    pub(crate) fn is_over(&self) -> bool {
+        // The end may be stated as shown in a fault.
+        let slack = SHOWN * self.to_si.abs();
+        self.to_si.is_finite() && self.last.is_some_and(|(tick, _)| self.unit.to_si(tick.value()) >= self.to_si - slack)
     }
 
     /// Returns `true` if no sample was kept yet.

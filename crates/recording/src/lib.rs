@@ -19,12 +19,15 @@
 mod ahead;
 mod cells;
 mod clock;
+mod collected;
 mod columns;
 mod csv;
+mod csv_faults;
 mod damage;
 mod encoding;
 mod faults;
 mod gather;
+mod lacking;
 mod layout;
 mod limits;
 mod lines;
@@ -43,7 +46,7 @@ mod tools;
 
 pub use csv::{read_csv, read_csv_within};
 pub use encoding::read_text;
-pub use faults::{Damage, Fault, FileRow, NearColumn, Stamp};
+pub use faults::{Damage, Fault, FileRow, NearColumn, Remedy, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
 pub use limits::{
     BLANK_BYTES_MAX, DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory,

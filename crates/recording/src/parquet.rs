@@ -276,6 +276,7 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         faults.push(fault);
         return None;
     }
+    faults.advise(gather.remedies(more));
     let indices: Vec<usize> = used.iter().map(|column| column.index).collect();
     let unused = unused(&headings, layout, &indices);
     if more { gather.finish(faults).map(|recording| Recording { unused, ..recording }) } else { None }
@@ -409,6 +410,7 @@ fn hand_on(
             let value = match stream.cells.get(row) {
                 None | Some(Cell::Null | Cell::Text(_) | Cell::Truth(_)) => {
                     faults.push(Fault::ValueMissing { at, column: stream.name.to_owned() });
+                    gather.lacks(channel);
                     continue;
                 }
                 Some(Cell::Float(value)) => *value,
@@ -420,7 +422,10 @@ fn hand_on(
                     let (column, text) = (stream.name.to_owned(), format!("{value:e}"));
                     faults.push(Fault::ValueImplausible { at, column, text });
                 }
-                Err(_) => faults.push(not_finite(at, &stream.name, value)),
+                Err(_) => {
+                    faults.push(not_finite(at, &stream.name, value));
+                    gather.lacks(channel);
+                }
             }
         }
     }

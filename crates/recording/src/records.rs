@@ -2,7 +2,7 @@
 
 use crate::ahead::Ahead;
 use crate::cells::{Cells, ends_empty};
-use crate::csv::ragged;
+use crate::csv_faults::ragged;
 use crate::encoding;
 use crate::faults::{Fault, excerpt};
 use crate::limits::{COLUMNS_MAX, Limit};

@@ -18,7 +18,7 @@ fn faults(text: &str) -> Vec<Fault> {
 }
 
 fn faults_with(text: &str, layout: &Layout) -> Vec<Fault> {
-    read_csv(text.as_bytes(), layout).unwrap_err()
+    read_csv(text.as_bytes(), layout).unwrap_err().iter().map(Fault::bare).cloned().collect()
 }
 
 fn named(name: &str) -> ColumnSpec {

@@ -5,7 +5,7 @@
 use quantities::unit::{DEGREE, MICROSECOND, NEWTON_METRE};
 use quantities::{Measure, Time};
 use recording::{
-    Bytes, ColumnSpec, Fault, FileRow, KnownBy, Layout, Memory, Recording, Role, SAMPLES_MAX, read_columns,
+    Bytes, ColumnSpec, Fault, FileRow, KnownBy, Layout, Memory, Recording, Remedy, Role, SAMPLES_MAX, read_columns,
     read_parquet,
 };
 
@@ -91,7 +91,8 @@ fn a_null_is_reported_with_its_row() {
         NULL,
         &Layout { position: ColumnSpec { name: Some("q".into()), ..ColumnSpec::default() }, ..Layout::default() },
     );
-    assert_eq!(found.unwrap_err(), [Fault::ValueMissing { at: FileRow::Row(3), column: String::from("q [deg]") }]);
+    let fault = Fault::ValueMissing { at: FileRow::Row(3), column: String::from("q [deg]") };
+    assert_eq!(found.unwrap_err(), [Fault::Advised { fault: Box::new(fault), remedy: Remedy::Delete }]);
 }
 
 #[test]

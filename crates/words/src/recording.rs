@@ -1,5 +1,6 @@
 //! Words for recordings that cannot be read.
 
+mod advice;
 mod beyond;
 mod counter;
 mod foreign;
@@ -9,6 +10,7 @@ mod tables;
 
 use crate::pick;
 use crate::texts::said;
+use advice::{advice, below_rows};
 use beyond::{beyond, damage};
 use counter::counter;
 use foreign::foreign;
@@ -460,6 +462,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 )),
             )
         }
+        Fault::BelowRows { first, count, last } => below_rows(first, *count, *last, language),
+        Fault::Advised { fault: first, remedy } => (self::fault(first, language).0, Some(advice(*remedy, language))),
         Fault::Repeated { first, more } => {
             let (message, hint) = self::fault(first, language);
             let more =
