@@ -35,20 +35,12 @@ impl Lacking {
         count: Option<usize>,
         stamp: impl Fn(usize) -> Stamp,
     ) -> Vec<(usize, Remedy)> {
-        let is_whole = |role: Role| {
-            let place = roles.iter().position(|other| *other == role);
-            place.is_some_and(|place| !self.channels.contains(&place))
-        };
+        let is_whole = |(place, _): &(usize, &Role)| !self.channels.contains(place);
+        let whole: Vec<Role> = roles.iter().enumerate().filter(is_whole).map(|(_, role)| *role).collect();
         let rows = count.and_then(|count| self.complete_rows(count, stamp));
         let remedy = |channel: &usize| {
             let role = *roles.get(*channel)?;
-            let is_spare = match role {
-                Role::Torque => true,
-                Role::Position => is_whole(Role::Speed),
-                Role::Speed => is_whole(Role::Position),
-                Role::Time => false,
-            };
-            Some((*channel, if is_spare { Remedy::Without(role) } else { rows? }))
+            Some((*channel, if is_spare(role, &whole) { Remedy::Without(role) } else { rows? }))
         };
         self.channels.iter().filter_map(remedy).collect()
     }
@@ -68,5 +60,15 @@ impl Lacking {
             return Some(Remedy::Delete);
         }
         Some(Remedy::Within { from: lead.map(&stamp), to: tail.map(|tail| stamp(tail.saturating_sub(1))) })
+    }
+}
+
+/// Returns `true` if a recording can be read without the column of a role, where those of other roles are `whole`.
+pub(crate) fn is_spare(role: Role, whole: &[Role]) -> bool {
+    match role {
+        Role::Torque => true,
+        Role::Position => whole.contains(&Role::Speed),
+        Role::Speed => whole.contains(&Role::Position),
+        Role::Time => false,
     }
 }

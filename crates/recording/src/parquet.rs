@@ -11,9 +11,10 @@ mod table;
 mod thrift;
 mod unpack;
 
-use crate::columns::{Heading, Said, decide, pick, unused};
-use crate::faults::{Damage, Fault, Faults, FileRow, excerpt};
+use crate::columns::{Heading, Pick, Said, decide, pick, unused};
+use crate::faults::{Damage, Fault, Faults, FileRow, Remedy, excerpt};
 use crate::gather::{Gather, Sample, check_window};
+use crate::lacking::is_spare;
 use crate::layout::{Layout, Role};
 use crate::limits::{Limit, Memory, ROWS_MAX, SAMPLES_MAX};
 use crate::names::Named;
@@ -209,6 +210,13 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         faults.push(Fault::Ambiguous { role: Role::Time, columns, numbers });
         return None;
     }
+    let has_numbers = |pick: &Pick| footer.columns.get(pick.index).is_some_and(|column| kind(column).is_some());
+    let picked_roles: Vec<Role> = Role::ALL
+        .into_iter()
+        .zip(&picks)
+        .filter(|(_, picked)| picked.as_ref().is_some_and(has_numbers))
+        .map(|(role, _)| role)
+        .collect();
     let mut columns = Vec::new();
     let mut used: Vec<Used<'_>> = Vec::new();
     for (role, picked) in Role::ALL.into_iter().zip(picks) {
@@ -216,7 +224,11 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         let index = picked.index;
         let Some((heading, column)) = headings.get(index).zip(footer.columns.get(index)) else { continue };
         let Some(kind) = kind(column) else {
-            faults.push(Fault::ColumnType { column: excerpt(&heading.written), found: type_name(column) });
+            let fault = Fault::ColumnType { column: excerpt(&heading.written), found: type_name(column) };
+            faults.push(match is_spare(role, &picked_roles) {
+                true => Fault::Advised { fault: Box::new(fault), remedy: Remedy::Without(role) },
+                false => fault,
+            });
             continue;
         };
         let nanoseconds = more_time.nanoseconds.filter(|_| role == Role::Time).and_then(|index| headings.get(index));
@@ -349,6 +361,11 @@ fn type_name(column: &Column) -> String {
     match (column.converted, column.logical) {
         (ConvertedType::NONE, Logical::Duration(unit)) => format!("{repeated}DURATION ({})", unit.ascii),
         (ConvertedType::NONE, Logical::Timestamp(unit)) => format!("{repeated}TIMESTAMP ({})", unit.ascii),
+        (ConvertedType::NONE, Logical::Other(name)) => format!("{repeated}{name}"),
+        (ConvertedType::NONE, Logical::Decimal) => format!("{repeated}DECIMAL"),
+        (ConvertedType::NONE, _) if column.physical == Type::FIXED_LEN_BYTE_ARRAY => {
+            format!("{repeated}{} ({})", column.physical, column.width)
+        }
         (ConvertedType::NONE, _) => format!("{repeated}{}", column.physical),
         (converted, _) => format!("{repeated}{} ({converted})", column.physical),
     }

@@ -15,6 +15,9 @@ const PYARROW: &[u8] = include_bytes!("data/pyarrow_gzip.parquet");
 const LZ4: &[u8] = include_bytes!("data/pyarrow_lz4_v2.parquet");
 const TOO_MANY: &[u8] = include_bytes!("data/pyarrow_too_many.parquet");
 const NULL: &[u8] = include_bytes!("data/pyarrow_null.parquet");
+const NULLS: &[u8] = include_bytes!("data/polars_nulls.parquet");
+const INT128: &[u8] = include_bytes!("data/polars_int128.parquet");
+const FLOAT16: &[u8] = include_bytes!("data/pyarrow_float16.parquet");
 const BROTLI: &[u8] = include_bytes!("data/pyarrow_brotli.parquet");
 
 fn read(bytes: &'static [u8], layout: &Layout) -> Result<Recording, Vec<Fault>> {
@@ -100,6 +103,26 @@ fn a_list_is_no_column_of_numbers() {
     let position = ColumnSpec { name: Some("x.list.element".into()), ..ColumnSpec::default() };
     let found = read(NULL, &Layout { position, ..Layout::default() }).unwrap_err();
     assert!(matches!(found.as_slice(), [Fault::ColumnType { .. }]), "{found:?}");
+}
+
+/// A column that cannot be read is named with its type, and the recording is read without it.
+#[test]
+fn a_column_without_numbers_is_named_by_its_type() {
+    for (file, expected) in [(NULLS, "NULL"), (INT128, "FIXED_LEN_BYTE_ARRAY (16)"), (FLOAT16, "FLOAT16")] {
+        let faults = read(file, &Layout::default()).unwrap_err();
+        let [Fault::Advised { fault, remedy: Remedy::Without(Role::Torque) }] = faults.as_slice() else {
+            panic!("{expected}: {faults:?}")
+        };
+        assert!(matches!(fault.as_ref(), Fault::ColumnType { found, .. } if found == expected), "{fault:?}");
+        let torque = ColumnSpec { unused: true, ..ColumnSpec::default() };
+        let recording = read(file, &Layout { torque, ..Layout::default() }).unwrap();
+        assert_eq!(recording.time_s.len(), 4);
+        // A position alone cannot be left out.
+        let (position, torque) = (ColumnSpec::default(), ColumnSpec { unused: true, ..ColumnSpec::default() });
+        let position = ColumnSpec { name: Some(String::from("torque [Nm]")), unit: Some(&DEGREE), ..position };
+        let faults = read(file, &Layout { position, torque, ..Layout::default() }).unwrap_err();
+        assert!(faults.iter().any(|fault| matches!(fault, Fault::ColumnType { .. })), "{faults:?}");
+    }
 }
 
 /// Numbers as written, of any type and in any row groups; a missing column is `None`.

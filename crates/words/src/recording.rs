@@ -10,7 +10,7 @@ mod tables;
 
 use crate::pick;
 use crate::texts::said;
-use advice::{advice, below_rows};
+use advice::{advised, below_rows};
 use beyond::{beyond, damage};
 use counter::counter;
 use foreign::foreign;
@@ -325,12 +325,12 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         }
         Fault::ColumnType { column, found } => (
             said!(language =>
-                "the column {} contains {found}, non-numeric values"
-                | "die Spalte {} enthält {found}, keine reinen Zahlen", q(column)
+                "the column {} contains {found}, which is not read as numbers"
+                | "die Spalte {} enthält {found}; dieser Typ wird nicht als Zahl gelesen", q(column)
             ),
             Some(said!(language =>
-                "float, double, integers and decimals are read, and types of time for the time"
-                | "gelesen werden float, double, ganze Zahlen und decimal, für die Zeit auch Zeittypen"
+                "read are float, double, integers up to 64 bits and decimals, for the time also types of time; convert the column to double"
+                | "gelesen werden float, double, ganze Zahlen bis 64 Bit und decimal, für die Zeit auch Zeittypen; die Spalte in double umwandeln"
             )),
         ),
         Fault::ValueMissing { at, column } => (
@@ -463,7 +463,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             )
         }
         Fault::BelowRows { first, count, last } => below_rows(first, *count, *last, language),
-        Fault::Advised { fault: first, remedy } => (self::fault(first, language).0, Some(advice(*remedy, language))),
+        Fault::Advised { fault, remedy } => advised(fault, *remedy, language),
         Fault::Repeated { first, more } => {
             let (message, hint) = self::fault(first, language);
             let more =

@@ -73,8 +73,8 @@ pub(super) enum Logical {
     Timestamp(&'static Unit),
     /// Spans of time in this unit.
     Duration(&'static Unit),
-    /// Other data than numbers.
-    Other,
+    /// Other data than numbers, by its name in the format; half floats too, which are not read.
+    Other(&'static str),
 }
 
 /// The pages of a column in a row group.
@@ -356,7 +356,7 @@ fn element<'b>(thrift: &mut Thrift<'b>) -> Result<Element<'b>, Stop> {
 
 /// Parses the union that states the logical type in its only field.
 fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
-    let mut found = Logical::Other;
+    let mut found = Logical::Other("OTHER");
     thrift.structure(|thrift, id, kind| {
         match (id, kind) {
             (1 | 4, ThriftType::Struct) => {
@@ -381,7 +381,7 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
                     }),
                     _ => Ok(thrift.skip(kind)?),
                 })?;
-                found = unit.map_or(Logical::Other, Logical::Timestamp);
+                found = unit.map_or(Logical::Other("TIME"), Logical::Timestamp);
             }
             (10, ThriftType::Struct) => {
                 let mut signed = true;
@@ -393,7 +393,21 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
                 })?;
                 found = Logical::Integer { signed };
             }
-            _ => thrift.skip(kind)?,
+            _ => {
+                // Numbers of the union LogicalType in parquet.thrift.
+                found = Logical::Other(match id {
+                    2 => "MAP",
+                    3 => "LIST",
+                    6 => "DATE",
+                    11 => "NULL",
+                    12 => "JSON",
+                    13 => "BSON",
+                    14 => "UUID",
+                    15 => "FLOAT16",
+                    _ => "OTHER",
+                });
+                thrift.skip(kind)?;
+            }
         }
         Ok(())
     })?;

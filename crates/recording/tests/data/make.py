@@ -88,3 +88,10 @@ spans = [datetime.timedelta(milliseconds=5 * k) for k in range(4)]
 pl.DataFrame({"q [deg]": [0.0, 0.25, 1.5, 2.0], "time": spans}).write_parquet("polars_duration.parquet")
 index = pd.to_timedelta([0, 5, 10, 15], unit="ms").rename("time")
 pd.DataFrame({"q [deg]": [0.0, 0.25, 1.5, 2.0]}, index=index).to_parquet("pandas_timedelta.parquet")
+
+# Types that hold no numbers or numbers that are not read, each in a torque that is not needed.
+plain = {"t [s]": [0.0, 0.1, 0.2, 0.3], "q [deg]": [0.0, 1.0, 1.5, 3.0]}
+pl.DataFrame({**plain, "torque [Nm]": pl.Series([None] * 4, dtype=pl.Null)}).write_parquet("polars_nulls.parquet")
+pl.DataFrame({**plain, "torque [Nm]": pl.Series([1, 2, 3, 4], dtype=pl.Int128)}).write_parquet("polars_int128.parquet")
+half = pa.array(np.array([1.0, 2.0, 3.0, 4.0], dtype=np.float16))
+pq.write_table(pa.table({**plain, "torque [Nm]": half}), "pyarrow_float16.parquet", compression="none")

@@ -10,8 +10,15 @@ fn line(key: &str, time: Stamp) -> String {
     format!("{key} = \"{time}\"")
 }
 
+/// Returns a fault with the way to read the recording nevertheless, behind its own remedy.
+pub(super) fn advised(found: &Fault, remedy: Remedy, language: Language) -> (String, Option<String>) {
+    let (message, own) = fault(found, language);
+    let hints: Vec<String> = own.into_iter().chain([advice(remedy, language)]).collect();
+    (message, Some(hints.join("; ")))
+}
+
 /// Returns the way to read a recording without the missing values.
-pub(super) fn advice(remedy: Remedy, language: Language) -> String {
+fn advice(remedy: Remedy, language: Language) -> String {
     match remedy {
         Remedy::Without(role) => {
             let line = format!("columns = {{ {} = \"none\" }}", role_key(role));

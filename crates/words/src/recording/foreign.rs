@@ -9,7 +9,10 @@ pub(super) fn foreign(format: Foreign, language: Language) -> (String, String) {
     let (what, remedy) = match format {
         Foreign::Zip => (
             said!(language => "an Excel workbook or another zip archive" | "eine Excel-Mappe oder ein anderes Zip-Archiv"),
-            said!(language => "save the sheet as CSV" | "das Blatt als CSV speichern"),
+            said!(language =>
+                "save the sheet of a workbook as CSV; unpack an archive, or pack its CSV with gzip or Zstandard"
+                | "das Blatt einer Mappe als CSV speichern; ein Archiv entpacken oder seine CSV-Datei mit gzip oder Zstandard packen"
+            ),
         ),
         Foreign::Xls => (
             said!(language => "an old Excel workbook (.xls)" | "eine alte Excel-Mappe (.xls)"),
