@@ -144,8 +144,10 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
             faults.push(Fault::ClockUnknown { column: excerpt(&heading.written), text: excerpt(cell.trim()) });
             continue;
         }
-        if role == Role::Time && is_time_of_wincc(heading, &headings) {
-            wanted.form = TimeForm::MillionthsOfDay;
+        if role == Role::Time
+            && let Some(form) = form_of_integers(heading, &headings)
+        {
+            wanted.form = form;
             wanted.put(index, heading);
             columns.extend(decide(role, heading, [(KnownBy::Values, Said::Unit(&SECOND))], faults));
             continue;
@@ -257,11 +259,15 @@ pub(crate) fn advance(lines: &mut Ahead<impl Read>, faults: &mut Faults) -> Opti
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
-/// Returns `true` if a column of time is that of WinCC, millionths of a day since 1899-12-30 despite its name, beside the
-/// clock time.
-fn is_time_of_wincc(heading: &Heading, headings: &[Heading]) -> bool {
+/// Returns the form of a column of time that counts no usual unit: that of WinCC, millionths of a day since 1899-12-30 despite its
+/// name, beside the clock time; `Time [FILETIME]`, hundreds of nanoseconds since 1601, as Windows counts.
+fn form_of_integers(heading: &Heading, headings: &[Heading]) -> Option<TimeForm> {
     let is = |heading: &Heading, name: &str| heading.written.eq_ignore_ascii_case(name);
-    is(heading, "Time_ms") && headings.iter().any(|other| is(other, "TimeString"))
+    let has_unit = |unit: &str| heading.named.unit.as_ref().is_some_and(|stated| stated.eq_ignore_ascii_case(unit));
+    if is(heading, "Time_ms") && headings.iter().any(|other| is(other, "TimeString")) {
+        return Some(TimeForm::MillionthsOfDay);
+    }
+    has_unit("FILETIME").then_some(TimeForm::HundredsOfNanoseconds)
 }
 
 /// Returns the row as units if no cell in use is a number. A dash beside a unit is none.
@@ -334,6 +340,8 @@ enum TimeForm {
     Clock(Clock),
     /// Millionths of a day.
     MillionthsOfDay,
+    /// Hundreds of nanoseconds.
+    HundredsOfNanoseconds,
     /// Whole seconds; nanoseconds stand in the first column after the values.
     Seconds,
 }
@@ -510,6 +518,10 @@ fn row(
         TimeForm::MillionthsOfDay => {
             let tick = decimals.plain(cell, number).and_then(|text| Tick::read(&text));
             tick.map(Tick::of_millionths_of_day)
+        }
+        TimeForm::HundredsOfNanoseconds => {
+            let tick = decimals.plain(cell, number).and_then(|text| Tick::read(&text));
+            tick.map(Tick::of_hundreds_of_nanoseconds)
         }
         TimeForm::Seconds => {
             let more = cells.found(line).nth(behind).unwrap_or_default();

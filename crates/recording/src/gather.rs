@@ -58,12 +58,12 @@ pub(crate) struct Gather<'m> {
     lacking: Lacking,
 }
 
-/// Relative deviation of times in faults, which are shown with twelve digits.
-const SHOWN: f64 = 1e-11;
+/// Relative deviation of times in faults, which are shown with fifteen digits.
+const SHOWN: f64 = 1e-14;
 
-/// Rounds a time to twelve digits, for a line to write.
+/// Rounds a time to fifteen digits, for a line to write.
 fn short(value: f64) -> f64 {
-    format!("{value:.11e}").parse().unwrap_or(value)
+    format!("{value:.14e}").parse().unwrap_or(value)
 }
 
 /// Checks the window of the layout.

@@ -241,6 +241,12 @@ impl Tick {
         Self { whole: scaled / 10_000, part: (scaled % 10_000) as f64 / 1e4 + 0.0864 * self.part }
     }
 
+    /// Returns a time in hundreds of nanoseconds in seconds.
+    pub(crate) const fn of_hundreds_of_nanoseconds(self) -> Self {
+        const PER_SECOND: i64 = 10_000_000;
+        Self { whole: self.whole / PER_SECOND, part: (self.whole % PER_SECOND) as f64 / 1e7 + 1e-7 * self.part }
+    }
+
     pub(crate) const fn of_float(part: f64) -> Self {
         Self { whole: 0, part }
     }

@@ -5,6 +5,7 @@ use crate::ahead::{delimiter, split};
 use crate::clock::is_clock;
 use crate::number::Decimals;
 use quantities::Unit;
+use std::ops::Range;
 
 /// First line of a LabVIEW measurement file.
 const LABVIEW: &[u8] = b"LabVIEW Measurement";
@@ -47,7 +48,7 @@ impl Headers {
         let sign = delimiter(row);
         let is_value = |cell: &String| Decimals::is_number(cell) || is_clock(cell);
         let row = split(row, sign)?;
-        if row.len() < 2 || row.len() % 2 != 0 || !row.iter().all(is_value) {
+        if row.len() < 2 || !row.iter().all(is_value) {
             return None;
         }
         let properties: Vec<(u64, Vec<String>)> = seen
@@ -55,23 +56,41 @@ impl Headers {
             .filter_map(|(number, line)| Some((*number, split(line, sign)?)))
             .filter(|(_, cells)| cells.len() == row.len())
             .collect();
-        let of = |name: &str| {
-            let is_one = |cells: &[String]| cells.iter().step_by(2).all(|cell| cell == name);
-            properties.iter().rev().find(|(_, cells)| is_one(cells))
+        let of = |name: &str| properties.iter().rev().find(|(_, cells)| cells.first().is_some_and(|cell| cell == name));
+        // The name of a property stands above each column of time: one beside each channel, or one for all channels of a sampling.
+        let times = |cells: &[String]| -> Vec<usize> {
+            let first = cells.first();
+            cells.iter().enumerate().filter(|(_, cell)| Some(*cell) == first).map(|(place, _)| place).collect()
         };
         let (number, names) = of("Name")?;
+        let of_time = times(names);
         let units = of("Unit").map(|(_, cells)| cells.as_slice()).unwrap_or_default();
-        let time = if of("SampleTime[ms]").is_some() { "Time [ms]" } else { "Time" };
+        if !units.is_empty() && times(units) != of_time {
+            return None;
+        }
+        let time = match (row.first().is_some_and(|cell| is_file_time(cell)), of("SampleTime[ms]")) {
+            (true, _) => "Time [FILETIME]",
+            (false, Some(_)) => "Time [ms]",
+            (false, None) => "Time",
+        };
         let mut headings = Vec::new();
-        for place in (1..row.len()).step_by(2) {
-            let name = names.get(place)?;
+        for (place, name) in names.iter().enumerate() {
+            if of_time.contains(&place) {
+                headings.push(time.to_owned());
+                continue;
+            }
             // `° (Angle)`, or `(None)`.
             let unit =
                 units.get(place).and_then(|unit| unit.split(" (").next()).filter(|unit| Unit::of(unit).is_some());
-            headings.push(time.to_owned());
             headings.push(unit.map_or_else(|| name.clone(), |unit| format!("{name} [{unit}]")));
         }
         let separator = char::from(sign).to_string();
         Some((last, *number, headings.join(&separator).into_bytes(), sign))
     }
+}
+
+/// Returns `true` if a cell is a time of Windows in the years 1970 to 2099: hundreds of nanoseconds since 1601-01-01.
+fn is_file_time(cell: &str) -> bool {
+    const YEARS: Range<i64> = 116_444_736_000_000_000..157_469_184_000_000_000;
+    cell.parse().is_ok_and(|time| YEARS.contains(&time))
 }

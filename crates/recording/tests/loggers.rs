@@ -306,6 +306,35 @@ fn the_headers_of_tools_are_understood() {
         matches!(found.as_slice(), [Fault::UnitMissing { column, .. }, Fault::UnitMissing { .. }] if column == "Axis 1.ActPos"),
         "{found:?}"
     );
+    // One column of time for all channels, or one for each; in milliseconds, or as Windows counts.
+    let layouts = |row: &dyn Fn(&str, [&str; 2]) -> String, times: [&str; 4]| {
+        let properties = [("Name", ["Axis 1.ActPos", "Axis 1.ActVelo"]), ("Data-Type", ["REAL64"; 2])];
+        let more = [("SampleTime[ms]", ["5"; 2]), ("Unit", ["deg", "deg/s"])];
+        let head: String = properties.iter().chain(&more).map(|(name, cells)| row(name, *cells)).collect();
+        let cells = [["0,0", "0,0"], ["0,25", "1,0"], ["1,5", "2,0"], ["2,0", "0,0"]];
+        let rows: String = times.iter().zip(cells).map(|(time, cells)| row(time, cells)).collect();
+        format!(
+            "Name\tYT Scope Project\nStarttime of export\t133863912000000000\tFreitag\t10:00:00.000\n\n{head}\n{rows}"
+        )
+    };
+    let one = |first: &str, [a, b]: [&str; 2]| format!("{first}\t{a}\t{b}\n");
+    let each = |first: &str, [a, b]: [&str; 2]| format!("{first}\t{a}\t{first}\t{b}\n");
+    let windows = ["133863912000000000", "133863912000050000", "133863912000100000", "133863912000150000"];
+    for times in [["0", "5", "10", "15"], windows] {
+        for text in [layouts(&one, times), layouts(&each, times)] {
+            let recording = read(&text);
+            assert!(near(&recording.time_s, &[0.0, 0.005, 0.01, 0.015]), "{:?}\n{text}", recording.time_s);
+            assert!(near(&degrees(&recording), &[0.0, 0.25, 1.5, 2.0]), "{text}");
+            let speed = recording.course.speed.unwrap();
+            assert!(near(&speed.values, &[0.0, 1.0, 2.0, 0.0].map(f64::to_radians)), "{text}");
+        }
+    }
+    // Channels of two samplings have different times in a row.
+    let mixed = layouts(&each, ["0", "5", "10", "15"]).replace("\t5\t1,0", "\t10\t1,0");
+    assert!(matches!(faults(&mixed).as_slice(), [Fault::TimesDiffer { numbers: [1, 3], .. }]));
+    let plain: String = windows.iter().zip(["0", "1", "3", "4"]).map(|(time, q)| format!("{time};{q}\n")).collect();
+    let recording = read(&format!("t [FILETIME];q [deg]\n{plain}"));
+    assert!(near(&recording.time_s, &[0.0, 0.005, 0.01, 0.015]));
     let labview = "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\nX_Columns\tOne\n\
          ***End_of_Header***\t\n\t\nChannels\t1\t\t\nSamples\t4\t\t\nY_Unit_Label\tdeg\t\t\nX_Dimension\tTime\t\t\n\
          X0\t0,0E+0\t\t\nDelta_X\t0,005\t\t\n***End_of_Header***\t\t\t\nX_Value\tPosition\tComment\n\
