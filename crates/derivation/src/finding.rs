@@ -51,6 +51,7 @@ findings! {
     Correlation "int(alpha*T_L)/(t_0*alpha_rms*T_L_rms)" ["T_L" "t_0" "alpha_rms" "T_L_rms"];
     LargestInertia [];
     LargestInertiaHeld ["t"];
+    LeastInertia [];
     LeastInertiaHeld ["t"];
     SpeedNearResonance ["t"];
     ContinuousCurve ["n_av"];

@@ -155,11 +155,10 @@ fn hangs(axis: &Axis) -> bool {
     axis.moments().holding_torque.si() > HANGING
 }
 
-fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, Missing> {
-    // The lightest load moves most while the brake closes. For a joint only the largest inertia is stated.
+/// Returns the smallest inertia of the load in the cycle; for a joint only the largest is stated, and zero holds.
+fn least_load(axis: &Axis) -> MomentOfInertia {
     let joint = matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_));
-    let least = if joint { MomentOfInertia::from_si(0.0) } else { axis.trace.inertia().1 };
-    Ok(actuator.inertia_out.require("J_out")?.value + least)
+    if joint { MomentOfInertia::from_si(0.0) } else { axis.trace.inertia().1 }
 }
 
 /// Checks T_Br ≥ S times gravity, process and external torque at every instant, without the help of friction: the drive
@@ -195,7 +194,9 @@ fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
     let notes = &mut check.notes;
     if hangs(axis) {
         notes.push(Note::HangingLoad);
-        if let (Ok(inertia), Some(closing)) = (total_inertia(axis, actuator), brake.closing_time.known()) {
+        if let (Some(own), Some(closing)) = (actuator.inertia_out.known(), brake.closing_time.known()) {
+            // The lightest load moves most while the brake closes.
+            let inertia = own.value + least_load(axis);
             notes.push(Note::Sag(actuator::sag_angle(inertia, torque, closing.value)));
         }
     }
@@ -251,14 +252,26 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
     if !stated && axis.moments().inertia_max.si() <= 0.0 {
         return Err(Missing { symbol: "J_L" });
     }
-    // The heaviest load is hardest to stop.
-    let inertia = actuator.inertia_out.require("J_out")?.value + axis.moments().inertia_max;
+    let own = actuator.inertia_out.require("J_out")?.value;
     let source = Source::Model { name: "brake" };
     let driving = axis.moments().holding_torque;
     let permitted = brake.emergency_max.known();
-    let stop = match actuator::emergency_stop(inertia, axis.moments().speed_peak, torque, driving, closing) {
-        StopOutcome::Stops(stop) => stop,
-        StopOutcome::DoesNotStop => {
+    // The heaviest load has the most energy, the lightest gathers the most speed until the brake has closed: angle and
+    // energy are convex in J, so that one of the two is the worst.
+    let loads = [axis.moments().inertia_max, least_load(axis)];
+    let [heaviest, lightest] =
+        loads.map(|load| actuator::emergency_stop(own + load, axis.moments().speed_peak, torque, driving, closing));
+    let (stop, load) = match (heaviest, lightest) {
+        (StopOutcome::Stops(heaviest), StopOutcome::Stops(lightest)) => {
+            let by_lightest = lightest.angle > heaviest.angle;
+            let energy = if lightest.energy > heaviest.energy { lightest.energy } else { heaviest.energy };
+            let time = if lightest.time > heaviest.time { lightest.time } else { heaviest.time };
+            let angle = if by_lightest { lightest.angle } else { heaviest.angle };
+            let (load, what) =
+                if by_lightest { (loads[1], Finding::LeastInertia) } else { (loads[0], Finding::LargestInertia) };
+            (BrakeStop { angle, time, energy, permitted: permitted.map(|permitted| permitted.value) }, (load, what))
+        }
+        (StopOutcome::DoesNotStop, _) | (_, StopOutcome::DoesNotStop) => {
             holding_torque(axis, work);
             work.given("T_Br", &NEWTON_METRE, holding);
             work.limit("T_Br");
@@ -293,17 +306,21 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
         }
     }
     if work.is_on() && !by_number {
-        stop_angle(axis, actuator, brake, stop.angle.si(), work);
+        stop_angle(axis, (actuator, brake), load, stop.angle.si(), work);
         work.asked("phi_perm", &DEGREE, angle, id);
     }
-    let permitted = permitted.map(|permitted| permitted.value);
-    let stop = BrakeStop { angle: stop.angle, time: stop.time, energy: stop.energy, permitted };
     check.notes.push(Note::BrakeStop(Box::new(stop)));
     Ok(check)
 }
 
-/// Records the derivation of the angle of a stop by the brake alone, `phi_stop`.
-fn stop_angle(axis: &Axis, actuator: &Parameters, brake: &Brake, angle: f64, work: &mut Workings) {
+/// Records the derivation of the angle of a stop by the brake alone, `phi_stop`, with the inertia of the load that is the worst.
+fn stop_angle(
+    axis: &Axis,
+    (actuator, brake): (&Parameters, &Brake),
+    (load, what): (MomentOfInertia, Finding),
+    angle: f64,
+    work: &mut Workings,
+) {
     let (Some(torque), Some(closing)) = (brake.holding_torque.known(), brake.closing_time.known()) else { return };
     let source = Source::Model { name: "brake" };
     let moments = axis.moments();
@@ -311,13 +328,13 @@ fn stop_angle(axis: &Axis, actuator: &Parameters, brake: &Brake, angle: f64, wor
     let figure = |work: &mut Workings, symbol, unit, si, what| {
         work.found(symbol, unit, si, what, &source, Grade::Computed);
     };
-    figure(work, "J_L", &KILOGRAM_SQUARE_METRE, moments.inertia_max.si(), Finding::LargestInertia);
+    figure(work, "J_L", &KILOGRAM_SQUARE_METRE, load.si(), what);
     figure(work, "n_peak", &REVOLUTION_PER_MINUTE, moments.speed_peak.si(), Finding::PeakSpeed);
     figure(work, "T_d", &NEWTON_METRE, moments.holding_torque.si(), Finding::DrivingTorque);
     work.given("T_Br", &NEWTON_METRE, torque);
     work.given("t_c", &SECOND, closing);
     let own = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
-    let inertia = own + moments.inertia_max.si();
+    let inertia = own + load.si();
     work.formula("J", &KILOGRAM_SQUARE_METRE, inertia, "J_out + J_L", &source);
     let speed = moments.speed_peak.si() + moments.holding_torque.si() / inertia * closing.value.si();
     work.formula("omega_1", &RADIAN_PER_SECOND, speed, "n_peak*2*pi/60 + T_d/J*t_c", &source);

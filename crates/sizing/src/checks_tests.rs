@@ -133,6 +133,44 @@ fn brakings_are_counted() {
     assert_eq!(short.brake_open_share().si(), 1.0);
 }
 
+/// Returns path, work of the brake and time of a stop, by small steps: no torque but 39 Nm for 0.07 s, then 60 Nm against it.
+fn stepped(inertia: f64, speed: f64) -> [f64; 3] {
+    let (dt, mut speed) = (1e-6, speed);
+    let [mut path, mut work, mut time] = [0.0; 3];
+    while time < 0.07 || speed > 0.0 {
+        let brake = if time < 0.07 { 0.0 } else { 60.0 };
+        let after = speed + (39.0 - brake) / inertia * dt;
+        let way = 0.5 * (speed + after.max(0.0)) * dt;
+        path += way;
+        work += brake * way;
+        (time, speed) = (time + dt, after);
+    }
+    [path, work, time]
+}
+
+/// A stop is that of the load that is the worst: a light one gathers speed until the brake has closed, a heavy one has the energy.
+#[test]
+fn a_stop_by_the_brake_is_no_shorter_than_that_of_any_load_of_the_cycle() {
+    for (acceleration, added) in [(1e-4, 20.0), (0.05, 20.0), (4.0, 20.0), (60.0, 20.0), (4.0, 0.0)] {
+        let plain = axis(&[swing(acceleration), swing(acceleration)]);
+        let mut extras = plain.extras.clone();
+        extras[1].inertia = MomentOfInertia::from_si(added);
+        let axis = Axis::new(plain.mechanism.clone(), plain.motion.clone(), extras);
+        let found = check(&axis, &actuator(), CheckId::BrakeEmergency);
+        let Some(Note::BrakeStop(stop)) = found.notes.iter().find(|note| matches!(note, Note::BrakeStop(_))) else {
+            panic!("{found:?}")
+        };
+        let speed = axis.moments().speed_peak.si();
+        let loads = [3.0, 3.0 + 0.3 * added, 3.0 + added].map(|inertia| stepped(inertia, speed));
+        let shown = [stop.angle.si(), stop.energy.si(), stop.time.si()];
+        for (k, shown) in shown.into_iter().enumerate() {
+            let worst = loads.iter().map(|each| each[k]).fold(0.0, f64::max);
+            assert!((shown / worst - 1.0).abs() < 1e-4, "{acceleration} {added} {k}: {shown} {loads:?}");
+        }
+        assert!((found.value.unwrap().si - stop.angle.si()).abs() < 1e-12);
+    }
+}
+
 /// 60 Nm hold 39 Nm 1.538 times.
 #[test]
 fn the_brake_holds_with_the_safety_that_is_asked() {

@@ -2,7 +2,7 @@
 
 use super::*;
 use actuator::FlangeLoad;
-use mechanism::{Extra, Linear, LinearKind, Mechanism, MechanismKind, Rotor, RotorKind};
+use mechanism::{Contact, Extra, Linear, LinearKind, Mechanism, MechanismKind, Rotor, RotorKind};
 use motion::{Closing, Given, Law, Motion, Recorded, Samples, SegmentSpec, Treatment};
 use quantities::unit::DEGREE;
 use quantities::{Angle, AngularVelocity, Mass, MomentOfInertia};
@@ -165,6 +165,49 @@ fn laws_agree_with_many_small_steps() {
             }
             assert!((found.mean_moments[0] - expected[5]).abs() <= 1e-6 * (1.0 + expected[5]));
             assert!((found.turning.moment.value() - 40.0 * 0.018 - expected[2]).abs() <= 1e-6 * (1.0 + expected[2]));
+        }
+    }
+}
+
+/// At the ends of a move the computed speed is rounding, of either sign; friction keeps the direction of the move there, under
+/// every law and duration. Downhill with more friction than weight the way back would pull with their sum.
+#[test]
+fn rounding_at_the_end_of_a_move_turns_no_friction() {
+    let laws = Law::ALL.into_iter().filter(|law| !matches!(law, Law::Constant | Law::Jerk));
+    for (law, kind) in
+        laws.flat_map(|law| [(law, LinearKind::Belt), (law, LinearKind::Conveyor), (law, LinearKind::Screw)])
+    {
+        for seconds in [1.0, 3.3, 4.0, 7.1, 12.7, 20.0, 40.2, 60.3, 100.7, 300.1, 1000.0] {
+            let slide = Linear {
+                kind,
+                travel_m_per_rad: 0.05,
+                inertia: MomentOfInertia::from_si(0.001),
+                mass: Mass::from_si(30.0),
+                counterweight: Mass::from_si(0.0),
+                inclination: Angle::new_in(-20.0, &DEGREE),
+                friction_force: Force::from_si(40.0),
+                friction_coefficient: 0.6,
+            };
+            let mechanism = Mechanism {
+                kind: MechanismKind::Linear(slide),
+                efficiency_driving: 0.9,
+                efficiency_driven: 0.8,
+                ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))
+            };
+            let given = Given {
+                distance: Some(Angle::new_in(900.0, &DEGREE)),
+                time: Some(Time::from_si(seconds)),
+                ..Given::default()
+            };
+            let mut axis = axis(mechanism, &[SegmentSpec::Move(law, given)], Vec::new(), none());
+            let derived = axis.bearing.as_mut().and_then(|duty| duty.derived.as_mut()).unwrap();
+            derived.mounting.contact = Some(Contact::Belt { tension: Force::from_si(100.0) });
+            let found = axis.derived_loads(length(0.018), B).unwrap();
+            let expected = brute(&axis, 0.018, B, 2_000);
+            let peaks = [found.turning.radial, found.turning.axial, found.turning.moment].map(|peak| peak.value());
+            for (found, expected) in peaks.into_iter().zip(expected) {
+                assert!(found <= 1e-9 + 1.002 * expected, "{law:?} {kind:?} {seconds} s: {found} {expected}");
+            }
         }
     }
 }

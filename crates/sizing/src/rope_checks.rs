@@ -110,8 +110,10 @@ impl OfRope<'_> {
 
     fn pieces(&mut self) {
         for piece in self.axis.motion.pieces() {
+            // The sign of a computed speed would be that of its rounding at the ends of a move.
+            let runs = piece.runs();
             let at = |t: f64| {
-                let state = output(piece, t, piece.at(t).speed_rad_s.signum());
+                let state = output(piece, t, runs.direction(t));
                 self.instant(piece.segment, piece.start_s + t, &state, 0.0)
             };
             let tension = |t: f64| at(t).map_or(0.0, |instant| instant.tension_n);
@@ -139,13 +141,15 @@ impl OfRope<'_> {
         for placed in self.axis.motion.recordings() {
             for interval in (0..placed.intervals()).filter_map(|index| placed.interval(index)) {
                 let mut slack = [f64::INFINITY, f64::NEG_INFINITY];
+                let [before, after] = interval.speed_rad_s;
                 let ends = [0.0, 1.0].map(|share| {
                     let (position_rad, speed_rad_s, recorded) = interval.at(share);
+                    let moving = if speed_rad_s == 0.0 { before + after } else { speed_rad_s };
                     let state = Output {
                         position_rad,
                         speed_rad_s,
                         acceleration_rad_s2: interval.acceleration_rad_s2(),
-                        direction: speed_rad_s.signum(),
+                        direction: if moving == 0.0 { 0.0 } else { moving.signum() },
                     };
                     let at_s = interval.start_s + share * interval.duration_s;
                     self.instant(placed.segment, at_s, &state, recorded)

@@ -96,6 +96,7 @@ pub fn found_condition(what: Finding, language: Language) -> String {
             ("largest minus smallest position over the cycle", "größte minus kleinste Position im Zyklus")
         }
         Finding::LargestInertia => ("largest along the path", "größtes längs des Wegs"),
+        Finding::LeastInertia => ("smallest along the path", "kleinstes längs des Wegs"),
         Finding::LargestInertiaHeld => {
             ("largest during the constant speed from t on", "größtes bei konstanter Drehzahl ab t")
         }

@@ -349,6 +349,10 @@ class WouldFit:
     """Best ordering code with this value."""
     verdict: Fit
     """Verdict on this code."""
+    if_estimate: bool
+    """`true` if the code fits only if an estimate holds."""
+    unless_rating: bool
+    """`true` if the code fits unless a gear rating of another manufacturer applies."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -522,6 +526,8 @@ fit, all together; only if nothing but these limits rejects it."""
     """Units of cycle time and ambient temperature."""
     if_estimate: list[str]
     """Names of the fields above whose value fits only if an estimate holds, `fits_if_estimate`."""
+    unless_rating: list[str]
+    """Names of the fields above whose value fits unless a gear rating of another manufacturer applies, `fits_if_estimate`."""
     not_sought: NotSought | None = None
     """Quantities not searched because of the cost; `null` if all were."""
 

@@ -233,10 +233,12 @@ impl<'a> Walk<'a> {
         let mut cuts: Vec<f64> = cuts.filter(|cut| *cut > start && *cut < end).collect();
         cuts.push(end);
         cuts.sort_by(f64::total_cmp);
+        let runs = piece.runs();
         let mut from = start;
         for to in cuts {
             if to - from > 1e-12 * piece.duration_s {
-                self.panels(piece, (from, to), times, (parts_per_s * (to - from)).ceil());
+                let sense = runs.direction(0.5 * (from + to));
+                self.panels((piece, sense), (from, to), times, (parts_per_s * (to - from)).ceil());
                 from = to;
             }
         }
@@ -287,10 +289,8 @@ impl<'a> Walk<'a> {
     fn switches(&self, piece: &Piece) -> Vec<f64> {
         let none = Extra::none();
         let extra = self.axis.extras.get(piece.segment).unwrap_or(&none);
-        let forces = |t: f64| {
-            let sense = piece.at(t).speed_rad_s.signum();
-            self.axis.mechanism.flange_switches(&output(piece, t, sense), extra, 0.0)
-        };
+        let runs = piece.runs();
+        let forces = |t: f64| self.axis.mechanism.flange_switches(&output(piece, t, runs.direction(t)), extra, 0.0);
         let mut found = Vec::new();
         if forces(0.0).is_none() {
             return found;
@@ -314,9 +314,8 @@ impl<'a> Walk<'a> {
         mechanism.has_losses() || mechanism.stage.is_some() || !mechanism.kinks().is_empty()
     }
 
-    /// Evaluates the panels between two instants of a piece with one direction of rotation; each counts `times` over.
-    fn panels(&mut self, piece: &Piece, (from, to): (f64, f64), times: f64, count: f64) {
-        let sense = piece.at(0.5 * (from + to)).speed_rad_s.signum();
+    /// Evaluates the panels between two instants of a piece with one direction of rotation, `sense`; each counts `times` over.
+    fn panels(&mut self, (piece, sense): (&Piece, f64), (from, to): (f64, f64), times: f64, count: f64) {
         let length = (to - from) / count.max(1.0);
         // At a kink or a step of the load each panel uses its own side.
         let beside = if self.has_steps() { 1e-9 * (to - from) } else { 0.0 };
