@@ -94,6 +94,10 @@ pub struct Estimate {
 /// choice.
 const SHARE_MOST: f64 = 0.2;
 
+/// Largest half interval of the external torque that counts as known, relative to its value \[1\]. A choice: the interval
+/// contains a zero of the torque.
+const EXTERNAL_MOST: f64 = 0.1;
+
 /// Largest half interval of an angle that counts as known \[rad\].
 const ANGLE_MOST: f64 = 0.5;
 
@@ -105,7 +109,7 @@ impl Estimate {
         match of {
             Identified::LoadInertia | Identified::TorqueConstant => half_width < SHARE_MOST * value,
             Identified::GravityAngle => half_width < ANGLE_MOST,
-            Identified::External => half_width < value.abs(),
+            Identified::External => half_width < EXTERNAL_MOST * value.abs(),
             Identified::Coulomb
             | Identified::Viscous
             | Identified::Gravity
@@ -128,6 +132,8 @@ pub enum Open {
     NotConstant,
     /// Too few samples with a current below its limit.
     AtLimit,
+    /// A zero of the torque would be part of the value, and the run does not bound it.
+    Zero,
 }
 
 /// Lag of a signal behind the position.
@@ -148,6 +154,8 @@ pub struct Zero {
     pub half_width_a: f64,
     /// Torque recorded without a torque, if the current has no zero \[Nm\].
     pub torque_nm: f64,
+    /// Half width of its 95 % confidence interval \[Nm\].
+    pub half_width_nm: f64,
     /// The external torque deviates from the stated one by the same amount, so that the torque has the zero.
     pub is_of_torque: bool,
 }
@@ -160,6 +168,12 @@ impl Zero {
     #[must_use]
     pub fn is_significant(&self) -> bool {
         self.current_q_a.abs() > ZERO * self.half_width_a
+    }
+
+    /// Returns the largest torque recorded without a torque that the run admits, if the current has no zero \[Nm\].
+    #[must_use]
+    pub fn most_nm(&self) -> f64 {
+        self.torque_nm.abs() + self.half_width_nm
     }
 }
 
@@ -277,7 +291,7 @@ pub fn identify_while(
     let extra = |segment: usize| extras.get(segment).or(extras.last());
     let same = |a: usize, b: usize| extra(a) == extra(b);
     let differs = extras.iter().any(|each| extras.first() != Some(each));
-    let followed = Followed::of(stated.motion, &run, differs.then_some(&same));
+    let followed = Followed::of(stated.motion, &run, strokes.moving(), differs.then_some(&same));
     let limit = stated.parameters.actuator.current_max.known().map(|known| {
         let rms: quantities::ElectricCurrent = known.value;
         std::f64::consts::SQRT_2 * quantities::Measure::si(rms)
@@ -339,19 +353,26 @@ pub fn identify_while(
     Ok(found)
 }
 
-/// Decides from the stated external torque which signal has a zero, and widens the interval of the external torque by a
-/// zero that the torque may have.
+/// Decides from the stated external torque which signal has a zero, and widens the interval of the external torque by the
+/// zero that the torque may have; where the run does not bound that zero, the external torque is open.
+///
+/// # Valid
+/// one of torque and current has a zero: zeros of both that cancel each other do not show
 fn external(stated_nm: Option<f64>, found: &mut Identification) {
-    let Some(zero) = found.zero.as_mut().filter(|zero| zero.is_significant()) else { return };
-    let of_external = |each: &&mut Estimate| each.of == Identified::External;
-    let Some(estimate) = found.estimates.iter_mut().find(of_external) else { return };
-    let half = (zero.torque_nm * zero.half_width_a / zero.current_q_a).abs();
-    zero.is_of_torque = stated_nm.is_some_and(|stated| {
-        let deviation = estimate.value - stated;
-        deviation.abs() > estimate.half_width
-            && (deviation - zero.torque_nm).abs() < (estimate.half_width + half).min(0.5 * zero.torque_nm.abs())
-    });
-    estimate.half_width += zero.torque_nm.abs() + half;
+    let Some(place) = found.estimates.iter().position(|each| each.of == Identified::External) else { return };
+    let Some(zero) = found.zero.as_mut() else {
+        found.estimates.remove(place);
+        found.open.push((Identified::External, Open::Zero));
+        return;
+    };
+    let Some(estimate) = found.estimates.get_mut(place) else { return };
+    zero.is_of_torque = zero.is_significant()
+        && stated_nm.is_some_and(|stated| {
+            let deviation = estimate.value - stated;
+            let within = (estimate.half_width + zero.half_width_nm).min(0.5 * zero.torque_nm.abs());
+            deviation.abs() > estimate.half_width && (deviation - zero.torque_nm).abs() < within
+        });
+    estimate.half_width += zero.most_nm();
 }
 
 /// Checks the columns; a position counted within one revolution is unwrapped.

@@ -29,6 +29,9 @@ texts! {
     of_the_first_move(shift) =
         "Payloads and process torques of the moves are taken from the project; the estimates are those of the first move. The run starts {shift} s after the start of the cycle."
         | "Nutzlasten und Prozessmomente der Bewegungen sind dem Projekt entnommen; die Schätzwerte gelten für die erste Bewegung. Der Lauf beginnt {shift} s nach dem Anfang des Zyklus.";
+    of_the_first_move_later(shift) =
+        "Payloads and process torques of the moves are taken from the project; the estimates are those of the first move. The cycle starts {shift} s after the instant 0 of the run."
+        | "Nutzlasten und Prozessmomente der Bewegungen sind dem Projekt entnommen; die Schätzwerte gelten für die erste Bewegung. Der Zyklus beginnt {shift} s nach dem Zeitpunkt 0 des Laufs.";
     position_steps(step) =
         "The position has steps of {step}°; the estimates are corrected for this noise, the intervals include it."
         | "Die Position hat Stufen von {step}°; die Schätzwerte sind um dieses Rauschen korrigiert, die Intervalle enthalten es.";
@@ -46,8 +49,11 @@ texts! {
         "{column} leads the position by {lag} ms (± {half} ms): the position is late; the difference is removed before the estimates."
         | "{column} eilt der Position um {lag} ms voraus (± {half} ms): die Position kommt verspätet; der Unterschied ist vor der Schätzung herausgerechnet.";
     zero_of_current(current, half, torque) =
-        "The zeros of current_q_a and torque_nm differ: {current} A (± {half} A) in the current, or {torque} Nm in the torque. The motor parameters take this into account. The run does not show which signal has the offset: the interval of the external torque includes it, and no line states that torque."
-        | "Die Nullpunkte von current_q_a und torque_nm passen nicht zusammen: {current} A (± {half} A) im Strom oder {torque} Nm im Moment. Die Motorparameter berücksichtigen das. Welches Signal den Versatz hat, zeigt der Lauf nicht: das Intervall des äußeren Moments enthält ihn, und keine Zeile gibt dieses Moment an.";
+        "The zeros of current_q_a and torque_nm differ: {current} A (± {half} A) in the current, or {torque} Nm in the torque. The motor parameters take this into account. The run does not show which signal has the offset: the interval of the external torque includes it if only one of both has one (offsets of both that cancel each other do not show), and no line states that torque."
+        | "Die Nullpunkte von current_q_a und torque_nm passen nicht zusammen: {current} A (± {half} A) im Strom oder {torque} Nm im Moment. Die Motorparameter berücksichtigen das. Welches Signal den Versatz hat, zeigt der Lauf nicht: das Intervall des äußeren Moments enthält ihn, wenn nur eines von beiden versetzt ist (Versätze beider, die sich aufheben, zeigen sich nicht), und keine Zeile gibt dieses Moment an.";
+    zero_in_the_interval(most) =
+        "An offset of torque_nm would appear as external torque. The run excludes one of more than {most} Nm if current_q_a has none, and the interval of the external torque includes it; offsets of both that cancel each other do not show."
+        | "Ein Versatz von torque_nm erschiene als äußeres Moment. Mehr als {most} Nm schließt der Lauf aus, wenn current_q_a keinen Versatz hat, und das Intervall des äußeren Moments enthält ihn; Versätze beider, die sich aufheben, zeigen sich nicht.";
     zero_of_torque(torque, current) =
         "torque_nm has an offset of {torque} Nm, it seems: the external torque deviates from that of the project by as much, and current_q_a, {current} A beside it, does not contain it. If the project is right, subtract the offset from torque_nm. The motor parameters take it into account; no line states the external torque."
         | "torque_nm hat offenbar einen Versatz von {torque} Nm: um so viel weicht das äußere Moment vom Projekt ab, und current_q_a enthält ihn nicht ({current} A daneben). Stimmt das Projekt, den Versatz von torque_nm abziehen. Die Motorparameter berücksichtigen ihn; keine Zeile gibt das äußere Moment an.";
@@ -118,6 +124,10 @@ pub fn open_reason(open: Open, language: Language) -> String {
         Open::AtLimit => (
             "too few samples with a current below its limit",
             "zu wenige Abtastwerte mit einem Strom unterhalb der Grenze",
+        ),
+        Open::Zero => (
+            "an offset of torque_nm would be part of it, and this run does not limit that offset",
+            "ein Versatz von torque_nm wäre darin enthalten, und dieser Lauf begrenzt ihn nicht",
         ),
     };
     pick(language, en, de).to_owned()
@@ -250,6 +260,10 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
         (_, Misread::PayloadMissing) => (
             "payloads and process torques of the moves appear with {value} times what the project states: run and [[motion]] contradict each other; state the payload of this run in each [[motion]], none if it ran without",
             "Nutzlasten und Prozessmomente der Bewegungen erscheinen mit dem {value}-Fachen der Angabe des Projekts: Lauf und [[motion]] widersprechen sich; in jedem [[motion]] die Nutzlast dieses Laufs angeben, keine, wenn er ohne Nutzlast war",
+        ),
+        (_, Misread::PayloadUnstated) => (
+            "the load differs from move to move, by up to {value} Nm (rms over a move) beside what the project states: payloads or process torques of this run; state them in each [[motion]]",
+            "die Last unterscheidet sich von Bewegung zu Bewegung, um bis zu {value} Nm (Effektivwert über eine Bewegung) neben den Angaben des Projekts: Nutzlasten oder Prozessmomente dieses Laufs; in jedem [[motion]] angeben",
         ),
         (Column::Torque, Misread::Other) => (
             "{value} times what current, payloads and project give: another unit or scale; divide torque_nm by this factor",

@@ -204,7 +204,12 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
         notes.push(identification::one_way(language).to_owned());
     }
     if let Some(shift) = found.shift_s {
-        notes.push(identification::of_the_first_move(&number(shift, 4), language));
+        let shown = number(shift.abs(), 4);
+        notes.push(if shift < 0.0 {
+            identification::of_the_first_move_later(&shown, language)
+        } else {
+            identification::of_the_first_move(&shown, language)
+        });
     }
     if let Some(step) = found.position_step_rad {
         notes.push(identification::position_steps(&number(step.to_degrees(), 3), language));
@@ -228,6 +233,7 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
             identification::signal_leads(&column, &lag, &half, language)
         });
     }
+    let has_external = found.estimates.iter().any(|each| each.of == Identified::External);
     if let Some(zero) = found.zero.filter(Zero::is_significant) {
         let [current, half] = [zero.current_q_a, zero.half_width_a].map(|value| number(value, 2));
         let torque = number(zero.torque_nm, 2);
@@ -236,6 +242,8 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
         } else {
             identification::zero_of_current(&current, &half, &torque, language)
         });
+    } else if let Some(zero) = found.zero.filter(|_| found.doubts.is_empty() && has_external) {
+        notes.push(identification::zero_in_the_interval(&number(zero.most_nm(), 2), language));
     }
     if found.at_limit > 0 {
         notes.push(identification::windows_at_the_limit(&found.at_limit, language));

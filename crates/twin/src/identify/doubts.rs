@@ -74,6 +74,8 @@ identified! {
         Milliamperes = "milliamperes",
         /// Payloads and process torques that the project states are not in the run.
         PayloadMissing = "payload_missing",
+        /// The moves of the run carry payloads or process torques that the project does not state.
+        PayloadUnstated = "payload_unstated",
         /// The weight acts on the opposite side: the position counts in the opposite direction, or with an offset of
         /// half a turn.
         GravityOpposite = "gravity_opposite",
@@ -311,8 +313,9 @@ pub(super) fn of_estimates(
             scale.is_none_or(|doubt| doubt.misread == Misread::Other)
                 && nearest(*value, &[(1.0 / DEGREES, Misread::Degrees)]).is_some()
         });
+        let of_moves = || Some(Doubt::new(Column::Torque, Misread::PayloadUnstated, shares.unstated_nm?));
         let of_degrees = |value| Doubt::new(Column::Position, Misread::Degrees, value);
-        doubts.extend(degrees.map(of_degrees).or(scale).or_else(|| scale::payload(shares)));
+        doubts.extend(degrees.map(of_degrees).or(scale).or_else(|| scale::payload(shares)).or_else(of_moves));
     }
     let has_doubt = !doubts.is_empty();
     #[allow(clippy::cast_precision_loss, reason = "counts of windows")]

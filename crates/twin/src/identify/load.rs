@@ -39,6 +39,8 @@ pub(super) struct Shares {
     pub(super) others: Vec<Share>,
     /// Parts of the weight.
     pub(super) weights: Vec<Share>,
+    /// Largest rms deviation of a stroke from a load that carries what the project states \[Nm\], if payloads of its own explain it.
+    pub(super) unstated_nm: Option<f64>,
 }
 
 /// Load of a run as the project states it.
@@ -145,8 +147,11 @@ fn plainly(
 ) -> Result<Shares, IdentifyFault> {
     let both_ways = load.both_ways;
     let columns = Columns::of(windows, load, first);
+    let rows_of = |is_free: bool| -> Vec<Row> {
+        windows.all.iter().map(|window| columns.row(window, load, first, is_free)).collect()
+    };
     let fitted = |is_free: bool| {
-        let rows: Vec<Row> = windows.all.iter().map(|window| columns.row(window, load, first, is_free)).collect();
+        let rows = rows_of(is_free);
         let [of_acceleration, of_speed] = windows.noise;
         fit(&rows, &[of_acceleration, 0.0, of_speed], &[])
     };
@@ -154,6 +159,12 @@ fn plainly(
     let (hangs, constant, last) = (columns.hangs, columns.constant(), columns.last());
     let free = fitted(true).filter(|free| free.separates(last));
     let of = free.as_ref().unwrap_or(&fit);
+    let weight = |row: &Row| {
+        let part = |place: usize| Some(of.values.get(place)? * row.regressors.get(place)?);
+        part(3).zip(part(4)).filter(|_| hangs).map(|(cosine, sine)| cosine + sine)
+    };
+    let per_stroke = |row: &Row| row.regressors.iter().take(1).copied().chain([1.0]).chain(weight(row)).collect();
+    let unstated_nm = unstated(&rows_of(free.is_some()), of, &per_stroke);
     let (sine, cosine) = first.angle_rad.sin_cos();
     let weights = [(3, cosine), (4, -sine)].map(|(place, part)| (place, first.weight_nm * part));
     let others = [(1, first.coulomb_nm), (2, first.viscous_nms), (constant, first.constant_nm)];
@@ -164,6 +175,7 @@ fn plainly(
         inertia: Share::of(of, 0, first.inertia_kgm2),
         others: others.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
         weights: weights.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
+        unstated_nm,
     };
     let mut taken = |of, place: Option<usize>| take(&fit, of, place, both_ways, found);
     taken(Identified::LoadInertia, Some(0));
@@ -185,6 +197,42 @@ fn difference(own: &Plain, first: &Plain, window: &Window) -> f64 {
         + (weight(own) - weight(first))
         + (own.coulomb_nm - first.coulomb_nm) * window.sign
         + (own.viscous_nms - first.viscous_nms) * window.speed
+}
+
+/// Largest variance beside loads of the strokes' own relative to that beside one load, with which the strokes have loads of their
+/// own. A choice: losses that grow with the torque leave 0.4.
+const STROKES_OWN: f64 = 0.1;
+
+/// Smallest rms value of what the strokes' own loads explain relative to that of the torque. A choice.
+const UNSTATED: f64 = 0.02;
+
+/// Returns the largest rms torque of a stroke beside the common load, if a load of its own in each stroke explains the residuals.
+///
+/// # Symbols
+/// The regressors of `own` are those of a load that a stroke carries: acceleration, constant torque, weight
+/// # Valid
+/// strokes with at least three equations more than `own` has regressors; residuals that depend on the position alike in all
+/// strokes remain
+fn unstated(rows: &[Row], fit_of_all: &Fit, own: &dyn Fn(&Row) -> Vec<f64>) -> Option<f64> {
+    let residue = |row: &Row| {
+        let value: f64 = row.regressors.iter().zip(&fit_of_all.values).map(|(a, b)| a * b).sum();
+        Row { regressors: own(row), value: row.value - value, stroke: row.stroke }
+    };
+    let square = |rows: &[Row]| rows.iter().map(|row| row.value * row.value).sum::<f64>();
+    let (mut count, mut free) = (0.0, 0.0);
+    let [mut all, mut left, mut torque, mut most] = [0.0_f64; 4];
+    for stroke in rows.chunk_by(|a, b| a.stroke == b.stroke) {
+        let residues: Vec<Row> = stroke.iter().map(residue).collect();
+        let Some(of_stroke) = fit(&residues, &[], &[]) else { continue };
+        #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
+        let (rows, width) = (residues.len() as f64, of_stroke.values.len() as f64);
+        let whole = square(&residues);
+        (count, free) = (count + rows, free + rows - width);
+        (all, left, torque) = (all + whole, left + of_stroke.square, torque + square(stroke));
+        most = most.max((whole / rows).sqrt());
+    }
+    let is_own = left / free < STROKES_OWN * all / count;
+    (is_own && all - left > UNSTATED * UNSTATED * torque).then_some(most)
 }
 
 fn take(fit: &Fit, of: Identified, place: Option<usize>, both_ways: bool, found: &mut Identification) {
@@ -256,7 +304,9 @@ fn beside(
         .collect();
     let noise = [0.0, windows.noise[1], 0.0, windows.noise[0]];
     let fit = fit(&rows, &noise, &[]).ok_or(IdentifyFault::NotExcited)?;
-    let shares = shares_beside(run, windows, load);
+    let per_stroke = |row: &Row| row.regressors.iter().skip(2).take(2).copied().collect();
+    let unstated_nm = if is_even { unstated(&rows, &fit, &per_stroke) } else { None };
+    let shares = Shares { unstated_nm, ..shares_beside(run, windows, load) };
     if is_even {
         let stated = mechanism.inertia(0.0, extra(0).unwrap_or(&none));
         let of = Identified::LoadInertia;

@@ -140,6 +140,18 @@ impl<'w> Equations<'w> {
         Self { windows, step_s: all.step_s, noise, tabulated, is_driven, has_zero, is_delayed }
     }
 
+    /// Returns for each direction of motion the share of windows in which the torque drives; `None` without both directions.
+    fn driving(&self) -> Option<[f64; 2]> {
+        let share = |sign: f64| {
+            let own = self.windows.iter().filter(|window| window.sign == sign);
+            let [count, driving] = own.fold([0.0; 2], |[count, driving], window| {
+                [count + 1.0, driving + (window.driving / window.torque).clamp(0.0, 1.0)]
+            });
+            (count > 0.0 && driving.is_finite()).then(|| driving / count)
+        };
+        Some([share(1.0)?, share(-1.0)?])
+    }
+
     /// Returns the place of the zero of the current among the columns.
     fn zero(&self) -> Option<usize> {
         self.has_zero.then_some(4 + usize::from(self.is_driven))
@@ -276,7 +288,8 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, is_delayed: b
         found.open.extend(of.map(|of| (of, Open::NotSeparated)));
         return;
     };
-    found.zero = equations.zero().and_then(|place| zero(&fit, place));
+    let zero = equations.zero().zip(equations.driving()).and_then(|(place, driving)| zero(&fit, place, driving));
+    found.zero = zero.map(|(zero, _)| zero);
     let [of_torque, of_start, of_speed] = of;
     match fit.estimate(0) {
         Some((slope, half)) if half < super::SHARE_MOST * slope.abs() => {
@@ -288,7 +301,9 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, is_delayed: b
     }
     for (of, place) in [(of_start, 1), (of_speed, 2)] {
         match fit.estimate(place) {
-            Some((value, half_width)) if fit.separates(place) => {
+            Some((value, half)) if fit.separates(place) => {
+                let of_zero = zero.filter(|_| of == of_start).map_or(0.0, |(_, of_zero)| of_zero);
+                let half_width = half + of_zero;
                 found.estimates.push(Estimate { of, value, half_width: half_width.max(CONSTANT * value.abs()) });
             }
             _ => found.open.push((of, Open::NotSeparated)),
@@ -296,10 +311,28 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, is_delayed: b
     }
 }
 
-/// Returns the zero of the current against that of the torque, with the torque that explains it as well.
-fn zero(fit: &Fit, place: usize) -> Option<Zero> {
-    let (value, half_width) = fit.estimate(place).filter(|_| fit.separates(place))?;
-    let (slope, _) = fit.estimate(0).filter(|(slope, _)| *slope > 0.0)?;
-    let current_q_a = SQRT_2 * value;
-    Some(Zero { current_q_a, half_width_a: SQRT_2 * half_width, torque_nm: -value / slope, is_of_torque: false })
+/// Largest variance inflation factor of the zero; beyond it rounding decides. A choice.
+const ZERO_INFLATION: f64 = 1e8;
+
+/// Returns the zero of the current against that of the torque, with the torque that explains it as well, and by how much I_NLS
+/// may be off because of that torque \[A\].
+///
+/// I_0 = −T_0 (s₊ + s₋)/2, δI_NLS = −T_0 (s₊ − s₋)/2, s± = d + (a − d) p±
+///
+/// # Symbols
+/// T_0 zero of the torque, p± share of the windows of a direction in which the torque drives
+fn zero(fit: &Fit, place: usize, driving: [f64; 2]) -> Option<(Zero, f64)> {
+    let (value, half_width) = fit.estimate(place).filter(|_| fit.is_inflated_within(place, ZERO_INFLATION))?;
+    let (drives, _) = fit.estimate(0).filter(|(slope, _)| *slope > 0.0)?;
+    let driven = if place > 4 { fit.estimate(4)?.0 } else { drives };
+    let [forth, back] = driving.map(|share| driven + (drives - driven) * share);
+    let slope = Some(0.5 * (forth + back)).filter(|slope| *slope > 0.0)?;
+    let zero = Zero {
+        current_q_a: SQRT_2 * value,
+        half_width_a: SQRT_2 * half_width,
+        torque_nm: -value / slope,
+        half_width_nm: half_width / slope,
+        is_of_torque: false,
+    };
+    Some((zero, 0.5 * (forth - back).abs() * zero.most_nm()))
 }

@@ -4,12 +4,13 @@ use super::Observed;
 use crate::setpoint::Course;
 use motion::Motion;
 use quantities::Measure;
+use std::ops::Range;
 
 /// A motion aligned with a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Followed<'a> {
     course: Course<'a>,
-    /// Time of the cycle at the instant 0 of the run \[s\].
+    /// Time of the cycle at the instant 0 of the run \[s\], negative if the cycle begins later.
     pub(super) shift_s: f64,
     /// Slope of the position of the run over that of the motion \[1\].
     pub(super) slope: f64,
@@ -34,14 +35,19 @@ const ROUGH: (usize, u32) = (200, 100);
 impl<'a> Followed<'a> {
     /// Aligns a motion with a run: at the clock of the run if it fits, else at the shift with the largest correlation.
     ///
+    /// Only the samples of `moving` are compared: how long the axis rests before and behind is no part of the motion.
     /// `same` returns `true` for two segments with equal additions to the load; `None` if all segments are equal.
-    pub(super) fn of(motion: &'a Motion, run: &Observed, same: Option<&impl Fn(usize, usize) -> bool>) -> Option<Self> {
-        let count = run.time_s.len();
+    pub(super) fn of(
+        motion: &'a Motion,
+        run: &Observed,
+        moving: Range<usize>,
+        same: Option<&impl Fn(usize, usize) -> bool>,
+    ) -> Option<Self> {
+        let (times, positions) = (run.time_s.get(moving.clone())?, run.position_rad.get(moving)?);
         let (samples, shifts) = if same.is_some() { FINE } else { ROUGH };
-        let stride = (count / samples).max(1);
-        let picked: Vec<(f64, f64)> =
-            run.time_s.iter().copied().zip(run.position_rad.iter().copied()).step_by(stride).collect();
-        let (first, last) = (*run.time_s.first()?, *run.time_s.last()?);
+        let stride = (times.len() / samples).max(1);
+        let picked: Vec<(f64, f64)> = times.iter().copied().zip(positions.iter().copied()).step_by(stride).collect();
+        let (first, last) = (*times.first()?, *times.last()?);
         let period = motion.duration().si();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
         let cycles = ((last - first) / period).clamp(0.0, 1e6).ceil() as u32 + 2;
@@ -52,7 +58,7 @@ impl<'a> Followed<'a> {
         };
         // A run written by the twin has the clock of the motion.
         let own = at(0.0);
-        let is_within = (0.0..period).contains(&first);
+        let is_within = run.time_s.first().is_some_and(|begin| (0.0..period).contains(begin));
         if is_within && own.correlation > FOLLOWS {
             return Some(own);
         }

@@ -60,7 +60,12 @@ impl Fit {
 
     /// Returns `true` if the run separates a coefficient from the others.
     pub(super) fn separates(&self, place: usize) -> bool {
-        self.inflation.get(place).is_some_and(|inflation| *inflation < INFLATION_MOST)
+        self.is_inflated_within(place, INFLATION_MOST)
+    }
+
+    /// Returns `true` if the other columns raise the variance of a coefficient less than a number of times.
+    pub(super) fn is_inflated_within(&self, place: usize, most: f64) -> bool {
+        self.inflation.get(place).is_some_and(|inflation| *inflation < most)
     }
 }
 

@@ -162,6 +162,12 @@ impl Strokes {
         Ok(Self { ranges, step_s, noise_rad, quantum_rad, speed })
     }
 
+    /// Returns the samples from the first motion to the last, without the rest before and behind.
+    pub(super) fn moving(&self) -> Range<usize> {
+        let first = self.ranges.iter().map(|(range, _)| range.start).min().unwrap_or(0);
+        first..self.ranges.iter().map(|(range, _)| range.end).max().unwrap_or(self.speed.len())
+    }
+
     /// Returns `true` if the run moves in both directions.
     pub(super) fn both_ways(&self) -> bool {
         [1.0, -1.0].iter().all(|sign| self.ranges.iter().any(|(_, own)| own == sign))

@@ -132,7 +132,9 @@ fn held(kind: &str) {
             let widest = match of {
                 Identified::LoadInertia => 0.006,
                 Identified::Coulomb | Identified::Viscous => 0.07,
-                Identified::Gravity | Identified::External => 0.25,
+                Identified::Gravity => 0.25,
+                // A zero that the torque may have is part of the interval.
+                Identified::External => 0.8,
                 Identified::GravityAngle => 0.03,
                 // But for a weight that varies, only the rotor's inertia distinguishes the torque constant from a zero.
                 Identified::TorqueConstant if kind == "arm" => 0.8,

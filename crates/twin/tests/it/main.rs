@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
 
 mod averaged;
+mod bench;
 mod course;
 mod coverage;
 mod foreign;
