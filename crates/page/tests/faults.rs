@@ -141,6 +141,7 @@ fn cases() -> Vec<(&'static str, String, At)> {
         ("no_column_with_ratio", segments(&["law = \"recorded\"\nfile = \"motor.csv\"\nrecorded_ratio = { speed = 80, torque = 80 }"]), Field("motion[1].recorded_ratio.torque")),
         ("recorded_at_the_motor", segments(&["law = \"recorded\"\nfile = \"motor.csv\""]), Field("motion[1].file")),
         ("unknown_unit", recorded("[motion.units]\nposition = \"furlong\""), Field("motion[1].units.position")),
+        ("time_stamps_uneven", segments(&["law = \"recorded\"\nfile = \"uneven.csv\"\ntime_stamps = \"even\""]), Field("motion[1].time_stamps")),
         ("file_unreadable", segments(&["law = \"recorded\"\nfile = \"none.csv\""]), Field("motion[1].file")),
         ("recording_time_missing", recorded(""), Field("motion[1].file")),
         ("body_missing", bodies(""), Field("mechanism.turntable.bodies")),
@@ -158,6 +159,18 @@ fn cases() -> Vec<(&'static str, String, At)> {
         ("body_mass_out_of_range", bodies("point mass=0kg"), Field("mechanism.turntable.bodies")),
         ("body_no_piece", bodies("point mass=1kg count=0"), Field("mechanism.turntable.bodies")),
     ]
+}
+
+/// Returns a recording of a swing whose rows are first 1 ms, then 3 ms apart.
+fn uneven() -> Vec<u8> {
+    let mut text = "t [s],q [deg]\n".to_owned();
+    let mut time = 0.0;
+    for k in 0..400 {
+        let position = 30.0 * (1.0 - (time * std::f64::consts::TAU / 0.8_f64).cos());
+        text.push_str(&format!("{time:.4},{position:.6}\n"));
+        time += if k < 200 { 1e-3 } else { 3e-3 };
+    }
+    text.into_bytes()
 }
 
 fn element(path: &str) -> String {
@@ -181,6 +194,7 @@ fn every_fault_has_its_place_in_the_page() {
     let _ = folder.0.borrow_mut().insert("run.csv".to_owned(), b"q [deg]\n0\n1\n".to_vec());
     let motor = b"t [s],q [deg],r0061[0]: Speed actual value [1/min]\n0,0,0\n1,1,40\n2,2,0\n";
     let _ = folder.0.borrow_mut().insert("motor.csv".to_owned(), motor.to_vec());
+    let _ = folder.0.borrow_mut().insert("uneven.csv".to_owned(), uneven());
     let good = more("");
     let mut wrong = Vec::new();
     for (id, text, at) in cases() {
@@ -226,6 +240,7 @@ fn no_fault_hides_another() {
     let _ = folder.0.borrow_mut().insert("run.csv".to_owned(), b"q [deg]\n0\n1\n".to_vec());
     let motor = b"t [s],q [deg],r0061[0]: Speed actual value [1/min]\n0,0,0\n1,1,40\n2,2,0\n";
     let _ = folder.0.borrow_mut().insert("motor.csv".to_owned(), motor.to_vec());
+    let _ = folder.0.borrow_mut().insert("uneven.csv".to_owned(), uneven());
     let of_a_whole_load = ["no_flange_loads", "without_effect"];
     let ids = |text: &str| -> Vec<String> {
         let found = read_all(text, &folder).err().unwrap_or_default();

@@ -204,6 +204,8 @@ pub enum Assumption {
     MotorHolds,
     /// A dwell behind a move with a payload states none: nothing is carried in it.
     NoPayloadInDwell,
+    /// The payload of a turntable lies in the direction of the common centre of mass of the bodies.
+    PayloadTowardsCentre,
     /// The recorded torque is a process torque, added to the torque of the mechanism.
     RecordedTorqueAdds,
     /// The recorded rotary quantities are those at the output.
@@ -240,7 +242,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 66] = [
+    pub const ALL: [Self; 67] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -289,6 +291,7 @@ impl Assumption {
         Self::UniformTolerances,
         Self::MotorHolds,
         Self::NoPayloadInDwell,
+        Self::PayloadTowardsCentre,
         Self::RecordedTorqueAdds,
         Self::RecordedAtOutput,
         Self::RecordedTurnsAlike,

@@ -577,4 +577,8 @@ pub(crate) fn assumptions(axis: &AxisSection, driven: Option<&dyn Driven>, found
     if segments.iter().zip(next).any(|(before, dwell)| rests(&dwell) && carries(before) && is_silent(dwell)) {
         found.push(Assumption::NoPayloadInDwell);
     }
+    let has_bodies = driven.is_some_and(|driven| driven.bodies().is_some());
+    if has_bodies && segments.iter().any(|segment| segment.payload.or_zero().si() > 0.0) {
+        found.push(Assumption::PayloadTowardsCentre);
+    }
 }

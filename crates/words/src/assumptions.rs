@@ -148,6 +148,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no means of holding stated for standstill (motion.hold): the motor holds the load",
             "keine Angabe zum Halten im Stillstand (motion.hold): der Motor hält die Last",
         ),
+        Assumption::PayloadTowardsCentre => (
+            "the payload of a segment lies in the direction of the common centre of mass of the bodies (of balanced bodies at start_angle), at payload_distance",
+            "die Nutzlast eines Abschnitts liegt in Richtung des gemeinsamen Schwerpunkts der Körper (bei ausgewuchteten Körpern bei start_angle), im Abstand payload_distance",
+        ),
         Assumption::RecordedTorqueAdds => (
             "the recorded torque is a process torque; it is added to the torque of inertia, gravity and friction of the mechanism",
             "das aufgezeichnete Moment ist ein Prozessmoment; die Momente aus Trägheit, Gewicht und Reibung der Mechanik kommen hinzu",

@@ -63,7 +63,6 @@ texts! {
         "line {line} holds other units than the columns: {units}; convert the values and delete the line"
         | "Zeile {line} enthält andere Einheiten als die der Spalten: {units}; Werte umrechnen und die Zeile löschen";
     unit_with_factor(heading, unit, factor) = "{heading} in {unit}, values times {factor}" | "{heading} in {unit}, Werte mal {factor}";
-    unit_unknown(heading, unit) = "{heading} in {unit}" | "{heading} in {unit}";
     too_many_rows(rows, most, seconds) =
         "{rows} rows of the run take more than about {seconds} seconds; by default at most {most} are evaluated: use a shorter part of the run or rows further apart, or state a time limit with --deadline"
         | "{rows} Zeilen des Laufs dauern länger als etwa {seconds} Sekunden; ohne Angabe werden höchstens {most} ausgewertet: einen kürzeren Abschnitt des Laufs oder größere Zeilenabstände verwenden oder mit --deadline eine Zeitgrenze angeben";

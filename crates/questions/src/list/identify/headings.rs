@@ -148,7 +148,8 @@ pub(super) fn of_units<R: Read>(
                         identification::unit_with_factor(&heading, &written, &factor_shown(factor, language), language)
                     }));
                 }
-                None => others.push(identification::unit_unknown(&heading, &written, language)),
+                // Alike in both languages.
+                None => others.push(format!("{heading} in {written}")),
             }
         })
         .ok()?;
