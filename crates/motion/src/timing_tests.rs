@@ -38,7 +38,7 @@ fn truth(law: u32) -> f64 {
     (square.sum::<f64>() / END).sqrt()
 }
 
-/// The same of a recording, whose acceleration is constant between two samples.
+/// Returns the values of a recording, whose acceleration is constant between two samples.
 fn rms(recorded: &Recorded) -> f64 {
     let intervals = recorded.time_s().windows(2).zip(recorded.speed_rad_s().windows(2));
     let square = intervals.map(|(t, w)| (1.3 * (w[1] - w[0])).powi(2) / (t[1] - t[0])).sum::<f64>();

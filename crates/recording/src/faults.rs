@@ -60,7 +60,7 @@ pub struct NearColumn {
 pub enum Remedy {
     /// The recording is read without the column of this role.
     Without(Role),
-    /// All values stand in the rows between these times.
+    /// First and last time between which no value is missing.
     Within {
         /// Time of the first row with all values, if rows before it lack some.
         from: Option<Stamp>,

@@ -101,7 +101,7 @@ pub struct SignalDatum {
     pub value: Number,
     /// Half the interval that holds the true value in 95 of 100 runs.
     pub half_width: Number,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: &'static str,
     /// The value is apart from zero.
     pub significant: bool,
@@ -129,7 +129,7 @@ pub struct Identified95 {
     pub value: Number,
     /// Half the interval that holds the true value in 95 of 100 runs.
     pub half_width: Number,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: &'static str,
     /// Value of project or table; `null` where they have none.
     pub stated: Option<Number>,

@@ -32,7 +32,7 @@ pub(crate) struct Instrument {
     pub(crate) current_a: f64,
     /// Steps of the angles of load and motor, the latter over i; speeds are then their differences.
     pub(crate) steps_rad: Option<[f64; 2]>,
-    /// What torque and current read without a torque and a current, in Nm and A.
+    /// Readings of torque and current at zero \[Nm, A\].
     pub(crate) zeros: [f64; 2],
     /// Delays of torque and current, in s.
     pub(crate) late_s: [f64; 2],
