@@ -982,7 +982,7 @@ class Identified95:
     half_width: float | None
     """Half the interval that holds the true value in 95 of 100 runs."""
     unit: str
-    """Its unit."""
+    """Unit of the value."""
     stated: float | None = None
     """Value of project or table; `null` where they have none."""
     known: bool
@@ -1016,7 +1016,7 @@ class SignalDatum:
     half_width: float | None
     """Half the interval that holds the true value in 95 of 100 runs."""
     unit: str
-    """Its unit."""
+    """Unit of the value."""
     significant: bool
     """The value is apart from zero."""
 
