@@ -27,6 +27,128 @@ pub(crate) fn poly(way: f64, duration: f64, t: f64) -> (f64, f64) {
     (q, way / duration * 30.0 * x * x * (1.0 - x) * (1.0 - x))
 }
 
+/// A law of motion of which position, speed and acceleration are known in closed form.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Law {
+    /// Seven phases: eighths with jerk and with constant acceleration, two eighths at constant speed.
+    SevenPhase,
+    /// Inclined sine.
+    Sine,
+    /// Trapezoid of thirds.
+    Trapezoid,
+}
+
+impl Law {
+    pub(crate) const ALL: [Self; 3] = [Self::SevenPhase, Self::Sine, Self::Trapezoid];
+
+    /// Returns position, speed and acceleration of a move by one unit in one unit of time.
+    pub(crate) fn at(self, x: f64) -> [f64; 3] {
+        let x = x.clamp(0.0, 1.0);
+        if self == Self::Sine {
+            let turn = std::f64::consts::TAU;
+            let (sin, cos) = (turn * x).sin_cos();
+            return [x - sin / turn, 1.0 - cos, turn * sin];
+        }
+        if x > 0.5 {
+            let [q, w, a] = self.at(1.0 - x);
+            return [1.0 - q, w, -a];
+        }
+        // Duration and jerk of each phase, with a jump of the acceleration before it.
+        let phases: [[f64; 3]; 4] = match self {
+            Self::Trapezoid => [[1.0 / 3.0, 0.0, 4.5], [1.0, 0.0, -4.5], [0.0; 3], [0.0; 3]],
+            _ => [[0.125, 51.2, 0.0], [0.125, 0.0, 0.0], [0.125, -51.2, 0.0], [1.0, 0.0, 0.0]],
+        };
+        let (mut left, [mut q, mut w, mut a]) = (x, [0.0; 3]);
+        for [duration, jerk, jump] in phases {
+            let t = duration.min(left);
+            a += if left > 0.0 { jump } else { 0.0 };
+            q += t * (w + t * (0.5 * a + t * jerk / 6.0));
+            w += t * (a + 0.5 * t * jerk);
+            a += t * jerk;
+            left -= t;
+        }
+        [q, w, a]
+    }
+
+    /// Returns the largest acceleration of [`Self::at`].
+    pub(crate) const fn peak(self) -> f64 {
+        match self {
+            Self::SevenPhase => 6.4,
+            Self::Sine => std::f64::consts::TAU,
+            Self::Trapezoid => 4.5,
+        }
+    }
+
+    /// Returns the largest speed of [`Self::at`].
+    pub(crate) const fn fastest(self) -> f64 {
+        match self {
+            Self::SevenPhase => 1.6,
+            Self::Sine => 2.0,
+            Self::Trapezoid => 1.5,
+        }
+    }
+}
+
+/// A move forth in one second and back in 1.2 s, each after a rest, and a rest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cycle {
+    pub(crate) law: Law,
+    /// Distance of both moves \[rad\].
+    pub(crate) way: f64,
+    /// Duration of each rest \[s\].
+    pub(crate) rest: f64,
+}
+
+impl Cycle {
+    /// Returns the duration \[s\].
+    pub(crate) fn duration(self) -> f64 {
+        2.2 + 3.0 * self.rest
+    }
+
+    /// Returns position, speed and acceleration.
+    pub(crate) fn at(self, t: f64) -> [f64; 3] {
+        let x = t - self.rest;
+        let y = (x - 1.0 - self.rest) / 1.2;
+        let inside = |x: f64| if (0.0..=1.0).contains(&x) { 1.0 } else { 0.0 };
+        let ([q0, w0, a0], [q1, w1, a1]) = (self.law.at(x), self.law.at(y));
+        let (w0, a0, w1, a1) = (w0 * inside(x), a0 * inside(x), w1 * inside(y), a1 * inside(y));
+        [self.way * (q0 - q1), self.way * (w0 - w1 / 1.2), self.way * (a0 - a1 / 1.44)]
+    }
+
+    /// Returns the largest acceleration.
+    pub(crate) fn peak(self) -> f64 {
+        self.way * self.law.peak()
+    }
+
+    /// Returns the largest speed.
+    pub(crate) fn fastest(self) -> f64 {
+        self.way * self.law.fastest()
+    }
+
+    /// Returns the rms of the acceleration, by a fine sum.
+    pub(crate) fn rms(self) -> f64 {
+        let count = 20_000_u32;
+        let squares = (0..count).map(|k| self.at((f64::from(k) + 0.5) / f64::from(count) * self.duration())[2].powi(2));
+        (squares.sum::<f64>() / f64::from(count)).sqrt()
+    }
+
+    /// Returns the instants of evenly spaced rows.
+    pub(crate) fn rows(self, h: f64) -> Vec<f64> {
+        (0..=(self.duration() / h).round() as u32).map(|k| f64::from(k) * h).collect()
+    }
+}
+
+/// Returns the largest and the rms acceleration of a recorded motion.
+pub(crate) fn accelerations(recorded: &Recorded) -> (f64, f64) {
+    let pairs = recorded.time_s().windows(2).zip(recorded.speed_rad_s().windows(2));
+    let (most, sum) = pairs.fold((0.0_f64, 0.0), |(most, sum), (t, w)| {
+        let h = t[1] - t[0];
+        let alpha = ((w[1] - w[0]) / h).abs();
+        (most.max(alpha), sum + h * alpha * alpha)
+    });
+    (most, (sum / recorded.duration_s()).sqrt())
+}
+
 /// Returns instants, positions and speeds of a move of one second, a rest, the move back and a rest.
 pub(crate) fn forth_and_back(h: f64, rest: f64, way: f64) -> [Vec<f64>; 3] {
     let count = ((2.0 + 2.0 * rest) / h).round() as usize + 1;

@@ -8,6 +8,7 @@ mod chain;
 mod faults;
 #[cfg(test)]
 mod generated;
+mod held;
 mod law;
 mod piece;
 mod points;
@@ -17,6 +18,7 @@ mod seven_phase;
 mod smoothing;
 mod solve;
 mod standstill;
+mod threshold;
 mod timing;
 
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};

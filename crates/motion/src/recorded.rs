@@ -1,13 +1,12 @@
 //! Motion given by samples instead of a law.
 
 use crate::faults::RecordedFault;
+use crate::held::{Interpolated, Updated, held, interpolated, interpolated_position};
 use crate::resolution::{MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, median_interval};
 use crate::smoothing::smooth;
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
-use crate::timing::{
-    Interpolated, SpeedOverTime, Updated, evenly_spaced, held, interpolated, interpolated_position, scattered,
-    with_time,
-};
+use crate::threshold::set_to_rest;
+use crate::timing::{SpeedOverTime, evenly_spaced, scattered, with_time};
 use quantities::{AngularVelocity, Measure, Time};
 use std::sync::Arc;
 
@@ -129,9 +128,8 @@ impl Recorded {
         let Course { position, mut speed, mut end_errors, .. } = derived;
         let mut rest_noise = None;
         if let Some(least) = treatment.standstill {
-            for speed in Arc::make_mut(&mut speed).iter_mut().filter(|speed| speed.abs() < least.si()) {
-                *speed = 0.0;
-            }
+            let block = window.map_or(0.0, |window| window / median_interval(&time_s)).ceil() as usize;
+            set_to_rest(Arc::make_mut(&mut speed).as_mut_slice(), least.si(), block);
         } else if let Some((rests, noise)) = still(
             &time_s,
             &speed,
@@ -372,7 +370,13 @@ impl Course {
                 return Some(found);
             }
         }
-        made_up(time, values, column, window)
+        // Of interpolated values the steps lie between the updates.
+        match &self.updated {
+            Some(Updated { time, speed, position }) => {
+                made_up(time, position.as_ref().unwrap_or(speed), column, window)
+            }
+            None => made_up(time, values, column, window),
+        }
     }
 }
 

@@ -417,7 +417,7 @@ fn end_of_move(speeds: &[f64], before: Option<f64>) -> usize {
 }
 
 /// Returns the longest runs of samples within a range that are no faster than `most`.
-fn runs(speed: &[f64], within: Range<usize>, most: f64) -> Vec<Range<usize>> {
+pub(crate) fn runs(speed: &[f64], within: Range<usize>, most: f64) -> Vec<Range<usize>> {
     let mut found = Vec::new();
     let mut start = None;
     for index in within.clone() {

@@ -1,5 +1,6 @@
 use super::*;
 use crate::generated::Noise;
+use crate::held::held;
 use crate::{HeldValues, MadeUp, Recorded, Spurious, SteppedColumn, TimeStamps, Treatment};
 
 /// Returns position and speed of a move of 1.5 rad in 1 s and back in 1.2 s, with rests; the law by its number.

@@ -1,0 +1,187 @@
+use crate::generated::{Cycle, Law, Noise, accelerations, samples};
+use crate::{HeldValues, MadeUp, Recorded, Samples, Spurious, Treatment};
+use quantities::{Measure, Time};
+
+/// Irregularity of the updates of a held signal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Source {
+    /// Values of an even grid that arrive up to a row early or late.
+    LateArrival,
+    /// Values of the instants at which they arrive, up to a row beside an even grid.
+    LateSample,
+    /// Every so many updates are lost.
+    Losing(usize),
+    /// Updates are lost at random.
+    LosingAtRandom,
+    /// Every update arrives in time.
+    Even,
+}
+
+impl Source {
+    fn is_jittering(self) -> bool {
+        matches!(self, Self::LateArrival | Self::LateSample)
+    }
+}
+
+/// Returns values held over about `rows` rows at the instants `time`.
+fn held_by(source: Source, rows: f64, h: f64, time: &[f64], value: impl Fn(f64) -> f64, noise: &mut Noise) -> Vec<f64> {
+    let mut values = vec![f64::NAN; time.len()];
+    let mut last = 0;
+    let mut current = value(0.0);
+    for update in 1_usize.. {
+        let nominal = update as f64 * rows;
+        let jitter = if source.is_jittering() { (1.5 * noise.next()).round() } else { 0.0 };
+        let row = ((nominal + jitter).ceil() as usize).max(last + 1);
+        if row >= time.len() {
+            break;
+        }
+        if matches!(source, Source::Losing(every) if update % every == 0)
+            || source == Source::LosingAtRandom && noise.next() > 0.8
+        {
+            continue;
+        }
+        values[last..row].fill(current);
+        current = value(h * if source == Source::LateSample { row as f64 } else { nominal });
+        last = row;
+    }
+    values[last..].fill(current);
+    values
+}
+
+/// Returns the samples of a column.
+fn column(time: &[f64], values: &[f64], is_speed: bool) -> Samples {
+    if is_speed { samples(time, None, Some(values)) } else { samples(time, Some(values), None) }
+}
+
+fn treated(samples: Samples, held_values: HeldValues, smoothing: Option<Time>) -> Recorded {
+    Recorded::new(samples, Treatment { held_values, smoothing, ..Treatment::default() }).unwrap()
+}
+
+/// Updates that come early or late by a row, updates that are lost, and periods that are no multiple of the rows are
+/// found, and with one value for each update the acceleration is that of the motion.
+#[test]
+fn irregular_updates_are_found_and_interpolated() {
+    let mut noise = Noise(41);
+    let sources = [
+        Source::LateArrival,
+        Source::LateSample,
+        Source::Losing(5),
+        Source::Losing(7),
+        Source::Losing(20),
+        Source::LosingAtRandom,
+        Source::Even,
+    ];
+    let mut wrong = Vec::new();
+    for (source, law) in sources.into_iter().flat_map(|source| Law::ALL.map(|law| (source, law))) {
+        let cycle = Cycle { law, way: 1.5, rest: 0.3 };
+        for (h, rows) in [
+            (0.001, 4.0),
+            (0.001, 7.0),
+            (0.002, 10.0),
+            (0.0005, 5.0),
+            (0.002, 3.5),
+            (0.001, 2.5),
+            (0.001, 6.4),
+            (0.002, 2.0),
+            (0.001, 3.0),
+        ] {
+            if source.is_jittering() && rows < 4.0 {
+                continue;
+            }
+            let time = cycle.rows(h);
+            for is_speed in [true, false] {
+                let values = held_by(source, rows, h, &time, |t| cycle.at(t)[usize::from(is_speed)], &mut noise);
+                let plain = treated(column(&time, &values, is_speed), HeldValues::Kept, None);
+                let found = treated(column(&time, &values, is_speed), HeldValues::Interpolated, None);
+                let (peak, rms) = accelerations(&found);
+                let (peak, rms) = (peak / cycle.peak(), rms / cycle.rms());
+                // Where the acceleration jumps, the instant of the jump is known within a period.
+                let loses = matches!(source, Source::Losing(_) | Source::LosingAtRandom);
+                let most = match law {
+                    Law::Trapezoid if loses => 2.0,
+                    Law::Trapezoid => 1.25,
+                    _ => 1.05,
+                };
+                let is_named = matches!(
+                    plain.made_up(),
+                    Some(MadeUp { cause: Spurious::Held { period_s }, .. }) if (period_s / (rows * h) - 1.0).abs() < 0.03
+                );
+                if !is_named
+                    || !(0.95..most).contains(&peak)
+                    || !(0.96..1.02).contains(&rms)
+                    || found.made_up().is_some()
+                {
+                    wrong.push(format!(
+                        "{source:?} {law:?} h {h} rows {rows} speed {is_speed}: {:?} peak {peak:.3} rms {rms:.3} {:?}",
+                        plain.made_up(),
+                        found.made_up()
+                    ));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// A value that is written when it has changed by a certain amount is held for irregular times: it is found, and
+/// straight lines between the changes leave the acceleration of the motion.
+#[test]
+fn a_value_written_on_change_is_found() {
+    for law in Law::ALL {
+        let cycle = Cycle { law, way: 1.5, rest: 0.5 };
+        let time = cycle.rows(0.0005);
+        let mut current = 0.0;
+        let values: Vec<f64> = time
+            .iter()
+            .map(|t| {
+                let speed = cycle.at(*t)[1];
+                if (speed - current).abs() > 0.003 * cycle.fastest() || speed == 0.0 {
+                    current = speed;
+                }
+                current
+            })
+            .collect();
+        let plain = treated(column(&time, &values, true), HeldValues::Kept, None);
+        let found = treated(column(&time, &values, true), HeldValues::Interpolated, None);
+        let (before, rms) = (accelerations(&plain).1 / cycle.rms(), accelerations(&found).1 / cycle.rms());
+        let named = matches!(plain.made_up(), Some(MadeUp { cause: Spurious::Held { .. }, .. }));
+        assert!(named && (0.97..1.03).contains(&rms), "{law:?}: {before} {rms} {:?}", plain.made_up());
+    }
+}
+
+/// Steps of held values are still there after their interpolation: they are found with the acceleration that they make
+/// up, and the window stated leaves the acceleration of the motion.
+#[test]
+fn steps_of_interpolated_values_are_found() {
+    let mut seen = 0;
+    for (law, step) in [1e-6, 2e-5, 1e-4].into_iter().flat_map(|step| Law::ALL.map(|law| (law, step))) {
+        let cycle = Cycle { law, way: 1.5, rest: 0.3 };
+        for (h, rows, is_speed) in [(0.001, 4.0, false), (0.001, 10.0, false), (0.0005, 5.0, true), (0.001, 8.0, true)]
+        {
+            let time = cycle.rows(h);
+            let step = if is_speed { 50.0 * step } else { step };
+            let exact = |t: f64| cycle.at(t)[usize::from(is_speed)];
+            let value = |t: f64| (exact(t) / step).round() * step;
+            let values = held_by(Source::Even, rows, h, &time, value, &mut Noise(1));
+            let found = treated(column(&time, &values, is_speed), HeldValues::Interpolated, None);
+            let what = format!("{law:?} step {step} h {h} rows {rows} speed {is_speed}");
+            let (peak, _) = accelerations(&found);
+            let Some(MadeUp { cause: Spurious::Steps { step: stated, smoothing_s }, acceleration_rad_s2, .. }) =
+                found.made_up()
+            else {
+                assert!(peak < 1.12 * cycle.peak(), "{what}: {peak} of {} {:?}", cycle.peak(), found.made_up());
+                continue;
+            };
+            seen += 1;
+            assert!((stated / step - 1.0).abs() < 1e-6, "{what}: {stated}");
+            let error = peak - cycle.peak();
+            assert!(acceleration_rad_s2 > 0.8 * error, "{what}: {acceleration_rad_s2} for {error}");
+            let Some(smoothing) = smoothing_s.map(Time::from_si) else { continue };
+            let smooth = treated(column(&time, &values, is_speed), HeldValues::Interpolated, Some(smoothing));
+            let (peak, _) = accelerations(&smooth);
+            assert!(peak < 1.1 * cycle.peak(), "{what}: {peak} of {} with {smoothing:?}", cycle.peak());
+            assert_eq!(smooth.made_up(), None, "{what}");
+        }
+    }
+    assert!(seen > 8, "{seen}");
+}
