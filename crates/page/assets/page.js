@@ -53,7 +53,6 @@ document.addEventListener('htmx:before:request', (event) => {
 // and its insertion would delay the numbers. Where the answer asks for no other picture, it is drawn after all.
 let drawn = null;
 let interrupted = null;
-export const isDrawing = () => drawn !== null;
 function interrupt(ctx) {
   const { action } = ctx.request;
   if (action.endsWith('/picture')) drawn = ctx;

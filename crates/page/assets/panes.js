@@ -1,5 +1,5 @@
 // The frame: borders that move, the room of the pictures, menus, the drawer, the palette and the keys.
-import { away, back, isAway, isDrawing, keep, opened, shut, tell } from './page.js';
+import { away, back, isAway, keep, opened, shut, tell } from './page.js';
 
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
@@ -56,6 +56,7 @@ function room() {
   return { figure, width: Math.round(frame.clientWidth), height: Math.max(260, Math.round(pane.clientHeight - top - below - 14)) };
 }
 let fitting = 0;
+let requested = null;
 function fit() {
   clearTimeout(fitting);
   fitting = setTimeout(() => {
@@ -63,12 +64,15 @@ function fit() {
     if (!found || !$('#state')) return;
     const { figure, width, height } = found;
     const [wide, high] = [$('#state [name=width]'), $('#state [name=height]')];
-    // A picture that is being drawn has the size that was requested last; another request would only end it.
-    const [ofWidth, ofHeight] = isDrawing() ? [wide.value, high.value] : [figure.dataset.width, figure.dataset.height];
+    // While an answer or a picture is under way, the picture in the pane is an old one: its size is no reason to request again
+    // what was requested, which would end the drawing of the new one, without end.
+    const [ofWidth, ofHeight] = requested && $('.htmx-request') ? requested : [figure.dataset.width, figure.dataset.height];
     const off = Math.abs(width - Number(ofWidth)) > 6 || Math.abs(height - Number(ofHeight)) > 12;
     [wide.value, high.value] = [width, height];
     kept('antrieb-room', `${width} ${height}`);
-    if (off && !isAway()) htmx.ajax('POST', '/work', { source: $('#state') });
+    if (!off || isAway()) return;
+    requested = [width, height];
+    htmx.ajax('POST', '/work', { source: $('#state') });
   }, 60);
 }
 addEventListener('resize', fit);
