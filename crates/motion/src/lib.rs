@@ -5,6 +5,7 @@
 //! instant. A [`Recorded`] segment consists of samples instead.
 
 mod chain;
+mod examination;
 mod faults;
 #[cfg(test)]
 mod generated;
@@ -22,6 +23,7 @@ mod threshold;
 mod timing;
 
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};
+pub use examination::{EvenRows, Held, Stamps};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};
 pub use piece::{Piece, Runs, State};

@@ -1,12 +1,13 @@
 //! Motion given by samples instead of a law.
 
+use crate::examination::Stamps;
 use crate::faults::RecordedFault;
 use crate::held::{Interpolated, Updated, held, interpolated, interpolated_position};
 use crate::resolution::{MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, median_interval};
 use crate::smoothing::smooth;
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::threshold::set_to_rest;
-use crate::timing::{SpeedOverTime, evenly_spaced, scattered, with_time};
+use crate::timing::{SpeedOverTime, evenly_spaced, with_time};
 use quantities::{AngularVelocity, Measure, Time};
 use std::sync::Arc;
 
@@ -359,15 +360,14 @@ impl Course {
             );
         }
         if treatment.time_stamps == TimeStamps::Kept
-            && let Some(even) = scattered(time)
+            && let Stamps::Scattered(even) = Stamps::of(time, &[values])
         {
             let even_samples = with_time(samples, even.time_s);
             let without = Self::of(&even_samples, window, between).ok()?;
             let without = SpeedOverTime { time: &even_samples.time_s, speed: &without.speed };
-            if without.is_smoother_than(own)
-                && let Some(found) = of(Spurious::Stamps { scatter_s: even.scatter_s }, even.interval_s, without)
-            {
-                return Some(found);
+            let found = of(Spurious::Stamps { scatter_s: even.scatter_s }, even.interval_s, without);
+            if found.is_some() {
+                return found;
             }
         }
         // Of interpolated values the steps lie between the updates.

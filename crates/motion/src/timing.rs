@@ -15,16 +15,26 @@ const LONG: f64 = 1.75;
 /// Number of rows before and behind a long interval that show whether a row is missing.
 const NEAR: usize = 9;
 
+/// Passes of the search for missing rows: share of the deviation of a stamp by which the grid behind is moved, and deviation
+/// from which a row is missing, relative to the interval. A row that is taken as missing by mistake shifts all behind, one
+/// overlooked is found at the next.
+const PASSES: [[f64; 2]; 3] = [[0.2, 0.65], [0.05, 0.6], [0.02, 0.5]];
+
+/// Number of rows over which the first interval is taken.
+const ROWS_OVER: usize = 8;
+
+/// Largest deviation of a stamp from the even grid, relative to its interval, up to which rounding finds the places.
+const ROUNDED_MOST: f64 = 0.49;
+
 /// Largest standard deviation of the stamps from an even grid, relative to its interval.
 const SCATTER_MOST: f64 = 1.0;
-
-/// Ratio of the roughness of the acceleration on an even grid and by the stamps, below which the stamps are wrong.
-const SMOOTHER: f64 = 0.5;
 
 /// Evenly spaced instants in place of time stamps.
 pub(crate) struct Even {
     /// Instants from the first row \[s\].
     pub(crate) time_s: Vec<f64>,
+    /// Instant of the first row in the time of the stamps \[s\].
+    pub(crate) start_s: f64,
     /// Interval of the rows \[s\].
     pub(crate) interval_s: f64,
     /// Standard deviation of the stamps from these instants \[s\].
@@ -38,19 +48,54 @@ impl Even {
     }
 }
 
-/// Fits evenly spaced instants to time stamps by least squares, t = a + b n, where n skips the rows that are missing
-/// at a lasting shift of the stamps.
+/// Fits evenly spaced instants to time stamps by least squares, t = a + b n, where n skips the rows that are missing: by
+/// rounding where the stamps scatter by less than half an interval, else at a lasting shift of the stamps.
 fn even(time: &[f64]) -> Option<Even> {
+    // Over several rows the scatter matters less, and most stretches have no missing row.
+    let over = time.iter().zip(time.iter().skip(ROWS_OVER)).map(|(one, other)| (other - one) / ROWS_OVER as f64);
+    let start = median_of(over.collect())?;
+    let rounded = PASSES.iter().try_fold((None, start), |(_, interval), pass| {
+        let (even, off) = fitted(time, rounded(time, interval, *pass)?)?;
+        let interval = even.interval_s;
+        Some((Some((even, off)), interval))
+    });
+    let rounded = rounded.and_then(|(found, _)| found);
+    let is_near = |(even, off): &(Even, f64)| *off < ROUNDED_MOST * even.interval_s;
+    let found = match rounded.filter(is_near) {
+        Some((even, _)) => even,
+        None => fitted(time, shifted(time))?.0,
+    };
+    Some(found)
+}
+
+fn median_of(mut values: Vec<f64>) -> Option<f64> {
+    let middle = values.len() / 2;
+    (middle < values.len()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// Returns the places of rows on an even grid by rounding each interval from the mean course of the stamps before; `None` if
+/// more rows are missing than there are.
+fn rounded(time: &[f64], interval: f64, [followed, from]: [f64; 2]) -> Option<Vec<f64>> {
+    let mut places = Vec::with_capacity(time.len());
+    let first = time.iter().take(2 * NEAR + 1).zip(0_u32..).map(|(t, k)| t - f64::from(k) * interval);
+    let (mut place, mut start) = (0.0, median_of(first.collect())?);
+    places.push(place);
+    for t in time.iter().skip(1) {
+        place += ((t - start) / interval - place + 1.0 - from).floor().max(1.0);
+        start += followed * (t - start - place * interval);
+        places.push(place);
+    }
+    (place < 2.0 * time.len() as f64).then_some(places)
+}
+
+/// Returns the places of rows on an even grid; rows are missing where the stamps shift by whole intervals for good.
+fn shifted(time: &[f64]) -> Vec<f64> {
     let median = median_interval(time);
     let steps = || time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one);
     let usual = || steps().filter(|step| *step <= 2.5 * median);
     let interval = usual().sum::<f64>() / usual().count().max(1) as f64;
     let off = |index: usize| time.get(index).map(|t| t - index as f64 * interval);
-    let middle = |range: std::ops::Range<usize>| {
-        let mut all: Vec<f64> = range.filter_map(off).collect();
-        all.sort_by(f64::total_cmp);
-        all.get(all.len() / 2).copied()
-    };
+    let middle = |range: std::ops::Range<usize>| median_of(range.filter_map(off).collect());
     let mut missing = 0.0;
     let mut places = Vec::with_capacity(time.len());
     places.push(0.0);
@@ -64,14 +109,22 @@ fn even(time: &[f64]) -> Option<Even> {
         }
         places.push(index as f64 + missing);
     }
+    places
+}
+
+/// Fits instants to stamps at places of an even grid, and returns them with the largest deviation of a stamp \[s\].
+fn fitted(time: &[f64], places: Vec<f64>) -> Option<(Even, f64)> {
     let count = places.len() as f64;
     let (mean_n, mean_t) = (places.iter().sum::<f64>() / count, time.iter().sum::<f64>() / count);
     let about = || places.iter().zip(time).map(|(n, t)| (n - mean_n, t - mean_t));
     let slope = about().map(|(n, t)| n * t).sum::<f64>() / about().map(|(n, _)| n * n).sum::<f64>();
-    let square = about().map(|(n, t)| (t - slope * n) * (t - slope * n)).sum::<f64>();
-    let time_s = places.into_iter().map(|n| n * slope).collect();
+    let off = || about().map(|(n, t)| t - slope * n);
+    let square = off().map(|off| off * off).sum::<f64>();
+    let most = off().fold(0.0_f64, |most, off| most.max(off.abs()));
     let is_rising = slope.is_finite() && slope > 0.0;
-    is_rising.then(|| Even { time_s, interval_s: slope, scatter_s: (square / count).sqrt() })
+    let start_s = mean_t - slope * mean_n;
+    let time_s = places.into_iter().map(|n| n * slope).collect();
+    is_rising.then(|| (Even { time_s, start_s, interval_s: slope, scatter_s: (square / count).sqrt() }, most))
 }
 
 /// Replaces the stamps of samples by evenly spaced instants.
@@ -120,11 +173,6 @@ impl<'s> SpeedOverTime<'s> {
     pub(crate) fn roughness(self) -> f64 {
         let all = self.accelerations();
         all.clone().zip(all.skip(1)).map(|(one, other)| (other - one).abs()).sum()
-    }
-
-    /// Returns `true` if the acceleration is much smoother than another one of the same motion.
-    pub(crate) fn is_smoother_than(self, other: Self) -> bool {
-        self.roughness() < SMOOTHER * other.roughness()
     }
 
     /// Returns the largest acceleration, and the largest difference of another one of the same rows from it [rad/s²].
