@@ -12,6 +12,7 @@ mod motor;
 mod moves;
 mod regression;
 mod scale;
+mod timing;
 mod windows;
 
 use crate::Parameters;
@@ -20,6 +21,7 @@ use mechanism::{Extra, Mechanism};
 use motion::Motion;
 use moves::Followed;
 use quantities::identified;
+use timing::Examined;
 use windows::{NoWindows, Strokes, Windows};
 
 pub use doubts::{Column, Doubt, Misread};
@@ -145,6 +147,24 @@ pub struct Delay {
     pub half_width_s: f64,
 }
 
+/// Scatter of time stamps about evenly spaced instants.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scatter {
+    /// Standard deviation of the stamps \[s\].
+    pub scatter_s: f64,
+    /// Interval of the instants \[s\].
+    pub interval_s: f64,
+}
+
+/// A column whose values are held over several rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldColumn {
+    /// Column.
+    pub column: Column,
+    /// Period at which the values are updated \[s\].
+    pub period_s: f64,
+}
+
 /// Constant of the motor's equation: the zero of the current against that of the torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zero {
@@ -210,6 +230,10 @@ pub struct Identification {
     pub zero: Option<Zero>,
     /// Median interval of the rows \[s\].
     pub row_s: f64,
+    /// Scatter of the time stamps about the even instants that the estimates use; `None` if they use the stamps.
+    pub scatter: Option<Scatter>,
+    /// Columns whose values are held over rows; the estimates use one value for each update.
+    pub held: Vec<HeldColumn>,
     /// k_Tout of the tables without the no-load friction [Nm/A].
     pub tabulated_nm_a: Option<f64>,
     /// Payloads and process torques that segments add to the first, relative to the stated ones, and half the 95 % interval;
@@ -217,6 +241,14 @@ pub struct Identification {
     pub payload: Option<[f64; 2]>,
     /// Time of the cycle at the instant 0 of the run \[s\], if segments add different payloads or process torques.
     pub shift_s: Option<f64>,
+}
+
+impl Identification {
+    /// Returns `true` if the lag of a signal is a coefficient of the equations: one has been removed, or values are held, whose
+    /// instants are known within their period only.
+    fn is_late(&self, delay: Option<Delay>) -> bool {
+        delay.is_some() || !self.held.is_empty()
+    }
 }
 
 /// Reason for which an identification is impossible.
@@ -284,8 +316,8 @@ pub fn identify_while(
     stated: &Stated<'_>,
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Identification, IdentifyFault> {
-    let run = prepared(run)?;
-    let strokes = Strokes::of(&run)?;
+    let Examined { run, grain, scatter, undecided, held } = timing::examined(prepared(run)?);
+    let strokes = Strokes::of(&run, grain)?;
     let first = Extra::none();
     let extras = if stated.extras.is_empty() { std::slice::from_ref(&first) } else { stated.extras };
     let extra = |segment: usize| extras.get(segment).or(extras.last());
@@ -301,11 +333,15 @@ pub fn identify_while(
     if !goes_on() {
         return Err(IdentifyFault::Stopped);
     }
+    let of_stamps = undecided.map(|scatter| Doubt::new(Column::Time, Misread::TimeStamps, scatter.scatter_s));
     if !signals.doubts.is_empty() {
         // Signals with another unit do not satisfy an equation of motion.
         return Ok(Identification {
-            doubts: signals.doubts,
+            doubts: signals.doubts.into_iter().chain(of_stamps).collect(),
             both_ways: strokes.both_ways(),
+            row_s: strokes.step_s,
+            scatter,
+            held,
             ..Identification::default()
         });
     }
@@ -332,24 +368,28 @@ pub fn identify_while(
     if !goes_on() {
         return Err(IdentifyFault::Stopped);
     }
-    let load = load::Load { is_delayed: delays.torque.is_some(), ..load };
     let mut found = Identification {
         both_ways,
         window_s: windows.length_s,
         windows: windows.all.len(),
         at_limit: windows.all.iter().filter(|window| window.limited).count(),
-        position_step_rad: strokes.quantum_rad,
+        position_step_rad: strokes.grain.quantum_rad,
         shift_s: followed.filter(|_| differs).map(|followed| followed.shift_s),
         torque_delay: delays.torque,
         current_delay: delays.current,
         row_s: strokes.step_s,
+        scatter,
+        held,
         ..Identification::default()
     };
+    let load = load::Load { is_delayed: found.is_late(delays.torque), ..load };
     let shares = load::estimate(&run, &windows, &load, &mut found)?;
     found.payload = shares.payload.map(|share| [share.value, share.half_width]);
-    motor::estimate(&windows, stated.parameters, delays.current.is_some(), &mut found);
+    let is_late = found.is_late(delays.current);
+    motor::estimate(&windows, stated.parameters, is_late, &mut found);
     external(stated.mechanism.plain(extras.first().unwrap_or(&first)).map(|plain| plain.constant_nm), &mut found);
     doubts::of_estimates(stated, extras, &windows, &shares, &mut found);
+    found.doubts.extend(of_stamps);
     Ok(found)
 }
 

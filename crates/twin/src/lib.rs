@@ -29,8 +29,8 @@ pub use bode::{Loop, LoopResponse, Margins, Response};
 pub use control::{CURRENT_RATE_HZ, Demand, Gains, POSITION_EVERY};
 pub use drive::Limits;
 pub use identify::{
-    Column, Delay, Doubt, Estimate, Identification, Identified, IdentifyFault, Misread, Observed, Open, Stated, Zero,
-    identify, identify_while,
+    Column, Delay, Doubt, Estimate, HeldColumn, Identification, Identified, IdentifyFault, Misread, Observed, Open,
+    Scatter, Stated, Zero, identify, identify_while,
 };
 pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};
 pub use plant::Energies;

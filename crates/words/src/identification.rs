@@ -26,6 +26,12 @@ texts! {
     in_step(every) =
         "The current, one value each {every} ms, may be sampled in step with the control and then misses up to 10 % of the rotor's acceleration; a row spacing below 0.2 ms narrows the interval of the torque constant."
         | "Der Strom, ein Wert je {every} ms, kann im Takt der Regelung abgetastet sein; dann fehlen bis zu 10 % der Rotorbeschleunigung. Ein Zeilenabstand unter 0,2 ms verkleinert das Intervall der Drehmomentkonstante.";
+    stamps_scatter(scatter, interval) =
+        "The time stamps scatter by {scatter} ms (standard deviation) about equal intervals of {interval} ms, which the signals follow: the rows are taken as evenly spaced."
+        | "Die Zeitstempel streuen um {scatter} ms (Standardabweichung) um gleiche Abstände von {interval} ms, denen die Signale folgen: die Zeilen gelten als gleichmäßig verteilt.";
+    held_values(column, period, interval) =
+        "{column} is updated every {period} ms only, with rows every {interval} ms: one value for each update is used. The instant of an update is known within its period only, so that the equations contain a lag of torque and current."
+        | "{column} wird nur alle {period} ms aktualisiert, Zeilen stehen alle {interval} ms: verwendet wird ein Wert je Aktualisierung. Der Zeitpunkt einer Aktualisierung ist nur bis auf ihre Periode bekannt; die Gleichungen enthalten deshalb eine Verzögerung von Moment und Strom.";
     of_the_first_move(shift) =
         "Payloads and process torques of the moves are taken from the project; the estimates are those of the first move. The run starts {shift} s after the start of the cycle."
         | "Nutzlasten und Prozessmomente der Bewegungen sind dem Projekt entnommen; die Schätzwerte gelten für die erste Bewegung. Der Lauf beginnt {shift} s nach dem Anfang des Zyklus.";
@@ -136,6 +142,7 @@ pub fn open_reason(open: Open, language: Language) -> String {
 #[must_use]
 pub const fn column_heading(column: Column) -> &'static str {
     match column {
+        Column::Time => "time_s",
         Column::Position => "position_rad",
         Column::Speed => "speed_rad_s",
         Column::MotorSpeed => "motor_speed_rad_s",
@@ -271,6 +278,10 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
         (_, Misread::GravityOpposite) => (
             "the direction of the weight deviates by {value}° from that of the project: opposite counting direction or another zero of the position, or wrong start_angle in the project",
             "die Richtung des Gewichts weicht um {value}° von der des Projekts ab: entgegengesetzte Zählrichtung oder anderer Nullpunkt der Position, oder start_angle des Projekts ist falsch",
+        ),
+        (_, Misread::TimeStamps) => (
+            "the time stamps scatter by {value} ms (standard deviation) about equal intervals, and no signal shows whether the rows were sampled at the stamps or evenly spaced: record time_s with the clock that samples the signals, or write equal intervals if it samples evenly",
+            "die Zeitstempel streuen um {value} ms (Standardabweichung) um gleiche Abstände, und kein Signal zeigt, ob die Zeilen zu den Zeitstempeln oder in gleichen Abständen abgetastet sind: time_s mit dem Takt aufzeichnen, der die Signale abtastet, oder gleiche Abstände schreiben, wenn er gleichmäßig abtastet",
         ),
         (Column::Current, Misread::NegativeFriction) => (
             "motor and gear have a negative friction ({value} A): another sign or scale of the current, or a delay that varies",

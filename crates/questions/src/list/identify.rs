@@ -22,7 +22,9 @@ use quantities::{Language, Measure, Unit, format_significant};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::Watch;
-use twin::{Column as Signal, Delay, Doubt, Estimate, Identified, Misread, Open, Stated, Zero, identify_while};
+use twin::{
+    Column as Signal, Delay, Doubt, Estimate, HeldColumn, Identified, Misread, Open, Stated, Zero, identify_while,
+};
 use words::{Word, help, help::values, identification, simulation};
 
 arguments! {
@@ -188,6 +190,14 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
     if !found.doubts.is_empty() {
         notes.push(identification::no_lines(language).to_owned());
     }
+    let interval = number(found.scatter.map_or(found.row_s, |scatter| scatter.interval_s) * 1e3, 4);
+    if let Some(scatter) = found.scatter {
+        notes.push(identification::stamps_scatter(&number(scatter.scatter_s * 1e3, 2), &interval, language));
+    }
+    for HeldColumn { column, period_s } in &found.held {
+        let heading = identification::column_heading(*column);
+        notes.push(identification::held_values(&heading, &number(period_s * 1e3, 3), &interval, language));
+    }
     if found.windows == 0 {
         return notes;
     }
@@ -217,7 +227,9 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
     if let Some([inertia, spread]) = found.rotor {
         notes.push(identification::assumed_rotor(&number(inertia, 4), &number(spread * 100.0, 2), language));
         if spread > ROTOR_ALONE {
-            notes.push(identification::in_step(&number(found.row_s * 1e3, 3), language));
+            let of_current = found.held.iter().find(|held| held.column == Signal::Current);
+            let every = of_current.map_or(found.row_s, |held| held.period_s);
+            notes.push(identification::in_step(&number(every * 1e3, 3), language));
         }
     }
     if found.motor_lag_s != 0.0 {
@@ -298,7 +310,11 @@ fn signals(found: &twin::Identification, language: Language) -> Vec<SignalDatum>
 fn doubted(doubt: &Doubt, language: Language) -> Doubted {
     let Doubt { column, misread, value, by_convention } = *doubt;
     let number = |value: f64| format_significant(value, 3, language);
-    let shown = number(if misread == Misread::GravityOpposite { value.to_degrees() } else { value });
+    let shown = number(match misread {
+        Misread::GravityOpposite => value.to_degrees(),
+        Misread::TimeStamps => MILLISECOND.from_si(value),
+        _ => value,
+    });
     // A factor that the run does not measure is that of the convention.
     let is_measured = by_convention.is_none_or(|exact| exact != value);
     let shown = if is_measured { shown } else { identification::about(&shown, language) };

@@ -15,6 +15,8 @@ identified! {
     /// Signal of a run.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Column {
+        /// Time.
+        Time = "time",
         /// Position of the load.
         Position = "position",
         /// Speed of the load.
@@ -83,6 +85,8 @@ identified! {
         Magnitude = "magnitude",
         /// Negative friction, which would drive the axis.
         NegativeFriction = "negative_friction",
+        /// Time stamps that scatter, while no signal shows at which instants the rows were sampled.
+        TimeStamps = "time_stamps",
         /// Unknown convention.
         Other = "other",
     }
@@ -96,7 +100,7 @@ pub struct Doubt {
     /// Convention that the signal seems to have.
     pub misread: Misread,
     /// Value that causes the doubt: a ratio of two signals or of an estimate and its table value, an angle \[rad\], a
-    /// torque \[Nm\].
+    /// torque \[Nm\], a scatter \[s\].
     pub value: f64,
     /// Ratio that the convention has exactly, if it differs from a measured one.
     pub by_convention: Option<f64>,
@@ -306,7 +310,7 @@ pub(super) fn of_estimates(
         let value = plain.map_or(inertia.value, |plain| inertia.value * plain.inertia_kgm2);
         doubts.push(Doubt::new(Column::Torque, Misread::Reversed, value));
     } else {
-        let is_delayed = found.current_delay.is_some();
+        let is_delayed = found.is_late(found.current_delay);
         let scale = tabulated.as_ref().and_then(|tabulated| scale::doubt(windows, tabulated, shares, is_delayed));
         // Angles that are all in degrees agree with each other.
         let degrees = shares.inertia.map(|share| share.value).filter(|value| {

@@ -102,6 +102,7 @@ pub(super) enum Tie {
 pub(super) struct Equations<'w> {
     windows: Vec<&'w Window>,
     step_s: f64,
+    current_s: f64,
     /// Mean variances of the noise of driving and driven torque \[N²m²\].
     noise: [f64; 2],
     tabulated: Option<Tabulated>,
@@ -137,7 +138,16 @@ impl<'w> Equations<'w> {
         let has_zero = [1.0, -1.0].iter().all(|sign| windows.iter().any(|window| window.sign == *sign));
         let noise = [share * all.torque_noise, (1.0 - share) * all.torque_noise];
         let is_driven = driven > DRIVEN * driving;
-        Self { windows, step_s: all.step_s, noise, tabulated, is_driven, has_zero, is_delayed }
+        Self {
+            windows,
+            step_s: all.step_s,
+            current_s: all.current_s,
+            noise,
+            tabulated,
+            is_driven,
+            has_zero,
+            is_delayed,
+        }
     }
 
     /// Returns for each direction of motion the share of windows in which the torque drives; `None` without both directions.
@@ -178,7 +188,7 @@ impl<'w> Equations<'w> {
 
     /// Standard deviation of c relative to the tables \[1\].
     fn spread(&self) -> f64 {
-        if self.step_s < RESOLVED_S { ROTOR_SPREAD } else { ROTOR_SPREAD.hypot(SAMPLED_SPREAD) }
+        if self.current_s < RESOLVED_S { ROTOR_SPREAD } else { ROTOR_SPREAD.hypot(SAMPLED_SPREAD) }
     }
 
     /// Returns the lag of the motor speed behind the position of the load \[s\]: the difference of two samples lags by half
@@ -228,7 +238,7 @@ impl<'w> Equations<'w> {
         let [driving, driven] = self.noise.map(|noise| noise / (scale.torque * scale.torque));
         let noise = [driving, 0.0, 0.0, 0.0, driven];
         let noise = noise.get(..if self.is_driven { 5 } else { 1 }).unwrap_or_default();
-        fit(&rows, noise, &priors).or_else(|| fit(&rows, &[], &priors))
+        fit(&rows, noise, &priors).or_else(|| Some(fit(&rows, &[], &priors)?.attenuated()))
     }
 
     /// Returns what the tables say of the coefficients: c of the rotor, and d of the losses of the teeth.

@@ -29,6 +29,8 @@ pub(super) struct Fit {
     pub(super) quantile: f64,
     /// Sum of the squares of the residuals.
     pub(super) square: f64,
+    /// The noise of the regressors exceeds what distinguishes them and remains in the coefficients.
+    pub(super) is_attenuated: bool,
 }
 
 /// Largest variance inflation factor of a coefficient; beyond it the run does not separate it from others.
@@ -44,6 +46,11 @@ const RIDGE: f64 = 1e-11;
 const OVERLAP: f64 = 3.0 / 35.0;
 
 impl Fit {
+    /// Returns the fit as one whose regressors keep their noise.
+    pub(super) fn attenuated(self) -> Self {
+        Self { is_attenuated: true, ..self }
+    }
+
     /// Returns the standard deviation of a combination of coefficients.
     pub(super) fn deviation(&self, factors: &[f64]) -> f64 {
         let terms = self.covariance.iter().zip(factors);
@@ -129,7 +136,7 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> 
         variance = square / (count - width) * grown;
         let covariance = inverse.iter().map(|line| line.iter().map(|value| value * variance).collect()).collect();
         let quantile = student((count / grown - width).max(4.0));
-        found = Some(Fit { values, covariance, inflation, quantile, square });
+        found = Some(Fit { values, covariance, inflation, quantile, square, is_attenuated: false });
     }
     found
 }

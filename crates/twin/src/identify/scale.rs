@@ -69,7 +69,8 @@ impl Slopes {
     fn of(equations: &Equations<'_>, tabulated: &Tabulated, scale: Scale) -> Self {
         let lag = equations.lag_s(scale);
         let slope = |tie| {
-            let (value, half_width) = equations.fit(scale, lag, tie)?.estimate(0)?;
+            let fit = equations.fit(scale, lag, tie).filter(|fit| !fit.is_attenuated)?;
+            let (value, half_width) = fit.estimate(0)?;
             Some(Share { value: value * tabulated.output_nm_a, half_width: half_width * tabulated.output_nm_a })
         };
         Self { all: [slope(Tie::ToTorque), slope(Tie::ToTable)] }

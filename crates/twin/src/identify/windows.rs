@@ -45,6 +45,8 @@ pub(super) struct Windows {
     pub(super) length_s: f64,
     /// Median sampling interval \[s\].
     pub(super) step_s: f64,
+    /// Interval at which the current is sampled \[s\].
+    pub(super) current_s: f64,
     /// Variances of the noise of α and ω of a window caused by the noise of the position.
     pub(super) noise: [f64; 2],
     /// Variance of the noise of the torque of a window \[N²m²\].
@@ -84,19 +86,43 @@ const NOISE_MOST: f64 = 0.3;
 /// Noise relative to the rms acceleration up to which windows are not lengthened.
 const NOISE_WANTED: f64 = 0.03;
 
-/// Smallest gap relative to the median sampling interval.
-const GAP: f64 = 1.5;
+/// Smallest gap relative to the median sampling interval: two missing rows are bridged. A choice.
+const GAP: f64 = 3.5;
 
-/// Stretches of motion in one direction without a gap, and the noise of the position.
+/// Noise of the signals of a run, from one value for each update.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grain {
+    /// Standard deviation of the noise of the position \[rad\].
+    noise_rad: f64,
+    /// Step of a position with few digits \[rad\].
+    pub(super) quantum_rad: Option<f64>,
+    /// Standard deviation of the noise of the torque \[Nm\].
+    noise_nm: f64,
+    /// Periods at which position, torque and current are updated, if they are slower than the rows \[s\].
+    updates_s: [f64; 3],
+}
+
+impl Grain {
+    /// Returns the noise of positions and torques, and the periods of their updates.
+    pub(super) fn of(position: &[f64], torque: &[f64], updates_s: [f64; 3]) -> Self {
+        let (noise_rad, quantum_rad) = (noise_of(position), quantum_of(position));
+        Self { noise_rad, quantum_rad, noise_nm: noise_of(torque), updates_s }
+    }
+
+    /// Returns the numbers of rows for which position, torque and current have one independent value.
+    fn rows(&self, step_s: f64) -> [f64; 3] {
+        self.updates_s.map(|period| (period / step_s).max(1.0))
+    }
+}
+
+/// Stretches of motion in one direction without a gap, and the noise of the signals.
 #[derive(Clone, Debug)]
 pub(super) struct Strokes {
     pub(super) ranges: Vec<(Range<usize>, f64)>,
     /// Median sampling interval \[s\].
     pub(super) step_s: f64,
-    /// Standard deviation of the noise of the position \[rad\].
-    pub(super) noise_rad: f64,
-    /// Step of a position with few digits \[rad\].
-    pub(super) quantum_rad: Option<f64>,
+    /// Noise of the signals.
+    pub(super) grain: Grain,
     /// Mean speed about each sample [rad/s].
     pub(super) speed: Vec<f64>,
 }
@@ -105,7 +131,7 @@ impl Strokes {
     /// Returns the strokes of a run.
     ///
     /// Speeds are differences over a distance of samples at which the noise of the position is small.
-    pub(super) fn of(run: &Observed) -> Result<Self, NoWindows> {
+    pub(super) fn of(run: &Observed, grain: Grain) -> Result<Self, NoWindows> {
         let (time, position) = (&run.time_s, &run.position_rad);
         let mut steps: Vec<f64> = differences(time).collect();
         let middle = steps.len() / 2;
@@ -114,8 +140,7 @@ impl Strokes {
             let after = |column: &[f64]| column.get(k..k + 2).and_then(|pair| differences(pair).next());
             after(time).is_none_or(|step| step > GAP * step_s) || after(position).is_none_or(|way| way.abs() > PI)
         };
-        let noise_rad = noise_of(position);
-        let quantum_rad = quantum_of(position);
+        let Grain { noise_rad, quantum_rad, .. } = grain;
         let apart = 4.0 * noise_rad + quantum_rad.unwrap_or(0.0);
         let mut half = 2_usize;
         let mut speed = Vec::new();
@@ -159,7 +184,7 @@ impl Strokes {
             }
             from = now.map(|sign| (k, sign));
         }
-        Ok(Self { ranges, step_s, noise_rad, quantum_rad, speed })
+        Ok(Self { ranges, step_s, grain, speed })
     }
 
     /// Returns the samples from the first motion to the last, without the rest before and behind.
@@ -296,8 +321,9 @@ impl Windows {
             found = made(length)?;
         }
         // ∫ w² dt = 35 L/128, as many samples as the length.
-        let independent = found.length_s / found.step_s * (9.0 / 64.0) / (35.0 / 128.0);
-        found.torque_noise = noise_of(&run.torque_nm).powi(2) / independent;
+        let [_, rows, _] = strokes.grain.rows(found.step_s);
+        let independent = found.length_s / found.step_s / rows * (9.0 / 64.0) / (35.0 / 128.0);
+        found.torque_noise = strokes.grain.noise_nm.powi(2) / independent;
         found.judged(strokes)
     }
 
@@ -307,7 +333,7 @@ impl Windows {
         }
         let share = self.noise_share();
         if share > NOISE_MOST {
-            let step_rad = strokes.quantum_rad.unwrap_or(strokes.noise_rad);
+            let step_rad = strokes.grain.quantum_rad.unwrap_or(strokes.grain.noise_rad);
             return Err(NoWindows::TooCoarse { step_rad, most_rad: step_rad * NOISE_MOST / share });
         }
         Ok(self)
@@ -347,11 +373,13 @@ impl Windows {
         #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
         let (count, length_s) = (length as f64, length as f64 * strokes.step_s);
         // ∫ w″² dt = 4 π⁴/L³, ∫ w′² dt = 5 π²/(8 L), ∫ w dt = 3 L/8, one sample per L/n.
-        let quantised = strokes.quantum_rad.map_or(0.0, |step| step / 12.0_f64.sqrt());
-        let variance = strokes.noise_rad.max(quantised).powi(2);
+        let quantised = strokes.grain.quantum_rad.map_or(0.0, |step| step / 12.0_f64.sqrt());
+        let [rows, _, of_current] = strokes.grain.rows(strokes.step_s);
+        let current_s = of_current * strokes.step_s;
+        let variance = strokes.grain.noise_rad.max(quantised).powi(2) * rows;
         let noise = [4.0 * PI.powi(4) / length_s.powi(4), 5.0 * PI.powi(2) / 8.0 / length_s.powi(2)]
             .map(|square| variance * square / count * 64.0 / 9.0);
-        Ok(Self { all, length_s, step_s: strokes.step_s, noise, torque_noise: 0.0 })
+        Ok(Self { all, length_s, step_s: strokes.step_s, current_s, noise, torque_noise: 0.0 })
     }
 }
 

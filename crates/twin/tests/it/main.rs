@@ -11,6 +11,7 @@ mod identify;
 mod instrument;
 mod linear;
 mod link;
+mod logger;
 mod moving;
 mod runs;
 mod steady;
