@@ -2,7 +2,10 @@
 
 use crate::family;
 use crate::parts;
-use actuator::{BearingType, Curve, CurvePoint, Drivetrain, Environment, Gear, Heat, OutputBearing, Parameters};
+use actuator::{
+    Accuracy, BearingType, Curve, CurvePoint, Drivetrain, Environment, Gear, Heat, OutputBearing, Parameters,
+    ScrewJoint,
+};
 use catalogue::{Cell, Drive, SeriesData, Table, winding_data};
 use order_code::{Brake, OrderCode, Winding};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
@@ -17,19 +20,64 @@ static RATIOS: LazyLock<Vec<CellRef>> = LazyLock::new(|| family::places("i", |da
 #[must_use]
 pub fn parameters(code: &OrderCode) -> Option<Parameters> {
     let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
-    Some(with_drivetrain(code, drive, Arc::new(drivetrain(drive, code))))
+    Some(with_drivetrain(code, drive, Arc::new(drivetrain(drive, code, OfGear::of(code)))))
 }
 
-/// Returns [`parameters`], sharing the drivetrain of another code that differs only in brake and options, which do not
-/// affect it.
+/// Returns [`parameters`], with the data of another code that the differing fields do not affect: brake and options do
+/// not affect the drivetrain, winding and feedback do not affect the gear.
 pub(crate) fn parameters_beside(code: &OrderCode, other: Option<&(OrderCode, Parameters)>) -> Option<Parameters> {
-    let of_drivetrain = |code: &OrderCode| (code.size, code.ratio, code.winding, code.feedback);
-    match other {
-        Some((other, known)) if of_drivetrain(other) == of_drivetrain(code) => {
-            let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
-            Some(with_drivetrain(code, drive, Arc::clone(&known.drivetrain)))
+    let Some((other, known)) = other.filter(|(other, _)| (other.size, other.ratio) == (code.size, code.ratio)) else {
+        return parameters(code);
+    };
+    let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
+    let of_one_motor = (other.winding, other.feedback) == (code.winding, code.feedback);
+    let drivetrain = match of_one_motor {
+        true => Arc::clone(&known.drivetrain),
+        false => Arc::new(drivetrain(drive, code, OfGear::from(&*known.drivetrain))),
+    };
+    Some(with_drivetrain(code, drive, drivetrain))
+}
+
+/// Data of a drivetrain that depend on size and ratio alone.
+struct OfGear {
+    gear: Gear,
+    output_bearing: OutputBearing,
+    accuracy: Accuracy,
+    screw_joint_load: ScrewJoint,
+    screw_joint_housing: ScrewJoint,
+    continuous_curve: Datum<Curve>,
+    s3_curves: [Datum<Curve>; 2],
+    short_time_curve: Datum<Curve>,
+}
+
+impl OfGear {
+    fn of(code: &OrderCode) -> Self {
+        let curve = |which| published_curve(code, which);
+        Self {
+            gear: gear(code),
+            output_bearing: output_bearing(code),
+            accuracy: parts::accuracy(code),
+            screw_joint_load: parts::screw_joint(code, "load"),
+            screw_joint_housing: parts::screw_joint(code, "housing"),
+            continuous_curve: curve("continuous"),
+            s3_curves: [curve("s3_50"), curve("s3_25")],
+            short_time_curve: curve("maximum"),
         }
-        _ => parameters(code),
+    }
+}
+
+impl From<&Drivetrain> for OfGear {
+    fn from(known: &Drivetrain) -> Self {
+        Self {
+            gear: known.gear.clone(),
+            output_bearing: known.output_bearing.clone(),
+            accuracy: known.accuracy.clone(),
+            screw_joint_load: known.screw_joint_load.clone(),
+            screw_joint_housing: known.screw_joint_housing.clone(),
+            continuous_curve: known.continuous_curve.clone(),
+            s3_curves: known.s3_curves.clone(),
+            short_time_curve: known.short_time_curve.clone(),
+        }
     }
 }
 
@@ -51,11 +99,10 @@ fn with_drivetrain(code: &OrderCode, drive: &Drive, drivetrain: Arc<Drivetrain>)
 }
 
 /// Returns the data of the manual on the drivetrain of a code.
-fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
+fn drivetrain(drive: &Drive, code: &OrderCode, of_gear: OfGear) -> Drivetrain {
     let (feedback, ratio) = (code.feedback, code.ratio);
     let winding = winding_data(code.winding);
     let starting = winding.map_or("", |data| data.starting_current);
-    let curve = |which| published_curve(code, which);
     let [cold, warm] = no_load_cells(drive, code);
     Drivetrain {
         ratio: RATIOS.get(code.series().place()).map_or(Datum::NotPrinted, |place| {
@@ -94,15 +141,15 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
         terminal_voltage_min: terminal_voltage_min(drive, code),
         ambient_range: ambient_range(code.winding),
         environment: environment(code.winding),
-        continuous_curve: curve("continuous"),
-        gear: gear(code),
-        output_bearing: output_bearing(code),
-        s3_curves: [curve("s3_50"), curve("s3_25")],
-        short_time_curve: curve("maximum"),
+        continuous_curve: of_gear.continuous_curve,
+        gear: of_gear.gear,
+        output_bearing: of_gear.output_bearing,
+        s3_curves: of_gear.s3_curves,
+        short_time_curve: of_gear.short_time_curve,
         heat: heat(drive, code),
-        accuracy: parts::accuracy(code),
-        screw_joint_load: parts::screw_joint(code, "load"),
-        screw_joint_housing: parts::screw_joint(code, "housing"),
+        accuracy: of_gear.accuracy,
+        screw_joint_load: of_gear.screw_joint_load,
+        screw_joint_housing: of_gear.screw_joint_housing,
     }
 }
 
