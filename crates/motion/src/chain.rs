@@ -3,8 +3,9 @@
 use crate::faults::{MotionFault, MoveFault};
 use crate::law::{Given, Law, Solved};
 use crate::piece::Piece;
+use crate::placed::Placed;
 use crate::points::Points;
-use crate::recorded::{Placed, Recorded};
+use crate::recorded::Recorded;
 use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time};
 use std::sync::Arc;
 

@@ -3,6 +3,7 @@
 use crate::examination::Stamps;
 use crate::faults::RecordedFault;
 use crate::held::{Interpolated, Updated, held, interpolated, interpolated_position};
+use crate::remarks::{Remark, of_stamps, of_standstill};
 use crate::resolution::{MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, median_interval};
 use crate::smoothing::smooth;
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
@@ -81,6 +82,7 @@ pub struct Recorded {
     rest_noise: Option<RestNoise>,
     alternating: Option<Alternating>,
     made_up: Option<MadeUp>,
+    remarks: Vec<Remark>,
 }
 
 impl Recorded {
@@ -95,13 +97,15 @@ impl Recorded {
     /// Returns the first [`RecordedFault`].
     pub fn new(samples: Samples, treatment: Treatment) -> Result<Self, RecordedFault> {
         let columns = [&samples.position_rad, &samples.speed_rad_s, &samples.torque_nm];
-        check(&samples.time_s, columns.map(Option::as_ref))?;
+        check(&samples.time_s, columns.map(Option::as_ref), treatment.time_stamps)?;
         let mut samples = samples;
         let start = samples.time_s.first().copied().unwrap_or(0.0);
         if start != 0.0 {
             samples.time_s = Arc::new(samples.time_s.iter().map(|t| t - start).collect());
         }
-        if treatment.time_stamps == TimeStamps::Even {
+        let mut remarks = Vec::new();
+        let stamps = (treatment.time_stamps == TimeStamps::Even).then(|| Arc::clone(&samples.time_s));
+        if stamps.is_some() {
             samples.time_s = evenly_spaced(&samples.time_s)?;
         }
         let window = treatment.smoothing.map(Measure::si);
@@ -112,6 +116,11 @@ impl Recorded {
         let held_are_interpolated = treatment.held_values == HeldValues::Interpolated;
         let derived = Course::of(&samples, window, held_are_interpolated)?;
         let made_up = derived.spurious(&samples, window, treatment);
+        remarks.extend((held_are_interpolated && !derived.is_held(&samples)).then_some(Remark::NotHeld));
+        if let Some(stamps) = stamps {
+            let signal = samples.position_rad.as_ref().or(samples.speed_rad_s.as_ref());
+            remarks.extend(of_stamps(&stamps, &samples.time_s, signal.map(|signal| signal.as_slice())));
+        }
         let differentiated = samples.speed_rad_s.is_none();
         // No window and no interpolation changes where the axis is at rest: both make noise resemble a slow motion.
         let before = match (window, treatment.standstill) {
@@ -129,8 +138,10 @@ impl Recorded {
         let Course { position, mut speed, mut end_errors, .. } = derived;
         let mut rest_noise = None;
         if let Some(least) = treatment.standstill {
+            let without = SpeedOverTime { time: &time_s, speed: &speed }.largest_acceleration();
             let block = window.map_or(0.0, |window| window / median_interval(&time_s)).ceil() as usize;
             set_to_rest(Arc::make_mut(&mut speed).as_mut_slice(), least.si(), block);
+            remarks.extend(of_standstill(least.si(), SpeedOverTime { time: &time_s, speed: &speed }, without));
         } else if let Some((rests, noise)) = still(
             &time_s,
             &speed,
@@ -164,6 +175,7 @@ impl Recorded {
             rest_noise,
             alternating,
             made_up,
+            remarks,
         })
     }
 
@@ -251,6 +263,12 @@ impl Recorded {
         self.made_up
     }
 
+    /// Returns the remarks on keys that do not do what they are stated for.
+    #[must_use]
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
+    }
+
     /// Returns the number of samples.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -274,6 +292,8 @@ struct Course {
     end_errors: (f64, f64),
     /// Updates of the speed, if held values are interpolated.
     updated: Option<Updated>,
+    /// A held position was interpolated.
+    has_held_position: bool,
 }
 
 impl Course {
@@ -291,6 +311,7 @@ impl Course {
             });
         let held = samples.position_rad.as_ref().filter(|_| between);
         let held = held.and_then(|position| interpolated_position(time, position));
+        let has_held_position = held.is_some();
         let mut end_errors = (0.0, 0.0);
         let (position, slope) = match held {
             Some(Interpolated { position, speed: slope, update_s, updated: at }) => {
@@ -327,7 +348,13 @@ impl Course {
                 (position, speed)
             }
         };
-        Ok(Self { position, speed, end_errors, updated })
+        Ok(Self { position, speed, end_errors, updated, has_held_position })
+    }
+
+    /// Returns `true` if a column of the samples is held and interpolated.
+    fn is_held(&self, samples: &Samples) -> bool {
+        let is_held = |torque: &Arc<Vec<f64>>| held(&samples.time_s, torque).is_some();
+        self.updated.is_some() || self.has_held_position || samples.torque_nm.as_ref().is_some_and(is_held)
     }
 
     /// Returns the spurious acceleration caused by held values, by scattered time stamps, or by steps of the column
@@ -380,105 +407,11 @@ impl Course {
     }
 }
 
-/// A recording on the time axis of a cycle.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Placed {
-    /// Recorded motion.
-    pub recorded: Arc<Recorded>,
-    /// Instant of the first sample, from the start of the cycle \[s\].
-    pub start_s: f64,
-    /// Offset added to the recorded positions \[rad\].
-    pub offset_rad: f64,
-    /// Factor of the recorded times \[1\]; speeds are divided by it.
-    pub stretch: f64,
-    /// Index of the segment.
-    pub segment: usize,
-}
-
-/// The interval between two samples: speed and torque linear, acceleration constant.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interval {
-    /// Instant of the first sample, from the start of the cycle \[s\].
-    pub start_s: f64,
-    /// Duration \[s\].
-    pub duration_s: f64,
-    /// Positions at both ends \[rad\].
-    pub position_rad: [f64; 2],
-    /// Speeds at both ends [rad/s].
-    pub speed_rad_s: [f64; 2],
-    /// Recorded torques at both ends \[Nm\]; zero if none is recorded.
-    pub torque_nm: [f64; 2],
-}
-
-impl Interval {
-    /// Returns the acceleration α [rad/s²].
-    #[must_use]
-    pub fn acceleration_rad_s2(&self) -> f64 {
-        let [first, last] = self.speed_rad_s;
-        (last - first) / self.duration_s
-    }
-
-    /// Returns position, speed and torque at a share u of the interval.
-    ///
-    /// q = q_0 + u (q_1 − q_0) − α h² u (1 − u)/2: the recorded positions at the ends, with the curvature of the speed
-    /// in between
-    #[must_use]
-    pub fn at(&self, u: f64) -> (f64, f64, f64) {
-        let straight = |[a, b]: [f64; 2]| a + u * (b - a);
-        let bow = 0.5 * (self.speed_rad_s[1] - self.speed_rad_s[0]) * self.duration_s * u * (1.0 - u);
-        (straight(self.position_rad) - bow, straight(self.speed_rad_s), straight(self.torque_nm))
-    }
-}
-
-impl Placed {
-    /// Returns the number of intervals between samples.
-    #[must_use]
-    pub fn intervals(&self) -> usize {
-        self.recorded.len().saturating_sub(1)
-    }
-
-    /// Returns the interval that begins with a sample; `None` at the last one.
-    #[must_use]
-    pub fn interval(&self, index: usize) -> Option<Interval> {
-        let pair = |values: &[f64]| values.get(index).copied().zip(values.get(index + 1).copied());
-        let recorded = &*self.recorded;
-        let (from, to) = pair(&recorded.time_s)?;
-        let (q0, q1) = pair(&recorded.position_rad)?;
-        let (w0, w1) = pair(&recorded.speed_rad_s)?;
-        let (m0, m1) = recorded.torque_nm().and_then(pair).unwrap_or((0.0, 0.0));
-        Some(Interval {
-            start_s: self.start_s + from * self.stretch,
-            duration_s: (to - from) * self.stretch,
-            position_rad: [q0 + self.offset_rad, q1 + self.offset_rad],
-            speed_rad_s: [w0 / self.stretch, w1 / self.stretch],
-            torque_nm: [m0, m1],
-        })
-    }
-
-    /// Returns the distance from the first to the last sample, the largest |ω| and the largest |α| [rad, rad/s,
-    /// rad/s²].
-    #[must_use]
-    pub fn course(&self) -> [f64; 3] {
-        let (first, last) = self.recorded.ends_rad();
-        let intervals = (0..self.intervals()).filter_map(|index| self.interval(index));
-        intervals.fold([last - first, 0.0, 0.0], |[distance, speed, acceleration], interval| {
-            let fastest = interval.speed_rad_s.into_iter().fold(speed, |most, w| most.max(w.abs()));
-            [distance, fastest, acceleration.max(interval.acceleration_rad_s2().abs())]
-        })
-    }
-
-    /// Returns the duration on the time axis \[s\].
-    #[must_use]
-    pub fn duration_s(&self) -> f64 {
-        self.recorded.duration_s() * self.stretch
-    }
-}
-
 fn ends(values: &[f64]) -> (f64, f64) {
     (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0))
 }
 
-fn check(time: &[f64], columns: [Option<&Arc<Vec<f64>>>; 3]) -> Result<(), RecordedFault> {
+fn check(time: &[f64], columns: [Option<&Arc<Vec<f64>>>; 3], stamps: TimeStamps) -> Result<(), RecordedFault> {
     if time.len() < 3 {
         return Err(RecordedFault::TooFew { samples: time.len() });
     }
@@ -490,7 +423,12 @@ fn check(time: &[f64], columns: [Option<&Arc<Vec<f64>>>; 3]) -> Result<(), Recor
             return Err(RecordedFault::NotFinite { index });
         }
     }
-    match time.windows(2).position(|pair| pair.first() >= pair.last()) {
+    // Even instants replace equal stamps too.
+    let is_late = |pair: &[f64]| match stamps {
+        TimeStamps::Kept => pair.first() >= pair.last(),
+        TimeStamps::Even => pair.first() > pair.last(),
+    };
+    match time.windows(2).position(is_late) {
         Some(before) => Err(RecordedFault::NotIncreasing { index: before + 1 }),
         None => Ok(()),
     }

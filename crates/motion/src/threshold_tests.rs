@@ -1,5 +1,5 @@
 use crate::generated::{Cycle, Law, Noise, accelerations, samples};
-use crate::{Recorded, Treatment};
+use crate::{Recorded, Remark, Treatment};
 use quantities::{AngularVelocity, Measure, Time};
 
 /// A stated threshold of 0.1 to 5 % of the largest speed adds no acceleration to the motion: without noise within a few
@@ -90,4 +90,17 @@ fn a_reversal_without_rest_is_kept() {
         let (peak, _) = accelerations(&found);
         assert!(peak <= 4.0, "{offset}: {peak}");
     }
+}
+
+/// A threshold above the speed of a slow motion stops it in a step, which is named; one below it is not.
+#[test]
+fn a_standstill_within_the_motion_is_named() {
+    let time: Vec<f64> = (0..4000_u32).map(|k| f64::from(k) * 1e-3).collect();
+    let speed: Vec<f64> = time.iter().map(|t| if (1.0..2.0).contains(t) { 0.095 } else { 0.105 }).collect();
+    let remarks = |standstill: f64| {
+        let treatment = Treatment { standstill: Some(AngularVelocity::from_si(standstill)), ..Treatment::default() };
+        Recorded::new(samples(&time, None, Some(&speed)), treatment).unwrap().remarks().to_vec()
+    };
+    assert_eq!(remarks(0.09), []);
+    assert!(matches!(remarks(0.1).as_slice(), [Remark::StandstillSteps { .. }]));
 }

@@ -26,6 +26,9 @@ const ROWS_OVER: usize = 8;
 /// Largest deviation of a stamp from the even grid, relative to its interval, up to which rounding finds the places.
 const ROUNDED_MOST: f64 = 0.49;
 
+/// Largest standard deviation of stamps that are rounded, relative to the step; rounding alone causes 1/√12.
+const STEP_SCATTER_MOST: f64 = 0.4;
+
 /// Largest standard deviation of the stamps from an even grid, relative to its interval.
 const SCATTER_MOST: f64 = 1.0;
 
@@ -39,12 +42,15 @@ pub(crate) struct Even {
     pub(crate) interval_s: f64,
     /// Standard deviation of the stamps from these instants \[s\].
     pub(crate) scatter_s: f64,
+    /// Step to which the stamps are rounded if some are equal, otherwise zero \[s\].
+    rounded_s: f64,
 }
 
 impl Even {
-    /// Returns `true` if the stamps can be those of evenly spaced rows.
+    /// Returns `true` if the stamps can be those of evenly spaced rows; equal stamps are rounded to a step, with an error
+    /// of up to half of it.
     fn is_likely(&self) -> bool {
-        self.scatter_s <= SCATTER_MOST * self.interval_s
+        self.scatter_s <= (SCATTER_MOST * self.interval_s).max(STEP_SCATTER_MOST * self.rounded_s)
     }
 }
 
@@ -88,20 +94,30 @@ fn rounded(time: &[f64], interval: f64, [followed, from]: [f64; 2]) -> Option<Ve
     (place < 2.0 * time.len() as f64).then_some(places)
 }
 
+/// Returns the step to which stamps are rounded if some are equal, otherwise zero \[s\].
+fn rounding(time: &[f64]) -> f64 {
+    let steps = || time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one);
+    let least = steps().filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min);
+    if least.is_finite() && steps().any(|step| step == 0.0) { least } else { 0.0 }
+}
+
 /// Returns the places of rows on an even grid; rows are missing where the stamps shift by whole intervals for good.
 fn shifted(time: &[f64]) -> Vec<f64> {
     let median = median_interval(time);
     let steps = || time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one);
-    let usual = || steps().filter(|step| *step <= 2.5 * median);
+    let rounded_s = rounding(time);
+    let usual = || steps().filter(|step| *step <= (2.5 * median).max(1.5 * rounded_s));
     let interval = usual().sum::<f64>() / usual().count().max(1) as f64;
     let off = |index: usize| time.get(index).map(|t| t - index as f64 * interval);
     let middle = |range: std::ops::Range<usize>| median_of(range.filter_map(off).collect());
     let mut missing = 0.0;
     let mut places = Vec::with_capacity(time.len());
     places.push(0.0);
+    // The stamps of rows in one step are those of the first or the last of them.
+    let near = NEAR.max((4.0 * rounded_s / interval).ceil() as usize);
     for (index, step) in (1_usize..).zip(steps()) {
-        if step > LONG * interval
-            && let Some((before, behind)) = middle(index.saturating_sub(NEAR)..index).zip(middle(index..index + NEAR))
+        if step > LONG * interval + rounded_s
+            && let Some((before, behind)) = middle(index.saturating_sub(near)..index).zip(middle(index..index + near))
         {
             // More than the interval itself is a gap nearby.
             let shift = ((behind - before) / interval).round();
@@ -124,7 +140,8 @@ fn fitted(time: &[f64], places: Vec<f64>) -> Option<(Even, f64)> {
     let is_rising = slope.is_finite() && slope > 0.0;
     let start_s = mean_t - slope * mean_n;
     let time_s = places.into_iter().map(|n| n * slope).collect();
-    is_rising.then(|| (Even { time_s, start_s, interval_s: slope, scatter_s: (square / count).sqrt() }, most))
+    let scatter_s = (square / count).sqrt();
+    is_rising.then(|| (Even { time_s, start_s, interval_s: slope, scatter_s, rounded_s: rounding(time) }, most))
 }
 
 /// Replaces the stamps of samples by evenly spaced instants.
@@ -140,6 +157,15 @@ pub(crate) fn evenly_spaced(time: &[f64]) -> Result<Arc<Vec<f64>>, RecordedFault
             interval: Time::from_si(median_interval(time)),
         }),
     }
+}
+
+/// Returns `true` if time stamps are as evenly spaced as the instants fitted to them.
+pub(crate) fn is_even(time: &[f64], even: &[f64]) -> bool {
+    let slack = 0.5 * SCATTER_LEAST * median_interval(even);
+    let first = time.first().copied().unwrap_or(0.0);
+    let pairs = time.iter().zip(even).map(|(stamp, even)| stamp - first - even);
+    let (low, high) = pairs.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), off| (low.min(off), high.max(off)));
+    high - low <= slack
 }
 
 /// Returns evenly spaced instants if the stamps scatter about them.
@@ -173,6 +199,11 @@ impl<'s> SpeedOverTime<'s> {
     pub(crate) fn roughness(self) -> f64 {
         let all = self.accelerations();
         all.clone().zip(all.skip(1)).map(|(one, other)| (other - one).abs()).sum()
+    }
+
+    /// Returns the largest acceleration [rad/s²].
+    pub(crate) fn largest_acceleration(self) -> f64 {
+        self.accelerations().fold(0.0, |most, alpha| most.max(alpha.abs()))
     }
 
     /// Returns the largest acceleration, and the largest difference of another one of the same rows from it [rad/s²].

@@ -1,7 +1,7 @@
 use super::*;
 use crate::generated::Noise;
 use crate::held::held;
-use crate::{HeldValues, MadeUp, Recorded, Spurious, SteppedColumn, TimeStamps, Treatment};
+use crate::{HeldValues, MadeUp, Recorded, Remark, Spurious, SteppedColumn, TimeStamps, Treatment};
 
 /// Returns position and speed of a move of 1.5 rad in 1 s and back in 1.2 s, with rests; the law by its number.
 fn motion(law: u32, t: f64) -> (f64, f64) {
@@ -179,9 +179,68 @@ fn scattered_stamps_are_found_and_replaced() {
                 let error = rms(&found) / truth - 1.0;
                 assert!(error.abs() < 0.015, "{what}: {error}, without {}", rms(&plain) / truth);
                 assert_eq!(found.made_up(), None, "{what}");
+                assert_eq!(found.remarks(), [], "{what}");
             }
         }
     }
+}
+
+/// Stamps rounded more coarsely than the rows, equal ones among them, are replaced by even ones, over lost rows and
+/// together with held values too.
+#[test]
+fn equal_stamps_are_replaced() {
+    for law in 0..3 {
+        let truth = truth(law);
+        for column in COLUMNS {
+            for (h, rounded, lost, held) in [
+                (0.0004, 1e-3, false, 1),
+                (0.0002, 1e-3, false, 1),
+                (0.0001, 1e-3, false, 1),
+                (0.0007, 1e-3, false, 1),
+                (0.0004, 1e-3, true, 1),
+                (0.0002, 1e-3, true, 1),
+                (0.0004, 1e-3, false, 5),
+            ] {
+                let count = (END / h).round() as u32;
+                let kept = (0..=count).filter(|k| !lost || !(700..780).contains(k));
+                let exact: Vec<f64> = kept.map(|k| f64::from(k) * h).collect();
+                let at = |t: &f64| (t / (h * f64::from(held)) + 1e-9).floor() * h * f64::from(held);
+                let values: Vec<f64> = exact.iter().map(|t| of(law, at(t), column)).collect();
+                let stamps: Vec<f64> = exact.iter().map(|t| (t / rounded + 1e-9).floor() * rounded).collect();
+                let what = format!("law {law} {column:?} h {h} lost {lost} held {held}");
+                let plain = Recorded::new(samples(&stamps, values.clone(), column), Treatment::default());
+                assert!(matches!(plain, Err(RecordedFault::NotIncreasing { .. })), "{what}");
+                let held_values = if held > 1 { HeldValues::Interpolated } else { HeldValues::Kept };
+                let treatment = Treatment { time_stamps: TimeStamps::Even, held_values, ..Treatment::default() };
+                let found = Recorded::new(samples(&stamps, values, column), treatment).unwrap();
+                let error = rms(&found) / truth - 1.0;
+                assert!(error.abs() < 0.02, "{what}: {error}");
+                assert_eq!(found.remarks(), [], "{what}");
+            }
+        }
+    }
+}
+
+/// A key without an effect is named: even stamps that become even, values that are not held; a recording at rest too.
+#[test]
+fn keys_without_an_effect_are_named() {
+    for law in 0..4 {
+        for column in COLUMNS {
+            for h in [0.0005, 0.001, 0.01] {
+                let (time, moving) = logged(law.min(2), column, h, h, 0.0);
+                let values = if law == 3 { vec![0.0; moving.len()] } else { moving };
+                let both = Treatment { time_stamps: TimeStamps::Even, ..interpolated_values() };
+                let found = Recorded::new(samples(&time, values.clone(), column), both).unwrap();
+                assert_eq!(found.remarks(), [Remark::NotHeld, Remark::EvenAlready], "law {law} {column:?} {h}");
+                let plain = Recorded::new(samples(&time, values, column), Treatment::default()).unwrap();
+                assert_eq!(plain.remarks(), []);
+            }
+        }
+    }
+    let (time, values) = logged(0, SteppedColumn::Speed, 0.001, 0.004, 0.0);
+    let held_torque =
+        Samples { torque_nm: Some(values.into()), ..samples(&time, time.clone(), SteppedColumn::Position) };
+    assert_eq!(Recorded::new(held_torque, interpolated_values()).unwrap().remarks(), [], "a held torque suffices");
 }
 
 /// True instants, however irregular, are kept: uneven sampling, lost rows, another rate in the middle; the last is no
@@ -207,6 +266,9 @@ fn true_stamps_are_kept() {
                 let even = Treatment { time_stamps: TimeStamps::Even, ..Treatment::default() };
                 let forced = Recorded::new(samples(&stamps, values, column), even);
                 assert_eq!(kind == 2, matches!(forced, Err(RecordedFault::StampsUneven { .. })), "{kind}");
+                if kind == 0 {
+                    assert_eq!(forced.unwrap().remarks(), [Remark::FollowsStamps], "law {law} {column:?}");
+                }
             }
         }
     }

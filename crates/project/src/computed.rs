@@ -18,8 +18,8 @@ pub struct Overrun {
     pub travel_m_per_rad: Option<f64>,
 }
 
-/// Adds moves that come back, the noise at rest in the recordings of an axis, and the apparent accelerations due to
-/// their resolution.
+/// Adds moves that come back, the noise at rest in the recordings of an axis, keys that do not do what they are stated
+/// for, and the apparent accelerations due to the resolution of the recordings.
 pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
     let nothing = Extra::none();
     let mut put = |each: Assumption| {
@@ -43,6 +43,9 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
         }
         if let Some(alternating) = placed.recorded.alternating() {
             put(Assumption::RecordedAlternating(alternating));
+        }
+        for remark in placed.recorded.remarks() {
+            put(Assumption::RecordedKey(*remark));
         }
         if let Some(made_up) = placed.recorded.made_up() {
             let extra = axis.extras.get(placed.segment).unwrap_or(&nothing);

@@ -88,7 +88,7 @@ pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};
 pub use twin::TwinInput;
 
 use ::mechanism::{Extra, Mechanism};
-use ::motion::{Alternating, MadeUp, Motion, RestNoise, Spline, Spurious, SteppedColumn};
+use ::motion::{Alternating, MadeUp, Motion, Remark, RestNoise, Spline, Spurious, SteppedColumn};
 use bodies::together;
 use configurator::Requirements;
 use order_code::{Option1, Option2};
@@ -222,6 +222,8 @@ pub enum Assumption {
     RecordedRest(RestNoise),
     /// A recorded speed changes its sign from sample to sample and counts as motion.
     RecordedAlternating(Alternating),
+    /// A key of a recording does not do what it is stated for.
+    RecordedKey(Remark),
     /// The distance of a move is shorter than its change of speed takes: the axis comes back.
     Overruns(Overrun),
     /// The resolution of a recording in value or time causes an apparent acceleration, with the torque that the load would
@@ -242,7 +244,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 67] = [
+    pub const ALL: [Self; 71] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -300,6 +302,14 @@ impl Assumption {
         Self::RecordedModulo,
         Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0 }),
         Self::RecordedAlternating(Alternating { share: 0.15, speed_rad_s: 0.02 }),
+        Self::RecordedKey(Remark::NotHeld),
+        Self::RecordedKey(Remark::EvenAlready),
+        Self::RecordedKey(Remark::FollowsStamps),
+        Self::RecordedKey(Remark::StandstillSteps {
+            speed_rad_s: 0.1,
+            acceleration_rad_s2: 180.0,
+            without_rad_s2: 19.0,
+        }),
         Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: None }),
         Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: Some(0.01) }),
         Self::RecordedSteps(STEPS, 0.5),

@@ -350,7 +350,9 @@ fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
     let speed = column(columns.map(|all| &all.speed), units.map(|all| &all.speed), Role::Speed);
     let torque = column(columns.map(|all| &all.torque), units.map(|all| &all.torque), Role::Torque);
     let (from, to) = (segment.from.value(), segment.to.value());
-    Layout { time, position, speed, torque, from, to, allow_gaps: segment.gaps.value() == Some(Gaps::Allow) }
+    let allow_gaps = segment.gaps.value() == Some(Gaps::Allow);
+    let even_stamps = segment.time_stamps.value() == Some(TimeStamps::Even);
+    Layout { time, position, speed, torque, from, to, allow_gaps, even_stamps }
 }
 
 /// Returns the number of samples of the recording of a segment.

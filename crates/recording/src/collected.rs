@@ -25,6 +25,8 @@ pub(crate) struct Faults {
     repeated: u64,
     /// Ways to read the recording without faults in these columns.
     remedies: Vec<(String, Remedy)>,
+    /// Ways to read the recording where time runs backwards, and where rows have the same time.
+    order: [Option<Remedy>; 2],
 }
 
 impl Faults {
@@ -75,8 +77,20 @@ impl Faults {
         self.remedies = remedies;
     }
 
-    /// Adds the remedy to a fault of a column.
+    /// Adds ways to read the recording where time runs backwards, and where rows have the same time.
+    pub(crate) const fn advise_order(&mut self, backwards: Option<Remedy>, same: Option<Remedy>) {
+        self.order = [backwards, same];
+    }
+
+    /// Adds the remedy to a fault of a column or of the order of the rows.
     fn advised(&self, fault: Fault) -> Fault {
+        let of_order = match &fault {
+            Fault::Repeated { first, .. } => self.of_order(first),
+            fault => self.of_order(fault),
+        };
+        if let Some(remedy) = of_order {
+            return Fault::Advised { fault: Box::new(fault), remedy };
+        }
         let found = match &fault {
             Fault::Repeated { first, .. } => first.column_of_value(),
             fault => fault.column_of_value(),
@@ -85,6 +99,15 @@ impl Faults {
         match remedy {
             Some((_, remedy)) => Fault::Advised { fault: Box::new(fault), remedy: *remedy },
             None => fault,
+        }
+    }
+
+    const fn of_order(&self, fault: &Fault) -> Option<Remedy> {
+        let [backwards, same] = self.order;
+        match fault {
+            Fault::Backwards { .. } => backwards,
+            Fault::SameTime { .. } => same,
+            _ => None,
         }
     }
 

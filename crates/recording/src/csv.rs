@@ -212,6 +212,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         return None;
     }
     faults.advise(gather.remedies(is_read.is_some()));
+    gather.advise_order(faults);
     wanted.end(&gather, faults);
     is_read?;
     let encoding = Some(if is_utf8 { lines.encoding() } else { Encoding::Windows1252Guessed });

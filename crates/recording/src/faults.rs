@@ -55,7 +55,7 @@ pub struct NearColumn {
     pub has_unit: bool,
 }
 
-/// Way to read a recording some of whose values are missing.
+/// Way to read a recording some of whose values are missing, or whose rows are in the wrong order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Remedy {
     /// The recording is read without the column of this role.
@@ -69,6 +69,24 @@ pub enum Remedy {
     },
     /// Rows among others are deleted.
     Delete,
+    /// Time runs backwards throughout: the order of the rows is reversed.
+    Reverse,
+    /// Time begins anew: of several recordings one after another one is kept.
+    KeepOne {
+        /// Place of the first row of the second one.
+        at: FileRow,
+    },
+    /// Two rows are exchanged.
+    Exchange {
+        /// Places of both.
+        rows: [FileRow; 2],
+    },
+    /// Rows are in disorder and are sorted by time.
+    Sort,
+    /// The time stamps are rounded more coarsely than the rows follow one another; even ones replace them.
+    EvenStamps,
+    /// One of two equal rows is deleted.
+    DeleteRepeated,
 }
 
 /// Reason why a file cannot be read as a recording. Quoted text of the file is shortened to 40 characters.

@@ -8,6 +8,7 @@ use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
 use crate::modulo::{first_jump, unwrap_revolutions};
 use crate::number::{Bad, Tick};
+use crate::order::Order;
 use crate::series::{Along, ColumnRead, Course, Recording, Series};
 use quantities::{Angle, Measure, Time, Unit};
 use std::cmp::Ordering;
@@ -42,6 +43,8 @@ pub(crate) struct Gather<'m> {
     from_si: f64,
     to_si: f64,
     allow_gaps: bool,
+    even_stamps: bool,
+    order: Order,
     rows: bool,
     first: Option<Tick>,
     last: Option<(Tick, u64)>,
@@ -101,6 +104,8 @@ impl<'m> Gather<'m> {
             from_si: layout.from.map_or(f64::NEG_INFINITY, |from| from.si() - slack(from.si())),
             to_si: layout.to.map_or(f64::INFINITY, |to| to.si() + slack(to.si())),
             allow_gaps: layout.allow_gaps,
+            even_stamps: layout.even_stamps,
+            order: Order::default(),
             rows,
             first: None,
             last: None,
@@ -135,6 +140,11 @@ impl<'m> Gather<'m> {
             self.columns.iter().find(|column| column.role == *role).map(|column| excerpt(&column.name))
         };
         remedies.into_iter().filter_map(|(channel, remedy)| Some((name(channel)?, remedy))).collect()
+    }
+
+    /// Adds the reasons for a wrong order of the rows to the faults.
+    pub(crate) fn advise_order(&self, faults: &mut Faults) {
+        faults.advise_order(self.order.of_backwards(|number| self.place(number)), self.order.of_same());
     }
 
     /// Returns the time of the last row that has one.
@@ -204,8 +214,11 @@ impl<'m> Gather<'m> {
     /// follow.
     pub(crate) fn sample(&mut self, number: u64, tick: Tick, faults: &mut Faults) -> Sample {
         self.first.get_or_insert(tick);
+        self.order.note(number, tick);
         let before = self.last.replace((tick, number));
-        if let Some((last, at)) = before {
+        if let Some((last, at)) = before
+            && !(self.even_stamps && tick.since(last) == 0.0)
+        {
             let step = tick.since(last);
             if step <= 0.0 {
                 return self.out_of_order(number, tick, (last, at), step == 0.0, faults);
@@ -241,7 +254,7 @@ impl<'m> Gather<'m> {
         let time = self.unit.to_si(tick.since(first));
         // Relative to a very distant first time, two different times may become equal.
         if let (Some(last), Some(before)) = (self.time_s.last(), before)
-            && time <= *last
+            && (time < *last || time == *last && !self.even_stamps)
             && self.sound
         {
             return self.out_of_order(number, tick, before, true, faults);
@@ -364,7 +377,9 @@ impl<'m> Gather<'m> {
             return;
         }
         let (_, median, _) = sorted.select_nth_unstable_by(middle, f64::total_cmp);
-        let median = *median;
+        // Of rounded time stamps most may be equal.
+        let mean = steps().sum::<f64>() / (self.time_s.len() - 1).max(1) as f64;
+        let median = if self.even_stamps { median.max(mean) } else { *median };
         for (index, step) in (1..).zip(steps()) {
             if step > GAP_FACTOR * median {
                 let at = self.place(self.number_of(index));

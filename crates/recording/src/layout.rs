@@ -19,6 +19,8 @@ pub struct Layout {
     pub to: Option<Time>,
     /// Accepts an interval longer than [`GAP_FACTOR`](crate::GAP_FACTOR) median intervals.
     pub allow_gaps: bool,
+    /// Accepts equal times, since evenly spaced ones replace them.
+    pub even_stamps: bool,
 }
 
 impl Layout {

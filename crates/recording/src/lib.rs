@@ -34,6 +34,7 @@ mod lines;
 mod modulo;
 mod names;
 mod number;
+mod order;
 mod packed;
 mod parquet;
 mod plain;

@@ -289,6 +289,7 @@ fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults)
         return None;
     }
     faults.advise(gather.remedies(more));
+    gather.advise_order(faults);
     let indices: Vec<usize> = used.iter().map(|column| column.index).collect();
     let unused = unused(&headings, layout, &indices);
     if more { gather.finish(faults).map(|recording| Recording { unused, ..recording }) } else { None }

@@ -7,7 +7,8 @@ use std::sync::Arc;
 /// Recorded samples in SI. The arrays are shared with the motion built from them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
-    /// Times since the first kept sample \[s\], strictly rising; the first is zero.
+    /// Times since the first kept sample \[s\], rising, strictly unless the layout accepts equal ones; the
+    /// first is zero.
     pub time_s: Arc<Vec<f64>>,
     /// Time of the first kept sample, in the time of the file.
     pub first_time: Time,

@@ -2,7 +2,7 @@
 
 use crate::pick;
 use crate::texts::said;
-use motion::{Alternating, MadeUp, Spline, Spurious, SteppedColumn};
+use motion::{Alternating, MadeUp, Remark, Spline, Spurious, SteppedColumn};
 use project::{Assumption, Overrun};
 use quantities::unit::{
     DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
@@ -24,6 +24,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             );
         }
         Assumption::RecordedAlternating(alternating) => return alternating_text(&alternating, language),
+        Assumption::RecordedKey(remark) => return key_text(remark, language),
         Assumption::Overruns(overrun) => return overrun_text(&overrun, language),
         Assumption::RecordedSteps(made_up, torque) => return spurious_text(&made_up, torque, language),
         Assumption::SplineThroughPoints(Spline::Cubic) => (
@@ -272,6 +273,33 @@ fn alternating_text(alternating: &Alternating, language: Language) -> String {
         "{share} % of the recorded speeds, up to {below}, have another sign than the samples before and behind them: they count as motion with friction to and fro; if the axis is at rest there, state standstill = \"{key} 1/min\""
         | "{share} % der aufgezeichneten Geschwindigkeiten, bis {below}, haben ein anderes Vorzeichen als die Werte davor und dahinter: sie zählen als Bewegung mit wechselnder Reibung; steht die Achse dort, standstill = \"{key} 1/min\" angeben"
     )
+}
+
+/// Returns the remark on a key of a recording that does not do what it is stated for.
+fn key_text(remark: Remark, language: Language) -> String {
+    match remark {
+        Remark::NotHeld => said!(language =>
+            "held_values = \"interpolate\" is stated, but no recorded column holds its values over several rows: the values are used as they are"
+            | "held_values = \"interpolate\" ist angegeben, aber keine aufgezeichnete Spalte hält ihre Werte über mehrere Zeilen: die Werte werden unverändert verwendet"
+        ),
+        Remark::EvenAlready => said!(language =>
+            "time_stamps = \"even\" is stated, but the rows are evenly spaced by their time stamps: the key changes nothing"
+            | "time_stamps = \"even\" ist angegeben, die Zeitstempel haben aber bereits gleiche Abstände: die Angabe ändert nichts"
+        ),
+        Remark::FollowsStamps => said!(language =>
+            "time_stamps = \"even\" is stated, but the recorded signal follows the time stamps of the file: they are correct, and without the key they are used"
+            | "time_stamps = \"even\" ist angegeben, das aufgezeichnete Signal folgt aber den Zeitstempeln der Datei: sie sind richtig und gelten ohne die Angabe"
+        ),
+        Remark::StandstillSteps { speed_rad_s, acceleration_rad_s2, without_rad_s2 } => {
+            let speed = figure(speed_rad_s, &REVOLUTION_PER_MINUTE, language);
+            let of = |si: f64| figure(si, &RADIAN_PER_SECOND_SQUARED, language);
+            let (with, without) = (of(acceleration_rad_s2), of(without_rad_s2));
+            said!(language =>
+                "the stated standstill of {speed} contains speeds of the motion: the axis stops in a step, with accelerations of up to {with} instead of {without}; a smaller value avoids this"
+                | "der angegebene Stillstand (standstill) von {speed} umfasst Geschwindigkeiten der Bewegung: die Achse hält sprunghaft an, mit Beschleunigungen bis {with} statt {without}; ein kleinerer Wert vermeidet das"
+            )
+        }
+    }
 }
 
 /// Returns the remark on a move that is shorter than its change of speed, with the distance of the plain change.

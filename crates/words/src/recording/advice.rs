@@ -1,6 +1,6 @@
-//! Lines to write for a recording some of whose rows are incomplete.
+//! Lines to write for a recording some of whose rows are incomplete or in the wrong order.
 
-use super::{fault, role_key, stamp};
+use super::{fault, place, role_key, stamp};
 use crate::texts::said;
 use quantities::Language;
 use recording::{Fault, Remedy, Stamp};
@@ -13,7 +13,10 @@ fn line(key: &str, time: Stamp) -> String {
 /// Returns a fault with the way to read the recording nevertheless, behind its own remedy.
 pub(super) fn advised(found: &Fault, remedy: Remedy, language: Language) -> (String, Option<String>) {
     let (message, own) = fault(found, language);
-    let hints: Vec<String> = own.into_iter().chain([advice(remedy, language)]).collect();
+    // A counter of time that overflows begins anew too.
+    let is_known = own.is_some() && matches!(remedy, Remedy::KeepOne { .. } | Remedy::Sort | Remedy::Exchange { .. });
+    let advice = (!is_known).then(|| advice(remedy, language));
+    let hints: Vec<String> = own.into_iter().chain(advice).collect();
     (message, Some(hints.join("; ")))
 }
 
@@ -35,6 +38,36 @@ fn advice(remedy: Remedy, language: Language) -> String {
                 | "vollständig sind die Werte in einem Abschnitt: {lines}"
             )
         }
+        Remedy::Reverse => said!(language =>
+            "time runs backwards throughout the file: export it again in the order of time, or reverse the rows"
+            | "die Zeit läuft in der ganzen Datei rückwärts: in zeitlicher Reihenfolge neu exportieren oder die Zeilen umkehren"
+        ),
+        Remedy::KeepOne { at } => {
+            let at = place(at, language);
+            said!(language =>
+                "{at} begins anew at the first time: the file contains several recordings one after another, or one of them twice; keep one, and name each in a segment of its own if all are needed"
+                | "{at} beginnt wieder mit der ersten Zeit: die Datei enthält mehrere Aufzeichnungen nacheinander oder eine doppelt; eine davon behalten, bei mehreren jede als eigene Datei in einem eigenen Abschnitt angeben"
+            )
+        }
+        Remedy::Exchange { rows: [first, second] } => {
+            let (first, second) = (place(first, language), place(second, language));
+            said!(language =>
+                "the two rows are exchanged: put {second} in front of {first}"
+                | "die beiden sind vertauscht: {second} muss vor {first} stehen"
+            )
+        }
+        Remedy::Sort => said!(language =>
+            "the rows are not in the order of time: sort the file by the column of time"
+            | "die Zeilen stehen nicht in zeitlicher Reihenfolge: die Datei nach der Zeitspalte sortieren"
+        ),
+        Remedy::EvenStamps => said!(language =>
+            "the time stamps are rounded more coarsely than the rows follow one another; if the rows are evenly spaced, time_stamps = \"even\" reads them"
+            | "die Zeitstempel sind gröber gerundet als der Abstand der Zeilen; haben die Zeilen gleiche Abstände, liest time_stamps = \"even\" sie ein"
+        ),
+        Remedy::DeleteRepeated => said!(language =>
+            "a row occurs twice, or two recordings overlap: delete one of the two rows"
+            | "eine Zeile steht doppelt, oder zwei Aufzeichnungen überschneiden sich: eine der beiden Zeilen löschen"
+        ),
         Remedy::Delete => said!(language =>
             "export the value in every row, or delete the rows without it; gaps = \"allow\" permits the gaps that this leaves"
             | "den Wert in jeder Zeile ausgeben oder die Zeilen ohne ihn löschen; die Lücken, die dabei entstehen, lässt gaps = \"allow\" zu"
@@ -86,5 +119,29 @@ mod tests {
             "line 5: 1 cell, the header has 3; the last row is that of 4 ms, and 3 lines follow that are no rows (a footer)"
         );
         assert_eq!(hint.as_deref(), Some("delete what follows the last row, or state the end: to = \"4 ms\""));
+    }
+
+    #[test]
+    fn a_wrong_order_has_its_reason_and_the_line_to_write() {
+        let table =
+            |times: &[u32]| times.iter().fold(String::from("t [ms],q [deg]\n"), |all, t| format!("{all}{t},1\n"));
+        for (times, message, advice) in [
+            (&[4, 3, 2, 1][..], "line 3: time runs backwards, 3 ms follows 4 ms", "time runs backwards throughout"),
+            (
+                &[1, 2, 3, 1, 2, 3],
+                "line 5: time runs backwards, 1 ms follows 3 ms",
+                "line 5 begins anew at the first time",
+            ),
+            (&[1, 3, 2, 4], "line 4: time runs backwards, 2 ms follows 3 ms", "put line 4 in front of line 3"),
+            (&[1, 2, 2, 3], "line 4: the same time as line 3, 2 ms", "delete one of the two rows"),
+            (&[0, 0, 1, 1, 1, 2, 2], "line 3: the same time as line 2, 0 ms", "time_stamps = \"even\" reads them"),
+        ] {
+            let all = found(&table(times), Language::En);
+            let (first, hint) = &all[0];
+            assert!(first.starts_with(message), "{times:?}: {first}");
+            assert!(hint.as_ref().is_some_and(|hint| hint.contains(advice)), "{times:?}: {hint:?}");
+            let german = found(&table(times), Language::De);
+            assert!(german.iter().zip(&all).all(|(de, en)| de != en && de.1.is_some()), "{german:?}");
+        }
     }
 }
