@@ -7,7 +7,8 @@ use serde::Serialize;
 /// The motion: every segment with its given and its resulting values.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Motion {
-    /// Units of time, distance, speed and acceleration; those of a linear axis are linear.
+    /// Units of time, distance, speed and acceleration, those of a linear axis linear, and of the loads that a segment
+    /// states.
     pub units: Units,
     /// Segments in their order.
     pub segments: Vec<Segment>,
@@ -33,6 +34,19 @@ pub struct Segment {
     /// Largest acceleration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub acceleration: Option<Number>,
+    /// Mass in addition to those of the mechanism; omitted if no segment states a payload.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub payload: Option<Number>,
+    /// Moment of inertia in addition to that of the mechanism; omitted if no segment states one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub payload_inertia: Option<Number>,
+    /// Process force as it acts: that of the mechanism plus that of the segment; omitted if no segment states one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub process_force: Option<Number>,
+    /// Torque against the positive direction as it acts: the external torque of the mechanism plus the process torque
+    /// of the segment; omitted if no segment states one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub external_torque: Option<Number>,
     /// Data read from the file; only for a recorded segment.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub recording: Option<Recording>,

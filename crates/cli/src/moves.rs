@@ -6,9 +6,10 @@ use crate::table::{Align, Table, labelled};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, format_significant};
 use questions::Moves;
+use project::SegmentLoad;
 use questions::list::{Asked, Cost, Unanswered, moves};
 use questions::texts::recording_text;
-use words::{law_text, terminal, terms};
+use words::{law_text, segment_load, terminal, terms};
 
 /// Number of segments shown; --json has all of them.
 const SEGMENTS_MOST: usize = 12;
@@ -54,9 +55,28 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     if more > 0 {
         out.push_str(&format!("{}\n", terminal::more_segments(&more, language)));
     }
+    out.push_str(&loads(moves, language));
     for read in moves.moves.iter().filter_map(|each| each.recording) {
         let what = recording_text(read, language);
         out.push_str(&labelled(terms::recording(language), &what));
     }
     out
+}
+
+/// Returns the loads of every segment as they act, if a segment states one.
+fn loads(moves: &Moves<'_>, language: Language) -> String {
+    if moves.loads.is_empty() {
+        return String::new();
+    }
+    let title = |load: &SegmentLoad| {
+        (format!("{} {}", segment_load(*load, language), load.unit().symbol_in(language)), Align::Right)
+    };
+    let segment = (terminal::segment_of_motion(language).to_owned(), Align::Right);
+    let mut table = Table::new(std::iter::once(segment).chain(moves.loads.iter().map(title)));
+    for (number, each) in (1_usize..).zip(&moves.moves).take(SEGMENTS_MOST) {
+        let value = |(load, si): (&SegmentLoad, &f64)| format_significant(load.unit().from_si(*si), 4, language);
+        let values = moves.loads.iter().zip(&each.loads).map(value);
+        table.row(std::iter::once(number.to_string()).chain(values).collect::<Vec<String>>());
+    }
+    format!("\n{}", table.render())
 }

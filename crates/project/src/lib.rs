@@ -34,6 +34,7 @@ mod roles;
 mod root;
 mod schema;
 mod section;
+mod segment_load;
 mod side;
 mod stage;
 mod stated;
@@ -82,6 +83,7 @@ pub use recorded::{Files, Grant, NoFiles, RECORDINGS, Reach, RecordingRead, is_r
 pub use roles::Within;
 pub use root::KEYS;
 pub use schema::{SchemaText, schema};
+pub use segment_load::SegmentLoad;
 pub use stage::RatioAnswer;
 pub use tabular::TabularFault;
 pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};

@@ -1,6 +1,6 @@
 //! The solved motion: every segment with stated and derived values.
 
-use project::{Project, RecordingRead, SegmentLaw};
+use project::{Project, RecordingRead, SegmentLaw, SegmentLoad};
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
 };
@@ -19,6 +19,8 @@ pub struct Move<'p> {
     pub course: Option<[f64; 3]>,
     /// Recording of the segment, if it is one.
     pub recording: Option<&'p RecordingRead>,
+    /// Loads as they act in the segment, in SI, in the order of [`Moves::loads`].
+    pub loads: Vec<f64>,
 }
 
 /// The segments of a motion.
@@ -30,6 +32,8 @@ pub struct Moves<'p> {
     pub units: [&'static Unit; 3],
     /// Quantity along the line, or after a stage, per quantity at the output, both in SI.
     pub per_output: f64,
+    /// Loads that at least one segment states.
+    pub loads: Vec<SegmentLoad>,
     /// The segments in the order of the motion.
     pub moves: Vec<Move<'p>>,
 }
@@ -45,12 +49,13 @@ pub fn moves(project: &Project) -> Moves<'_> {
     // The file states the motion of the mechanism, after a stage.
     let factor = travel.unwrap_or_else(|| 1.0 / project.axis.mechanism.stage_ratio());
     let motion = &project.axis.motion;
+    let loads = project.segment_loads();
     let mut recordings = project.recordings.iter();
     let course = |index: usize| {
         let solved = motion.stretches().get(index).and_then(|stretch| stretch.solved);
         solved.map(|solved| [solved.distance.si(), solved.speed.si(), solved.acceleration.si()])
     };
-    let moves = motion.stretches().iter().enumerate().filter_map(|(index, stretch)| {
+    let moves: Vec<Move<'_>> = motion.stretches().iter().enumerate().filter_map(|(index, stretch)| {
         let placed = motion.recordings().iter().find(|placed| placed.segment == index);
         let at_output = placed.map(motion::Placed::course).or_else(|| course(index));
         let recording = placed.and_then(|_| recordings.next());
@@ -60,7 +65,8 @@ pub fn moves(project: &Project) -> Moves<'_> {
             duration: stretch.duration,
             course: at_output.map(|values| values.map(|value| value * factor)),
             recording,
+            loads: loads.iter().filter_map(|load| project.acting_load(*load, index)).collect(),
         })
-    });
-    Moves { turns: travel.is_none(), units, per_output: factor, moves: moves.collect() }
+    }).collect();
+    Moves { turns: travel.is_none(), units, per_output: factor, loads, moves }
 }

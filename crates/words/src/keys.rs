@@ -277,22 +277,25 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "even: the rows are evenly spaced, their time stamps scatter about it; default: the time stamps as they stand",
             "even: die Zeilen haben gleichen Abstand, um den die Zeitstempel streuen; ohne Angabe die Zeitstempel, wie sie dastehen",
         ),
-        About::Segment(SegmentName::payload) => ("mass carried in this segment", "in diesem Abschnitt mitgeführte Masse"),
+        About::Segment(SegmentName::payload) => (
+            "additional mass in this segment; added to the masses of the mechanism",
+            "zusätzliche Masse in diesem Abschnitt; wird zu den Massen der Mechanik addiert",
+        ),
         About::Segment(SegmentName::payload_inertia) => (
-            "additional moment of inertia at the output in this segment",
-            "zusätzliches Massenträgheitsmoment am Abtrieb in diesem Abschnitt",
+            "additional moment of inertia at the output in this segment; added to that of the mechanism",
+            "zusätzliches Massenträgheitsmoment am Abtrieb in diesem Abschnitt; wird zu dem der Mechanik addiert",
         ),
         About::Segment(SegmentName::process_force) => (
-            "process force along the guide in this segment, against the positive direction",
-            "Prozesskraft längs der Führung in diesem Abschnitt, entgegen der positiven Richtung",
+            "additional process force in this segment; along the guide, against the positive direction, added to process_force of the mechanism",
+            "zusätzliche Prozesskraft in diesem Abschnitt; längs der Führung entgegen der positiven Richtung, wird zu process_force der Mechanik addiert",
         ),
         About::Segment(SegmentName::process_torque) => (
-            "process torque at the output in this segment, against the positive direction",
-            "Prozessmoment am Abtrieb in diesem Abschnitt, entgegen der positiven Richtung",
+            "additional process torque in this segment; at the output, against the positive direction, added to external_torque",
+            "zusätzliches Prozessmoment in diesem Abschnitt; am Abtrieb entgegen der positiven Richtung, wird zu external_torque addiert",
         ),
         About::Segment(SegmentName::bearing) => (
-            "loads on the output flange in this segment, instead of [bearing]",
-            "Lasten am Abtriebsflansch in diesem Abschnitt, anstelle von [bearing]",
+            "loads on the output flange in this segment; they replace all loads of [bearing], those not stated here are zero",
+            "Lasten am Abtriebsflansch in diesem Abschnitt; sie ersetzen alle Lasten aus [bearing], nicht angegebene sind null",
         ),
         About::Segment(SegmentName::points) => (
             "points of a cam table: time or master angle, position; relative to the current position of the axis",

@@ -74,7 +74,7 @@ pub use hyphens::hyphenated;
 pub use keys::{about_text, key_text};
 pub use letters::{is_vowel, stands_before_a_number};
 pub use measured_keys::{measured_key_text, measured_label};
-pub use motion::law_text;
+pub use motion::{law_text, segment_load};
 pub use notes::note_text;
 pub use plain::without_keys;
 pub use print::{

@@ -1,9 +1,9 @@
 //! Words for impossible motions.
 
-use crate::pick;
+use crate::{pick, terms};
 use crate::texts::said;
 use motion::{Law, MoveFault, Needed, PointsFault, RecordedFault};
-use project::SegmentLaw;
+use project::{SegmentLaw, SegmentLoad};
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
     SECOND,
@@ -12,6 +12,17 @@ use quantities::{Language, Measure, Unit, format_significant};
 
 fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol_in(language))
+}
+
+/// Returns the name of a load that acts in a segment.
+#[must_use]
+pub fn segment_load(load: SegmentLoad, language: Language) -> &'static str {
+    match load {
+        SegmentLoad::Payload => terms::payload(language),
+        SegmentLoad::PayloadInertia => terms::payload_inertia(language),
+        SegmentLoad::ProcessForce => terms::acting_process_force(language),
+        SegmentLoad::ExternalTorque => terms::acting_external_torque(language),
+    }
 }
 
 /// Returns the motion law of a segment, in the terms of VDI 2143.

@@ -18,6 +18,10 @@ pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> 
         "stage" => ("Stage", "Zwischenstufe"),
         "motion" => ("Motion, segment", "Bewegung, Abschnitt"),
         "bearing" => ("Loads on the output flange", "Lasten am Abtriebsflansch"),
+        "motion.bearing" => (
+            "Loads on the output flange, in place of all common ones",
+            "Lasten am Abtriebsflansch, anstelle aller gemeinsamen",
+        ),
         "requirements" => ("Requirements", "Anforderungen"),
         "drive" => ("Drive", "Servoregler"),
         "actuator" => ("Own actuator", "Eigener Antrieb"),

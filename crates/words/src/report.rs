@@ -27,6 +27,8 @@ pub fn date(year: u16, month: u8, day: u8, language: Language) -> String {
 
 /// Words that are defined elsewhere, here at the beginning of a line.
 const HEADS: &[(&str, Word)] = &[
+    ("acting_external_torque", terms::acting_external_torque),
+    ("acting_process_force", terms::acting_process_force),
     ("axis", terms::axis),
     ("body", terms::body),
     ("by_integral", terms::integral),
@@ -46,6 +48,8 @@ const HEADS: &[(&str, Word)] = &[
     ("limit", terms::limit),
     ("mass", terms::mass),
     ("on_request", terms::on_request_only),
+    ("payload", terms::payload),
+    ("payload_inertia", terms::payload_inertia),
     ("rank", terms::rank),
     ("reason", terms::reason),
     ("remark", terms::remark),
@@ -159,6 +163,9 @@ texts! {
     segments_text =
         "Segments of one cycle."
         | "Abschnitte eines Zyklus.";
+    loads_text =
+        "Loads as they act. Process forces and torques include the constant ones of the mechanism; payloads act in addition to its masses. Positive against the positive direction."
+        | "Lasten, wie sie wirken. Prozesskräfte und äußere Momente enthalten die konstanten der Mechanik; Nutzlasten wirken zusätzlich zu ihren Massen. Positiv entgegen der positiven Richtung.";
     s_recordings = "Recorded motion" | "Aufgezeichnete Bewegung";
     file = "File" | "Datei";
     samples = "Samples" | "Abtastwerte";

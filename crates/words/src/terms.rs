@@ -4,6 +4,8 @@ use crate::texts::texts;
 
 texts! {
     acceleration = "acceleration" | "Beschleunigung";
+    acting_external_torque = "acting external torque" | "wirkendes äußeres Moment";
+    acting_process_force = "acting process force" | "wirkende Prozesskraft";
     actuator_with_hollow_shaft = "servo actuator with hollow shaft" | "Servoantrieb mit Hohlwelle";
     advice = "advice" | "Hinweis";
     assumed = "assumed" | "angenommen";
@@ -49,6 +51,8 @@ texts! {
     ordering_code = "ordering code" | "Bestellbezeichnung";
     own_actuator = "own actuator" | "eigener Antrieb";
     pass = "pass" | "erfüllt";
+    payload = "payload" | "Nutzlast";
+    payload_inertia = "inertia of the payload" | "Massenträgheitsmoment der Nutzlast";
     rank = "rank" | "Rang";
     reason = "reason" | "Grund";
     recording = "recording" | "Aufzeichnung";

@@ -152,7 +152,9 @@ fn body(text: &str, language: Language) -> String {
 fn table_title(table: &str, language: Language) -> String {
     let parts = table.split('.').filter(|part| *part != "mechanism").map(|part| {
         let number = part.split_once('[').map_or("", |(_, rest)| rest.trim_end_matches(']'));
-        let known = table_of_project(part.split('[').next().unwrap_or(part), language).map(str::to_owned);
+        let of_segment = part == "bearing" && table != part;
+        let name = if of_segment { "motion.bearing" } else { part.split('[').next().unwrap_or(part) };
+        let known = table_of_project(name, language).map(str::to_owned);
         let known = known.or_else(|| label(&format!("mechanism.{part}"), language).map(|label| capitalised(&label)));
         let words = known.unwrap_or_else(|| part.to_owned());
         if number.is_empty() { words } else { format!("{words} {number}") }

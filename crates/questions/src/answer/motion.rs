@@ -2,7 +2,7 @@
 
 use crate::moves::{Move, Moves};
 use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, TextEncoding, UnitBy, Units};
-use project::RecordingRead;
+use project::{RecordingRead, SegmentLoad};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure};
 use recording::{Encoding, KnownBy, Role};
@@ -12,7 +12,8 @@ use words::law_text;
 #[must_use]
 pub fn motion(moves: &Moves<'_>, language: Language) -> answers::Motion {
     let [distance, speed, acceleration] = moves.units;
-    let units = [("time", &SECOND), ("distance", distance), ("speed", speed), ("acceleration", acceleration)];
+    let mut units = vec![("time", &SECOND), ("distance", distance), ("speed", speed), ("acceleration", acceleration)];
+    units.extend(moves.loads.iter().map(|load| (load.id(), load.unit())));
     answers::Motion {
         units: Units::of(&units),
         segments: moves.moves.iter().map(|each| segment(each, moves, language)).collect(),
@@ -25,6 +26,10 @@ fn segment(each: &Move<'_>, moves: &Moves<'_>, language: Language) -> Segment {
         [(distance, distance_unit), (speed, speed_unit), (acceleration, acceleration_unit)]
             .map(|(si, unit)| Number::in_unit(si, unit))
     });
+    let load = |load: SegmentLoad| {
+        let (_, si) = moves.loads.iter().zip(&each.loads).find(|(known, _)| **known == load)?;
+        Some(Number::in_unit(*si, load.unit()))
+    };
     Segment {
         law: each.law.id(),
         name: law_text(each.law, language),
@@ -33,6 +38,10 @@ fn segment(each: &Move<'_>, moves: &Moves<'_>, language: Language) -> Segment {
         distance: course.map(|[distance, ..]| distance),
         speed: course.map(|[_, speed, _]| speed),
         acceleration: course.map(|[.., acceleration]| acceleration),
+        payload: load(SegmentLoad::Payload),
+        payload_inertia: load(SegmentLoad::PayloadInertia),
+        process_force: load(SegmentLoad::ProcessForce),
+        external_torque: load(SegmentLoad::ExternalTorque),
         recording: each.recording.map(recording),
     }
 }

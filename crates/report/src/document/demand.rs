@@ -2,7 +2,7 @@
 
 use super::ends::Ends;
 use super::shown::Shown;
-use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number, UnitBy};
+use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number, Segment, UnitBy};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -10,6 +10,8 @@ use std::f64::consts::TAU;
 pub(super) struct MotionTable {
     units: [String; 4],
     segments: Ends<MotionRow>,
+    /// Keys and units of the loads that at least one segment states.
+    loads: Vec<[String; 2]>,
     recordings: Ends<Recorded>,
 }
 
@@ -22,6 +24,8 @@ struct MotionRow {
     distance: String,
     speed: String,
     acceleration: String,
+    /// Loads as they act.
+    loads: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -34,6 +38,15 @@ struct Recorded {
 impl MotionTable {
     pub(super) fn build(motion: &Motion, shown: &Shown) -> Self {
         let number = |value: Option<Number>| value.map(|value| shown.number(value)).unwrap_or_default();
+        type Load = fn(&Segment) -> Option<Number>;
+        let all: [(&str, Load); 4] = [
+            ("payload", |it| it.payload),
+            ("payload_inertia", |it| it.payload_inertia),
+            ("process_force", |it| it.process_force),
+            ("external_torque", |it| it.external_torque),
+        ];
+        let stated = |(_, pick): &(&str, Load)| motion.segments.iter().any(|segment| pick(segment).is_some());
+        let loads: Vec<(&str, Load)> = all.into_iter().filter(stated).collect();
         let rows = motion.segments.iter().enumerate().map(|(index, segment)| MotionRow {
             number: index + 1,
             law: segment.name,
@@ -42,6 +55,7 @@ impl MotionTable {
             distance: number(segment.distance),
             speed: number(segment.speed),
             acceleration: number(segment.acceleration),
+            loads: loads.iter().map(|(_, pick)| number(pick(segment))).collect(),
         });
         let recordings = motion.segments.iter().filter_map(|segment| segment.recording.as_ref()).map(|each| {
             let columns = each.columns.iter().map(|column| match column.unit_by {
@@ -59,6 +73,7 @@ impl MotionTable {
         Self {
             units: ["time", "distance", "speed", "acceleration"].map(unit),
             segments: Ends::of(rows, None),
+            loads: loads.iter().map(|(key, _)| [(*key).to_owned(), unit(key)]).collect(),
             recordings: Ends::of(recordings.collect::<Vec<_>>().into_iter(), None),
         }
     }
