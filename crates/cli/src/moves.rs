@@ -3,10 +3,10 @@
 use crate::answer::Answer;
 use crate::call::Call;
 use crate::table::{Align, Table, labelled};
+use project::SegmentLoad;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, format_significant};
 use questions::Moves;
-use project::SegmentLoad;
 use questions::list::{Asked, Cost, Unanswered, moves};
 use questions::texts::recording_text;
 use words::{law_text, segment_load, terminal, terms};

@@ -51,6 +51,28 @@ pub enum SegmentSpec {
     Recorded(Arc<Recorded>),
 }
 
+impl SegmentSpec {
+    /// Returns the speed with which the segment ends, and its error, if it follows from the segment alone [rad/s].
+    fn end_speed(&self) -> Option<(f64, f64)> {
+        match self {
+            Self::Manual(_) | Self::Dwell(..) => Some((0.0, 0.0)),
+            Self::Move(Law::Constant, given) => given.speed.map(|speed| (speed.si(), 0.0)),
+            Self::Move(_, given) => Some((given.end_speed.map_or(0.0, Measure::si), 0.0)),
+            Self::Points(points) => points.pieces().last().map(|(_, (_, speed))| (speed, 0.0)),
+            Self::Recorded(recorded) => Some(end_of(recorded)),
+        }
+    }
+}
+
+/// End of a segment that cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unread {
+    /// The segment ends at rest, whatever its quantities are.
+    EndsAtRest,
+    /// The segment may end with a speed.
+    EndsMoving,
+}
+
 /// Condition on the position at the end of the cycle; the speed must always equal the initial speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Closing {
@@ -107,27 +129,9 @@ impl Motion {
                 SegmentSpec::Move(law, given) => law.overrun(given, chain.speed),
                 _ => None,
             };
-            let fault = match segment {
-                SegmentSpec::Manual(each) => chain.manual(each, index),
-                SegmentSpec::Dwell(time, _) => chain.rest(time.si(), index),
-                SegmentSpec::Recorded(recorded) => chain.recorded(recorded, index),
-                SegmentSpec::Points(points) => chain.points(points, index),
-                SegmentSpec::Move(law, given) => match law.pieces(given, chain.speed) {
-                    Ok(mut pieces) => {
-                        // Set to the end speed of the law, so that rounding errors do not accumulate over the segments.
-                        pieces.retain(|piece| piece.duration_s > 0.0);
-                        if let Some(piece) = pieces.last_mut().filter(|_| *law != Law::Constant) {
-                            *piece = piece.ending_with(given.end_speed.map_or(0.0, Measure::si));
-                        }
-                        pieces.into_iter().for_each(|piece| chain.push(piece, index));
-                        Ok(())
-                    }
-                    Err(fault) => Err(fault),
-                },
-            };
-            if let Err(fault) = fault {
+            if let Err(fault) = chain.add(segment, index) {
                 faults.push(MotionFault { segment: Some(index), fault });
-                chain.speed = 0.0;
+                chain.pass(segment.end_speed(), segments.get(index + 1));
             }
             let moved = matches!(segment, SegmentSpec::Move(..) | SegmentSpec::Manual(_) | SegmentSpec::Points(_));
             stretches.push(Stretch {
@@ -150,6 +154,33 @@ impl Motion {
         let manual = segments.iter().map(manual).collect();
         let (duration, net) = (Time::from_si(chain.clock), Angle::from_si(chain.position - first));
         Ok(Self { pieces: chain.pieces, recordings: chain.recordings, duration, net, stretches, manual })
+    }
+
+    /// Returns the faults of segments some of which cannot be read: [`Unread`]. Faults of the closing are not among them.
+    #[must_use]
+    pub fn faults(segments: &[Result<SegmentSpec, Unread>], start: Option<Angle>) -> Vec<MotionFault> {
+        let first = segments.first().and_then(|first| first.as_ref().ok());
+        let (mut chain, _) = Chain::beginning(first, start);
+        let mut faults = Vec::new();
+        for (index, segment) in segments.iter().enumerate() {
+            let next = segments.get(index + 1).and_then(|next| next.as_ref().ok());
+            match segment {
+                Ok(segment) => {
+                    if let Err(fault) = chain.add(segment, index) {
+                        faults.push(MotionFault { segment: Some(index), fault });
+                        chain.pass(segment.end_speed(), next);
+                    }
+                }
+                Err(Unread::EndsAtRest) => chain.pass(Some((0.0, 0.0)), next),
+                Err(Unread::EndsMoving) => chain.pass(None, next),
+            }
+        }
+        if segments.is_empty() {
+            faults.push(MotionFault { segment: None, fault: MoveFault::NoSegment });
+        } else if faults.is_empty() && chain.clock <= 0.0 && segments.iter().all(Result::is_ok) {
+            faults.push(MotionFault { segment: None, fault: MoveFault::NoDuration });
+        }
+        faults
     }
 
     /// Returns the motion with all times multiplied by `factor`.
@@ -315,8 +346,22 @@ fn way(values: &[f64]) -> f64 {
     high - low
 }
 
+/// Returns the largest recorded speed [rad/s].
+fn fastest(recorded: &Recorded) -> f64 {
+    recorded.speed_rad_s().iter().fold(0.0_f64, |most, value| most.max(value.abs()))
+}
+
+/// Returns the speed with which a recording ends, and its error [rad/s]. One that ends at rest within the tolerance of
+/// its samples is at rest: a dwell or a law may follow.
+fn end_of(recorded: &Recorded) -> (f64, f64) {
+    let ((_, speed), (_, error)) = (recorded.end_speeds_rad_s(), recorded.end_errors_rad_s());
+    (if speed.abs() <= joint(fastest(recorded), error) { 0.0 } else { speed }, error)
+}
+
 struct Chain {
     position: f64,
+    /// The position is known: no segment before it is faulty.
+    is_placed: bool,
     speed: f64,
     /// Error of the speed, if it is a slope of recorded positions [rad/s].
     speed_error: f64,
@@ -340,21 +385,53 @@ impl Chain {
         };
         let position = start.map_or(position, Measure::si);
         let (pieces, recordings) = (Vec::new(), Vec::new());
-        (Self { position, speed, speed_error: 0.0, clock: 0.0, pieces, recordings }, error)
+        (Self { position, is_placed: true, speed, speed_error: 0.0, clock: 0.0, pieces, recordings }, error)
+    }
+
+    /// Adds a segment.
+    fn add(&mut self, segment: &SegmentSpec, index: usize) -> Result<(), MoveFault> {
+        match segment {
+            SegmentSpec::Manual(each) => self.manual(each, index),
+            SegmentSpec::Dwell(time, _) => self.rest(time.si(), index),
+            SegmentSpec::Recorded(recorded) => self.recorded(recorded, index),
+            SegmentSpec::Points(points) => self.points(points, index),
+            SegmentSpec::Move(law, given) => {
+                let mut pieces = law.pieces(given, self.speed)?;
+                // Set to the end speed of the law, so that rounding errors do not accumulate over the segments.
+                pieces.retain(|piece| piece.duration_s > 0.0);
+                if let Some(piece) = pieces.last_mut().filter(|_| *law != Law::Constant) {
+                    *piece = piece.ending_with(given.end_speed.map_or(0.0, Measure::si));
+                }
+                pieces.into_iter().for_each(|piece| self.push(piece, index));
+                Ok(())
+            }
+        }
+    }
+
+    /// Goes on behind a faulty segment: with its end speed, or, if none follows from it, as the next segment begins.
+    /// Neither the speed of the next segment nor the position of a recording behind it is judged by the faulty one.
+    fn pass(&mut self, end_speed: Option<(f64, f64)>, next: Option<&SegmentSpec>) {
+        self.is_placed = false;
+        (self.speed, self.speed_error) = end_speed.unwrap_or_else(|| {
+            let (begun, error) = Self::beginning(next, None);
+            (begun.speed, error)
+        });
     }
 
     /// Adds a recording. One with positions keeps them, unless the motion begins with it at a stated angle; one without
     /// starts at the present position.
     fn recorded(&mut self, recorded: &Arc<Recorded>, segment: usize) -> Result<(), MoveFault> {
         let (first, last) = recorded.ends_rad();
-        let (speed, end_speed) = recorded.end_speeds_rad_s();
-        let most = recorded.speed_rad_s().iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-        let (first_error, last_error) = recorded.end_errors_rad_s();
+        let (speed, _) = recorded.end_speeds_rad_s();
+        let (most, (first_error, _)) = (fastest(recorded), recorded.end_errors_rad_s());
         if (speed - self.speed).abs() > joint(most, first_error + self.speed_error) {
             return Err(MoveFault::RecordingSpeedJumps {
                 first: AngularVelocity::from_si(speed),
                 before: AngularVelocity::from_si(self.speed),
             });
+        }
+        if !self.is_placed && recorded.is_placed() {
+            (self.position, self.is_placed) = (first, true);
         }
         let gap = self.position - first;
         let shifted = self.clock == 0.0 || !recorded.is_placed();
@@ -369,10 +446,8 @@ impl Chain {
             stretch: 1.0,
             segment,
         });
-        // A recording that ends at rest within the tolerance of its samples is at rest: a dwell or a law may follow.
-        let rests = end_speed.abs() <= joint(most, last_error);
-        (self.position, self.speed) = (last + offset_rad, if rests { 0.0 } else { end_speed });
-        self.speed_error = last_error;
+        self.position = last + offset_rad;
+        (self.speed, self.speed_error) = end_of(recorded);
         self.clock += recorded.duration_s();
         Ok(())
     }

@@ -24,7 +24,7 @@ mod standstill;
 mod threshold;
 mod timing;
 
-pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};
+pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch, Unread};
 pub use examination::{EvenRows, Held, Stamps};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};

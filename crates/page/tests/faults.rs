@@ -260,7 +260,28 @@ fn no_fault_hides_another() {
             ("missing_key", &in_the_motion, "motion"),
             ("only_beside", &in_the_requirements, "requirements"),
         ];
+        // A recording that cannot be read, before and behind the segments of the case, itself with a second fault.
+        let recordings = [
+            ("file_unreadable", "file = \"missing.csv\"\nsmoothing = \"20 N m\""),
+            (
+                "recording_column_unknown",
+                "file = \"motor.csv\"\ncolumns = { position = \"x\" }\nstandstill = \"20 N m\"",
+            ),
+            ("recording_window_reversed", "file = \"motor.csv\"\nfrom = \"2 s\"\nto = \"1 s\"\npayload = \"20 N m\""),
+            ("file_unreadable", "file = \"missing.csv\"\n[motion.units]\nposition = \"20 N m\""),
+        ];
+        let recordings = recordings.map(|(other, keys)| (other, format!("[[motion]]\nlaw = \"recorded\"\n{keys}\n")));
+        let around = recordings.iter().flat_map(|(other, segment)| {
+            let before = text.replacen("[[motion]]\n", &format!("{segment}[[motion]]\n"), 1);
+            let behind = if before == text { text.clone() } else { format!("{text}{segment}") };
+            [(*other, before, "motion"), (*other, behind, "motion")]
+        });
+        let around: Vec<(&str, String, &str)> = around.collect();
+        let more = more.into_iter().chain(around.iter().map(|(other, text, part)| (*other, text.as_str(), *part)));
         for (other, with_both, part) in more {
+            let second =
+                if with_both.contains("position = \"20 N m\"") { "unknown_unit" } else { "unit_of_another_quantity" };
+            let is_recorded = with_both.contains("\"20 N m\"");
             // A table outside the axes holds no values of an axis; the duration is one of all segments.
             let of_the_whole = match part {
                 "load" => of_a_whole_load.contains(&id),
@@ -273,14 +294,18 @@ fn no_fault_hides_another() {
             tried += 1;
             let found = ids(with_both);
             let both = |each: &str| found.iter().filter(|id| *id == each).count();
-            let is_kept = if id == other { both(id) >= 2 } else { both(id) >= 1 && both(other) >= 1 };
+            let expected = |each: &str| {
+                [id, other].iter().filter(|known| **known == each).count() + usize::from(is_recorded && each == second)
+            };
+            let is_kept =
+                [id, other, if is_recorded { second } else { other }].iter().all(|each| both(each) >= expected(each));
             if !is_kept {
                 wrong.push(format!("{id} and {other} in the {part}: {found:?}"));
             }
         }
     }
     assert!(wrong.is_empty(), "{} of {tried}\n{}", wrong.len(), wrong.join("\n"));
-    assert!(tried > 200, "{tried}");
+    assert!(tried > 800, "{tried}");
 }
 
 #[test]

@@ -21,6 +21,7 @@ mod ids;
 mod inputs;
 mod key;
 mod label;
+mod layout;
 mod measured;
 mod mechanism;
 mod motion;

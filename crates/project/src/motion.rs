@@ -14,7 +14,7 @@ use crate::value::{Along, Choice, Rows, Turning, choice, choices, choices_by_id}
 use crate::{Assumption, Fault, Hint, Project};
 use ::motion::{
     Closing, EndState, Ends, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, Points, PointsFault,
-    SegmentSpec, Spline,
+    SegmentSpec, Spline, Unread,
 };
 use mechanism::{Extra, Mechanism};
 use quantities::{
@@ -232,6 +232,12 @@ impl Segment {
         is_trapezoid && stated.iter().filter(|field| field.is_given()).count() == 2
     }
 
+    /// Returns `true` if no value of its motion was refused; its loads do not count.
+    pub(crate) fn states_its_motion(&self) -> bool {
+        let is_of_motion = |field: &&dyn Field| !Self::VARIANTS.shared.contains(&field.name());
+        self.fields().into_iter().filter(is_of_motion).all(|field| field.is_given() || !field.is_written())
+    }
+
     /// Returns `true` if its torque is recorded.
     fn has_torque(&self) -> bool {
         self.recording().is_some_and(|read| read.recording.torque.is_some())
@@ -309,10 +315,18 @@ impl Segment {
             jerk: turned(&self.jerk, travel, reader),
             end_speed: turned(&self.end_speed, travel, reader),
         };
-        if reader.fault_count() > before {
+        let is_readable = reader.fault_count() == before;
+        let law = self.law.value()?;
+        // Their own faults do not depend on the keys of a law.
+        let read = match law {
+            SegmentLaw::Points => self.through_points(given.end_speed, travel, reader).map(SegmentSpec::Points),
+            SegmentLaw::Recorded => crate::recorded::motion(self, travel, reader).map(SegmentSpec::Recorded),
+            SegmentLaw::Manual | SegmentLaw::Dwell | SegmentLaw::Law(_) => None,
+        };
+        if !is_readable {
             return None;
         }
-        match self.law.value()? {
+        match law {
             SegmentLaw::Manual => Some(SegmentSpec::Manual(ManualMove {
                 speed: given.speed?,
                 accelerate: self.accelerate.value()?,
@@ -320,11 +334,10 @@ impl Segment {
                 brake: self.brake.value()?,
                 pause: self.pause.value()?,
             })),
-            SegmentLaw::Points => self.through_points(given.end_speed, travel, reader).map(SegmentSpec::Points),
-            SegmentLaw::Recorded => crate::recorded::motion(self, travel, reader).map(SegmentSpec::Recorded),
+            SegmentLaw::Points | SegmentLaw::Recorded => read,
             SegmentLaw::Dwell => Some(SegmentSpec::Dwell(given.time?, self.hold())),
             // A refused value has been reported; without it the move would only appear undetermined.
-            SegmentLaw::Law(law) => self.is_whole().then_some(SegmentSpec::Move(law, given)),
+            SegmentLaw::Law(law) => self.states_its_motion().then_some(SegmentSpec::Move(law, given)),
         }
     }
 
@@ -420,11 +433,12 @@ pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -
     let segments = axis.parts.motion.get()?.0.as_slice();
     let travel = load.mechanism.travel_m_per_rad();
     if crate::web::is_along_a_web(segments, &load.mechanism.kind, reader) {
+        report_all(axis, Some(1.0), reader);
         return None;
     }
     let specs = specs(axis, travel, reader);
     let Some(whole) = specs.iter().cloned().collect::<Option<Vec<SegmentSpec>>>() else {
-        report_stretches(axis, &specs, travel, reader);
+        report_readable(axis, specs, travel, reader);
         return None;
     };
     let closing = if axis.single_move { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
@@ -448,30 +462,29 @@ pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -
 pub(crate) fn without_load(axis: &AxisSection, reader: &mut Reader<'_>) {
     // A length counts as an angle, and is converted back where a fault shows it.
     let travel = axis.driven().is_none_or(|driven| driven.travel().is_some()).then_some(1.0);
-    let specs = specs(axis, travel, reader);
-    report_stretches(axis, &specs, travel, reader);
+    report_all(axis, travel, reader);
 }
 
-/// Reports the faults of the stretches between faulty segments (`None`), apart from their end. A stretch after a faulty
-/// segment is judged only if that segment ends at rest.
-fn report_stretches(axis: &AxisSection, specs: &[Option<SegmentSpec>], travel: Option<f64>, reader: &mut Reader<'_>) {
-    let mut first = 0_usize;
-    for stretch in specs.split(Option::is_none) {
-        let before = first.checked_sub(1).and_then(|index| axis.segments().get(index));
-        let segments: Vec<SegmentSpec> = stretch.iter().flatten().cloned().collect();
-        if !segments.is_empty()
-            && before.is_none_or(Segment::ends_at_rest)
-            && let Err(mut faults) = Motion::new(&segments, None, Closing::SingleMove)
-        {
-            // A fault without a segment is one of the whole motion.
-            faults.retain(|each| each.segment.is_some() || stretch.len() == specs.len());
-            for fault in &mut faults {
-                fault.segment = fault.segment.map(|index| first + index);
-            }
-            report(axis, faults, travel, reader);
-        }
-        first += stretch.len() + 1;
+/// Reports the faults of all segments, apart from those of their end.
+fn report_all(axis: &AxisSection, travel: Option<f64>, reader: &mut Reader<'_>) {
+    let specs = specs(axis, travel, reader);
+    report_readable(axis, specs, travel, reader);
+}
+
+/// Reports the faults of segments some of which are faulty (`None`), apart from those of their end.
+fn report_readable(axis: &AxisSection, specs: Vec<Option<SegmentSpec>>, travel: Option<f64>, reader: &mut Reader<'_>) {
+    let unread = |segment: &Segment| match segment.ends_at_rest() {
+        true => Unread::EndsAtRest,
+        false => Unread::EndsMoving,
+    };
+    let segments = axis.segments().iter().zip(specs).map(|(segment, spec)| spec.ok_or_else(|| unread(segment)));
+    let start = axis.driven().and_then(Driven::start_angle);
+    let mut faults = Motion::faults(&segments.collect::<Vec<_>>(), start.and_then(Stated::value));
+    // A recording is placed by the refused angle.
+    if start.is_some_and(|start| start.is_written() && !start.is_given()) {
+        faults.retain(|each| !matches!(each.fault, MoveFault::RecordingPositionJumps { .. }));
     }
+    report(axis, faults, travel, reader);
 }
 
 /// Builds the segments, `None` for a faulty one, and reports those of their keys that have no effect on the load.
@@ -481,7 +494,7 @@ fn specs(axis: &AxisSection, travel: Option<f64>, reader: &mut Reader<'_>) -> Ve
     if let Some(driven) = axis.driven() {
         for segment in segments {
             without_effect(segment, driven, reader);
-            if driven.torque_is_recorded() && !segment.has_torque() && segment.is_whole() {
+            if driven.torque_is_recorded() && !segment.has_torque() && segment.states_its_motion() {
                 reader.fault(segment.law.span(), Fault::JointWithoutTorque, None);
             }
         }

@@ -1,27 +1,20 @@
 //! Recordings that a project file refers to: located, read and converted to motion at the output.
 
+use crate::Fault;
 use crate::about::About;
 use crate::key::Kind;
+use crate::layout::{depends_on_layout, has_layout, layout};
 use crate::motion::{Segment, SegmentLaw};
-use crate::read::{Found, Reader, shortened};
-use crate::section::{Section, section};
-use crate::stated::{Field, Stated};
+use crate::read::{Found, Reader};
+use crate::section::section;
+use crate::stated::Field;
 use crate::value::{Value, choices};
-use crate::{Fault, Hint};
 use ::motion::{Recorded, RecordedFault, Samples, Treatment};
 use quantities::Unit;
-use recording::{
-    Along, Bytes, ColumnSpec, Content, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording, Role, Series,
-};
+use recording::{Along, Bytes, Content, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording, Role, Series};
 use std::io::Read;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-
-/// Longest excerpt of a unit in a fault, in characters.
-const UNIT_SHOWN: usize = 40;
-
-/// Word in `columns` for a role that no column has.
-const NO_COLUMN: &str = "none";
 
 /// Bytes of a sample of a segment in addition to those of its recording: time, position, speed and torque at the
 /// output.
@@ -211,25 +204,37 @@ pub(crate) struct Recordings<'f> {
     memory: Memory,
     /// Recordings by file and layout; `None` for a refused one.
     read: Vec<(String, Layout, Option<Arc<Recording>>)>,
+    /// Files examined without a valid layout.
+    examined: Vec<String>,
 }
 
 impl<'f> Recordings<'f> {
     pub(crate) fn new(files: &'f dyn Files) -> Self {
         let Grant { memory, reach } = files.grant();
-        Self { files, reach, memory: Memory::new(memory).until(files.cancelled()), read: Vec::new() }
+        Self {
+            files,
+            reach,
+            memory: Memory::new(memory).until(files.cancelled()),
+            read: Vec::new(),
+            examined: Vec::new(),
+        }
     }
 
     /// Reads every recording of the motion.
     pub(crate) fn resolve(&mut self, segments: &mut [Segment], reader: &mut Reader<'_>) {
         for segment in segments {
-            if segment.law.value() != Some(SegmentLaw::Recorded) || !segment.is_whole() {
+            if segment.law.value() != Some(SegmentLaw::Recorded) {
                 continue;
             }
             let Some(name) = segment.file.get().map(|file| file.name.clone()) else { continue };
             let span = segment.file.span();
             let before = reader.fault_count();
             let layout = layout(segment, reader);
-            if reader.fault_count() > before {
+            // Of a layout with a refused value only the faults of the file count that do not depend on the layout.
+            if reader.fault_count() > before || !has_layout(segment) {
+                for fault in self.faults_of_file(&name, &layout) {
+                    reader.fault(span.clone(), fault, None);
+                }
                 segment.file.refuse();
                 continue;
             }
@@ -261,6 +266,19 @@ impl<'f> Recordings<'f> {
                 None => segment.file.refuse(),
             }
         }
+    }
+
+    /// Returns the faults of a file that no layout can mend, once for each file.
+    fn faults_of_file(&mut self, name: &str, layout: &Layout) -> Vec<Fault> {
+        let is_known = self.read.iter().any(|(file, ..)| file == name) || self.examined.iter().any(|file| file == name);
+        if is_known {
+            return Vec::new();
+        }
+        self.examined.push(name.to_owned());
+        let left = self.memory.left();
+        let found = self.read_file(name, layout).err().unwrap_or_default();
+        self.memory.give_back(left.saturating_sub(self.memory.left()));
+        found.into_iter().filter(|fault| !depends_on_layout(fault)).collect()
     }
 
     fn read_file(&mut self, name: &str, layout: &Layout) -> Result<Recording, Vec<Fault>> {
@@ -324,37 +342,6 @@ fn unreadable(name: &str, faults: Vec<recording::Fault>) -> Vec<Fault> {
     faults.into_iter().map(|fault| Fault::Recording { name: name.to_owned(), fault }).collect()
 }
 
-fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
-    let (columns, units) = (segment.columns.get(), segment.units.get());
-    let mut column = |name: Option<&Stated<String>>, unit: Option<&Stated<String>>, role: Role| {
-        let name = name.and_then(Stated::get);
-        let unit = unit.and_then(|stated| {
-            let written = stated.get()?;
-            let found = role.dimensions().iter().find_map(|dimension| Unit::of_dimension(*dimension, written));
-            if found.is_none() {
-                let units = role.dimensions().iter().flat_map(|dimension| dimension.units());
-                let known: Vec<&str> = units.map(|unit| unit.ascii).collect();
-                let fault = Fault::UnknownUnit { written: shortened(written, UNIT_SHOWN) };
-                reader.fault(stated.span(), fault, Some(Hint::valid(&known)));
-            }
-            found
-        });
-        ColumnSpec {
-            name: name.filter(|name| *name != NO_COLUMN).cloned(),
-            unit,
-            unused: name.is_some_and(|name| name == NO_COLUMN),
-        }
-    };
-    let time = column(columns.map(|all| &all.time), units.map(|all| &all.time), Role::Time);
-    let position = column(columns.map(|all| &all.position), units.map(|all| &all.position), Role::Position);
-    let speed = column(columns.map(|all| &all.speed), units.map(|all| &all.speed), Role::Speed);
-    let torque = column(columns.map(|all| &all.torque), units.map(|all| &all.torque), Role::Torque);
-    let (from, to) = (segment.from.value(), segment.to.value());
-    let allow_gaps = segment.gaps.value() == Some(Gaps::Allow);
-    let even_stamps = segment.time_stamps.value() == Some(TimeStamps::Even);
-    Layout { time, position, speed, torque, from, to, allow_gaps, even_stamps }
-}
-
 /// Returns the number of samples of the recording of a segment.
 pub(crate) fn samples(segment: &Segment) -> usize {
     segment.recording().map_or(0, |read| read.recording.time_s.len())
@@ -364,9 +351,11 @@ pub(crate) fn samples(segment: &Segment) -> usize {
 ///
 /// `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
 pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Arc<Recorded>> {
-    let RecordingRead { file, recording } = segment.recording()?;
     let before = reader.fault_count();
+    // Known without the recording.
+    let standstill = crate::motion::turned(&segment.standstill, travel, reader);
     let ratios = crate::side::ratios(segment, reader);
+    let RecordingRead { file, recording } = segment.recording()?;
     let mut turned = |series: &Option<Series>, role: Role| -> Option<Arc<Vec<f64>>> {
         let Series { along, values } = series.as_ref()?;
         let factor = match (along, travel) {
@@ -392,10 +381,6 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
     if reader.fault_count() > before {
         return None;
     }
-    let standstill = crate::motion::turned(&segment.standstill, travel, reader);
-    if reader.fault_count() > before {
-        return None;
-    }
     let treatment = Treatment {
         smoothing: segment.smoothing.value(),
         standstill,
@@ -409,6 +394,8 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
         },
     };
     match Recorded::new(samples, treatment) {
+        // A refused value has been reported; without it the motion is another one.
+        Ok(_) | Err(RecordedFault::Contradiction { .. }) if !segment.states_its_motion() => None,
         Ok(recorded) => Some(Arc::new(recorded)),
         Err(fault) => {
             let span = match fault {

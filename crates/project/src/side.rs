@@ -68,16 +68,16 @@ fn turns(recording: &Recording, role: Role) -> bool {
 pub(crate) fn ratios(segment: &Segment, reader: &mut Reader<'_>) -> Side {
     let stated = |role: Role| stated(segment.recorded_ratio.get(), role);
     let ratio = |role: Role| stated(role).and_then(Stated::value);
+    for (role, _) in SIDED {
+        let (low, high) = RATIO_BOUNDS;
+        if let Some(field) = stated(role).filter(|field| field.value().is_some_and(|ratio| ratio.abs() < low)) {
+            reader.fault(field.span(), Fault::NumberOutOfRange { path: field.path(), low, high }, None);
+        }
+    }
     if let Some(read) = segment.recording() {
         for (role, _) in SIDED {
             if let Some(field) = stated(role).filter(|field| field.is_given() && !turns(&read.recording, role)) {
                 reader.fault(field.span(), Fault::NoColumnWithRatio { path: field.path() }, None);
-            }
-        }
-        for (role, _) in SIDED {
-            let (low, high) = RATIO_BOUNDS;
-            if let Some(field) = stated(role).filter(|field| field.value().is_some_and(|ratio| ratio.abs() < low)) {
-                reader.fault(field.span(), Fault::NumberOutOfRange { path: field.path(), low, high }, None);
             }
         }
         let column = |role: Role| read.recording.columns.iter().find(|column| column.role == role);

@@ -55,18 +55,23 @@ pub fn moves(project: &Project) -> Moves<'_> {
         let solved = motion.stretches().get(index).and_then(|stretch| stretch.solved);
         solved.map(|solved| [solved.distance.si(), solved.speed.si(), solved.acceleration.si()])
     };
-    let moves: Vec<Move<'_>> = motion.stretches().iter().enumerate().filter_map(|(index, stretch)| {
-        let placed = motion.recordings().iter().find(|placed| placed.segment == index);
-        let at_output = placed.map(motion::Placed::course).or_else(|| course(index));
-        let recording = placed.and_then(|_| recordings.next());
-        Some(Move {
-            law: project.law(index)?,
-            start: stretch.start,
-            duration: stretch.duration,
-            course: at_output.map(|values| values.map(|value| value * factor)),
-            recording,
-            loads: loads.iter().filter_map(|load| project.acting_load(*load, index)).collect(),
+    let moves: Vec<Move<'_>> = motion
+        .stretches()
+        .iter()
+        .enumerate()
+        .filter_map(|(index, stretch)| {
+            let placed = motion.recordings().iter().find(|placed| placed.segment == index);
+            let at_output = placed.map(motion::Placed::course).or_else(|| course(index));
+            let recording = placed.and_then(|_| recordings.next());
+            Some(Move {
+                law: project.law(index)?,
+                start: stretch.start,
+                duration: stretch.duration,
+                course: at_output.map(|values| values.map(|value| value * factor)),
+                recording,
+                loads: loads.iter().filter_map(|load| project.acting_load(*load, index)).collect(),
+            })
         })
-    }).collect();
+        .collect();
     Moves { turns: travel.is_none(), units, per_output: factor, loads, moves }
 }

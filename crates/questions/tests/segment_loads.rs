@@ -1,5 +1,5 @@
 //! What a segment states is added to the loads of the mechanism, and shown as it acts.
-#![allow(clippy::unwrap_used, reason = "a test may fail")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use answers::Number;
 use quantities::{Language, Measure, MomentOfInertia};
@@ -24,9 +24,8 @@ fn project(line: (&str, &str), of_mechanism: [f64; 3], of_segments: Option<[[f64
     for (index, distance) in [90, -90].into_iter().enumerate() {
         text += &format!("[[motion]]\nlaw = \"trapezoid\"\ndistance = \"{distance} deg\"\ntime = \"1 s\"\n");
         if let Some([mass, force, torque]) = of_segments.map(|all| all[index]) {
-            text += &format!(
-                "payload = \"{mass} kg\"\nprocess_force = \"{force} N\"\nprocess_torque = \"{torque} N m\"\n"
-            );
+            text +=
+                &format!("payload = \"{mass} kg\"\nprocess_force = \"{force} N\"\nprocess_torque = \"{torque} N m\"\n");
         }
     }
     questions::read(&text).unwrap()
@@ -37,8 +36,7 @@ fn loads_of_segments_are_added_and_shown_as_they_act() {
     for line in LINES {
         for [mass, force, torque] in [[3.0, 0.0, 0.0], [0.0, 500.0, 1.5], [2.0, -120.0, -0.5]] {
             let (own, both) = ([20.0, 1000.0, 2.0], [20.0 + mass, 1000.0 + force, 2.0 + torque]);
-            let [split, whole] =
-                [project(line, own, Some([[mass, force, torque]; 2])), project(line, both, None)];
+            let [split, whole] = [project(line, own, Some([[mass, force, torque]; 2])), project(line, both, None)];
             let demand = |project: &project::Project| {
                 let demand = project.axis.demand(MomentOfInertia::from_si(0.02));
                 [demand.torque_rms.si(), demand.torque_peak.si()]

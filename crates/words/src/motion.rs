@@ -1,7 +1,7 @@
 //! Words for impossible motions.
 
-use crate::{pick, terms};
 use crate::texts::said;
+use crate::{pick, terms};
 use motion::{Law, MoveFault, Needed, PointsFault, RecordedFault};
 use project::{SegmentLaw, SegmentLoad};
 use quantities::unit::{
