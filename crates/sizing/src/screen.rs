@@ -198,7 +198,7 @@ impl Row<'_> {
         let found = Found { fit, fit_if_estimate, best: None, miss: None };
         match first {
             Some(first) => Found { best: self.best(&open, bounds, first), ..found },
-            None => Found { miss: self.miss(&open, bounds), ..found },
+            None => Found { miss: self.miss(&open, bounds, false).or_else(|| self.miss(&open, bounds, true)), ..found },
         }
     }
 
@@ -330,15 +330,16 @@ impl Row<'_> {
         (largest, last_of_equal(shares, largest))
     }
 
-    /// Returns the group with the smallest excess among those that do not fit.
-    fn miss(&self, open: &[Open], bounds: &[Bounds]) -> Option<Ranked> {
+    /// Returns the group with the smallest excess among those that do not fit: without those that the place of
+    /// installation excludes, or `elsewhere` these alone, with the check that excludes them.
+    fn miss(&self, open: &[Open], bounds: &[Bounds], elsewhere: bool) -> Option<Ranked> {
         let key = |group: &Group, utilisation: f64, mass_kg: f64| {
             RankKey::of(&Standing { fit: Fit::DoesNotFit, holds: true, size: group.size, utilisation, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
         let candidate = |open: &Open| {
             let (group, bounds) = self.group(open, bounds)?;
-            (!bounds.is_of_another_place()).then(|| (key(group, bounds.least_failing(), 0.0), group))
+            (elsewhere || !bounds.is_of_another_place()).then(|| (key(group, bounds.least_failing(), 0.0), group))
         };
         let mut candidates: Vec<(RankKey, &Group)> = open.iter().filter_map(candidate).collect();
         while let Some(at) = least_of(&candidates, |(key, _)| *key) {
@@ -348,15 +349,19 @@ impl Row<'_> {
             }
             // The bound is below every failing check, so every check is made.
             let judgement = judge(self.axis, &group.representative, Scope::Deciding);
-            let is_elsewhere = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
-            if judgement.checks.iter().any(is_elsewhere) {
+            let excludes = |check: &&Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
+            let excluding =
+                judgement.checks.iter().filter(excludes).max_by(|a, b| a.severity().total_cmp(&b.severity()));
+            if excluding.is_some() != elsewhere {
                 continue;
             }
             let utilisation = judgement.utilisation();
             let Some(member) = self.lightest(group) else { continue };
             let key = key(group, utilisation, member.mass_kg);
             if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
-                let tightest = judgement.worst_failure().map(|check| check.id);
+                let named = excluding.or_else(|| judgement.worst_failure());
+                let utilisation = named.map_or(utilisation, Check::severity);
+                let tightest = named.map(|check| check.id);
                 best = Some((key, member.entrant, Ranked { entrant: member.entrant, utilisation, tightest }));
                 candidates.retain(|(least, _)| *least <= key);
             }

@@ -33,7 +33,8 @@ pub struct Best {
     pub code: Option<OrderCode>,
     /// Utilisation of the governing check; if none fits, that of the actuator with the smallest excess.
     pub utilisation: Option<f64>,
-    /// Governing check; if none fits, that of the actuator with the smallest excess.
+    /// Governing check; if none fits, that of the actuator with the smallest excess, or the check that excludes it if the
+    /// place of installation excludes every code.
     pub tightest: Option<CheckId>,
 }
 

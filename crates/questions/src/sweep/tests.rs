@@ -50,7 +50,21 @@ fn sized(text: &str) -> Result<Best, String> {
             utilisation: finite(miss.standing.utilisation),
             tightest: governing(miss),
         },
-        (None, None) => Best { fit, fit_if_estimate, code: None, utilisation: None, tightest: None },
+        // The place of installation excludes each code that meets the requirements.
+        (None, None) => {
+            let excluded = sizing.rejected().iter().find(|candidate| candidate.objections.is_empty());
+            let of_the_place =
+                |check: &&sizing::Check| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
+            let checks = excluded.iter().flat_map(|candidate| &candidate.judgement.checks).filter(of_the_place);
+            let found = checks.max_by(|a, b| a.severity().total_cmp(&b.severity()));
+            Best {
+                fit,
+                fit_if_estimate,
+                code: None,
+                utilisation: found.and_then(|check| finite(check.severity())),
+                tightest: found.map(|check| check.id),
+            }
+        }
     };
     Ok(found)
 }
@@ -67,6 +81,29 @@ fn a_row_is_answered_as_the_project_with_its_values() {
     }
     assert_eq!(found[3], Err("`load.inertia` must not be negative, not \"-1 kg m^2\"".to_owned()));
     assert!(best(&found[0]).fits() && best(&found[2]).code.is_none());
+}
+
+/// A row whose place of installation excludes every code names the check that excludes, and its utilisation if it has
+/// one; with a load that is too heavy besides, too.
+#[test]
+fn a_row_names_the_check_of_the_place_that_excludes_every_code() {
+    let places = [
+        ("protection = \"IP67\"\n", CheckId::Protection),
+        ("ambient = \"70 degC\"\n", CheckId::Ambient),
+        ("humidity_min = 0.05\nhumidity_max = 0.99\n", CheckId::Humidity),
+        ("vibration = \"90 m/s^2\"\n", CheckId::Vibration),
+        ("shock = \"900 m/s^2\"\n", CheckId::Shock),
+    ];
+    for (place, check) in places {
+        let text = format!("{MOVE}[requirements]\n{place}");
+        let sweep = sweep(&text, &["load.inertia [kg m^2]"]).unwrap();
+        let found = sweep.judge(&[numbers(&[1.0, 400.0])], &Patience::endless()).unwrap();
+        for (answer, inertia) in found.iter().zip(["1", "400"]) {
+            let found = best(answer);
+            assert_eq!(found, sized(&text.replace("1 kg m^2", &format!("{inertia} kg m^2"))).unwrap(), "{place}");
+            assert_eq!((found.fits(), found.tightest), (false, Some(check)), "{place}");
+        }
+    }
 }
 
 /// A row with a seeded value for every quantity and number of a project, near the stated one, gives the result of
