@@ -94,6 +94,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::Ambiguous { .. } => "recording_columns_ambiguous",
         Fault::ClockUnknown { .. } => "recording_clock_unknown",
         Fault::HeadingMissing { .. } => "recording_heading_missing",
+        Fault::HeadingOfUnits { .. } => "recording_heading_of_units",
         Fault::TimesDiffer { .. } => "recording_times_differ",
         Fault::Foreign { .. } => "recording_other_format",
         Fault::Stopped => "recording_stopped",

@@ -399,3 +399,28 @@ pub(crate) fn check_course(columns: &[ColumnRead], faults: &mut Faults) {
         faults.push(Fault::CourseMixed { position: position.dimension, speed: speed.dimension });
     }
 }
+
+/// Returns the columns of a heading that holds units alone, a unit of time among them, each with the role that its unit
+/// permits and its number; `None` if a column has a name or the layout names one.
+pub(crate) fn units_alone(headings: &[Heading], layout: &Layout) -> Option<Vec<(Role, usize, &'static Unit)>> {
+    if Role::ALL.into_iter().any(|role| layout.column(role).name.is_some()) {
+        return None;
+    }
+    let unit = |heading: &Heading| {
+        let text = heading.written.trim();
+        let inner =
+            [('[', ']'), ('(', ')')].iter().find_map(|(open, end)| text.strip_prefix(*open)?.strip_suffix(*end));
+        let text = inner.unwrap_or(text).trim();
+        let of_role = |role: Role| {
+            let unit = role.dimensions().iter().find_map(|dimension| Unit::of_dimension(*dimension, text));
+            unit.map(|unit| (role, unit))
+        };
+        Role::ALL.into_iter().find_map(of_role)
+    };
+    let columns = headings.iter().zip(1_usize..).map(|(heading, number)| {
+        let (role, unit) = unit(heading)?;
+        Some((role, number, unit))
+    });
+    let columns: Vec<_> = columns.collect::<Option<_>>()?;
+    columns.iter().any(|(role, ..)| *role == Role::Time).then_some(columns)
+}

@@ -3,7 +3,7 @@
 use crate::ahead::{Ahead, is_spaced_row};
 use crate::cells::{Cells, ends_empty};
 use crate::clock::{Clock, is_clock, is_clock_of_unknown_form};
-use crate::columns::{Heading, Pick, Picks, Said, decide, pick, unused};
+use crate::columns::{Heading, Pick, Picks, Said, decide, pick, units_alone, unused};
 use crate::csv_faults::{cell_fault, ragged};
 use crate::encoding;
 use crate::faults::{Fault, Faults, excerpt};
@@ -89,6 +89,12 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     }
     for (heading, cell) in headings.iter_mut().zip(second.iter().flatten()) {
         heading.is_clock = is_clock(&encoding::text(cell));
+    }
+    if second.as_deref().is_some_and(is_row_of_values)
+        && let Some(columns) = units_alone(&headings, layout)
+    {
+        faults.push(Fault::HeadingOfUnits { columns });
+        return None;
     }
     let (picks, more_time) = pick(&headings, layout, faults);
 

@@ -192,6 +192,12 @@ pub enum Fault {
         /// Numbers of these columns, counted from 1.
         numbers: Vec<usize>,
     },
+    /// The first line holds units alone: there are no names of columns.
+    #[error("the first line holds units, no names of columns")]
+    HeadingOfUnits {
+        /// Role that the unit of a column permits, its number, counted from 1, and the unit.
+        columns: Vec<(Role, usize, &'static Unit)>,
+    },
     /// The first line holds numbers: there is no heading.
     #[error("the first line holds numbers, no names of columns")]
     HeadingMissing {

@@ -334,6 +334,7 @@ fn kind(column: &Column) -> Option<Holds> {
     }
     match (column.physical, column.logical, column.converted) {
         (Type::FLOAT | Type::DOUBLE, Logical::Plain, ConvertedType::NONE) => Some(plain),
+        (Type::FIXED_LEN_BYTE_ARRAY, Logical::Half, _) if column.width == 2 => Some(plain),
         (Type::INT32 | Type::INT64, Logical::Integer { signed }, _) => Some(Holds { unsigned: !signed, ..plain }),
         (Type::INT32 | Type::INT64, Logical::Timestamp(unit) | Logical::Duration(unit), _) => time(unit),
         // Days and nanoseconds, as Spark and Impala write timestamps.

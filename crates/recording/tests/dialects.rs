@@ -346,3 +346,35 @@ fn no_dialect_takes_much_longer_than_plain_numbers() {
         assert!(seconds < 15.0 * plain + 0.05, "{what}: {seconds:.3} s, plain numbers {plain:.3} s");
     }
 }
+
+/// A first line of units alone is refused with the columns by number, and read with them.
+#[test]
+fn a_heading_of_units_is_named() {
+    for (heading, roles) in [
+        ("s;deg;Nm", &[Role::Time, Role::Position, Role::Torque][..]),
+        ("ms;rad", &[Role::Time, Role::Position]),
+        ("[s];[1/min]", &[Role::Time, Role::Speed]),
+        ("(s);(mm);(mm/s);(N)", &[Role::Time, Role::Position, Role::Speed, Role::Torque]),
+    ] {
+        let cells = heading.split(';').count() - 1;
+        let rows: String = (0..5).map(|k| format!("{k}{}\n", format!(";{k}").repeat(cells))).collect();
+        let text = format!("{heading}\n{rows}");
+        let faults = read_csv(text.as_bytes(), &Layout::default()).unwrap_err();
+        let [Fault::HeadingOfUnits { columns }] = faults.as_slice() else { panic!("{heading}: {faults:?}") };
+        assert_eq!(columns.iter().map(|(role, ..)| *role).collect::<Vec<_>>(), roles, "{heading}");
+        let spec = |role: Role| {
+            let found = columns.iter().find(|(of, ..)| *of == role);
+            let name = found.map(|(_, number, _)| format!("#{number}"));
+            ColumnSpec { name, unit: found.map(|(.., unit)| *unit), ..ColumnSpec::default() }
+        };
+        let layout = Layout {
+            time: spec(Role::Time),
+            position: spec(Role::Position),
+            speed: spec(Role::Speed),
+            torque: spec(Role::Torque),
+            ..Layout::default()
+        };
+        let recording = read_csv(text.as_bytes(), &layout).unwrap();
+        assert_eq!((recording.time_s.len(), recording.columns.len()), (5, roles.len()), "{heading}");
+    }
+}

@@ -14,7 +14,9 @@ use advice::{advised, below_rows};
 use beyond::{beyond, damage};
 use counter::counter;
 use foreign::foreign;
-use headings::{LIST_MOST, columns, columns_and_names, header, list, toml_text, valid_units};
+use headings::{
+    LIST_MOST, columns, columns_and_names, header, heading_missing, heading_of_units, list, toml_text, valid_units,
+};
 use modulo::{position_jumps, turn_begun};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Time, format_significant};
@@ -120,16 +122,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 said!(language => "the file runs from {first} to {last}" | "die Datei reicht von {first} bis {last}")
             }),
         ),
-        Fault::HeadingMissing { columns } => (
-            said!(language =>
-                "the file has no heading: its first line holds {columns} numbers, and nothing says what they are"
-                | "die Datei hat keine Kopfzeile: in der ersten Zeile stehen {columns} Zahlen, ihre Bedeutung steht nirgends"
-            ),
-            Some(said!(language =>
-                "write one, for example time [s];q [deg], or state the numbers of the columns and their units in the project: columns = {{ time = \"#1\", position = \"#2\" }} and units = {{ time = \"s\", position = \"deg\" }}"
-                | "eine Kopfzeile schreiben, zum Beispiel time [s];q [deg], oder im Projekt die Nummern der Spalten und ihre Einheiten angeben: columns = {{ time = \"#1\", position = \"#2\" }} und units = {{ time = \"s\", position = \"deg\" }}"
-            )),
-        ),
+        Fault::HeadingMissing { columns } => heading_missing(*columns, language),
+        Fault::HeadingOfUnits { columns } => heading_of_units(columns, language),
         Fault::TimesDiffer { at, column, numbers: [first, second] } => (
             said!(language =>
                 "{}: the columns {first} and {second} are both named {} and hold different times"
@@ -329,8 +323,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 | "die Spalte {} enthält {found}; dieser Typ wird nicht als Zahl gelesen", q(column)
             ),
             Some(said!(language =>
-                "read are float, double, integers up to 64 bits and decimals, for the time also types of time; convert the column to double"
-                | "gelesen werden float, double, ganze Zahlen bis 64 Bit und decimal, für die Zeit auch Zeittypen; die Spalte in double umwandeln"
+                "read are float, double, half floats, integers up to 64 bits and decimals, for the time also types of time; convert the column to double"
+                | "gelesen werden float, double, halbgenaue Gleitkommazahlen, ganze Zahlen bis 64 Bit und decimal, für die Zeit auch Zeittypen; die Spalte in double umwandeln"
             )),
         ),
         Fault::ValueMissing { at, column } => (

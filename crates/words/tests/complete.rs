@@ -307,6 +307,7 @@ fn recording_faults() -> Vec<Fault> {
         recording::Fault::ValueImplausible { at: FileRow::Line(3), column: name(), text: name() },
         recording::Fault::TooClose { at: FileRow::Row(3), length: q(1e-15) },
         recording::Fault::HeadingMissing { columns: 3 },
+        recording::Fault::HeadingOfUnits { columns: vec![(recording::Role::Time, 1, &SECOND)] },
         recording::Fault::ClockUnknown { column: "t".into(), text: "T#12ms".into() },
         recording::Fault::TimesDiffer { at: FileRow::Line(3), column: name(), numbers: [1, 3] },
         recording::Fault::Ambiguous { role: recording::Role::Time, columns: vec![name(), name()], numbers: vec![1, 3] },

@@ -73,7 +73,9 @@ pub(super) enum Logical {
     Timestamp(&'static Unit),
     /// Spans of time in this unit.
     Duration(&'static Unit),
-    /// Other data than numbers, by its name in the format; half floats too, which are not read.
+    /// Floats of two bytes.
+    Half,
+    /// Other data than numbers, by its name in the format.
     Other(&'static str),
 }
 
@@ -393,6 +395,10 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
                 })?;
                 found = Logical::Integer { signed };
             }
+            (15, _) => {
+                found = Logical::Half;
+                thrift.skip(kind)?;
+            }
             _ => {
                 // Numbers of the union LogicalType in parquet.thrift.
                 found = Logical::Other(match id {
@@ -403,7 +409,6 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
                     12 => "JSON",
                     13 => "BSON",
                     14 => "UUID",
-                    15 => "FLOAT16",
                     _ => "OTHER",
                 });
                 thrift.skip(kind)?;

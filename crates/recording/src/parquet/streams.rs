@@ -34,6 +34,18 @@ fn whole(bytes: &[u8]) -> f64 {
     }
 }
 
+/// Returns the value of a float of two bytes: a sign, five bits of exponent and ten of fraction.
+fn half(bits: u16) -> f64 {
+    let (exponent, fraction) = (i32::from(bits >> 10 & 0x1f), f64::from(bits & 0x3ff));
+    let size = match exponent {
+        0 => fraction * 2_f64.powi(-24),
+        31 if fraction == 0.0 => f64::INFINITY,
+        31 => f64::NAN,
+        _ => (1024.0 + fraction) * 2_f64.powi(exponent - 25),
+    };
+    if bits >> 15 == 1 { -size } else { size }
+}
+
 /// A value of a column.
 #[derive(Clone, Copy)]
 pub(super) enum Cell {
@@ -152,7 +164,11 @@ impl Stream {
             Source::Fixed(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
                 spread(values, levels, max, count, cells, |value| {
-                    scale.map_or(Cell::Null, |scale| Cell::Float(whole(value.data()) / 10_f64.powi(scale)))
+                    Cell::Float(match (scale, value.data()) {
+                        (None, [low, high]) => half(u16::from_le_bytes([*low, *high])),
+                        (None, _) => return Cell::Null,
+                        (Some(scale), bytes) => whole(bytes) / 10_f64.powi(scale),
+                    })
                 });
             }
             Source::Truth(reader, values) => {
@@ -209,7 +225,28 @@ fn spread<T>(
 
 #[cfg(test)]
 mod tests {
-    use super::whole;
+    use super::{half, whole};
+
+    /// Values of IEEE 754-2008, binary16: its limits, and all whole numbers that it holds exactly.
+    #[test]
+    fn a_half_float_has_its_value() {
+        for (bits, value) in [
+            (0x0000, 0.0),
+            (0x0001, 5.960_464_477_539_063e-8),
+            (0x03ff, 6.097_555_160_522_461e-5),
+            (0x0400, 6.103_515_625e-5),
+            (0x3555, 0.333_251_953_125),
+            (0x3c00, 1.0),
+            (0xc000, -2.0),
+            (0x7bff, 65_504.0),
+            (0x7c00, f64::INFINITY),
+            (0xfc00, f64::NEG_INFINITY),
+        ] {
+            assert_eq!(half(bits), value, "{bits:#x}");
+        }
+        assert!(half(0x7e00).is_nan());
+        assert!((0x0000..0x7bff).all(|bits| half(bits) < half(bits + 1)));
+    }
 
     /// Decimals of all widths: sign-extended bytes have the value of the shorter ones.
     #[test]

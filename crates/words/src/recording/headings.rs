@@ -77,3 +77,43 @@ pub(super) fn toml_text(text: &str) -> String {
         format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
     }
 }
+
+/// Returns the fault of a file whose first line holds numbers.
+pub(super) fn heading_missing(columns: usize, language: Language) -> (String, Option<String>) {
+    (
+        said!(language =>
+            "the file has no heading: its first line holds {columns} numbers, and nothing says what they are"
+            | "die Datei hat keine Kopfzeile: in der ersten Zeile stehen {columns} Zahlen, ihre Bedeutung steht nirgends"
+        ),
+        Some(said!(language =>
+            "write one, for example time [s];q [deg], or state the numbers of the columns and their units in the project: columns = {{ time = \"#1\", position = \"#2\" }} and units = {{ time = \"s\", position = \"deg\" }}"
+            | "eine Kopfzeile schreiben, zum Beispiel time [s];q [deg], oder im Projekt die Nummern der Spalten und ihre Einheiten angeben: columns = {{ time = \"#1\", position = \"#2\" }} und units = {{ time = \"s\", position = \"deg\" }}"
+        )),
+    )
+}
+
+/// Returns the fault of a file whose first line holds units alone, with the first column of each role.
+pub(super) fn heading_of_units(
+    columns: &[(Role, usize, &'static Unit)],
+    language: Language,
+) -> (String, Option<String>) {
+    let first = || {
+        Role::ALL.into_iter().filter_map(|role| columns.iter().find(|(of, ..)| *of == role)).map(
+            |(role, number, unit)| {
+                (format!("{} = \"#{number}\"", role_key(*role)), format!("{} = \"{}\"", role_key(*role), unit.ascii))
+            },
+        )
+    };
+    let (numbers, units): (Vec<String>, Vec<String>) = first().unzip();
+    let (numbers, units) = (numbers.join(", "), units.join(", "));
+    (
+        said!(language =>
+            "the first line of the file holds units, no names of columns"
+            | "in der ersten Zeile der Datei stehen Einheiten, keine Namen der Spalten"
+        ),
+        Some(said!(language =>
+            "write the names above it, or state the columns in the project; by their units: columns = {{ {numbers} }}, units = {{ {units} }}"
+            | "die Namen darüber schreiben oder die Spalten im Projekt angeben; nach den Einheiten: columns = {{ {numbers} }}, units = {{ {units} }}"
+        )),
+    )
+}
