@@ -7,7 +7,7 @@ use super::gains::{Gain, GainTables, Gains, Products, rounded, sum, sum_of_magni
 use super::recording::Strip;
 use super::rule::{SHORT, short};
 use super::{Form, Node, Panel, Run, Trace};
-use course::{Course, slopes, turn, turns};
+use course::{Course, turn};
 use lots::{Lot, Lots};
 use numeric::{EQUAL, First};
 use std::collections::BTreeMap;
@@ -309,12 +309,14 @@ impl Search<'_> {
         }
     }
 
-    /// Searches a stored panel, given the states at its start and its effect on each lag.
+    /// Searches a stored panel, given the states at its start and its effect on each lag. Its ends are already known.
     fn inside_kept(&mut self, panel: usize, states: &[f64], steps: &[(f64, f64)]) {
         let trace = self.trace;
         let Some(panel) = trace.panels.get(panel).map(|kept| trace.panel(kept)) else { return };
-        if !self.was_seen(&panel, states) && self.may_turn(&panel, states, steps) {
-            self.inside(&panel, &mut states.to_vec(), 0.0);
+        if !self.was_seen(&panel, states) {
+            let lags = self.lags.iter().zip(steps);
+            let courses: Vec<Course> = lags.map(|(lag, step)| Course::with(lag, &panel, *step)).collect();
+            self.turn(&courses, states, (panel.start_s(), panel.duration_s));
         }
     }
 
@@ -395,23 +397,6 @@ impl Search<'_> {
         let swung = |rise: f64| rise * (1.0 + 2.0 * quickest) > left;
         // The largest swings of the whole run are already known and tested first.
         swung(most) && swung(own())
-    }
-
-    /// Returns `true` if the slope of the sum of the lags may change from rising to falling within a stored panel, at a
-    /// value above the best one. The ends of the panel are already known.
-    fn may_turn(&self, panel: &Panel<'_>, states: &[f64], steps: &[(f64, f64)]) -> bool {
-        let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
-        for ((state, (decay, gain)), lag) in states.iter().zip(steps).zip(self.lags) {
-            let next = state * decay + gain;
-            let inputs = panel.nodes.iter().map(|node| lag.form.at(node));
-            let (low, high) = slopes(inputs, (*state, next), panel.duration_s / lag.tau_s, lag.tau_s);
-            lowest += low;
-            highest += high;
-            start += state;
-            end += next;
-        }
-        let most = f64::max(start, end) + 0.25 * panel.duration_s * (highest - lowest);
-        turns(lowest, highest) && most > self.enough(panel.start_s())
     }
 
     /// Returns the bound on the rise of the sum of the lags due to the swings of their inputs.
@@ -505,13 +490,18 @@ impl Search<'_> {
         self.best.value() + share * self.best.value().abs()
     }
 
+    /// Searches the values between the ends of a panel, given its start and duration \[s\].
+    fn turn(&mut self, courses: &[Course], states: &[f64], (start_s, duration_s): (f64, f64)) {
+        if let Some((s, value)) = turn(courses, states, duration_s, self.enough(start_s)) {
+            self.best.see(value, start_s + s * duration_s, ());
+        }
+    }
+
     /// Searches a panel, which recurs after a time, and advances the states to its end.
     fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64], later_s: f64) {
         let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
         let start = panel.start_s() + later_s;
-        if let Some((s, value)) = turn(&courses, states, panel.duration_s, self.enough(start)) {
-            self.best.see(value, start + s * panel.duration_s, ());
-        }
+        self.turn(&courses, states, (start, panel.duration_s));
         for (state, course) in states.iter_mut().zip(&courses) {
             *state = course.end(*state);
         }

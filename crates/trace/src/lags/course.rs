@@ -22,11 +22,16 @@ pub(super) struct Course {
 
 impl Course {
     pub(super) fn of(lag: &Lag, panel: &Panel<'_>) -> Self {
-        let (lambda, count) = (panel.duration_s / lag.tau_s, panel.nodes.len());
+        let lambda = panel.duration_s / lag.tau_s;
+        let course = Self::with(lag, panel, ((-lambda).exp(), 0.0));
+        Self { gain: dot(&rule(course.count).weights(lambda), &course.input), ..course }
+    }
+
+    /// Returns the course over a panel with known decay and added value.
+    pub(super) fn with(lag: &Lag, panel: &Panel<'_>, (decay, gain): (f64, f64)) -> Self {
         let mut input = [0.0; MOST];
         input.iter_mut().zip(panel.nodes).for_each(|(u, node)| *u = lag.form.at(node));
-        let gain = dot(&rule(count).weights(lambda), &input);
-        Self { tau_s: lag.tau_s, lambda, decay: (-lambda).exp(), count, input, gain }
+        Self { tau_s: lag.tau_s, lambda: panel.duration_s / lag.tau_s, decay, count: panel.nodes.len(), input, gain }
     }
 
     /// Returns y at the end of the panel.
@@ -54,12 +59,7 @@ impl Course {
 
 /// Returns a lower and an upper bound of y' of a lag within a panel, from the inputs at the nodes and the values at
 /// both ends.
-pub(super) fn slopes(
-    inputs: impl Iterator<Item = f64>,
-    (start, end): (f64, f64),
-    lambda: f64,
-    tau_s: f64,
-) -> (f64, f64) {
+fn slopes(inputs: impl Iterator<Item = f64>, (start, end): (f64, f64), lambda: f64, tau_s: f64) -> (f64, f64) {
     let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
     let room = 0.125 * (high - low);
     let (low, high) = (low - room, high + room);
@@ -69,7 +69,7 @@ pub(super) fn slopes(
 }
 
 /// Returns `true` if a slope within these bounds may change from positive to negative.
-pub(super) fn turns(lowest: f64, highest: f64) -> bool {
+fn turns(lowest: f64, highest: f64) -> bool {
     lowest < 0.0 && highest > 0.0
 }
 
