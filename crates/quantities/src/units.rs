@@ -105,38 +105,44 @@ struct Known {
     products: u64,
 }
 
-/// Units by their canonical text, and by their factors in a fixed order, in the order of [`Dimension::ALL`].
-struct Index {
-    texts: BTreeMap<String, Vec<Known>>,
-    factors: BTreeMap<String, Vec<&'static Unit>>,
-}
+/// Units by the canonical text of their spellings, in the order of [`Dimension::ALL`].
+static TEXTS: LazyLock<BTreeMap<String, Vec<Known>>> = LazyLock::new(|| {
+    let mut texts: BTreeMap<String, Vec<Known>> = BTreeMap::new();
+    for_each_spelling(|unit, canonical| {
+        let units = texts.entry(canonical.text).or_default();
+        match units.iter_mut().find(|known| known.unit == unit) {
+            Some(known) => known.products |= canonical.products,
+            None => units.push(Known { unit, products: canonical.products }),
+        }
+    });
+    texts
+});
 
-static INDEX: LazyLock<Index> = LazyLock::new(|| {
-    let mut index = Index { texts: BTreeMap::new(), factors: BTreeMap::new() };
+/// Units by their factors in a fixed order, for the few spellings in another order than those of [`TEXTS`].
+static FACTORS: LazyLock<BTreeMap<String, Vec<&'static Unit>>> = LazyLock::new(|| {
+    let mut by_factors: BTreeMap<String, Vec<&'static Unit>> = BTreeMap::new();
+    for_each_spelling(|unit, canonical| {
+        if let Some(factors) = canonical.factors() {
+            let units = by_factors.entry(factors).or_default();
+            if !units.contains(&unit) {
+                units.push(unit);
+            }
+        }
+    });
+    by_factors
+});
+
+/// Visits the spellings of every unit, with a slash also those with a negative power.
+fn for_each_spelling(mut visit: impl FnMut(&'static Unit, Canonical)) {
     for unit in Dimension::ALL.iter().flat_map(|dimension| dimension.units()) {
         for spelling in unit.spellings() {
-            let mut put = |spelling: &str| {
-                let canonical = Canonical::of(spelling);
-                if let Some(factors) = canonical.factors() {
-                    let units = index.factors.entry(factors).or_default();
-                    if !units.contains(&unit) {
-                        units.push(unit);
-                    }
-                }
-                let units = index.texts.entry(canonical.text).or_default();
-                match units.iter_mut().find(|known| known.unit == unit) {
-                    Some(known) => known.products |= canonical.products,
-                    None => units.push(Known { unit, products: canonical.products }),
-                }
-            };
-            put(spelling);
+            visit(unit, Canonical::of(spelling));
             if let Some(spelling) = with_negative_power(spelling) {
-                put(&spelling);
+                visit(unit, Canonical::of(&spelling));
             }
         }
     }
-    index
-});
+}
 
 /// Returns the spelling with a negative power instead of the slash: `rad s^-1` for `rad/s`.
 fn with_negative_power(spelling: &str) -> Option<String> {
@@ -160,7 +166,7 @@ fn with_spelling(spelling: &str, is_wanted: impl Fn(&Unit) -> bool) -> Option<&'
     }
     // `None` if no unit of any dimension has this spelling.
     let found = |text: &str, products: u64| {
-        let known = INDEX.texts.get(text)?.iter().filter(|known| products & !known.products == 0);
+        let known = TEXTS.get(text)?.iter().filter(|known| products & !known.products == 0);
         let mut known = known.map(|known| known.unit);
         let first = known.next()?;
         Some(std::iter::once(first).chain(known).find(|unit| is_wanted(unit)))
@@ -168,8 +174,7 @@ fn with_spelling(spelling: &str, is_wanted: impl Fn(&Unit) -> bool) -> Option<&'
     let of = |spelling: &str| {
         let canonical = Canonical::of(spelling);
         let in_order = found(&canonical.text, canonical.products);
-        in_order
-            .or_else(|| Some(INDEX.factors.get(&canonical.factors()?)?.iter().copied().find(|unit| is_wanted(unit))))
+        in_order.or_else(|| Some(FACTORS.get(&canonical.factors()?)?.iter().copied().find(|unit| is_wanted(unit))))
     };
     // Most spellings are in the index as written.
     found(spelling, 0).or_else(|| of(spelling)).or_else(|| of(&abbreviated(spelling)?)).flatten()
