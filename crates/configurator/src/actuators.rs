@@ -1,25 +1,58 @@
 //! The actuators of the catalogue available without request, with their parameters.
 
-use crate::codes::plain;
-use crate::parameters::parameters_beside;
+use crate::codes::{is_plain, plain};
+use crate::parameters::{parameters, parameters_beside};
 use actuator::Parameters;
 use order_code::{Option1, OrderCode};
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// The actuators without and with the encoder at the output, created on first use.
+static LISTS: [OnceLock<Vec<(OrderCode, Parameters)>>; 2] = [const { OnceLock::new() }; 2];
+
+fn list(output_encoder: bool) -> &'static OnceLock<Vec<(OrderCode, Parameters)>> {
+    let [without, with] = &LISTS;
+    if output_encoder { with } else { without }
+}
 
 /// Returns the actuators without options, or those with the encoder at the output: the code without the option, the
 /// parameters with it.
 #[must_use]
 pub fn actuators(output_encoder: bool) -> &'static [(OrderCode, Parameters)] {
-    static WITH_OUTPUT_ENCODER: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(true));
-    if output_encoder { &WITH_OUTPUT_ENCODER } else { catalogue_actuators() }
+    list(output_encoder).get_or_init(|| actuators_with(output_encoder))
 }
 
 /// Returns all actuators of the catalogue with data in the manual that are available without request, with their
 /// parameters: each size, ratio, winding, feedback and brake, without options.
 #[must_use]
 pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
-    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(false));
-    &ACTUATORS
+    actuators(false)
+}
+
+/// Returns the parameters of one of [`actuators`] by its code without options. As long as the list is not used, only this
+/// actuator is looked up: the list costs a hundred times as much.
+#[must_use]
+pub fn actuator(code: &OrderCode, output_encoder: bool) -> Option<&'static Parameters> {
+    /// Actuators looked up alone, which stay for the whole run as the list does.
+    static ALONE: Mutex<Vec<(OrderCode, bool, &'static Parameters)>> = Mutex::new(Vec::new());
+    if let Some(all) = list(output_encoder).get() {
+        return all.iter().find(|(known, _)| known == code).map(|(_, parameters)| parameters);
+    }
+    // Entries are only added, so the list is consistent even if another thread panicked.
+    let mut alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let is_it = |(known, with, _): &&(OrderCode, bool, &'static Parameters)| (known, *with) == (code, output_encoder);
+    if let Some((.., parameters)) = alone.iter().find(is_it) {
+        return Some(parameters);
+    }
+    let found = parameters(&with_encoder(*code, output_encoder).filter(|_| is_plain(code))?)?;
+    let found: &'static Parameters = Box::leak(Box::new(found));
+    alone.push((*code, output_encoder, found));
+    Some(found)
+}
+
+/// Returns a code with the encoder at the output or without; `None` if its series does not have it.
+fn with_encoder(code: OrderCode, output_encoder: bool) -> Option<OrderCode> {
+    let option_1 = Option1::all(code.series()).next().filter(|_| output_encoder);
+    (option_1.is_some() == output_encoder).then_some(OrderCode { option_1, ..code })
 }
 
 /// Lists the actuators by their code without the option, with the parameters including it. Neighbours with equal
@@ -27,11 +60,7 @@ pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
 fn actuators_with(output_encoder: bool) -> Vec<(OrderCode, Parameters)> {
     let mut actuators: Vec<(OrderCode, Parameters)> = Vec::new();
     for code in plain() {
-        let option_1 = Option1::all(code.series()).next().filter(|_| output_encoder);
-        if option_1.is_some() != output_encoder {
-            continue;
-        }
-        let code_with = OrderCode { option_1, ..code };
+        let Some(code_with) = with_encoder(code, output_encoder) else { continue };
         let Some(mut parameters) = parameters_beside(&code_with, actuators.last()) else { continue };
         if let Some((_, before)) = actuators.last()
             && before.drivetrain == parameters.drivetrain
@@ -66,6 +95,20 @@ mod tests {
             before = Some(here);
         }
         assert_eq!(drivetrains, 84);
+    }
+
+    /// An actuator that is looked up alone is that of the list, and one that is not in the list is not found.
+    #[test]
+    fn an_actuator_alone_is_that_of_the_list() {
+        for output_encoder in [false, true] {
+            let codes: Vec<OrderCode> = crate::all().iter().map(|(code, _)| *code).step_by(7).chain(plain()).collect();
+            let alone: Vec<_> = codes.iter().map(|code| actuator(code, output_encoder)).collect();
+            for (code, alone) in codes.iter().zip(alone) {
+                let listed = actuators(output_encoder).iter().find(|(known, _)| known == code);
+                assert_eq!(alone, listed.map(|(_, parameters)| parameters), "{code}");
+                assert_eq!(alone, actuator(code, output_encoder), "{code}");
+            }
+        }
     }
 
     /// Changing one datum gives the actuator a drivetrain of its own.

@@ -46,8 +46,13 @@ static ALL: LazyLock<Vec<(OrderCode, Availability)>> =
 
 /// Iterates over the codes without options that are available without request, in the order of the fields.
 pub(crate) fn plain() -> impl Iterator<Item = OrderCode> {
-    let codes = Series::all().flat_map(|series| writable(series, false));
-    codes.filter(|code| availability(code).is_ok_and(|found| found.is_available()))
+    Series::all().flat_map(|series| writable(series, false)).filter(is_plain)
+}
+
+/// Returns `true` for a code without options that is available without request.
+pub(crate) fn is_plain(code: &OrderCode) -> bool {
+    let bare = code.option_1.is_none() && code.option_2.is_none() && !code.special;
+    bare && availability(code).is_ok_and(|found| found.is_available())
 }
 
 /// Codes of [`ALL`] as special designs.

@@ -12,7 +12,7 @@ mod parts;
 mod requirements;
 mod rules;
 
-pub use actuators::{actuators, catalogue_actuators};
+pub use actuators::{actuator, actuators, catalogue_actuators};
 pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
 pub use family::{Assumed, assumed, battery, brake_times, ptc_cell};
 pub use nearest::{nearest, nearest_to};

@@ -3,7 +3,7 @@
 use crate::cited::Cited;
 use crate::patience::Stopped;
 use actuator::Parameters;
-use configurator::{BrokenRule, Unmet, actuators, availability};
+use configurator::{BrokenRule, Unmet, actuator, actuators, availability};
 use order_code::{Option1, Option2, OrderCode};
 use project::{Assumption, OwnActuator, Project};
 use provenance::Datum;
@@ -359,8 +359,12 @@ pub(crate) fn check_part<'p>(project: &'p Project, code: &OrderCode, part: Part)
 /// [`Refusal::NoData`]
 pub(crate) fn parameters_of<'p>(project: &'p Project, code: &OrderCode) -> Result<&'p Parameters, Refusal> {
     let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
-    let mut known = actuators_of(project, code.has_output_encoder()).iter();
-    known.find(|(known, _)| *known == bare).map(|(_, parameters)| parameters).ok_or(Refusal::NoData)
+    let with_encoder = code.has_output_encoder();
+    let found = match &project.own_catalogue {
+        Some(own) => own.actuators(with_encoder).iter().find(|(known, _)| *known == bare).map(|(_, known)| known),
+        None => actuator(&bare, with_encoder),
+    };
+    found.ok_or(Refusal::NoData)
 }
 
 /// Judges one code like [`check`], each check with the workings of its value and its limit.
