@@ -140,6 +140,8 @@ pub enum RecordedFault {
     Contradiction {
         /// Largest difference between recorded and integrated position, relative to the travel.
         share: f64,
+        /// Factor of the speed to that of the position, if both differ by it alone \[1\].
+        factor: Option<f64>,
     },
 }
 

@@ -1,5 +1,5 @@
 use crate::generated::{Cycle, Law, Noise, accelerations, samples};
-use crate::{HeldValues, MadeUp, Recorded, Samples, Spurious, Treatment};
+use crate::{HeldValues, MadeUp, Recorded, Samples, Spurious, TimeStamps, Treatment};
 use quantities::{Measure, Time};
 
 /// Irregularity of the updates of a held signal.
@@ -184,4 +184,64 @@ fn steps_of_interpolated_values_are_found() {
         }
     }
     assert!(seen > 8, "{seen}");
+}
+
+/// Held values whose stamps scatter too are named one after the other, and with both keys the motion is left.
+#[test]
+fn held_values_with_scattered_stamps_are_both_named() {
+    let mut noise = Noise(3);
+    for law in Law::ALL {
+        let cycle = Cycle { law, way: 1.5, rest: 0.3 };
+        for (h, rows) in [(0.002, 4.0), (0.001, 5.0), (0.0015, 3.0)] {
+            let time = cycle.rows(h);
+            for kind in 0..2 {
+                // Uniform scatter, and a scheduler that wakes in time or most of an interval late.
+                let late = |u: f64| if kind == 0 { 0.4 * u } else { f64::from(u8::from(u > 0.4)) * 0.7 };
+                let stamps: Vec<f64> = time.iter().map(|t| t + h * late(noise.next())).collect();
+                for is_speed in [true, false] {
+                    let values =
+                        held_by(Source::Even, rows, h, &time, |t| cycle.at(t)[usize::from(is_speed)], &mut noise);
+                    let new = |held_values, time_stamps| {
+                        let treatment = Treatment { held_values, time_stamps, ..Treatment::default() };
+                        Recorded::new(column(&stamps, &values, is_speed), treatment).unwrap()
+                    };
+                    let what = format!("{law:?} h {h} rows {rows} kind {kind} speed {is_speed}");
+                    let plain = new(HeldValues::Kept, TimeStamps::Kept);
+                    let is_held = matches!(plain.made_up(), Some(MadeUp { cause: Spurious::Held { .. }, .. }));
+                    assert!(is_held, "{what}: {:?}", plain.made_up());
+                    let between = new(HeldValues::Interpolated, TimeStamps::Kept);
+                    let (_, rms) = accelerations(&between);
+                    let is_named = matches!(between.made_up(), Some(MadeUp { cause: Spurious::Stamps { .. }, .. }));
+                    assert!(is_named || (rms / cycle.rms() - 1.0).abs() < 0.05, "{what}: {rms}");
+                    let both = new(HeldValues::Interpolated, TimeStamps::Even);
+                    let (peak, rms) = accelerations(&both);
+                    assert!((rms / cycle.rms() - 1.0).abs() < 0.03, "{what}: {rms} of {}", cycle.rms());
+                    assert!(peak < 1.26 * cycle.peak(), "{what}: {peak} of {}", cycle.peak());
+                    assert_eq!((both.made_up(), both.remarks()), (None, &[][..]), "{what}");
+                }
+            }
+        }
+    }
+}
+
+/// Recordings at rest, constant columns and equal maxima have neither a fault nor a remark.
+#[test]
+fn constant_columns_are_no_fault() {
+    let time: Vec<f64> = (0..500_u32).map(|k| f64::from(k) * 0.002).collect();
+    let saw: Vec<f64> = (0..500_u32).map(|k| f64::from((k % 40).min(40 - k % 40))).collect();
+    for (position, speed) in [
+        (Some(vec![0.0; 500]), None),
+        (Some(vec![2.5; 500]), Some(vec![0.0; 500])),
+        (None, Some(vec![0.0; 500])),
+        (None, Some(vec![3.0; 500])),
+        (None, Some(saw)),
+        (Some(time.iter().map(|t| 3.0 * t).collect()), Some(vec![3.0; 500])),
+    ] {
+        for smoothing in [None, Some(Time::from_si(0.04))] {
+            let samples = samples(&time, position.as_deref(), speed.as_deref());
+            let found = treated(samples, HeldValues::Kept, smoothing);
+            assert_eq!(found.made_up(), None);
+            assert_eq!((found.rest_noise(), found.alternating(), found.remarks()), (None, None, &[][..]));
+        }
+    }
 }

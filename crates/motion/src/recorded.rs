@@ -16,6 +16,12 @@ use std::sync::Arc;
 /// be wrong.
 const CONTRADICTION: f64 = 0.05;
 
+/// The same where recorded and integrated position differ by a factor alone.
+const CONTRADICTION_BY_FACTOR: f64 = 0.02;
+
+/// Difference that a factor leaves, relative to that without it.
+const LEFT: f64 = 0.25;
+
 /// Samples read from a file, in SI at the output; unchanged columns are shared with the motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Samples {
@@ -500,17 +506,33 @@ fn integral(time: &[f64], speed: &[f64]) -> Vec<f64> {
 }
 
 /// Checks that recorded positions and speeds agree.
+///
+/// The speeds differ from those of the position by a factor alone if they leave a quarter of their difference when they
+/// are divided by it, F = Σ s Δq/Σ Δq², s integrated and Δq recorded travel; such a factor is a wrong unit or ratio, and
+/// a small one contradicts too.
 fn agree(time: &[f64], position: &[f64], speed: &[f64]) -> Result<(), RecordedFault> {
     let travelled = integral(time, speed);
     let first = position.first().copied().unwrap_or(0.0);
     let (mut low, mut high, mut apart) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
+    let (mut product, mut square, mut moved) = (0.0, 0.0, 0.0_f64);
     for (recorded, integrated) in position.iter().zip(&travelled) {
         (low, high) = (low.min(*recorded), high.max(*recorded));
-        apart = apart.max((recorded - first - integrated).abs());
+        let way = recorded - first;
+        (apart, moved) = (apart.max((way - integrated).abs()), moved.max(integrated.abs()));
+        (product, square) = (product + way * integrated, square + way * way);
     }
-    let moved = travelled.iter().fold(0.0_f64, |most, angle| most.max(angle.abs()));
     let swing = (high - low).max(moved);
-    if apart > CONTRADICTION * swing { Err(RecordedFault::Contradiction { share: apart / swing }) } else { Ok(()) }
+    if apart <= CONTRADICTION_BY_FACTOR * swing {
+        return Ok(());
+    }
+    let factor = product / square;
+    let left =
+        position.iter().zip(&travelled).map(|(recorded, integrated)| (integrated / factor - recorded + first).abs());
+    let is_factor = factor.is_finite() && factor != 0.0 && left.fold(0.0, f64::max) <= LEFT * apart;
+    if is_factor || apart > CONTRADICTION * swing {
+        return Err(RecordedFault::Contradiction { share: apart / swing, factor: is_factor.then_some(factor) });
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -101,7 +101,37 @@ fn what_is_no_motion_is_reported() {
     assert_eq!(new(ramp, Some(ramp), Some(&[1.0, 1.0, 1.0]), None), None);
     assert!(matches!(
         new(ramp, Some(ramp), Some(&[57.3, 57.3, 57.3]), None),
-        Some(RecordedFault::Contradiction { share }) if share > 0.9
+        Some(RecordedFault::Contradiction { share, factor: Some(factor) }) if share > 0.9 && (factor - 57.3).abs() < 1e-9
     ));
     assert!(matches!(new(ramp, Some(ramp), None, Some(1.0)), Some(RecordedFault::WindowTooShort { .. })));
+}
+
+/// Speeds that differ from the positions by a factor, of a unit or a ratio, are refused with it from 2 % on, also with
+/// noise and coarse positions; other differences are tolerated up to 5 % of the travel.
+#[test]
+fn a_factor_between_position_and_speed_is_refused_with_it() {
+    let mut noise = crate::generated::Noise(13);
+    for law in crate::generated::Law::ALL {
+        let cycle = crate::generated::Cycle { law, way: 1.5, rest: 0.3 };
+        let time = cycle.rows(0.002);
+        for size in [0.0, 1e-3] {
+            let mut noisy = |k: usize| time.iter().map(|t| cycle.at(*t)[k] + size * noise.next()).collect::<Vec<f64>>();
+            let (position, speed) = (noisy(0), noisy(1));
+            for factor in [1.0, 1.01, 0.8, 80.0 / 83.0, 1.03, 1.25, -1.0, 0.0125, 57.3] {
+                let scaled: Vec<f64> = speed.iter().map(|speed| speed * factor).collect();
+                let samples = crate::generated::samples(&time, Some(&position), Some(&scaled));
+                match Recorded::new(samples, Treatment::default()) {
+                    Err(RecordedFault::Contradiction { factor: Some(found), .. }) => {
+                        assert!((found / factor - 1.0).abs() < 2e-3, "{law:?} {size} {factor}: {found}");
+                    }
+                    Ok(_) => assert!((factor - 1.0_f64).abs() < 0.02, "{law:?} {size} {factor}"),
+                    Err(other) => panic!("{law:?} {size} {factor}: {other:?}"),
+                }
+            }
+            // A drift of the speed is no factor.
+            let drifting: Vec<f64> = speed.iter().map(|speed| speed + 0.015).collect();
+            let samples = crate::generated::samples(&time, Some(&position), Some(&drifting));
+            assert!(Recorded::new(samples, Treatment::default()).is_ok(), "{law:?} {size}");
+        }
+    }
 }

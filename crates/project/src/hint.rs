@@ -20,6 +20,8 @@ pub enum Hint {
     },
     /// The mechanisms from which loads on the flange follow.
     MechanismsWithLoads,
+    /// Times of a clock in a recording count from its first row.
+    TimeOfClock,
     /// Ways to make a recorded cycle close.
     CloseTheRecording,
     /// A key of another table.

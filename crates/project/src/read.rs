@@ -294,7 +294,10 @@ impl<'t> Reader<'t> {
             Err(error) => {
                 let inner = self.inside(&span, text, error.span());
                 let also = dimensions.iter().copied().filter(|other| *other != dimension).collect();
-                self.fault(inner, Fault::Quantity { path: path.to_owned(), error, also }, None);
+                // The bounds of a recording are not those of its clock.
+                let is_bound = [".from", ".to"].iter().any(|key| path.ends_with(key));
+                let hint = (is_bound && is_clock(text)).then_some(Hint::TimeOfClock);
+                self.fault(inner, Fault::Quantity { path: path.to_owned(), error, also }, hint);
                 None
             }
             Ok((reading, half)) => {
@@ -509,6 +512,11 @@ impl<'t> Reader<'t> {
         }
         Some(rows)
     }
+}
+
+/// Returns `true` if a text has a colon between digits, as the time of a clock.
+fn is_clock(text: &str) -> bool {
+    text.as_bytes().windows(3).any(|three| matches!(three, [b'0'..=b'9', b':', b'0'..=b'9']))
 }
 
 /// Returns the dimension that a text states; if it states none of them, the one with a similarly spelt unit, else the

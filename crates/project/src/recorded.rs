@@ -472,6 +472,19 @@ mod tests {
     }
 
     #[test]
+    fn a_clock_time_as_a_bound_has_its_remedy() {
+        for bound in ["from = \"17:00:05.1\"", "to = \"2025-04-17T17:00:07\"", "from = \"5 x\""] {
+            let text = format!(
+                "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"recorded\"\nfile = 'a.csv'\n{bound}\n"
+            );
+            let shelf = Shelf::of(TEXT, Grant::default());
+            let found = Project::read_all(&text, &shelf, &|_, _| None).err().unwrap_or_default();
+            let hints: Vec<bool> = found.iter().map(|each| each.hint == Some(crate::Hint::TimeOfClock)).collect();
+            assert_eq!(hints, [bound.contains(':')], "{bound}: {found:?}");
+        }
+    }
+
+    #[test]
     fn every_segment_counts_against_the_memory_of_the_project() {
         let rows: String = (0..1000).map(|row| format!("{row},0\n")).collect();
         let text = format!("t [s],q [deg]\n{rows}");

@@ -215,13 +215,20 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
             ),
             None,
         ),
-        RecordedFault::Contradiction { share } => {
+        RecordedFault::Contradiction { share, factor } => {
             let share = format_significant(100.0 * share, 2, language);
+            let factor = factor.map(|factor| format_significant(factor, 4, language));
             (
-                said!(language =>
-                    "recorded position and recorded speed differ by {share} % of the travel"
-                    | "aufgezeichnete Position und aufgezeichnete Drehzahl weichen um {share} % des Wegs voneinander ab"
-                ),
+                match &factor {
+                    Some(factor) => said!(language =>
+                        "the recorded speed is {factor} times that of the recorded position"
+                        | "die aufgezeichnete Drehzahl ist das {factor}-Fache derjenigen aus der aufgezeichneten Position"
+                    ),
+                    None => said!(language =>
+                        "recorded position and recorded speed differ by {share} % of the travel"
+                        | "aufgezeichnete Position und aufgezeichnete Drehzahl weichen um {share} % des Wegs voneinander ab"
+                    ),
+                },
                 Some(said!(language =>
                     "check their units and the side of the gear (recorded_ratio), or use only one of them: columns.speed = \"none\""
                     | "Einheiten und Getriebeseite (recorded_ratio) prüfen oder nur eine der beiden verwenden: columns.speed = \"none\""

@@ -332,7 +332,8 @@ fn recording_faults() -> Vec<Fault> {
         RecordedFault::WindowTooShort { least: q(0.1) },
         RecordedFault::WindowTooLong { most: 10 },
         RecordedFault::StampsUneven { scatter: q(0.01), interval: q(0.002) },
-        RecordedFault::Contradiction { share: 0.1 },
+        RecordedFault::Contradiction { share: 0.1, factor: None },
+        RecordedFault::Contradiction { share: 0.2, factor: Some(0.8) },
     ];
     all.extend(recorded.map(|fault| Fault::Recorded { name: "run.csv".to_owned(), fault }));
     all
@@ -499,6 +500,7 @@ fn faults_and_hints() {
         Hint::WithUnit { written: "1".to_owned(), dimension: SECOND.dimension },
         Hint::MechanismsWithLoads,
         Hint::CloseTheRecording,
+        Hint::TimeOfClock,
         Hint::KeyOfTable { key: "payload", table: "[[motion]]".to_owned() },
         Hint::WebOfWinder { web_m_s: Some(0.4), start_m: 0.4, core_m: 0.076 },
         Hint::WebOfWinder { web_m_s: None, start_m: 0.4, core_m: 0.076 },
