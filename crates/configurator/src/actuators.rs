@@ -105,8 +105,8 @@ mod tests {
             let alone: Vec<_> = codes.iter().map(|code| actuator(code, output_encoder)).collect();
             for (code, alone) in codes.iter().zip(alone) {
                 let listed = actuators(output_encoder).iter().find(|(known, _)| known == code);
-                assert_eq!(alone, listed.map(|(_, parameters)| parameters), "{code}");
-                assert_eq!(alone, actuator(code, output_encoder), "{code}");
+                assert!(alone == listed.map(|(_, parameters)| parameters), "{code}");
+                assert!(alone == actuator(code, output_encoder), "{code}");
             }
         }
     }
