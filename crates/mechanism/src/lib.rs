@@ -336,10 +336,16 @@ impl Mechanism {
         }
     }
 
-    /// Returns the load with all masses and inertias multiplied by a factor; friction, process and geometry remain.
+    /// Returns the load with all masses and inertias, those of the stage included, multiplied by a factor; friction,
+    /// process and geometry remain.
     #[must_use]
     pub fn with_masses(&self, factor: f64) -> Self {
-        Self { kind: self.kind.with_masses(factor), ..self.clone() }
+        let stage = self.stage.map(|stage| Stage {
+            inertia_driving: MomentOfInertia::from_si(stage.inertia_driving.si() * factor),
+            inertia_driven: MomentOfInertia::from_si(stage.inertia_driven.si() * factor),
+            ..stage
+        });
+        Self { kind: self.kind.with_masses(factor), stage, ..self.clone() }
     }
 
     /// Returns the mechanism as named in a project file.

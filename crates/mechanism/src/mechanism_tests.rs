@@ -183,3 +183,31 @@ fn the_limits_are_ideal() {
     assert_eq!(free.torque(&state, &Extra::none()), 12.0);
     assert_eq!(free.torque(&out(0.0, -2.0, 5.0, -1.0), &Extra::none()), 0.0, "external torque does not reverse");
 }
+
+/// Without friction and process the torque is proportional to all masses and inertias, behind a stage too.
+#[test]
+fn all_masses_and_inertias_scale_the_torque_behind_a_stage_too() {
+    let inertia = MomentOfInertia::from_si;
+    let stage = Stage {
+        kind: StageKind::Belt,
+        ratio: 2.5,
+        efficiency_driving: 0.95,
+        efficiency_driven: 0.9,
+        inertia_driving: inertia(0.004),
+        inertia_driven: inertia(0.03),
+        stiffness: None,
+        backlash: None,
+        pitch_diameter: None,
+    };
+    let load = Mechanism { stage: Some(stage), ..Mechanism::direct(inertia(0.2), Torque::from_si(0.0)) };
+    for factor in [0.25, 0.5, 1.0, 1.7, 8.0] {
+        for alpha in [-30.0, -2.0, 0.5, 12.0] {
+            for speed in [-4.0, 3.0_f64] {
+                let state = out(0.3, speed, alpha, speed.signum());
+                let torque = load.torque(&state, &Extra::none());
+                let scaled = load.with_masses(factor).torque(&state, &Extra::none());
+                assert!((scaled - factor * torque).abs() < 1e-12 * torque.abs().max(1.0), "{factor} {alpha} {speed}");
+            }
+        }
+    }
+}
