@@ -14,7 +14,7 @@ use questions::list::bearing::bearing_checks;
 use questions::list::{Asked, Cost, Unanswered, battery, bearing, curve, new};
 use questions::texts::{battery_lines, checked_text, margin_text, unit_text, verdict_text};
 use std::path::Path;
-use words::{check_title, curve_title, grade_word, source_text, terminal, terms};
+use words::{curve_title, grade_word, source_text, terminal, terms, title_of_check};
 
 /// `antrieb curve CODE`
 pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -77,7 +77,7 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
     for (size, check) in checks() {
         table.row([
             size.to_string(),
-            check_title(check.id, language),
+            title_of_check(check, language),
             verdict_text(check, language),
             checked_text(check.id, check.value, language),
             checked_text(check.id, check.limit, language),

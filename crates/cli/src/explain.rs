@@ -13,7 +13,7 @@ use questions::list::{Asked, Cost, Unanswered, explain};
 use questions::texts::{margin_share, node_amount, trust, verdict_text};
 use questions::{Candidate, Check};
 use std::fmt::Write as _;
-use words::{check_missing, check_title, note_text, percent_text, symbol_shown, terminal};
+use words::{check_missing, note_text, percent_text, symbol_shown, terminal, title_of_check};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
 pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
@@ -38,7 +38,7 @@ fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], 
 }
 
 fn heading(check: &Check, language: Language) -> String {
-    let mut line = format!("{}, {}", check_title(check.id, language), verdict_text(check, language));
+    let mut line = format!("{}, {}", title_of_check(check, language), verdict_text(check, language));
     if let Some(share) = margin_share(check) {
         let share = percent_text(share, language);
         let _ = write!(line, ", {share} %");

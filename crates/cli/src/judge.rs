@@ -20,8 +20,8 @@ use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdi
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use words::{
-    ERRATUM_MARK, check_missing, check_title, evidence_text, grade_word, marked, note_text, ranking_rule, ratios_text,
-    source_text, terminal, terms, verdict_word,
+    ERRATUM_MARK, check_missing, evidence_text, grade_word, marked, note_text, ranking_rule, ratios_text, source_text,
+    terminal, terms, title_of_check, verdict_word,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -113,7 +113,7 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     if let Some(best) = sizing.answer() {
         let open: Vec<String> = best
             .not_checked()
-            .map(|check| format!("{} ({})", check_title(check.id, language), missing(check, language)))
+            .map(|check| format!("{} ({})", title_of_check(check, language), missing(check, language)))
             .collect();
         let noted = remarks(best, "  ", language);
         if !open.is_empty() || !noted.is_empty() {
@@ -147,7 +147,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
     for (index, candidate) in sizing.fitting().iter().take(top).enumerate() {
         let judgement = &candidate.judgement;
         let mass = candidate.parameters.mass.known();
-        let inside = provisos(candidate, |check| check_title(check.id, language));
+        let inside = provisos(candidate, |check| title_of_check(check, language));
         let named = [
             (terms::fits_if_estimate(language), inside.estimates),
             (terms::fits_unless_rating(language), inside.ratings),
@@ -160,7 +160,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
         let advised = by_importance(&judgement.checks)
             .into_iter()
             .filter(|check| check.verdict == Verdict::Advice && !check.is_inside_band())
-            .map(|check| format!("{}: {}", verdict_text(check, language), check_title(check.id, language)));
+            .map(|check| format!("{}: {}", verdict_text(check, language), title_of_check(check, language)));
         remarks.extend(advised);
         if !candidate.on_request.is_empty() {
             remarks.push(terms::on_request(language).to_owned());
@@ -169,7 +169,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
             (index + 1).to_string(),
             candidate.id.to_string(),
             percent(Some(candidate.standing.utilisation), language),
-            judgement.governing().map(|check| check_title(check.id, language)).unwrap_or_default(),
+            judgement.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
             judgement.demand.map(|d| shown(d.torque_rms.si(), &NEWTON_METRE, language)).unwrap_or_default(),
             mass.map(|m| marked(format_number(KILOGRAM.from_si(m.value.si()), 1, language), m.errata))
                 .unwrap_or_default(),
@@ -279,7 +279,7 @@ fn remarks(candidate: &Candidate<'_>, indent: &str, language: Language) -> Strin
             }
             let text = note_text(note, language);
             if !seen.contains(&text) {
-                out.push_str(&paragraph(&format!("{indent}{}: ", check_title(check.id, language)), &text));
+                out.push_str(&paragraph(&format!("{indent}{}: ", title_of_check(check, language)), &text));
                 seen.push(text);
             }
         }
@@ -329,7 +329,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
             _ => missing(check, language),
         };
         table.row([
-            check_title(check.id, language),
+            title_of_check(check, language),
             verdict_text(check, language),
             checked_text(check.id, check.value, language),
             checked_text(check.id, check.limit, language),

@@ -7,8 +7,8 @@ use quantities::Language;
 use questions::texts::{by_importance, checked_text, counts_text, margin_share, verdict_text};
 use questions::{Candidate, Check, CheckId, Direction, Objection, Unmet, Verdict};
 use words::{
-    capitalised, check_missing, check_title, pictures, row_name, terms, unmet_text, verdict_word, without_keys,
-    without_limit,
+    advice_word, capitalised, check_missing, pictures, row_name, terms, title_of_check, unmet_text, verdict_word,
+    without_keys, without_limit,
 };
 
 /// Draws every check of a candidate, in the order of all answers.
@@ -22,9 +22,14 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     for check in &checks {
         chart = chart.bar(bar(check, language));
     }
+    let proviso = candidate.judgement.proviso();
     for verdict in VERDICTS {
         if checks.iter().any(|check| check.verdict == verdict && !check.is_without_limit()) {
-            chart = chart.explain(sign(verdict), verdict_word(verdict, language));
+            let word = match verdict {
+                Verdict::Advice => advice_word(proviso.estimate, proviso.rating, language),
+                verdict => verdict_word(verdict, language),
+            };
+            chart = chart.explain(sign(verdict), word);
         }
     }
     if checks.iter().any(|check| check.is_without_limit()) {
@@ -52,7 +57,7 @@ pub(crate) const fn sign(verdict: Verdict) -> plot::Verdict {
 
 fn bar(check: &Check, language: Language) -> Bar {
     let sign = if check.is_without_limit() { plot::Verdict::NoLimit } else { sign(check.verdict) };
-    let mut bar = Bar::new(capitalised(&check_title(check.id, language)), sign).data("check", check.id.id());
+    let mut bar = Bar::new(capitalised(&title_of_check(check, language)), sign).data("check", check.id.id());
     let numbers = match (check.value, check.limit) {
         (Some(value), Some(limit)) => {
             let shown = checked_text(check.id, Some(value), language);
@@ -110,7 +115,7 @@ fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language)
     let counts = counts_text(candidate, language);
     let head = pictures::checks_counted(&checks.len(), &candidate.id, &counts, language);
     let named =
-        |check: &&Check| Some(format!("{} {}", check_title(check.id, language), percent(check.utilisation?, language)));
+        |check: &&Check| Some(format!("{} {}", title_of_check(check, language), percent(check.utilisation?, language)));
     let counts = |check: &&&Check| check.id.has_margin() || check.verdict == Verdict::Fail;
     let worst: Vec<String> = checks.iter().filter(counts).filter_map(named).take(3).collect();
     if worst.is_empty() {

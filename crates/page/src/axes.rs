@@ -11,7 +11,7 @@ use quantities::{Measure, format_number};
 use questions::list::size::sized;
 use questions::texts::{demand_figures, percent, reason, standing_text};
 use questions::{Candidate, Fit, Patience, Refusal, Rejected, Verdict, power_over_cycle, sum_of_known};
-use words::{capitalised, check_title, page, terms};
+use words::{capitalised, page, terms, title_of_check};
 
 /// Row of an axis in the summary.
 struct Row {
@@ -104,7 +104,7 @@ fn row(state: &State, project: &Project, candidate: &Candidate<'_>) -> Row {
         class: verdict_class(verdict),
         code: candidate.id.to_string(),
         standing: if candidate.fits() { standing } else { format!("{standing}; {}", reason(candidate, l)) },
-        tightest: tightest.map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default(),
+        tightest: tightest.map(|check| capitalised(&title_of_check(check, l))).unwrap_or_default(),
         utilisation: percent(tightest.and_then(|check| check.utilisation), l),
         figures: figures.unwrap_or_default(),
         mass_kg: candidate.parameters.mass.known().map(|mass| KILOGRAM.from_si(mass.value.si())),

@@ -8,8 +8,8 @@ use quantities::{Language, Measure, format_significant};
 use questions::texts::{by_importance, checked_text, margin_share, margin_text, unit_text, verdict_text};
 use questions::{Candidate, Check, Part, Verdict};
 use words::{
-    about_text, capitalised, check_missing, check_title, grade_word, note_text, page, part_title, short_label,
-    source_text, terminal, terms,
+    about_text, capitalised, check_missing, grade_word, note_text, page, part_title, short_label, source_text,
+    terminal, terms, title_of_check,
 };
 
 pub(crate) fn verdict_class(verdict: Verdict) -> &'static str {
@@ -82,7 +82,7 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
             th scope="row" {
                 span.verdict title=(verdict_text(check, l)) { span.unseen { (verdict_text(check, l)) ": " } }
                 button.plain type="button" title=(page::how_it_came_about(l)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
-                    hx-vals=(vals(&[("check", check.id.id())])) { (capitalised(&check_title(check.id, l))) }
+                    hx-vals=(vals(&[("check", check.id.id())])) { (capitalised(&title_of_check(check, l))) }
             }
             td.number { (checked_text(check.id, check.value, l)) }
             td.number { (checked_text(check.id, check.limit, l)) }

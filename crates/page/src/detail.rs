@@ -11,7 +11,7 @@ use questions::texts::{checked_text, margin_share, margin_text, node_amount, tru
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
     ERRATUM_MARK, capitalised, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
-    terminal, terms,
+    terminal, terms, title_of_check,
 };
 
 /// Returns a heading with a button that closes the content below it.
@@ -31,7 +31,7 @@ pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup 
 /// Returns the derivation of a check: both sides, as trees.
 pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Language) -> Markup {
     let found = derivation(check, language);
-    let title = format!("{}: {}", candidate.id, check_title(check.id, language));
+    let title = format!("{}: {}", candidate.id, title_of_check(check, language));
     let inside = html! {
         p class=(verdict_class(check.verdict)) { (capitalised(&verdict_text(check, language))) @if margin_share(check).is_some() { ", " (margin_text(check, language)) " %" } }
         @if let Some(missing) = check.missing { p.unchecked { (page::to_be_checked_state(language)) " " (check_missing(missing, language)) } }

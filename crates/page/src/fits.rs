@@ -13,7 +13,7 @@ use quantities::{Language, Measure, format_number};
 use questions::texts::{fitting_text, percent, reason, standing_text};
 use questions::{Candidate, CandidateId, Fit, Sizing, Verdict};
 use std::collections::BTreeSet;
-use words::{capitalised, check_title, marked, page, ranking_rule, terminal, terms};
+use words::{capitalised, marked, page, ranking_rule, terminal, terms, title_of_check};
 
 /// Number of fitting actuators above the fold.
 const BEST_SHOWN: usize = 12;
@@ -252,7 +252,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
     let errata = candidate.parameters.mass.known().map_or(&[][..], |mass| mass.errata);
     // The ids alone: the text of an erratum in each row weighs more than the row.
     let doubted = errata.join(", ");
-    let tightest = candidate.governing().map(|check| capitalised(&check_title(check.id, l))).unwrap_or_default();
+    let tightest = candidate.governing().map(|check| capitalised(&title_of_check(check, l))).unwrap_or_default();
     let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Advice).count();
     let open = candidate.open_questions();
     let is_marked = |code: &order_code::OrderCode| state.marked.contains(code);

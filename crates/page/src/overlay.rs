@@ -8,7 +8,7 @@ use project::Project;
 use quantities::{Language, Measure, format_significant};
 use questions::texts::by_importance;
 use questions::{Candidate, Check, moves};
-use words::{capitalised, check_title, law_text, page};
+use words::{capitalised, law_text, page, title_of_check};
 
 /// Returns the slider of the instant of all pictures, and the controls of their time window.
 pub(crate) fn controls(until_s: f64, is_narrowed: bool, language: Language) -> Markup {
@@ -68,7 +68,7 @@ pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
         @if !worst.is_empty() {
             div.marks-row role="group" aria-label=(page::worst_instants(l)) {
                 @for (place, each) in worst.iter().enumerate() {
-                    @let names = each.checks.iter().map(|check| check_title(check.id, l)).collect::<Vec<_>>().join(", ");
+                    @let names = each.checks.iter().map(|check| title_of_check(check, l)).collect::<Vec<_>>().join(", ");
                     @let first = each.checks.first().map(|check| check.id.id()).unwrap_or_default();
                     @let title = format!("{}: {}", page::worst_instant(&format_significant(each.at_s, 3, l), l), names);
                     @let class = each.checks.first().map(|check| verdict_class(check.verdict)).unwrap_or_default();

@@ -76,6 +76,7 @@ fn cases() -> Vec<(&'static str, String, At)> {
         ("unknown_key", more("[loads]\n"), Text),
         ("key_of_another_kind", segments(&["law = \"dwell\"\ntime = \"1 s\"\nspeed = \"1 1/min\""]), Field("motion[1].speed")),
         ("outside_the_axes", format!("{HEAD}{LOAD}[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n"), Text),
+        ("axis_named_twice", HEAD.to_owned() + &"[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n".repeat(2), Text),
         ("bare_number", inertia("1.3"), Field("load.inertia")),
         ("quantity_empty", inertia("\"\""), Field("load.inertia")),
         ("number_missing", inertia("\"kg m^2\""), Field("load.inertia")),
@@ -286,7 +287,7 @@ fn no_fault_hides_another() {
             let of_the_whole = match part {
                 "load" => of_a_whole_load.contains(&id),
                 "motion" => id == "motion_without_duration",
-                _ => id == "outside_the_axes",
+                _ => id == "outside_the_axes" || id == "axis_named_twice",
             };
             if with_both == text || of_the_whole {
                 continue;

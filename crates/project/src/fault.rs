@@ -49,6 +49,15 @@ pub enum Fault {
         /// Key.
         key: &'static str,
     },
+    /// An axis with the name of another one.
+    AxisNamedTwice {
+        /// Name.
+        name: String,
+        /// Path of the name of the first axis: `axis[1].name`.
+        first: String,
+        /// Line of the name of the first axis.
+        line: usize,
+    },
     /// One axis is required, the file has several.
     OneAxisOnly,
     /// Further faults that are counted only.
@@ -383,6 +392,7 @@ impl Fault {
             Self::UnknownKey { .. } => "unknown_key",
             Self::KeyOfAnotherKind { .. } => "key_of_another_kind",
             Self::OutsideTheAxes { .. } => "outside_the_axes",
+            Self::AxisNamedTwice { .. } => "axis_named_twice",
             Self::OneAxisOnly => "one_axis_only",
             Self::More { .. } => "more_faults",
             Self::BareNumber { .. } => "bare_number",

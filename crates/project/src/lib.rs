@@ -95,13 +95,14 @@ use ::motion::{Alternating, MadeUp, Motion, Remark, RestNoise, Spline, Spurious,
 use bodies::together;
 use configurator::Requirements;
 use order_code::{Option1, Option2};
-use read::Reader;
+use read::{Reader, WORD_SHOWN, shortened};
 use recorded::Recordings;
 use requirements::RequirementsSection;
-use root::{AxisSection, Root};
+use root::{AxisSection, OneOfSeveral, Root};
 use section::{Fields, Section};
 use sizing::{Axis, BearingDuty, BrakeTimes};
-use stated::Field;
+use stated::{Field, Stated};
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 use value::OneOrMany;
 
@@ -409,6 +410,7 @@ impl Project {
             for field in root.parts.fields().into_iter().filter(|field| field.is_written()) {
                 reader.fault(field.span(), Fault::OutsideTheAxes { key: field.name() }, None);
             }
+            named_apart(&several, &mut reader);
             let build = |(index, axis)| {
                 let axis = AxisSection::of_several(axis);
                 Self::build(axis, Some(index), (&mut recordings, own.as_ref(), choose), &mut reader)
@@ -475,6 +477,30 @@ impl Project {
         let axis = finish(&root, draft);
         let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
         Some(Self { axis, root, assumptions, ..self.clone() })
+    }
+}
+
+/// Reports axes with the name of an earlier one, each with the nearest free name.
+fn named_apart(axes: &[OneOfSeveral], reader: &mut Reader<'_>) {
+    let mut known: HashMap<&str, &Stated<String>> = HashMap::new();
+    let names: HashSet<&str> = axes.iter().filter_map(|axis| Some(axis.name.get()?.trim())).collect();
+    let mut proposed: HashSet<String> = HashSet::new();
+    for field in axes.iter().map(|axis| &axis.name) {
+        let Some(name) = field.get().map(|name| name.trim()) else { continue };
+        let Some(first) = known.get(name) else {
+            let _ = known.insert(name, field);
+            continue;
+        };
+        let line = reader.text.get(..first.span().start).unwrap_or_default().matches('\n').count() + 1;
+        let fault = Fault::AxisNamedTwice { name: shortened(name, WORD_SHOWN), first: first.path(), line };
+        let free = (2_usize..)
+            .map(|number| format!("{name} {number}"))
+            .find(|free| !names.contains(free.as_str()) && !proposed.contains(free));
+        let hint = free.map(|free| {
+            let _ = proposed.insert(free.clone());
+            Hint::DidYouMean(free)
+        });
+        reader.fault(field.span(), fault, hint);
     }
 }
 

@@ -24,8 +24,8 @@ use quantities::{Language, Measure, Time, Unit, format_number, format_significan
 use recording::{ColumnRead, KnownBy};
 use sizing::{Amount, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought};
 use words::{
-    Provisos, check_title, describe_rule, encoding_guess, grade_word, marked, percent_text, proviso_text, records,
-    source_text, symbol_term, terminal, unmet_text, unpadded,
+    Provisos, conditions_text, describe_rule, encoding_guess, grade_word, marked, percent_text, proviso_text, records,
+    source_text, symbol_term, terminal, title_of_check, unmet_text, unpadded,
 };
 
 /// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power.
@@ -47,7 +47,7 @@ pub fn provisos(candidate: &Candidate<'_>, named: impl Fn(&Check) -> String) -> 
 /// Returns the title of a check with its utilisation.
 #[must_use]
 pub fn named_text(check: &Check, language: Language) -> String {
-    let title = check_title(check.id, language);
+    let title = title_of_check(check, language);
     match check.utilisation {
         Some(share) => format!("{title} {} %", percent(Some(share), language)),
         None => title,
@@ -67,7 +67,12 @@ pub fn fitting_text(sizing: &Sizing<'_>, language: Language) -> String {
     let judged = terminal::judged(fit, &sizing.candidates.len(), language);
     match if_estimate {
         0 => judged,
-        more => format!("{judged}, {}", terminal::more_if_estimate(more, language)),
+        more => {
+            let provisos = || sizing.fitting().iter().map(|candidate| candidate.judgement.proviso());
+            let (estimate, rating) = (provisos().any(|it| it.estimate), provisos().any(|it| it.rating));
+            let condition = conditions_text(estimate, rating, language);
+            format!("{judged}, {}", terminal::more_on_condition(more, &condition, language))
+        }
     }
 }
 
@@ -102,7 +107,7 @@ pub struct Rejections<'s, 'p> {
 /// Returns a reason without the figures of the individual actuator.
 fn reason_title(reason: &Reason<'_>, language: Language) -> String {
     let objection = match reason {
-        Reason::Check(check) => return check_title(check.id, language),
+        Reason::Check(check) => return title_of_check(check, language),
         Reason::Objection(objection) => objection,
     };
     let text = match objection {
@@ -215,7 +220,7 @@ pub fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language
 pub fn reason(candidate: &Candidate<'_>, language: Language) -> String {
     let reason = candidate.reason();
     if let Some(Reason::Check(check)) = reason {
-        return format!("{}: {}", check_title(check.id, language), excess_text(check, language));
+        return format!("{}: {}", title_of_check(check, language), excess_text(check, language));
     }
     match reason {
         Some(Reason::Objection(objection)) => objection_text(candidate, objection, language),

@@ -344,3 +344,26 @@ fn a_reserve_fits_as_it_is_printed() {
     }
     assert!(loads > 15 && paces > 8 && alone > 0, "{loads} loads, {paces} paces, {alone} by a rating alone");
 }
+
+/// The counting line names the conditions of the candidates that it counts: an estimate, a gear rating of another
+/// manufacturer, or both; the legend of the checks does so for one candidate.
+#[test]
+fn the_counting_line_names_what_the_counted_rest_on() {
+    let (mut estimates, mut ratings) = (0, 0);
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples")).unwrap() {
+        let text = std::fs::read_to_string(entry.unwrap().path()).unwrap_or_default();
+        let Ok(project) = questions::read(&text) else { continue };
+        let sizing = questions::size(&project);
+        let found: Vec<sizing::Proviso> =
+            sizing.fitting().iter().map(|candidate| candidate.judgement.proviso()).collect();
+        let (estimate, rating) = (found.iter().any(|it| it.estimate), found.iter().any(|it| it.rating));
+        let line = questions::texts::fitting_text(&sizing, quantities::Language::En);
+        assert_eq!(line.contains("an estimate holds"), estimate, "{line}");
+        assert_eq!(line.contains("gear rating of another manufacturer"), rating, "{line}");
+        let line = questions::texts::fitting_text(&sizing, quantities::Language::De);
+        assert_eq!(line.contains("Getriebegrenze eines anderen Herstellers"), rating, "{line}");
+        estimates += usize::from(estimate);
+        ratings += usize::from(rating);
+    }
+    assert!(estimates > 5 && ratings > 0, "{estimates} {ratings}");
+}

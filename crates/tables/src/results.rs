@@ -8,7 +8,7 @@ use questions::texts::{by_importance, margin_share, verdict_of, verdict_text};
 use questions::{Candidate, Check, CheckId, Demand, Direction, Verdict};
 use words::{
     Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
-    without_keys,
+    title_of_check, without_keys,
 };
 
 /// Returns identifier and word of the verdict on a whole candidate.
@@ -131,7 +131,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             Cell::text(candidate.id.to_string()),
             fits(candidate, l),
             utilisation,
-            candidate.governing().map_or(Cell::Empty, |check| Cell::Word(check.id.id(), check_title(check.id, l))),
+            candidate.governing().map_or(Cell::Empty, |check| Cell::Word(check.id.id(), title_of_check(check, l))),
             margin,
             Cell::in_unit(data.mass.known().map(|known| known.value.si()), &KILOGRAM),
             Cell::in_unit(data.length.known().map(|known| known.value.si()), &MILLIMETRE),
@@ -237,7 +237,7 @@ fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
     vec![
         Cell::text(code),
         Cell::text(check.id.id()),
-        Cell::text(check_title(check.id, l)),
+        Cell::text(title_of_check(check, l)),
         Cell::Word(check.verdict.id(), verdict_text(check, l)),
         figure(check.value),
         figure(check.limit),

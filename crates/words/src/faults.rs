@@ -78,6 +78,10 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "with several axes `{key}` belongs inside [[axis]]"
             | "bei mehreren Achsen gehört `{key}` in [[axis]]"
         ),
+        Fault::AxisNamedTwice { name, first, line } => said!(language =>
+            "\"{name}\" is the name of `{first}` in line {line} as well"
+            | "\"{name}\" ist bereits der Name von `{first}` in Zeile {line}"
+        ),
         Fault::OneAxisOnly => said!(language =>
             "a single axis is required, the file has several"
             | "erforderlich ist eine einzelne Achse, die Datei enthält mehrere"

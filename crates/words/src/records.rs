@@ -18,6 +18,10 @@ texts! {
     cable_of(role) = "cable of the {role}" | "Leitung, {role}";
     cable_to_choose(cable, goal, lengths) = "{cable}; for {goal}; length {lengths}" | "{cable}; für {goal}; Länge {lengths}";
     length_code(letters) = "{letters} by the drive manufacturer" | "{letters} nach Angabe des Reglerherstellers";
+    number_in_doubt =
+        "number in doubt, ask before ordering"
+        | "Nummer zweifelhaft, vor der Bestellung nachfragen";
+    number_corrected = "with a print error corrected" | "mit berichtigtem Druckfehler";
     by_choice = "as required" | "wahlweise";
     transmits(torque) = "transmits {torque}" | "überträgt {torque}";
     no_such_erratum(text) =

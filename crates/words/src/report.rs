@@ -253,7 +253,9 @@ texts! {
         "Dashed bar: the limit is a gear rating of another manufacturer, not of this actuator; it rejects no actuator."
         | "Gestrichelter Balken: Die Grenze ist die eines Getriebes eines anderen Herstellers, nicht dieses Antriebs; sie schließt keinen Antrieb aus.";
     v_open_points = "The result is valid only after the open points have been settled." | "Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
-    fitting_if_estimate = "more if an estimate holds" | "weitere, sofern eine Schätzung zutrifft";
+    fitting_if_estimate =
+        "more if an estimate holds or the gear rating of another manufacturer does not apply"
+        | "weitere, sofern eine Schätzung zutrifft oder die Getriebegrenze eines anderen Herstellers nicht gilt";
     nothing_to_order =
         "Nothing is ordered: the actuator does not fit."
         | "Nichts zu bestellen: der Antrieb ist nicht geeignet.";

@@ -8,8 +8,8 @@ use configurator::Unmet;
 use order_code::Brake;
 use provenance::{CellRef, Grade, MANUAL, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, MINUTE, VOLT};
-use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
-use sizing::{CheckId, Fit, Part, Verdict};
+use quantities::{Dimension, Language, Measure, Time, Unit, format_number, format_significant};
+use sizing::{Check, CheckId, Fit, Part, Verdict};
 
 /// Returns the title of a part of the actuator above its checks.
 #[must_use]
@@ -26,6 +26,18 @@ pub const fn part_title(part: Part, language: Language) -> &'static str {
         Part::Environment => ("Place of installation", "Aufstellort"),
     };
     pick(language, en, de)
+}
+
+/// Returns the title of a check as made: that of the brake compares its torque or the number of its applications.
+#[must_use]
+pub fn title_of_check(check: &Check, language: Language) -> String {
+    let counts = check.value.is_some_and(|value| value.unit.dimension == Dimension::Ratio);
+    match check.id {
+        CheckId::BrakeHolding if counts => {
+            pick(language, "brake, number of applications", "Anzahl der Bremsungen").to_owned()
+        }
+        id => check_title(id, language),
+    }
 }
 
 /// Returns the title of a check.
@@ -172,6 +184,35 @@ pub fn proviso_text(estimate: bool, rating: bool, language: Language) -> Option<
         (true, false) => Some(terminal::if_the_estimate_holds(language)),
         (false, true) => Some(terminal::unless_the_rating_applies(language)),
         (true, true) => Some(terminal::if_the_estimate_holds_and_no_rating_applies(language)),
+    }
+}
+
+/// Returns the conditions under which several candidates fit, each under one or both: that an estimate holds, that a
+/// gear rating of another manufacturer does not apply. Of candidates whose conditions are not known both are named.
+#[must_use]
+pub fn conditions_text(estimate: bool, rating: bool, language: Language) -> &'static str {
+    match (estimate, rating) {
+        (true, false) => terminal::if_an_estimate_holds(language),
+        (false, true) => terminal::unless_the_rating_applies(language),
+        (true, true) | (false, false) => terminal::if_an_estimate_holds_or_no_rating_applies(language),
+    }
+}
+
+/// Returns the word for the advice of checks, with the basis of those beyond an estimate or a gear rating of another
+/// manufacturer.
+#[must_use]
+pub fn advice_word(estimate: bool, rating: bool, language: Language) -> String {
+    let word = verdict_word(Verdict::Advice, language);
+    match (estimate, rating) {
+        (false, false) => word,
+        (true, false) => said!(language => "{word} (estimate)" | "{word} (Schätzung)"),
+        (false, true) => said!(language =>
+            "{word} (gear rating of another manufacturer)" | "{word} (Getriebegrenze eines anderen Herstellers)"
+        ),
+        (true, true) => said!(language =>
+            "{word} (estimate, gear rating of another manufacturer)"
+            | "{word} (Schätzung, Getriebegrenze eines anderen Herstellers)"
+        ),
     }
 }
 

@@ -13,8 +13,8 @@ texts! {
         "an actuator fits: {rows} row ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeile ({share} %)",
         "an actuator fits: {rows} rows ({share} %)" | "ein Antrieb ist geeignet: {rows} Zeilen ({share} %)";
     fitting_if_estimate(rows, share) =
-        "{rows} of them only if an estimate holds ({share} %)"
-        | "davon {rows} nur, sofern eine Schätzung zutrifft ({share} %)";
+        "{rows} of them only if an estimate holds or the gear rating of another manufacturer does not apply ({share} %)"
+        | "davon {rows} nur, sofern eine Schätzung zutrifft oder die Getriebegrenze eines anderen Herstellers nicht gilt ({share} %)";
     none_fits(rows, share) =
         "none fits: {rows} row ({share} %)" | "keiner ist geeignet: {rows} Zeile ({share} %)",
         "none fits: {rows} rows ({share} %)" | "keiner ist geeignet: {rows} Zeilen ({share} %)";

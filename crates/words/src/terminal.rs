@@ -228,11 +228,15 @@ texts! {
         | "{total} Antriebe bewertet, 1 geeignet",
         "{total} actuators evaluated, {fitting} fit"
         | "{total} Antriebe bewertet, {fitting} geeignet";
-    more_if_estimate(count) =
-        "{count} more fits if an estimate holds"
-        | "{count} weiterer, sofern eine Schätzung zutrifft",
-        "{count} more fit if an estimate holds"
-        | "{count} weitere, sofern eine Schätzung zutrifft";
+    more_on_condition(count, condition) =
+        "{count} more fits {condition}"
+        | "{count} weiterer, {condition}",
+        "{count} more fit {condition}"
+        | "{count} weitere, {condition}";
+    if_an_estimate_holds = "if an estimate holds" | "sofern eine Schätzung zutrifft";
+    if_an_estimate_holds_or_no_rating_applies =
+        "if an estimate holds or the gear rating of another manufacturer does not apply"
+        | "sofern eine Schätzung zutrifft oder die Getriebegrenze eines anderen Herstellers nicht gilt";
     if_the_estimate_holds = "if the estimate holds" | "sofern die Schätzung zutrifft";
     unless_the_rating_applies =
         "unless the gear rating of another manufacturer applies"

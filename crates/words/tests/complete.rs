@@ -414,6 +414,7 @@ fn other_faults() -> Vec<Fault> {
         Fault::UnknownKey { path: path() },
         Fault::KeyOfAnotherKind { path: path(), by: "law", kind: word() },
         Fault::OutsideTheAxes { key: "load" },
+        Fault::AxisNamedTwice { name: word(), first: path(), line: 3 },
         Fault::OneAxisOnly,
         Fault::More { count: 1 },
         Fault::More { count: 2 },

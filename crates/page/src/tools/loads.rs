@@ -11,7 +11,7 @@ use quantities::Language;
 use questions::list::bearing::{bearing_checks, bearing_of_each_size};
 use questions::texts::{checked_text, margin_text, percent, unit_text, verdict_text};
 use questions::{Candidate, Unread, Verdict, read_all_watched, read_code};
-use words::{about_text, capitalised, check_title, grade_word, page, short_label, source_text, terminal, terms};
+use words::{about_text, capitalised, grade_word, page, short_label, source_text, terminal, terms, title_of_check};
 
 /// Keys of the form, with their initial values.
 const KEYS: [(&str, &str); 8] = [
@@ -98,7 +98,7 @@ fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Langu
             summary {
                 (capitalised(terminal::size(l))) " " (size) ": "
                 @match worst {
-                    Some(check) => span.fail { (terms::does_not_fit(l)) ", " (check_title(check.id, l)) @if check.utilisation.is_some() { " " (percent(check.utilisation, l)) " %" } },
+                    Some(check) => span.fail { (terms::does_not_fit(l)) ", " (title_of_check(check, l)) @if check.utilisation.is_some() { " " (percent(check.utilisation, l)) " %" } },
                     None => span.pass { (terms::fits(l)) },
                 }
                 @if open > 0 { ", " span.unchecked { (terms::not_checked(l)) ": " (open) } }
@@ -106,7 +106,7 @@ fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Langu
             div.wide tabindex="0" { table.checks {
                 thead { tr { @for head in heads { th scope="col" { (crate::tip::of_word(head, l)) } } } }
                 tbody { @for check in bearing_checks(candidate) { tr class=(verdict_class(check.verdict)) {
-                    th scope="row" { (capitalised(&check_title(check.id, l))) }
+                    th scope="row" { (capitalised(&title_of_check(check, l))) }
                     td { span.verdict { (verdict_text(check, l)) } }
                     td.number { (checked_text(check.id, check.value, l)) } td.number { (checked_text(check.id, check.limit, l)) }
                     td { (unit_text(check.value, l)) } td.number { (margin_text(check, l)) }

@@ -7,7 +7,7 @@ use project::Project;
 use quantities::unit::{NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Amount, Check, Demand, ManualDemand, Note};
-use words::{assumption_text, check_title, note_text, source_text};
+use words::{assumption_text, note_text, source_text, title_of_check};
 
 /// Returns one check.
 #[must_use]
@@ -20,7 +20,7 @@ pub fn check(check: &Check, language: Language) -> answers::Check {
         .collect();
     answers::Check {
         id: Id(check.id),
-        title: check_title(check.id, language),
+        title: title_of_check(check, language),
         verdict: Id(check.verdict),
         value: number(check.value),
         limit: number(check.limit),

@@ -20,8 +20,8 @@ use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number};
 use sizing::{Check, Reserve};
 use words::{
-    Counts, capitalised, check_missing, check_title, describe_token, document_note, document_title, records, short,
-    source_text, terms, unpadded, wiring,
+    Counts, capitalised, check_missing, describe_token, document_note, document_title, records, short, source_text,
+    terms, title_of_check, unpadded, wiring,
 };
 
 /// Collects all results for an axis and the chosen actuator.
@@ -143,7 +143,7 @@ fn errata(
         });
         for id in check.workings.iter().flat_map(|step| step.errata.iter().copied()).chain(noted) {
             if found.iter().all(|known| known.erratum.id != id) {
-                found.push(ErratumUsed { erratum: cited(id, language), check: check_title(check.id, language) });
+                found.push(ErratumUsed { erratum: cited(id, language), check: title_of_check(check, language) });
             }
         }
     }
@@ -203,7 +203,14 @@ fn connected(
 ) {
     let source = |cell: &'static catalogue::Cell| {
         let place = source_text(&Source::Cell(&cell.place), language);
-        [place].into_iter().chain(cell.errata.iter().map(|id| (*id).to_owned())).collect::<Vec<_>>().join("; ")
+        let is_doubtful = catalogue::errata()
+            .iter()
+            .any(|erratum| cell.errata.contains(&erratum.id) && erratum.kind == catalogue::ErratumKind::Contradiction);
+        match (cell.errata.is_empty(), is_doubtful) {
+            (true, _) => place,
+            (false, true) => format!("{place}; {}", records::number_in_doubt(language)),
+            (false, false) => format!("{place}; {}", records::number_corrected(language)),
+        }
     };
     for connector in &found.connectors {
         let Some(number) = connector.mating else { continue };
@@ -267,5 +274,50 @@ fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::S
         // The source states the condition: degreased faces.
         text: records::transmits(&transmitted, language),
         source: joint.transmissible_torque.known().map(|known| source_text(&known.source, language)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parts of every ordering code are read by persons: no source names an erratum by its id.
+    #[test]
+    fn the_parts_list_names_no_ids() {
+        let (mut marked, mut lines) = (0, 0);
+        for (code, _) in configurator::actuators(false) {
+            let Some(found) = installation::wiring::wiring(code) else { continue };
+            for language in Language::ALL {
+                let mut add = |_: String, _: String, _: String, source: Option<String>| {
+                    let source = source.unwrap_or_default();
+                    let named = catalogue::errata().iter().find(|erratum| source.contains(erratum.id));
+                    assert!(named.is_none(), "{code}: {source}");
+                    marked += usize::from(source.contains(records::number_in_doubt(language)));
+                    lines += 1;
+                };
+                connected(&found, &mut add, language);
+            }
+        }
+        assert!(marked > 0 && lines > 1000, "{marked} of {lines}");
+    }
+
+    /// Where the number of brakings governs, the check of the brake is titled by it; with a short life by its torque.
+    #[test]
+    fn the_check_of_the_brake_is_titled_by_what_it_compares() {
+        for (life, is_number) in [("1 h", false), ("500000 h", true)] {
+            let text = format!(
+                "format = 1\n[mechanism.screw]\nlead = \"10 mm\"\nmass = \"20 kg\"\ninclination = \"90 deg\"\n[[motion]]\n\
+                 law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n\
+                 hold = \"brake\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"-90 deg\"\ntime = \"1 s\"\n\
+                 [requirements]\nbrake = true\nservice_life = \"{life}\"\n"
+            );
+            let Ok(project) = crate::read(&text) else { panic!("{text}") };
+            let sizing = crate::size(&project);
+            let of_size_20 = |each: &&Candidate<'_>| each.id.to_string() == "CHA-20A-30-H-C1024-B";
+            let checks = sizing.candidates.iter().filter(of_size_20).flat_map(|each| &each.judgement.checks);
+            let held = checks.into_iter().find(|check| check.id == sizing::CheckId::BrakeHolding);
+            let title = held.map(|held| check(held, Language::En).title.clone()).unwrap_or_default();
+            assert_eq!(title, if is_number { "brake, number of applications" } else { "brake, holding torque" });
+        }
     }
 }
