@@ -116,6 +116,8 @@ pub(crate) fn held(time: &[f64], values: &[f64]) -> Option<f64> {
 struct Updates {
     time: Vec<f64>,
     values: Vec<f64>,
+    /// The changes do not follow an even grid.
+    is_irregular: bool,
 }
 
 /// A change of a held value.
@@ -181,7 +183,7 @@ impl Updates {
     /// through the middles between the row of a change and the row before, with one interval for all stretches;
     /// otherwise at these middles. A value that stays for longer is at rest in between, unless an update is lost.
     fn at(time: &[f64], values: &[f64], period: f64, stretches: &[Vec<Change>], is_even: bool) -> Self {
-        let mut found = Self { time: Vec::new(), values: Vec::new() };
+        let mut found = Self { time: Vec::new(), values: Vec::new(), is_irregular: !is_even };
         let (Some(first), Some(end)) = (time.first().zip(values.first()), time.last()) else { return found };
         let means: Vec<[f64; 2]> = stretches
             .iter()
@@ -202,7 +204,9 @@ impl Updates {
         let count = about().count().max(1) as f64;
         let scatter = (about().map(|(n, t)| (t - period * n).powi(2)).sum::<f64>() / count).sqrt();
         let row = median_interval(time);
-        let slack = if scatter > SCATTER_OF_ROWS * row { 3.0 * scatter } else { 0.5 * row };
+        let is_scattered = scatter > SCATTER_OF_ROWS * row;
+        found.is_irregular |= is_scattered;
+        let slack = if is_scattered { 3.0 * scatter } else { 0.5 * row };
         let mut updates: Vec<(f64, f64)> = Vec::with_capacity(count as usize + 1);
         for (stretch, [mean_n, mean_t]) in stretches.iter().zip(&means) {
             for change in stretch {
@@ -299,13 +303,16 @@ pub(crate) struct Interpolated {
     pub(crate) update_s: Vec<f64>,
     /// Positions at the updates \[rad\].
     pub(crate) updated: Vec<f64>,
+    /// The updates do not follow an even grid.
+    pub(crate) is_irregular: bool,
 }
 
 /// Returns a held position and its speed at each row, from one sample for each update; `None` if it is not held.
 pub(crate) fn interpolated_position(time: &[f64], values: &[f64]) -> Option<Interpolated> {
     let updates = Updates::new(time, values, held(time, values)?, false);
     let (position, speed) = updates.at_rows(time, Some(&slopes(&updates.time, &updates.values)));
-    Some(Interpolated { position, speed, update_s: updates.time, updated: updates.values })
+    let is_irregular = updates.is_irregular;
+    Some(Interpolated { position, speed, update_s: updates.time, updated: updates.values, is_irregular })
 }
 
 /// Returns the values of a held column at each row, straight between its updates; `None` if it is not held.
@@ -318,6 +325,8 @@ pub(crate) struct Updated {
     pub(crate) time: Vec<f64>,
     pub(crate) speed: Vec<f64>,
     pub(crate) position: Option<Vec<f64>>,
+    /// The updates do not follow an even grid.
+    pub(crate) is_irregular: bool,
 }
 
 impl Updated {
@@ -325,7 +334,10 @@ impl Updated {
     pub(crate) fn new(time: &[f64], values: &[f64]) -> Option<(Vec<f64>, Self)> {
         let updates = Updates::new(time, values, held(time, values)?, true);
         let rows = updates.at_rows(time, None).0;
-        Some((rows, Self { time: updates.time, speed: updates.values, position: None }))
+        Some((
+            rows,
+            Self { time: updates.time, speed: updates.values, position: None, is_irregular: updates.is_irregular },
+        ))
     }
 
     /// Returns the rows at which the axis is at rest with noise: between two rows the noise of a held speed is straight, and

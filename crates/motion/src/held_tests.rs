@@ -13,6 +13,8 @@ enum Source {
     Losing(usize),
     /// Updates are lost at random.
     LosingAtRandom,
+    /// Values of instants between the rows, up to a row beside an even grid.
+    Between,
     /// Every update arrives in time.
     Even,
 }
@@ -31,6 +33,7 @@ fn held_by(source: Source, rows: f64, h: f64, time: &[f64], value: impl Fn(f64) 
     for update in 1_usize.. {
         let nominal = update as f64 * rows;
         let jitter = if source.is_jittering() { (1.5 * noise.next()).round() } else { 0.0 };
+        let jitter = if source == Source::Between { noise.next() } else { jitter };
         let row = ((nominal + jitter).ceil() as usize).max(last + 1);
         if row >= time.len() {
             break;
@@ -41,7 +44,13 @@ fn held_by(source: Source, rows: f64, h: f64, time: &[f64], value: impl Fn(f64) 
             continue;
         }
         values[last..row].fill(current);
-        current = value(h * if source == Source::LateSample { row as f64 } else { nominal });
+        current = value(
+            h * match source {
+                Source::LateSample => row as f64,
+                Source::Between => nominal + jitter,
+                _ => nominal,
+            },
+        );
         last = row;
     }
     values[last..].fill(current);
@@ -242,6 +251,38 @@ fn constant_columns_are_no_fault() {
             let found = treated(samples, HeldValues::Kept, smoothing);
             assert_eq!(found.made_up(), None);
             assert_eq!((found.rest_noise(), found.alternating(), found.remarks()), (None, None, &[][..]));
+        }
+    }
+}
+
+/// Values of instants between the rows, early or late, keep an error of up to half a row in time: it is named, with the
+/// window that takes it out.
+#[test]
+fn updates_at_instants_between_the_rows_are_named() {
+    let mut noise = Noise(3);
+    for law in Law::ALL {
+        let cycle = Cycle { law, way: 1.5, rest: 0.3 };
+        for (h, rows) in [(0.002, 4.0), (0.001, 5.0), (0.001, 10.0), (0.0005, 8.0)] {
+            let time = cycle.rows(h);
+            for is_speed in [true, false] {
+                let exact = |t: f64| cycle.at(t)[usize::from(is_speed)];
+                let values = held_by(Source::Between, rows, h, &time, exact, &mut noise);
+                let found = treated(column(&time, &values, is_speed), HeldValues::Interpolated, None);
+                let excess = accelerations(&found).0 / cycle.peak() - 1.0;
+                let what = format!("{law:?} h {h} rows {rows} speed {is_speed}: {excess} {:?}", found.made_up());
+                let Some(MadeUp { cause: Spurious::Updates { smoothing_s }, acceleration_rad_s2, .. }) =
+                    found.made_up()
+                else {
+                    assert!(excess < 0.25, "{what}");
+                    continue;
+                };
+                assert!(acceleration_rad_s2 > 0.6 * excess * cycle.peak(), "{what}");
+                let Some(smoothing) = smoothing_s.map(Time::from_si) else { continue };
+                let smooth = treated(column(&time, &values, is_speed), HeldValues::Interpolated, Some(smoothing));
+                let (peak, rms) = accelerations(&smooth);
+                let (peak, rms) = (peak / cycle.peak(), rms / cycle.rms());
+                assert!(peak < 1.1 && (0.85..1.02).contains(&rms), "{what}: {peak} {rms} with {smoothing:?}");
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::examination::Stamps;
 use crate::faults::RecordedFault;
 use crate::held::{Interpolated, Updated, held, interpolated, interpolated_position};
 use crate::remarks::{Remark, of_stamps, of_standstill};
-use crate::resolution::{MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, median_interval};
+use crate::resolution::{MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_updates, median_interval};
 use crate::smoothing::smooth;
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::threshold::set_to_rest;
@@ -320,11 +320,11 @@ impl Course {
         let has_held_position = held.is_some();
         let mut end_errors = (0.0, 0.0);
         let (position, slope) = match held {
-            Some(Interpolated { position, speed: slope, update_s, updated: at }) => {
+            Some(Interpolated { position, speed: slope, update_s, updated: at, is_irregular }) => {
                 end_errors = (slope_error(&update_s, &at, 0.0), slope_error_at_end(&update_s, &at, 0.0));
                 if speed.is_none() {
                     let speed = slopes(&update_s, &at);
-                    updated = Some(Updated { time: update_s, speed, position: Some(at) });
+                    updated = Some(Updated { time: update_s, speed, position: Some(at), is_irregular });
                 }
                 (Some(Arc::new(position)), Some(slope))
             }
@@ -405,8 +405,11 @@ impl Course {
         }
         // Of interpolated values the steps lie between the updates.
         match &self.updated {
-            Some(Updated { time, speed, position }) => {
-                made_up(time, position.as_ref().unwrap_or(speed), column, window)
+            Some(Updated { time: updates, speed, position, is_irregular }) => {
+                let values = position.as_ref().unwrap_or(speed);
+                let known = (median_interval(time), own.largest_acceleration());
+                let by_updates = || made_up_by_updates((updates, values), column, window, known);
+                made_up(updates, values, column, window).or_else(|| is_irregular.then(by_updates).flatten())
             }
             None => made_up(time, values, column, window),
         }

@@ -16,6 +16,9 @@ const ROUGH: f64 = 0.5;
 /// Smallest spurious acceleration that is reported, relative to that of the motion.
 pub(crate) const NOTABLE: f64 = 0.05;
 
+/// Excess of the largest acceleration over that of the motion from which irregular updates are reported, relative to it.
+const EXCESS: f64 = 0.15;
+
 /// Column that causes a spurious acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SteppedColumn {
@@ -40,6 +43,12 @@ pub enum Spurious {
     Held {
         /// Period at which the values are updated \[s\].
         period_s: f64,
+    },
+    /// Held values are updated at irregular instants, which are known to within a row.
+    Updates {
+        /// Width of a smoothing window that reduces the spurious acceleration to a twentieth of the motion's, if there
+        /// is one \[s\].
+        smoothing_s: Option<f64>,
     },
     /// The time stamps scatter, the rows are evenly spaced.
     Stamps {
@@ -143,46 +152,94 @@ pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, windo
     if step == 0.0 || !is_rough(values, step, order) {
         return None;
     }
+    let rounded = Rounded { time, values, column, step, window_s };
     let h = median_interval(time);
-    let deviation = step / 12.0_f64.sqrt();
-    let smoothed = |window: f64| match column {
-        SteppedColumn::Position => 4.0 * 8.5 * deviation / (window * window),
-        SteppedColumn::Speed => 4.0 * 2.1 * deviation / window,
-    };
-    let plain = |apart: f64| match column {
-        SteppedColumn::Position => step / (apart * apart),
-        SteppedColumn::Speed => step / apart,
-    };
-    let acceleration = window_s.map_or_else(|| plain(h), |window| smoothed(window).min(plain(h)));
-    // The distance of the samples is doubled until the steps are a tenth of the motion between them.
-    let mut apart = 1;
-    let motion = loop {
-        let found = largest_acceleration(time, values, column, apart);
-        if 2.0 * plain(apart as f64 * h) <= 0.1 * found || 6 * apart >= values.len() {
-            break found;
+    let plain = rounded.plain(h);
+    let acceleration = window_s.map_or(plain, |window| rounded.smoothed(window).min(plain));
+    let motion = rounded.motion();
+    let cause = |smoothing_s| Spurious::Steps { step, smoothing_s };
+    (acceleration > NOTABLE * motion).then(|| rounded.made_up(acceleration, motion, cause))
+}
+
+/// Returns the spurious acceleration of held values that are updated at irregular instants, each known to within a row:
+/// the excess of the largest acceleration over that of the motion.
+pub(crate) fn made_up_by_updates(
+    (time, values): (&[f64], &[f64]),
+    column: SteppedColumn,
+    window_s: Option<f64>,
+    (row_s, largest): (f64, f64),
+) -> Option<MadeUp> {
+    let pairs = time.iter().zip(values).zip(time.iter().zip(values).skip(1));
+    let rate = pairs.fold(0.0_f64, |most, ((t0, y0), (t1, y1))| most.max(((y1 - y0) / (t1 - t0)).abs()));
+    let rounded = Rounded { time, values, column, step: rate * row_s, window_s };
+    let motion = rounded.motion();
+    let excess = largest - motion;
+    (excess > EXCESS * motion).then(|| rounded.made_up(excess, motion, |smoothing_s| Spurious::Updates { smoothing_s }))
+}
+
+/// A column with errors of up to half a step.
+struct Rounded<'s> {
+    time: &'s [f64],
+    values: &'s [f64],
+    column: SteppedColumn,
+    step: f64,
+    window_s: Option<f64>,
+}
+
+impl Rounded<'_> {
+    /// Returns the spurious acceleration of samples at a distance \[s\].
+    fn plain(&self, apart: f64) -> f64 {
+        match self.column {
+            SteppedColumn::Position => self.step / (apart * apart),
+            SteppedColumn::Speed => self.step / apart,
         }
-        apart *= 2;
-    };
-    if acceleration <= NOTABLE * motion {
-        return None;
     }
-    let wanted = match column {
-        SteppedColumn::Position => (4.0 * 8.5 * deviation / (NOTABLE * motion)).sqrt(),
-        SteppedColumn::Speed => 4.0 * 2.1 * deviation / (NOTABLE * motion),
-    };
-    let duration = time.first().zip(time.last()).map_or(0.0, |(first, last)| last - first);
-    // Slightly more than an even multiple of the time step, so that the window contains the same number of samples
-    // everywhere; at least seven.
-    let half = (0.5 * wanted / h).ceil().max(3.0);
-    let window = (2.0 * half + 0.5) * h;
-    let is_short = window <= 0.1 * duration && half <= 5000.0 && window_s.is_none_or(|given| given < window);
-    Some(MadeUp {
-        column,
-        cause: Spurious::Steps { step, smoothing_s: is_short.then_some(window) },
-        interval_s: h,
-        acceleration_rad_s2: acceleration,
-        motion_rad_s2: motion,
-    })
+
+    /// Returns the spurious acceleration with a smoothing window \[s\].
+    fn smoothed(&self, window: f64) -> f64 {
+        let deviation = self.step / 12.0_f64.sqrt();
+        match self.column {
+            SteppedColumn::Position => 4.0 * 8.5 * deviation / (window * window),
+            SteppedColumn::Speed => 4.0 * 2.1 * deviation / window,
+        }
+    }
+
+    /// Returns the largest acceleration of the motion: the distance of the samples is doubled until the steps are a tenth
+    /// of the motion between them.
+    fn motion(&self) -> f64 {
+        let h = median_interval(self.time);
+        let mut apart = 1;
+        loop {
+            let found = largest_acceleration(self.time, self.values, self.column, apart);
+            if 2.0 * self.plain(apart as f64 * h) <= 0.1 * found || 6 * apart >= self.values.len() {
+                break found;
+            }
+            apart *= 2;
+        }
+    }
+
+    /// Returns the spurious acceleration with the window that reduces it.
+    fn made_up(&self, acceleration: f64, motion: f64, cause: impl Fn(Option<f64>) -> Spurious) -> MadeUp {
+        let h = median_interval(self.time);
+        let ratio = self.smoothed(1.0) / (NOTABLE * motion);
+        let wanted = match self.column {
+            SteppedColumn::Position => ratio.sqrt(),
+            SteppedColumn::Speed => ratio,
+        };
+        let duration = self.time.first().zip(self.time.last()).map_or(0.0, |(first, last)| last - first);
+        // Slightly more than an even multiple of the time step, so that the window contains the same number of samples
+        // everywhere; at least seven.
+        let half = (0.5 * wanted / h).ceil().max(3.0);
+        let window = (2.0 * half + 0.5) * h;
+        let is_short = window <= 0.1 * duration && half <= 5000.0 && self.window_s.is_none_or(|given| given < window);
+        MadeUp {
+            column: self.column,
+            cause: cause(is_short.then_some(window)),
+            interval_s: h,
+            acceleration_rad_s2: acceleration,
+            motion_rad_s2: motion,
+        }
+    }
 }
 
 /// Returns the largest acceleration between samples at a distance of `apart` \[rad/s²\].

@@ -248,7 +248,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 71] = [
+    pub const ALL: [Self; 73] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -324,6 +324,8 @@ impl Assumption {
             MadeUp { cause: Spurious::Held { period_s: 8e-3 }, column: SteppedColumn::Speed, ..STEPS },
             0.5,
         ),
+        Self::RecordedSteps(MadeUp { cause: Spurious::Updates { smoothing_s: Some(0.05) }, ..STEPS }, 0.5),
+        Self::RecordedSteps(MadeUp { cause: Spurious::Updates { smoothing_s: None }, ..STEPS }, 0.5),
         Self::RecordedSteps(MadeUp { cause: Spurious::Stamps { scatter_s: 3e-4 }, ..STEPS }, 0.5),
         Self::SplineThroughPoints(Spline::Cubic),
         Self::SplineThroughPoints(Spline::Quintic),

@@ -355,6 +355,18 @@ fn spurious_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String
                 | "die aufgezeichnete {column} wird nur alle {period} aktualisiert, Zeilen stehen alle {interval}: die gehaltenen Werte allein täuschen Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; held_values = \"interpolate\" verwendet einen Wert je Aktualisierung"
             )
         }
+        Spurious::Updates { smoothing_s } => {
+            let remedy = match smoothing_s {
+                Some(_) => smoothing_text(smoothing_s, made_up.column, language),
+                None => {
+                    said!(language => "updates at even intervals are needed" | "nötig sind gleichmäßige Aktualisierungen")
+                }
+            };
+            said!(language =>
+                "the recorded {column} is updated irregularly, every {interval} on average, and the instants are known to within a row only: this alone produces apparent accelerations of up to {alone}, {torque} at the load, while the motion itself has {motion}; {remedy}"
+                | "die aufgezeichnete {column} wird unregelmäßig aktualisiert, im Mittel alle {interval}, und der Zeitpunkt ist nur auf eine Zeile genau bekannt: das allein täuscht Beschleunigungen bis {alone} vor, an der Last {torque}, die Bewegung selbst hat {motion}; {remedy}"
+            )
+        }
         Spurious::Stamps { scatter_s } => {
             let scatter = figure(scatter_s, &MILLISECOND, language);
             said!(language =>
