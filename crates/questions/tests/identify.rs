@@ -343,6 +343,51 @@ fn zeros_and_delays_of_the_current_are_reported() {
     }
 }
 
+/// Scattered stamps, held values and filters are notes with their size, and the planted values remain within the intervals; stamps that
+/// the signals do not follow either way are a doubt.
+#[test]
+fn stamps_held_values_and_filters_are_reported() {
+    let text = arm("2.4 kg m^2", "5 kg", "");
+    let trace = course(&text);
+    let head = trace.lines().next().unwrap();
+    let cells = |line: &str| line.split(',').map(|cell| cell.parse::<f64>().unwrap()).collect::<Vec<f64>>();
+    let rows: Vec<Vec<f64>> = trace.lines().skip(1).map(cells).collect();
+    let step = rows[1][0] - rows[0][0];
+    let scatter = |place: usize, by: f64| by * ((place * 7919 % 101) as f64 / 50.0 - 1.0) * step;
+    let written = |change: &dyn Fn(usize, &mut Vec<f64>)| {
+        let mut written = head.to_owned();
+        for (place, row) in rows.iter().enumerate() {
+            let mut row = row.clone();
+            change(place, &mut row);
+            written.push('\n');
+            written.push_str(&row.iter().map(f64::to_string).collect::<Vec<_>>().join(","));
+        }
+        identified(&text, written)
+    };
+    let is_right = |found: &Identification| {
+        assert!(found.doubts.is_empty(), "{:?}", found.doubts);
+        let (inertia, half, stated) = value(found, "load_inertia");
+        assert!((inertia - stated.unwrap()).abs() < half && half < 0.02 * inertia, "{inertia} ± {half}");
+    };
+    let scattered = written(&|place, row| row[0] += scatter(place, 0.3));
+    is_right(&scattered);
+    assert!(scattered.notes.iter().any(|note| note.contains("time stamps scatter by")), "{:?}", scattered.notes);
+    let held = written(&|place, row| row[5] = rows[place / 4 * 4][5]);
+    is_right(&held);
+    assert!(held.notes.iter().any(|note| note.starts_with("torque_nm is updated every")), "{:?}", held.notes);
+    let neither = written(&|place, row| {
+        let by = scatter(place, 0.3);
+        let other = (place + 1).min(rows.len() - 1);
+        let share = 0.5 * by.abs() / step;
+        let [from, to] = [if by < 0.0 { place.saturating_sub(1) } else { other }, place];
+        (1..row.len()).for_each(|cell| row[cell] = rows[to][cell] + share * (rows[from][cell] - rows[to][cell]));
+        row[0] += by;
+    });
+    let doubts: Vec<(&str, &str)> = neither.doubts.iter().map(|doubt| (doubt.id, doubt.column)).collect();
+    assert_eq!(doubts, [("time_stamps", "time_s")], "{:?}", neither.doubts);
+    assert!(neither.overrides.is_empty() && neither.doubts[0].text.contains("scatter by"), "{:?}", neither.doubts);
+}
+
 /// Lines for the project say only what the run knows: no zero for what it leaves open, nothing of a run with a wrong convention.
 #[test]
 fn lines_for_the_project_hold_only_what_the_run_knows() {

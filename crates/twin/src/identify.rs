@@ -16,6 +16,7 @@ mod timing;
 mod windows;
 
 use crate::Parameters;
+use delay::Lag;
 use doubts::Signals;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
@@ -226,8 +227,16 @@ pub struct Identification {
     pub torque_delay: Option<Delay>,
     /// Lag of the current behind position and torque, removed before the estimates; `None` if the run shows none.
     pub current_delay: Option<Delay>,
+    /// Time constant of a filter of the torque, which the estimates have on the other signals; `None` if the run does not
+    /// distinguish one from a delay.
+    pub torque_filter: Option<Delay>,
+    /// Time constant of a filter of the current.
+    pub current_filter: Option<Delay>,
     /// Zero of the current against that of the torque; `None` if the run does not separate it.
     pub zero: Option<Zero>,
+    /// The lags of torque and current are coefficients of the equations, so that the intervals contain their uncertainty: they
+    /// have been removed, may be too small to count, or values are held, whose instants are known within their period only.
+    pub are_lags_estimated: [bool; 2],
     /// Median interval of the rows \[s\].
     pub row_s: f64,
     /// Scatter of the time stamps about the even instants that the estimates use; `None` if they use the stamps.
@@ -244,10 +253,20 @@ pub struct Identification {
 }
 
 impl Identification {
-    /// Returns `true` if the lag of a signal is a coefficient of the equations: one has been removed, or values are held, whose
-    /// instants are known within their period only.
-    fn is_late(&self, delay: Option<Delay>) -> bool {
-        delay.is_some() || !self.held.is_empty()
+    /// Widens the intervals by what the estimates of another run differ that explains the signals as well.
+    fn widen(&mut self, other: &Self) {
+        for estimate in &mut self.estimates {
+            let Some(other) = other.estimates.iter().find(|other| other.of == estimate.of) else { continue };
+            let apart = other.value - estimate.value;
+            let turn = std::f64::consts::TAU;
+            let apart =
+                if estimate.of == Identified::GravityAngle { apart - turn * (apart / turn).round() } else { apart };
+            estimate.half_width += apart.abs();
+        }
+        if let (Some(zero), Some(other)) = (&mut self.zero, &other.zero) {
+            zero.half_width_a += (other.current_q_a - zero.current_q_a).abs();
+            zero.half_width_nm += (other.torque_nm - zero.torque_nm).abs();
+        }
     }
 }
 
@@ -306,7 +325,7 @@ pub fn identify(run: &Observed, stated: &Stated<'_>) -> Result<Identification, I
 
 /// Estimates parameters as [`identify`] does, as long as `goes_on`, which is called for each window, returns `true`.
 ///
-/// Cost: O(n) for n rows, each in two windows; the search for delays repeats the windows up to eight times for each of torque
+/// Cost: O(n) for n rows, each in two windows; the search for delays and filters repeats the windows up to 17 times for each of torque
 /// and current
 ///
 /// # Errors
@@ -362,7 +381,10 @@ pub fn identify_while(
     let of_sample = |sample: usize| extra(segment(sample));
     let both_ways = strokes.both_ways();
     let load = load::Load { mechanism: stated.mechanism, extra: &of_sample, extras, both_ways, is_delayed: false };
-    let made = |run: &Observed| Windows::of(run, &strokes, limit, is_even, goes_on).ok();
+    let made = |run: &Observed, settle_s: f64| {
+        let settled = (settle_s > 0.0).then(|| strokes.settled(&run.time_s, settle_s));
+        Windows::of(run, settled.as_ref().unwrap_or(&strokes), limit, is_even, goes_on).ok()
+    };
     let (run, windows, delays) =
         delay::removed(run.clone(), windows, &made, &|run, windows| load::rows_of_delay(run, windows, &load));
     if !goes_on() {
@@ -375,18 +397,31 @@ pub fn identify_while(
         at_limit: windows.all.iter().filter(|window| window.limited).count(),
         position_step_rad: strokes.grain.quantum_rad,
         shift_s: followed.filter(|_| differs).map(|followed| followed.shift_s),
-        torque_delay: delays.torque,
-        current_delay: delays.current,
+        are_lags_estimated: [delays.torque, delays.current].map(|lag| lag.is_some() || !held.is_empty()),
+        torque_delay: delays.torque.and_then(Lag::delay),
+        current_delay: delays.current.and_then(Lag::delay),
+        torque_filter: delays.torque.and_then(Lag::filter),
+        current_filter: delays.current.and_then(Lag::filter),
         row_s: strokes.step_s,
         scatter,
         held,
         ..Identification::default()
     };
-    let load = load::Load { is_delayed: found.is_late(delays.torque), ..load };
+    let load = load::Load { is_delayed: found.are_lags_estimated[0], ..load };
     let shares = load::estimate(&run, &windows, &load, &mut found)?;
     found.payload = shares.payload.map(|share| [share.value, share.half_width]);
-    let is_late = found.is_late(delays.current);
-    motor::estimate(&windows, stated.parameters, is_late, &mut found);
+    motor::estimate(&windows, stated.parameters, found.are_lags_estimated[1], &mut found);
+    if let Some((run, windows)) = &delays.torque_or {
+        let mut other = Identification::default();
+        if load::estimate(run, windows, &load, &mut other).is_ok() {
+            found.widen(&other);
+        }
+    }
+    if let Some((_, windows)) = &delays.current_or {
+        let mut other = Identification::default();
+        motor::estimate(windows, stated.parameters, true, &mut other);
+        found.widen(&other);
+    }
     external(stated.mechanism.plain(extras.first().unwrap_or(&first)).map(|plain| plain.constant_nm), &mut found);
     doubts::of_estimates(stated, extras, &windows, &shares, &mut found);
     found.doubts.extend(of_stamps);

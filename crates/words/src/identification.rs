@@ -44,10 +44,15 @@ texts! {
     motor_lags(lag) =
         "The speed of the motor lags the position by {lag} ms, as the difference of two rows or a filter does; the estimates take this into account."
         | "Die Motordrehzahl eilt der Position um {lag} ms nach, wie die Differenz zweier Zeilen oder ein Filter; die Schätzwerte berücksichtigen das.";
-    signals = "zeros and delays of the signals" | "Nullpunkte und Verzögerungen der Signale";
+    signals = "zeros, delays and filters of the signals" | "Nullpunkte, Verzögerungen und Filter der Signale";
     current_zero = "zero of the current, against that of the torque" | "Nullpunkt des Stroms gegenüber dem des Moments";
     torque_delay = "lag of the torque behind the position" | "Nacheilen des Moments hinter der Position";
     current_delay = "lag of the current behind the position" | "Nacheilen des Stroms hinter der Position";
+    torque_filter = "time constant of a filter of the torque" | "Zeitkonstante eines Filters des Moments";
+    current_filter = "time constant of a filter of the current" | "Zeitkonstante eines Filters des Stroms";
+    signal_filtered(column, constant, half) =
+        "{column} lags the position as behind a first-order low-pass filter with a time constant of {constant} ms (± {half} ms), which damps fast changes more than a delay does; all other signals are filtered likewise before the estimates."
+        | "{column} eilt der Position nach wie hinter einem Tiefpass erster Ordnung mit der Zeitkonstante {constant} ms (± {half} ms), der schnelle Änderungen stärker dämpft als eine Verzögerung; alle anderen Signale sind vor der Schätzung ebenso gefiltert.";
     signal_lags(column, lag, half) =
         "{column} lags the position by {lag} ms (± {half} ms), as after a filter or in another bus cycle; the lag is removed before the estimates."
         | "{column} eilt der Position um {lag} ms nach (± {half} ms), wie nach einem Filter oder in einem anderen Zyklus des Busses; die Verzögerung ist vor der Schätzung herausgerechnet.";

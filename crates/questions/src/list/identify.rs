@@ -68,7 +68,7 @@ pub struct Identification {
     pub estimates: Vec<Identified95>,
     /// Parameters without an estimate.
     pub open: Vec<LeftOpen>,
-    /// Zeros and delays of the signals, which the estimates take into account.
+    /// Zeros, delays and filters of the signals, which the estimates take into account.
     pub signals: Vec<SignalDatum>,
     /// Signals that seem to have another unit, sign or side than their columns; while there are any, the estimates are not those of the
     /// axis, `overrides` is empty, and the exit status is 1.
@@ -90,7 +90,7 @@ pub struct LeftOpen {
     pub reason: String,
 }
 
-/// A zero or delay of a signal of the run.
+/// A zero, a delay or a filter of a signal of the run.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SignalDatum {
     /// Identifier.
@@ -245,6 +245,13 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
             identification::signal_leads(&column, &lag, &half, language)
         });
     }
+    let filters = [(Signal::Torque, found.torque_filter), (Signal::Current, found.current_filter)];
+    for (signal, Delay { s, half_width_s }) in
+        filters.into_iter().filter_map(|(signal, filter)| Some((signal, filter?)))
+    {
+        let (column, half) = (identification::column_heading(signal), number(half_width_s * 1e3, 2));
+        notes.push(identification::signal_filtered(&column, &number(s * 1e3, 3), &half, language));
+    }
     let has_external = found.estimates.iter().any(|each| each.of == Identified::External);
     if let Some(zero) = found.zero.filter(Zero::is_significant) {
         let [current, half] = [zero.current_q_a, zero.half_width_a].map(|value| number(value, 2));
@@ -278,7 +285,7 @@ fn left_open(of: Identified, open: Open, language: Language) -> LeftOpen {
     LeftOpen { id: of.id(), title: title(language).to_owned(), reason: identification::open_reason(open, language) }
 }
 
-/// Returns zeros and delays of the signals.
+/// Returns zeros, delays and filters of the signals.
 fn signals(found: &twin::Identification, language: Language) -> Vec<SignalDatum> {
     let datum =
         |id, signal, title: Word, [value, half_width]: [f64; 2], unit: &'static Unit, significant| SignalDatum {
@@ -298,6 +305,8 @@ fn signals(found: &twin::Identification, language: Language) -> Vec<SignalDatum>
     let delays = [
         ("torque_delay", Signal::Torque, identification::torque_delay as Word, found.torque_delay),
         ("current_delay", Signal::Current, identification::current_delay, found.current_delay),
+        ("torque_filter", Signal::Torque, identification::torque_filter, found.torque_filter),
+        ("current_filter", Signal::Current, identification::current_filter, found.current_filter),
     ];
     let delays = delays.into_iter().filter_map(|(id, signal, title, delay)| {
         let Delay { s, half_width_s } = delay?;

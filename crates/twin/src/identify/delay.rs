@@ -1,4 +1,4 @@
-//! Delays of torque and current against the position: filters, other bus cycles, other loggers.
+//! Delays of torque and current against the position (other bus cycles, other loggers), and filters of these signals.
 
 use super::motor::Equations;
 use super::regression::{Fit, Row, fit};
@@ -21,33 +21,115 @@ const STEPS: usize = 8;
 const EXPLAINED: f64 = 1.0;
 const EXPLAINED_BESIDE: f64 = 0.5;
 
-/// Delays removed from the signals of a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Smallest logarithm of the ratio of likelihoods with which a filter counts instead of a delay. A choice.
+const DISTINCT: f64 = 8.0;
+
+/// Smallest lag relative to half its 95 % interval that the equations estimate although it does not count. A choice: one
+/// standard deviation.
+const BEYOND_SEEN: f64 = 0.5;
+
+/// Smallest half interval of a time constant relative to its value. A choice: losses of the teeth change where the torque
+/// does its sign, which a filter mixes.
+const SHAPE: f64 = 0.025;
+
+/// Time constants behind a reversal after which a filter is settled: 0.7 % of the step is left.
+const SETTLED: f64 = 5.0;
+
+/// Lags removed from the signals of a run.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Delays {
-    pub(super) torque: Option<Delay>,
-    pub(super) current: Option<Delay>,
+    pub(super) torque: Option<Lag>,
+    pub(super) current: Option<Lag>,
+    /// Run and windows with a filter of the torque instead of its delay, if the run does not distinguish them.
+    pub(super) torque_or: Option<(Observed, Windows)>,
+    /// Run and windows with a filter of the current instead of its delay.
+    pub(super) current_or: Option<(Observed, Windows)>,
+}
+
+/// A lag that the signals of the run no longer have against each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Lag {
+    /// The signal has been shifted by a delay.
+    Delay(Delay),
+    /// The other signals have the filter, whose time constant is the delay.
+    Filter(Delay),
+    /// The signal may lag by less than what counts.
+    Unclear,
+}
+
+impl Lag {
+    /// Returns the lag with a further error.
+    fn within(self, error_s: f64) -> Self {
+        let wider = |delay: Delay| Delay { half_width_s: delay.half_width_s.hypot(error_s), ..delay };
+        match self {
+            Self::Delay(delay) => Self::Delay(wider(delay)),
+            Self::Filter(delay) => Self::Filter(wider(delay)),
+            Self::Unclear => Self::Unclear,
+        }
+    }
+
+    /// Returns the delay, if it is one.
+    pub(super) const fn delay(self) -> Option<Delay> {
+        if let Self::Delay(delay) = self { Some(delay) } else { None }
+    }
+
+    /// Returns the time constant of the filter, if it is one.
+    pub(super) const fn filter(self) -> Option<Delay> {
+        if let Self::Filter(delay) = self { Some(delay) } else { None }
+    }
 }
 
 /// Equations of the load of windows, whose last column is the rate of the torque, and the variances of the noise of the
 /// columns; `true` if all parameters of the load are estimated.
 pub(super) type LoadRows<'a> = &'a dyn Fn(&Observed, &Windows) -> (Vec<Row>, Vec<f64>, bool);
 
-/// Signal of a run.
-type Signal = fn(&mut Observed) -> &mut Vec<f64>;
+/// Windows of a run without a time at the begin of each stroke.
+pub(super) type Made<'a> = &'a dyn Fn(&Observed, f64) -> Option<Windows>;
 
-/// Seeks and removes the delays of torque and current.
+/// Signal of a run, and those that are given its filter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Signal {
+    Torque,
+    Current,
+}
+
+impl Signal {
+    const fn own(self, run: &mut Observed) -> &mut Vec<f64> {
+        match self {
+            Self::Torque => &mut run.torque_nm,
+            Self::Current => &mut run.current_q_a,
+        }
+    }
+
+    /// Returns the run with the filter of the signal on the other signals.
+    fn filtered(self, run: &Observed, constant_s: f64) -> Observed {
+        let of = |column: &[f64]| low_pass(&run.time_s, column, constant_s, f64::INFINITY);
+        let mut filtered = run.clone();
+        filtered.position_rad = low_pass(&run.time_s, &run.position_rad, constant_s, std::f64::consts::PI);
+        filtered.motor_rad_s = of(&run.motor_rad_s);
+        match self {
+            Self::Torque => filtered.current_q_a = of(&run.current_q_a),
+            Self::Current => filtered.torque_nm = of(&run.torque_nm),
+        }
+        filtered
+    }
+}
+
+/// Seeks and removes the delays or filters of torque and current.
 ///
-/// T + τ T' = J_L α + …, I + τ I' = a T + … + c Ω'
+/// delay: T + τ T' = J_L α + …, I + τ I' = a T + … + c Ω'; filter: T = F(J_L α + …), I = F(a T + …)
 ///
+/// # Symbols
+/// F low-pass filter of first order, applied to all signals but the one that has it
 /// # Source
 /// docs/theory/twin.md, *Identification*
 /// # Valid
 /// no scale of torque or current is assumed. The torque is shifted until its own rate no longer explains its residual,
-/// then the current.
+/// then the current. A filter counts if its residuals are smaller by far than those of the delay.
 pub(super) fn removed(
     run: Observed,
     windows: Windows,
-    made: &dyn Fn(&Observed) -> Option<Windows>,
+    made: Made<'_>,
     of_load: LoadRows<'_>,
 ) -> (Observed, Windows, Delays) {
     let mut all = Delays::default();
@@ -56,15 +138,23 @@ pub(super) fn removed(
         let (rows, noise, is_whole) = of_load(run, windows);
         Trial::of(rows, &noise, if is_whole { EXPLAINED } else { EXPLAINED_BESIDE })
     };
-    if let Some((run, windows, delay)) = sought(&now, |run| &mut run.torque_nm, made, &load) {
-        (now, all.torque) = ((run, windows), Some(delay));
+    let mut settle_s = 0.0;
+    if let Some(found) = sought(&now, settle_s, Signal::Torque, made, &load) {
+        all.torque = Some(found.lag);
+        all.torque_or = found.or;
+        settle_s += SETTLED * found.lag.filter().map_or(0.0, |delay| delay.s);
+        now = found.removed.unwrap_or(now);
     }
     let motor = |_: &Observed, windows: &Windows| {
         let rows = Equations::of(windows, None, false).rows_of_delay();
         Trial::of(rows, &[], EXPLAINED)
     };
-    if let Some((run, windows, delay)) = sought(&now, |run| &mut run.current_q_a, made, &motor) {
-        (now, all.current) = ((run, windows), Some(delay));
+    if let Some(found) = sought(&now, settle_s, Signal::Current, made, &motor) {
+        // The current has the filter of the torque, with the error of its time constant.
+        let of_torque = all.torque.and_then(Lag::filter).map_or(0.0, |delay| delay.half_width_s);
+        all.current = Some(found.lag.within(of_torque));
+        all.current_or = found.or;
+        now = found.removed.unwrap_or(now);
     }
     (now.0, now.1, all)
 }
@@ -90,6 +180,14 @@ impl Trial {
         Some(Delay { s: -value, half_width_s })
     }
 
+    /// Returns `true` if the residuals are so much smaller than others that these are unlikely.
+    ///
+    /// n ln(S_o/S)/2 is the logarithm of the ratio of likelihoods of n independent normal residuals.
+    fn is_likelier_than(&self, other: &Self) -> bool {
+        let count = self.fit.independent.min(other.fit.independent);
+        0.5 * count * (other.fit.square / self.fit.square).ln() > DISTINCT
+    }
+
     /// Returns the sum of the squares of the residuals without a delay, over the largest share that may be left.
     fn bound(&self) -> Option<f64> {
         let mut rows = self.rows.clone();
@@ -99,34 +197,161 @@ impl Trial {
     }
 }
 
+/// A run without a lag, its windows and equations.
+struct Removed {
+    run: Observed,
+    windows: Windows,
+    trial: Trial,
+    delay: Delay,
+}
+
+/// A lag, the run without it, and another run that fits as well.
+struct Sought {
+    lag: Lag,
+    removed: Option<(Observed, Windows)>,
+    or: Option<(Observed, Windows)>,
+}
+
 fn sought(
     (run, windows): &(Observed, Windows),
+    settle_s: f64,
     signal: Signal,
-    made: &dyn Fn(&Observed) -> Option<Windows>,
+    made: Made<'_>,
     trial: &dyn Fn(&Observed, &Windows) -> Option<Trial>,
-) -> Option<(Observed, Windows, Delay)> {
+) -> Option<Sought> {
     let first = trial(run, windows)?;
-    let counts = |delay: &Delay| delay.s.abs() > LEAST_S.max(BEYOND * delay.half_width_s);
-    let mut left = first.left().filter(counts)?;
-    let mut run = run.clone();
-    let original = signal(&mut run).clone();
-    let mut total = 0.0;
+    let exceeds = |delay: &Delay, beyond: f64| delay.s.abs() > LEAST_S.max(beyond * delay.half_width_s);
+    let counts = |delay: &Delay| exceeds(delay, BEYOND);
+    let left = first.left().filter(|delay| exceeds(delay, BEYOND_SEEN))?;
+    let unclear = Some(Sought { lag: Lag::Unclear, removed: None, or: None });
+    if !counts(&left) {
+        return unclear;
+    }
+    let mut shifting = run.clone();
+    let original = signal.own(&mut shifting).clone();
+    let mut shifted_run = |by_s: f64| {
+        *signal.own(&mut shifting) = shifted(&run.time_s, &original, by_s);
+        shifting.clone()
+    };
+    let delayed = approached(left.s, &mut shifted_run, &|run, _| made(run, settle_s), trial)
+        .filter(|delayed| counts(&delayed.delay));
+    let delayed = delayed.filter(|delayed| first.bound().is_some_and(|bound| delayed.trial.fit.square < bound))?;
+    let start_s = delayed.delay.s;
+    let filtered = (start_s > 0.0).then(|| Filtered::of(run, &delayed, signal, made, settle_s, trial)).flatten();
+    let mut lag = Lag::Delay(delayed.delay);
+    let mut removed = (delayed.run, delayed.windows);
+    let mut or = None;
+    if let Some(filtered) = filtered {
+        if filtered.is_likelier {
+            let mut filtered_run = |constant_s: f64| signal.filtered(run, constant_s);
+            let made_settled = |run: &Observed, total_s: f64| made(run, settle_s + SETTLED * total_s);
+            let exact = approached(filtered.constant_s, &mut filtered_run, &made_settled, trial);
+            if let Some(exact) = exact.filter(|exact| counts(&exact.delay)) {
+                let half_width_s = exact.delay.half_width_s.max(SHAPE * exact.delay.s);
+                lag = Lag::Filter(Delay { half_width_s, ..exact.delay });
+                removed = (exact.run, exact.windows);
+            }
+        } else if filtered.is_open {
+            let apart = (filtered.constant_s - start_s).abs();
+            lag = Lag::Delay(Delay { half_width_s: delayed.delay.half_width_s + apart, ..delayed.delay });
+            or = Some((filtered.run, filtered.windows));
+        }
+    }
+    Some(Sought { lag, removed: Some(removed), or })
+}
+
+/// A filter beside a delay with the same lag.
+struct Filtered {
+    run: Observed,
+    windows: Windows,
+    /// Time constant \[s\].
+    constant_s: f64,
+    /// The filter is likelier than the delay, so that this one is unlikely.
+    is_likelier: bool,
+    /// Neither is unlikely.
+    is_open: bool,
+}
+
+impl Filtered {
+    /// Compares a filter with a delay in the windows in which the filter is settled; the rate of the signal contains the small
+    /// difference of their lags.
+    fn of(
+        run: &Observed,
+        delayed: &Removed,
+        signal: Signal,
+        made: Made<'_>,
+        settle_s: f64,
+        trial: &dyn Fn(&Observed, &Windows) -> Option<Trial>,
+    ) -> Option<Self> {
+        let constant_s = delayed.delay.s;
+        let run = signal.filtered(run, constant_s);
+        let settled = |windows: &Windows| windows.behind(&run.time_s, SETTLED * constant_s);
+        let windows = settled(&made(&run, settle_s)?);
+        let [of_filter, of_delay] = [trial(&run, &windows)?, trial(&delayed.run, &settled(&delayed.windows))?];
+        let constant_s = constant_s + of_filter.left()?.s;
+        let is_likelier = of_filter.is_likelier_than(&of_delay);
+        let is_open = !is_likelier && !of_delay.is_likelier_than(&of_filter);
+        (constant_s > LEAST_S).then_some(Self { run, windows, constant_s, is_likelier, is_open })
+    }
+}
+
+/// Approaches the lag with which the rate of the signal explains nothing more; `of` returns the run without a lag.
+fn approached(
+    start_s: f64,
+    of: &mut dyn FnMut(f64) -> Observed,
+    made: Made<'_>,
+    trial: &dyn Fn(&Observed, &Windows) -> Option<Trial>,
+) -> Option<Removed> {
+    let mut total = start_s;
     for _ in 0..STEPS {
-        total += left.s;
         if total.abs() > MOST_S {
             return None;
         }
-        *signal(&mut run) = shifted(&run.time_s, &original, total);
-        let windows = made(&run)?;
-        let now = trial(&run, &windows)?;
-        left = now.left()?;
+        let run = of(total);
+        let windows = made(&run, total)?;
+        let trial = trial(&run, &windows)?;
+        let left = trial.left()?;
         if left.s.abs() < 0.1 * left.half_width_s {
             let delay = Delay { s: total + left.s, half_width_s: left.half_width_s };
-            let is_better = now.fit.square < first.bound()?;
-            return (counts(&delay) && is_better).then_some((run, windows, delay));
+            return Some(Removed { run, windows, trial, delay });
         }
+        total += left.s;
     }
     None
+}
+
+/// Returns a signal behind a low-pass filter of first order.
+///
+/// τ y' + y = x, x straight between the rows
+///
+/// # Valid
+/// The filter starts settled, and anew behind a jump, as of a position that is set anew.
+fn low_pass(time_s: &[f64], column: &[f64], constant_s: f64, jump: f64) -> Vec<f64> {
+    if constant_s <= 0.0 {
+        return column.to_vec();
+    }
+    let mut filtered: Vec<f64> = Vec::with_capacity(column.len());
+    let (mut behind, mut decay): (Option<f64>, _) = (None, (0.0, 1.0));
+    filtered.extend(column.first());
+    for (time, pair) in time_s.windows(2).zip(column.windows(2)) {
+        let ([before, now], [old, new]) = (time, pair) else { continue };
+        let (h, way) = (now - before, new - old);
+        if way.abs() < jump {
+            if h != decay.0 {
+                decay = (h, (-h / constant_s).exp());
+            }
+            // y − x decays towards −τ x'.
+            let settled = -constant_s * way / h;
+            if let (None, Some(last)) = (behind, filtered.last_mut()) {
+                *last += settled;
+            }
+            behind = Some(settled + (behind.unwrap_or(settled) - settled) * decay.1);
+        } else {
+            behind = None;
+        }
+        filtered.push(new + behind.unwrap_or(0.0));
+    }
+    filtered
 }
 
 /// Returns the values of a signal a time later, interpolated linearly; beyond the run those of its ends.
@@ -147,6 +372,26 @@ fn shifted(time_s: &[f64], column: &[f64], by_s: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The filter of a straight line is the line a time constant later, and that of a step its exponential.
+    #[test]
+    fn a_low_pass_is_that_of_its_equation() {
+        let time: Vec<f64> = (0..400_u32).map(|k| 0.001 * f64::from(k) + if k % 3 == 0 { 2e-4 } else { 0.0 }).collect();
+        let line: Vec<f64> = time.iter().map(|t| 5.0 + 3.0 * t).collect();
+        let sine: Vec<f64> = time.iter().map(|t| (20.0 * t).sin()).collect();
+        for constant in [1e-4, 0.002, 0.02] {
+            for (t, y) in time.iter().zip(low_pass(&time, &line, constant, 3.0)) {
+                assert!((y - (5.0 + 3.0 * (t - constant))).abs() < 1e-12, "{constant} {t} {y}");
+            }
+            let angle = (20.0 * constant).atan();
+            for (t, y) in time.iter().zip(low_pass(&time, &sine, constant, 3.0)).filter(|(t, _)| **t > 0.25) {
+                assert!((y - angle.cos() * (20.0 * t - angle).sin()).abs() < 2e-4, "{constant} {t} {y}");
+            }
+        }
+        assert_eq!(low_pass(&time, &line, 0.0, 3.0), line);
+        // A position set anew starts anew.
+        assert_eq!(low_pass(&[0.0, 1.0, 2.0, 3.0], &[1.0, 1.0, 9.0, 9.0], 10.0, 3.0), [1.0, 1.0, 9.0, 9.0]);
+    }
 
     #[test]
     fn a_shift_interpolates_and_keeps_the_ends() {

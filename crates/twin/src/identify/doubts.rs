@@ -310,7 +310,7 @@ pub(super) fn of_estimates(
         let value = plain.map_or(inertia.value, |plain| inertia.value * plain.inertia_kgm2);
         doubts.push(Doubt::new(Column::Torque, Misread::Reversed, value));
     } else {
-        let is_delayed = found.is_late(found.current_delay);
+        let is_delayed = found.are_lags_estimated[1];
         let scale = tabulated.as_ref().and_then(|tabulated| scale::doubt(windows, tabulated, shares, is_delayed));
         // Angles that are all in degrees agree with each other.
         let degrees = shares.inertia.map(|share| share.value).filter(|value| {

@@ -29,6 +29,8 @@ pub(super) struct Fit {
     pub(super) quantile: f64,
     /// Sum of the squares of the residuals.
     pub(super) square: f64,
+    /// Number of equations that count as independent.
+    pub(super) independent: f64,
     /// The noise of the regressors exceeds what distinguishes them and remains in the coefficients.
     pub(super) is_attenuated: bool,
 }
@@ -136,7 +138,8 @@ pub(super) fn fit(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<Fit> 
         variance = square / (count - width) * grown;
         let covariance = inverse.iter().map(|line| line.iter().map(|value| value * variance).collect()).collect();
         let quantile = student((count / grown - width).max(4.0));
-        found = Some(Fit { values, covariance, inflation, quantile, square, is_attenuated: false });
+        let independent = count / grown;
+        found = Some(Fit { values, covariance, inflation, quantile, square, independent, is_attenuated: false });
     }
     found
 }

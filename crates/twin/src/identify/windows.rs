@@ -193,6 +193,17 @@ impl Strokes {
         first..self.ranges.iter().map(|(range, _)| range.end).max().unwrap_or(self.speed.len())
     }
 
+    /// Returns the strokes without a time at the begin of each, in which filters settle after the reversal of friction.
+    pub(super) fn settled(&self, time_s: &[f64], settle_s: f64) -> Self {
+        let later = |range: &Range<usize>| {
+            let first = time_s.get(range.start).copied().unwrap_or(f64::INFINITY);
+            let own = time_s.get(range.clone()).unwrap_or_default();
+            range.start + own.partition_point(|time| *time < first + settle_s)..range.end
+        };
+        let ranges = self.ranges.iter().map(|(range, sign)| (later(range), *sign));
+        Self { ranges: ranges.filter(|(range, _)| !range.is_empty()).collect(), ..self.clone() }
+    }
+
     /// Returns `true` if the run moves in both directions.
     pub(super) fn both_ways(&self) -> bool {
         [1.0, -1.0].iter().all(|sign| self.ranges.iter().any(|(_, own)| own == sign))
@@ -327,6 +338,17 @@ impl Windows {
         found.judged(strokes)
     }
 
+    /// Returns the windows that begin a time behind the first of their stroke.
+    pub(super) fn behind(&self, time_s: &[f64], settle_s: f64) -> Self {
+        let begin = |window: &Window| time_s.get(window.samples.start).copied().unwrap_or(f64::INFINITY);
+        let mut all = Vec::with_capacity(self.all.len());
+        for stroke in self.all.chunk_by(|one, other| one.stroke == other.stroke) {
+            let first = stroke.iter().map(begin).fold(f64::INFINITY, f64::min);
+            all.extend(stroke.iter().filter(|window| begin(window) >= first + settle_s).cloned());
+        }
+        Self { all, ..self.clone() }
+    }
+
     fn judged(self, strokes: &Strokes) -> Result<Self, NoWindows> {
         if self.all.len() < WINDOWS_LEAST {
             return Err(NoWindows::TooFew);
@@ -429,6 +451,7 @@ fn window(
     #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
     let motor_mean = motor.iter().sum::<f64>() / motor.len() as f64;
     let mut sums = [0.0_f64; 10];
+    let [mut motor_acceleration, mut motor_jerk, mut torque_rate, mut current_rate] = [0.0; 4];
     for (k, t) in time.iter().enumerate() {
         let before = time.get(k.saturating_sub(1)).unwrap_or(t);
         let after = time.get(k + 1).unwrap_or(t);
@@ -444,7 +467,11 @@ fn window(
         let (sin_q, cos_q) = q.sin_cos();
         let near = torque.get(k.saturating_sub(SIGN_HALF)..(k + SIGN_HALF + 1).min(torque.len()))?;
         let drives = near.iter().sum::<f64>() * sign > 0.0;
-        let (own, motor) = (*torque.get(k)?, *motor.get(k)?);
+        let (own, motor, current) = (*torque.get(k)?, *motor.get(k)?, current.get(k)? / SQRT_2);
+        motor_acceleration -= first * (motor - motor_mean);
+        motor_jerk += second * (motor - motor_mean);
+        torque_rate -= first * own;
+        current_rate -= first * current;
         let terms = [
             weight,
             weight * q,
@@ -454,24 +481,10 @@ fn window(
             weight * sin_q,
             weight * own,
             if drives { weight * own } else { 0.0 },
-            weight * current.get(k)? / SQRT_2,
+            weight * current,
             weight * motor,
         ];
         sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
-    }
-    let [mut motor_acceleration, mut motor_jerk, mut torque_rate, mut current_rate] = [0.0; 4];
-    for (k, t) in time.iter().enumerate() {
-        let before = time.get(k.saturating_sub(1)).unwrap_or(t);
-        let after = time.get(k + 1).unwrap_or(t);
-        let (sine, cosine) = (PI * (t - t0) / length).sin_cos();
-        let step = 0.5 * (after - before);
-        let own = motor.get(k)? - motor_mean;
-        let first = 4.0 * sine.powi(3) * cosine * (PI / length) * step;
-        motor_acceleration -= first * own;
-        torque_rate -= first * torque.get(k)?;
-        current_rate -= first * current.get(k)? / SQRT_2;
-        let second = 12.0 * sine * sine * cosine * cosine - 4.0 * sine.powi(4);
-        motor_jerk += second * (PI / length).powi(2) * step * own;
     }
     let [all, q, bent, acceleration, cosine, sine, mean_torque, driving, mean_current, motor_speed] = sums;
     let limited = current_limit_a.is_some_and(|limit| current.iter().any(|i| i.abs() > LIMITED * limit));

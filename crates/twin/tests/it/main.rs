@@ -6,6 +6,7 @@ mod averaged;
 mod bench;
 mod course;
 mod coverage;
+mod filter;
 mod foreign;
 mod identify;
 mod instrument;
