@@ -391,14 +391,8 @@ pub fn hint_text(hint: &Hint, language: Language) -> String {
         Hint::WebOfWinder { web_m_s, start_m, core_m } => {
             crate::motion::web_of_winder(*web_m_s, [*start_m, *core_m], language)
         }
-        Hint::TimeOfClock => said!(language =>
-            "clock times of a recording count from its first row: write the time since then, such as \"12.5 s\""
-            | "Uhrzeiten einer Aufzeichnung zählen ab ihrer ersten Zeile: die Zeit seitdem angeben, etwa \"12.5 s\""
-        ),
-        Hint::CloseTheRecording => said!(language =>
-            "choose the window with from and to, state standstill, or state single_move = true under [axis]"
-            | "das Fenster mit from und to wählen, standstill angeben oder unter [axis] single_move = true angeben"
-        ),
+        Hint::TimeOfClock => crate::motion::time_of_clock(language),
+        Hint::CloseTheRecording => crate::motion::close_the_recording(language),
     }
 }
 

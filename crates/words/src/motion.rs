@@ -315,6 +315,22 @@ fn needed_words(needed: Needed, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
+/// Returns the way to state a time of a recording with clock times.
+pub(crate) fn time_of_clock(language: Language) -> String {
+    said!(language =>
+        "clock times of a recording count from its first row: write the time since then, such as \"12.5 s\""
+        | "Uhrzeiten einer Aufzeichnung zählen ab ihrer ersten Zeile: die Zeit seitdem angeben, etwa \"12.5 s\""
+    )
+}
+
+/// Returns the ways to make a recorded cycle close.
+pub(crate) fn close_the_recording(language: Language) -> String {
+    said!(language =>
+        "choose the window with from and to, state standstill, or state single_move = true under [axis]"
+        | "das Fenster mit from und to wählen, standstill angeben oder unter [axis] single_move = true angeben"
+    )
+}
+
 /// Returns the turns of a winder for a speed of its web, or the web wound by one turn.
 pub(crate) fn web_of_winder(web_m_s: Option<f64>, diameters_m: [f64; 2], language: Language) -> String {
     let figure = |value: f64| format_significant(value, 4, Language::OF_ERRORS);
