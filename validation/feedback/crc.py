@@ -1,4 +1,4 @@
-"""Check of random EnDat words, by crccheck: written to words.csv, which crates/feedback/tests/other_hands.rs reads.
+"""Check of random EnDat words, by crccheck: written to words.csv, which crates/feedback/tests/it/other_hands.rs reads.
 
     pip install crccheck==1.3.1
     python crc.py > words.csv

@@ -1,5 +1,5 @@
 """Step and ramp response of the tracking loop of the AD2S1205, by scipy.signal: written to tracking.csv, which
-crates/feedback/tests/other_hands.rs reads.
+crates/feedback/tests/it/other_hands.rs reads.
 
     pip install scipy==1.17.1 numpy==2.4.6
     python tracking.py > tracking.csv

@@ -45,9 +45,9 @@ const SWEEP_KILLS: &str = "60";
 /// # Errors
 /// A save that left a partial file, a sweep with different bytes.
 pub(crate) fn kills(root: &Path) -> Result<(), Error> {
-    let mut sweeps = cargo(root, &["test", "--package", "antrieb", "--test", "sweep", "at_any_moment"]);
+    let mut sweeps = cargo(root, &["test", "--package", "antrieb", "--test", "it", "at_any_moment"]);
     must_succeed(sweeps.args(["--", "--nocapture"]).env("ANTRIEB_SWEEP_KILLS", SWEEP_KILLS))?;
-    let mut command = cargo(root, &["test", "--package", "antrieb", "--test", "saving", "at_any_instant"]);
+    let mut command = cargo(root, &["test", "--package", "antrieb", "--test", "it", "at_any_instant"]);
     must_succeed(command.args(["--", "--nocapture", "--test-threads", "1"]).env("ANTRIEB_SAVE_RUNS", KILLS))
 }
 

@@ -1,0 +1,20 @@
+//! Tests of the crate from outside, in one program: each file is linked once for all.
+
+mod answers;
+mod api;
+mod behaviour;
+mod commission;
+mod drive;
+mod ends;
+mod export;
+mod files;
+mod hostile;
+mod readers;
+mod run;
+mod saving;
+mod serve;
+mod sigrok;
+mod sweep;
+mod sweep_parts;
+mod vocabulary;
+mod words;

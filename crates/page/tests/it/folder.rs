@@ -1,0 +1,99 @@
+//! The folder of the page: opening, saving, changes by others.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use crate::shell;
+
+use page::Reply;
+use shell::{InMemory, page, whole};
+
+fn version(reply: &Reply) -> Option<&str> {
+    reply.headers.iter().find(|(name, _)| *name == "x-version").map(|(_, value)| value.as_str())
+}
+
+fn save(folder: &InMemory, file: &str, text: &str, known: &str) -> (u16, String) {
+    let reply = folder.post("/save", &[("text", text), ("file", file), ("known", known)]);
+    (reply.status, version(&reply).map(|version| format!("{version} {file}")).unwrap_or_default())
+}
+
+#[test]
+fn a_version_belongs_to_the_name_that_was_opened() {
+    let folder = InMemory::default();
+    let save = |file: &str, text: &str, known: &str| save(&folder, file, text, known);
+    let (status, known) = save("a.toml", "format = 1\n", "");
+    assert_eq!(status, 200);
+    assert_eq!(save("a.toml", "format = 1 # x\n", "").0, 409, "differs from the one opened here stands there");
+    assert_eq!(save("b.toml", "format = 1\n", &known).0, 200, "under another name it is a new file");
+    assert_eq!(save("b.toml", "format = 1 # y\n", &known).0, 409, "the name is taken by now");
+    let (status, newer) = save("a.toml", "format = 1 # z\n", &known);
+    assert_eq!(status, 200);
+    assert_eq!(save("a.toml", "format = 1\n", &known).0, 409);
+    assert_eq!(save("a.toml", "format = 1\n", &newer).0, 200);
+}
+
+#[test]
+fn a_file_that_is_no_text_is_not_opened() {
+    let folder = InMemory::default();
+    let _ = folder.0.borrow_mut().insert(String::from("latin.toml"), b"# M\xfcller\nformat = 1\n".to_vec());
+    assert_eq!(folder.get("/", "open=latin.toml").status, 422);
+    assert_eq!(folder.get("/text", "file=latin.toml").status, 422);
+}
+
+/// Two tabs on one file: the second to save gets a message and both choices; no text is lost.
+#[test]
+fn what_another_has_saved_is_noticed_and_asked_about() {
+    let folder = InMemory::default();
+    let (_, first) = save(&folder, "a.toml", "format = 1 # first\n", "");
+    let watch = |known: &str| folder.get("/watch", &format!("known={}", known.replace(' ', "+")));
+    assert_eq!(watch(&first).status, 204, "nobody else was there");
+    assert_eq!(watch("").status, 204, "nothing was opened");
+    let (_, second) = save(&folder, "a.toml", "format = 1 # second\n", &first);
+    let notice = watch(&first);
+    let html = page(&notice);
+    whole(&html);
+    assert!(html.contains("differs from the one opened here") && html.contains("data-disk=\"load\""), "{html}");
+    assert!(html.contains(&format!("data-disk=\"mine\" data-known=\"{second}\"")), "{html}");
+    // Loads it: its text, and its version from then on.
+    let text = folder.get("/text", "file=a.toml");
+    assert_eq!(text.body, b"format = 1 # second\n");
+    assert_eq!(version(&text).map(|version| format!("{version} a.toml")).as_deref(), Some(second.as_str()));
+    // Keeps one's own version: the next save is based on the reported version.
+    assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", &first).0, 409);
+    assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", &second).0, 200);
+    let _ = folder.0.borrow_mut().remove("a.toml");
+    let gone = page(&watch(&second));
+    assert!(gone.contains("data-known=\"\"") && !gone.contains("data-disk=\"load\""), "{gone}");
+    assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", "").0, 200, "written anew");
+}
+
+#[test]
+fn an_example_brings_its_recording_and_leaves_that_of_others() {
+    let folder = InMemory::default();
+    let html = page(&folder.post("/example", &[("kind", "recording")]));
+    whole(&html);
+    assert!(html.contains("file = \"axis.csv\"") && html.contains("id=\"plot-cycle\""));
+    let again = page(&folder.post("/example", &[("kind", "recording")]));
+    assert!(again.contains("file = \"2-axis.csv\"") && again.contains("id=\"plot-cycle\""));
+    let start = page(&folder.get("/", ""));
+    assert!(start.contains("action=\"/example?kind=recording"), "a link does not write into the folder");
+}
+
+#[test]
+fn the_files_of_the_folder_are_listed_with_their_day() {
+    let folder = InMemory::default();
+    let _ = save(&folder, "a&b.toml", "format = 1\n", "");
+    for html in [page(&folder.get("/files", "")), page(&folder.get("/", ""))] {
+        whole(&html);
+        assert!(html.contains("/?open=a%26b.toml&amp;lang=en") && html.contains("2026-03-01"), "{html}");
+    }
+}
+
+#[test]
+fn a_record_of_measured_values_opens_in_its_tool() {
+    let folder = InMemory::default();
+    let text = "format = 1\n[winding]\ntemperature = \"20 degC\"\nresistance_ll = \"3.7 ohm\"\n";
+    let _ = save(&folder, "CHA-25A-100-H-M512P-B-measured.toml", text, "");
+    let html = page(&folder.get("/", "open=CHA-25A-100-H-M512P-B-measured.toml"));
+    whole(&html);
+    assert!(html.contains("id=\"t-winding.resistance_ll\"") && html.contains("value=\"3.7 ohm\""), "{html}");
+    assert!(!html.contains("id=\"standing\""));
+}

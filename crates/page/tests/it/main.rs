@@ -1,0 +1,10 @@
+//! Tests of the crate from outside, in one program: each file is linked once for all.
+
+mod faults;
+mod folder;
+mod moving;
+mod page;
+mod parts;
+mod readers;
+mod shell;
+mod tools;

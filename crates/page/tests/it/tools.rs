@@ -1,0 +1,190 @@
+//! The tools next to the project: each answers in both languages, its faults are shown at its fields, a link restores
+//! it.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use crate::shell;
+
+use shell::{get, page, post, whole};
+
+const TOOLS: [&str; 14] = [
+    "code",
+    "data",
+    "curve",
+    "torsion",
+    "bearing",
+    "inertia",
+    "battery",
+    "wiring",
+    "mount",
+    "commission",
+    "record",
+    "upkeep",
+    "errata",
+    "glossary",
+];
+
+/// Returns a tool with typed values.
+fn tool(name: &str, about: &str, fields: &[(&str, &str)]) -> String {
+    let mut all = vec![("tool", name), ("asked", name), ("about", about)];
+    all.extend(fields);
+    let html = page(&post("/tools", &all));
+    whole(&html);
+    html
+}
+
+/// Returns the row of a field.
+fn row<'h>(html: &'h str, field: &str) -> &'h str {
+    let row = html.split(&format!("id=\"t-{field}\"")).nth(1).unwrap_or_else(|| panic!("no field {field}: {html}"));
+    &row[..row.find("<label").unwrap_or(row.len())]
+}
+
+#[test]
+fn tools_answer_for_a_whole_code_a_part_of_one_and_none() {
+    for name in TOOLS {
+        for about in ["CHA-25A-100-H-M512P-B", "CHA-25A", "CHA-25A-100-H-X9", ""] {
+            for lang in ["en", "de"] {
+                let html = page(&post("/tools", &[("tool", name), ("about", about), ("lang", lang)]));
+                whole(&html);
+                assert!(html.contains("aria-pressed=\"true\" hx-post=\"/tools\""), "{name} {about}");
+                assert!(html.len() > 3000 && !html.contains("NaN"), "{name} {about}: {html}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_calculator_answers_with_number_source_grade_and_picture() {
+    let code = "CHA-20A-100-H-C1024";
+    let torsion = tool("torsion", code, &[("t_torque", "60 N m")]);
+    assert!(torsion.contains("under 60.00 Nm, stiffness region 3") && torsion.contains("<svg"), "{torsion}");
+    assert!(torsion.contains("Hysteresis loss: at most 1.00 arcmin (manufacturer data, table 54.1"), "{torsion}");
+    let back = tool("torsion", code, &[("t_torque", ""), ("t_angle", "1 arcmin")]);
+    assert!(back.contains("1.00 arcmin"), "{back}");
+    let curve = tool("curve", code, &[("t_voltage", "220 V")]);
+    assert!(
+        curve.contains("<svg") && curve.contains("published, CHA Engineering Data p. 39") && curve.contains("220 V"),
+        "{curve}"
+    );
+    let battery = tool("battery", "", &[("t_hours-per-day", "10"), ("t_storage", "1 a")]);
+    assert!(battery.contains("Encoder battery:") && battery.contains("at the latest"), "{battery}");
+    let inertia =
+        tool("inertia", "", &[("t_body", "point mass=2kg distance=500mm\npoint mass=2kg distance=500mm angle=180deg")]);
+    assert!(inertia.contains("J = 1.000 kgm², m = 4.000 kg"), "{inertia}");
+    let loads = [
+        ("t_bearing.radial_force", "1200 N"),
+        ("t_bearing.radial_distance", "80 mm"),
+        ("t_motion[1].speed", "10 1/min"),
+    ];
+    let bearing = tool("bearing", "CHA-25A-100-H-C1024", &loads);
+    assert!(bearing.contains("id=\"size-25A\" open") && bearing.contains("manufacturer data, table 55.1"), "{bearing}");
+    let mount = tool("mount", code, &[("t_bore", "K7")]);
+    assert!(mount.contains("K7"));
+}
+
+#[test]
+fn a_fault_stands_at_its_field_and_the_last_answer_is_marked_as_old() {
+    let code = "CHA-20A-100-H-C1024";
+    let good = tool("torsion", code, &[("t_torque", "60 N m")]);
+    let good = good.split("name=\"t_good\" value=\"").nth(1).unwrap().split('"').next().unwrap().replace("&amp;", "&");
+    let html = tool("torsion", code, &[("t_torque", "60"), ("t_good", &good)]);
+    assert!(row(&html, "torque").contains("the unit is missing") && html.contains("aria-invalid=\"true\""), "{html}");
+    assert!(html.contains("class=\"old\"") && html.contains("under 60.00 Nm"), "{html}");
+    let html = tool("inertia", "", &[("t_body", "disc diameter=1m length=2mm mass=1kg\nbox")]);
+    assert!(row(&html, "body").contains("line 2, column 1: "), "{html}");
+    let html = tool("bearing", "", &[("t_bearing.radial_force", "1200 kg")]);
+    assert!(row(&html, "bearing.radial_force").contains("class=\"fault\""), "{html}");
+    let html = tool("mount", code, &[("t_bore", "K99")]);
+    assert!(row(&html, "bore").contains("class=\"fault\""), "{html}");
+    // An empty field is no fault before the first entry.
+    let fresh = page(&post("/tools", &[("tool", "upkeep"), ("about", code)]));
+    assert!(!fresh.contains("class=\"fault\""), "{fresh}");
+    assert!(row(&tool("upkeep", code, &[]), "delivered").contains("class=\"fault\""));
+}
+
+#[test]
+fn a_link_opens_a_tool_as_it_was() {
+    let html = tool("torsion", "CHA-20A-100-H-C1024", &[("t_angle", "2 arcmin"), ("t_torque", "")]);
+    let link =
+        html.split("id=\"tool-link\" href=\"/?").nth(1).unwrap().split('"').next().unwrap().replace("&amp;", "&");
+    let opened = page(&get("/", &link));
+    whole(&opened);
+    let answer =
+        |html: &str| html.split("id=\"tool-answer\"").nth(1).unwrap().split("</svg>").next().unwrap().to_owned();
+    assert_eq!(answer(&opened), answer(&html));
+}
+
+#[test]
+fn upkeep_has_its_dates_and_its_calendar() {
+    let html = tool("upkeep", "CHA-17A-100-H-M128S", &[("t_delivered", "2026-03-01"), ("t_storage", "6 months")]);
+    assert!(
+        html.contains("2026-09-01") && html.contains("/api/v1/upkeep/calendar?code=CHA-17A-100-H-M128S&amp;"),
+        "{html}"
+    );
+    let calendar = get("/api/v1/upkeep/calendar", "code=CHA-17A-100-H-M128S&delivered=2026-03-01&today=2026-04-01");
+    assert_eq!((calendar.status, calendar.media), (200, "text/calendar; charset=utf-8"));
+    assert!(calendar.body.starts_with(b"BEGIN:VCALENDAR"));
+}
+
+#[test]
+fn what_a_drive_is_told_comes_as_its_files() {
+    let code = "code=CHA-25A-100-H-M512P-B";
+    for (path, more, begin) in [
+        ("commission/drive", "&for=sinamics", "; "),
+        ("commission/drive", "&for=cia402", "; "),
+        ("commission/blank", "", "# "),
+    ] {
+        let reply = get(&format!("/api/v1/{path}"), &format!("{code}{more}"));
+        assert!(reply.status == 200 && reply.body.starts_with(begin.as_bytes()), "{path}{more}");
+        assert!(reply.headers.iter().any(|(name, value)| *name == "content-disposition" && value.contains("CHA-25A")));
+    }
+    assert_eq!(get("/api/v1/commission/drive", code).status, 422, "no drive is named");
+    assert_eq!(
+        get("/api/v1/commission/checklist", code).status,
+        422,
+        "nothing here writes a PDF, and the answer says so"
+    );
+}
+
+/// Values are typed in and judged; the file is the one of the command line.
+#[test]
+fn measured_values_are_judged_as_they_are_typed() {
+    let code = "CHA-25A-100-H-M512P-B";
+    let blank = tool("record", code, &[]);
+    assert!(blank.contains("0 out of tolerance, 15 not checked") && blank.contains("3.33 to 4.07"), "{blank}");
+    let text = "# mine\nformat = 1\n";
+    let typed = |more: &[(&str, &str)]| {
+        let mut fields = vec![("t_text", text), ("t_was", text)];
+        fields.extend(more);
+        tool("record", code, &fields)
+    };
+    let html = typed(&[("t_winding.temperature", "22 degC"), ("t_winding.resistance_ll", "9 ohm")]);
+    assert!(
+        html.contains(
+            "# mine\nformat = 1\n\n[winding]\ntemperature = &quot;22 degC&quot;\nresistance_ll = &quot;9 ohm&quot;"
+        ),
+        "{html}"
+    );
+    assert!(html.contains("1 out of tolerance") && html.contains("class=\"fail\""), "{html}");
+    let html = typed(&[("t_winding.temperature", "22 degC"), ("t_winding.resistance_ll", "9")]);
+    assert!(
+        row(&html, "winding.resistance_ll").contains("the unit is missing") && html.contains("class=\"old\""),
+        "{html}"
+    );
+    let html = typed(&[("t_do", "add no_load[1]")]);
+    assert!(html.contains("id=\"t-no_load[1].current\"") && html.contains("[[no_load]]"), "{html}");
+    // Entries in the text itself precede those of the fields.
+    let fields = [("t_text", "format = 1\n[emf]\n"), ("t_was", text), ("t_winding.temperature", "22 degC")];
+    let html = tool("record", code, &fields);
+    assert!(!html.contains("22 degC") && row(&html, "emf.voltage_ll").contains("class=\"fault\""), "{html}");
+    // Brake values are requested if there is a brake.
+    assert!(!tool("record", "CHA-25A-100-H-M512P", &[]).contains("id=\"t-brake.voltage\""));
+}
+
+#[test]
+fn a_data_sheet_marks_notes_and_errata() {
+    let html = tool("data", "CHA-25A-100-H-M512P-B", &[("lang", "de")]);
+    assert!(html.contains("href=\"#erratum-") && html.contains("id=\"erratum-") && html.contains("[1] "), "{html}");
+    for id in html.split("href=\"#erratum-").skip(1).map(|rest| rest.split('"').next().unwrap()) {
+        assert!(html.contains(&format!("id=\"erratum-{id}\"")), "{id} is marked and not explained");
+    }
+}

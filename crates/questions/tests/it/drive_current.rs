@@ -1,0 +1,63 @@
+//! `[drive]` of a project file, from its text to the record of the check in both languages.
+#![allow(clippy::unwrap_used, reason = "a test that cannot panic cannot fail")]
+
+use quantities::Language;
+use questions::answer;
+
+const CODE: &str = "CHA-25A-100-H-C1024-B";
+
+/// The check `drive_current` of the example `winder.toml`, with other lines in `[drive]`.
+fn record(drive: &str, language: Language) -> Option<answers::Check> {
+    let text = include_str!("../../../../examples/winder.toml");
+    let (before, behind) = text.split_once("[drive]").unwrap();
+    let (_, behind) = behind.split_once("\n\n").unwrap_or((behind, ""));
+    let project = questions::read(&format!("{before}{drive}\n{behind}")).unwrap();
+    let code = order_code::parse(CODE).unwrap().code;
+    let candidate = questions::check(&project, &code).unwrap_or_else(|_| unreachable!());
+    let record = answer::candidate(&candidate, language);
+    record.checks.into_iter().find(|check| *check.id == sizing::CheckId::DriveCurrent)
+}
+
+fn verdict(drive: &str) -> sizing::Verdict {
+    *record(drive, Language::En).unwrap().verdict
+}
+
+#[test]
+fn a_drive_that_supplies_the_current_passes_and_a_small_one_fails() {
+    let of = |continuous: &str, peak: &str| {
+        format!("[drive]\ncurrent_continuous = \"{continuous}\"\ncurrent_peak = \"{peak}\"\n")
+    };
+    assert_eq!(verdict(&of("5 A", "10 A")), sizing::Verdict::Pass);
+    assert_eq!(verdict(&of("0.01 A", "10 A")), sizing::Verdict::Fail);
+    assert_eq!(verdict(&of("5 A", "0.01 A")), sizing::Verdict::Fail);
+    // Never above the continuous current: no time above it.
+    assert_eq!(verdict(&format!("{}peak_time = \"1 ms\"\n", of("5 A", "10 A"))), sizing::Verdict::Pass);
+    assert_eq!(verdict(&format!("{}peak_time = \"1 ms\"\n", of("0.5 A", "10 A"))), sizing::Verdict::Fail);
+}
+
+#[test]
+fn the_limit_is_cited_by_its_key_and_titled_in_both_languages() {
+    for (language, title) in [(Language::En, "drive current"), (Language::De, "Strom des Servoreglers")] {
+        let check = record("[drive]\ncurrent_continuous = \"5 A\"\n", language).unwrap();
+        assert_eq!((check.title.as_str(), check.unit), (title, Some("A")));
+        assert!(check.limit.is_some_and(|limit| (limit.0 - 5.0).abs() < 1e-12));
+        assert!(check.sources.iter().any(|source| source.contains("drive.current_continuous")), "{:?}", check.sources);
+        assert_eq!(check.missing, None);
+    }
+}
+
+/// Without `[drive]` it is not judged, and an actuator without a torque constant is not checked.
+#[test]
+fn without_data_it_is_not_checked() {
+    assert!(record("", Language::En).is_none_or(|check| *check.verdict == sizing::Verdict::NotChecked));
+    let text = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n\
+        [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"-90 deg\"\ntime = \"1 s\"\n[drive]\ncurrent_peak = \"10 A\"\n\
+        [actuator]\nname = \"own\"\nratio = 50\ninertia_out = \"1 kg m^2\"\n";
+    let project = questions::read(text).unwrap();
+    let candidate = questions::check_own(&project).unwrap();
+    for language in Language::ALL {
+        let record = answer::candidate(&candidate, language);
+        let check = record.checks.into_iter().find(|check| *check.id == sizing::CheckId::DriveCurrent).unwrap();
+        assert_eq!((*check.verdict, check.missing.as_deref()), (sizing::Verdict::NotChecked, Some("k_Tout")));
+    }
+}

@@ -1,0 +1,8 @@
+//! Tests of the crate from outside, in one program: each file is linked once for all.
+
+mod another_series;
+mod checklist;
+mod pages;
+mod readers;
+mod report;
+mod samples;

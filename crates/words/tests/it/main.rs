@@ -1,0 +1,8 @@
+//! Tests of the crate from outside, in one program: each file is linked once for all.
+
+mod commissioned;
+mod complete;
+mod glossary_page;
+mod project_page;
+mod quantities;
+mod texts;
