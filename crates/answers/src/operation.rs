@@ -69,9 +69,9 @@ pub struct MotorSide {
 /// Duty type of IEC 60034-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Duty {
-    /// Its designation, `S1` to `S8`.
+    /// Designation, `S1` to `S8`.
     pub id: &'static str,
-    /// Its name.
+    /// Name.
     pub name: &'static str,
     /// Properties of the cycle from which it follows.
     pub reason: &'static str,
@@ -86,7 +86,7 @@ pub struct DataLine {
     pub name: String,
     /// The value after errata, with the printed one where it differs; `–` where none is printed.
     pub value: String,
-    /// Its unit; empty for texts and pure numbers.
+    /// Unit; empty for texts and pure numbers.
     pub unit: String,
     /// Number of the table.
     pub table: &'static str,

@@ -51,7 +51,7 @@ pub struct Treatment {
 /// Use of values that are held over several rows because their source is slower than the logger.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum HeldValues {
-    /// As they stand.
+    /// Unchanged.
     #[default]
     Kept,
     /// One value for each update, with the motion straight in speed between them.
@@ -61,7 +61,7 @@ pub enum HeldValues {
 /// Use of the time stamps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TimeStamps {
-    /// As they stand.
+    /// Unchanged.
     #[default]
     Kept,
     /// Evenly spaced instants fitted to them.

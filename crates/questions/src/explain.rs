@@ -29,7 +29,7 @@ pub fn number_text(value: f64, language: Language) -> String {
     unpadded(value, DIGITS, language)
 }
 
-/// Where value and limit of a check that was judged with its workings come from.
+/// Returns the derivation of value and limit of a check that was judged with its workings.
 #[must_use]
 pub fn derivation(check: &Check, language: Language) -> Derivation {
     let steps = &check.workings;
@@ -111,7 +111,7 @@ pub fn trust(node: &Node, language: Language) -> String {
     }
 }
 
-/// Whether the user stated a figure.
+/// Returns `true` if the user stated the figure.
 fn is_stated(step: &Step) -> bool {
     step.how == How::Given && matches!(step.source, Source::Project { .. }) && step.grade == Grade::Printed
 }

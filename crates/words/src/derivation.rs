@@ -423,7 +423,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("y", "overload integral", "Überlastintegral"),
 ];
 
-/// What a symbol that a derivation makes means in its unit; empty where the glossary has to tell it.
+/// Returns the meaning of a symbol of a derivation in its unit; an empty text where the glossary defines it.
 #[must_use]
 pub fn step_term(symbol: &str, unit: &str, language: Language) -> &'static str {
     let of_unit = BY_UNIT.iter().find(|(name, of, ..)| *name == symbol && *of == unit).map(|(.., en, de)| (en, de));

@@ -43,7 +43,7 @@ fn ragged(line: u64, found: usize, expected: usize, language: Language) -> Strin
     )
 }
 
-/// What is wrong with a recording, and what to do about it.
+/// Returns the message of a fault of a recording, and the advice that removes it.
 pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
     let q = |text: &str| quoted(text, language);
     match fault {

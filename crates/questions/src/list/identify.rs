@@ -55,7 +55,7 @@ pub static ENTRY: Entry = Entry {
     }),
 };
 
-/// What a recorded run says of load and motor.
+/// Parameters of load and motor estimated from a recorded run.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Identification {
     /// Name of the axis.
@@ -84,7 +84,7 @@ pub struct Identification {
 pub struct LeftOpen {
     /// Identifier.
     pub id: &'static str,
-    /// In words.
+    /// Title.
     pub title: String,
     /// Reason, in words.
     pub reason: String,
@@ -97,7 +97,7 @@ pub struct SignalDatum {
     pub id: &'static str,
     /// Heading of the column.
     pub column: &'static str,
-    /// In words.
+    /// Title.
     pub title: String,
     /// The value.
     pub value: Number,
@@ -125,7 +125,7 @@ pub struct Doubted {
 pub struct Identified95 {
     /// Identifier.
     pub id: &'static str,
-    /// In words.
+    /// Title.
     pub title: String,
     /// The value.
     pub value: Number,

@@ -63,7 +63,7 @@ arguments! {
         order: Option<String> = ORDER => label,
         /// The list of changes.
         changes: Vec<Change> = CHANGE => changes,
-        /// As PDF/A.
+        /// The file is written as PDF/A.
         archive: bool = ARCHIVE => flag,
     }
 }

@@ -42,22 +42,22 @@ pub struct Units {
 /// A quantity with its units.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Measured {
-    /// Its name in the language of the call.
+    /// Name in the language of the call.
     pub quantity: String,
     /// The unit in which `si` and `zero` are stated, in the spelling of project files.
     pub si_unit: String,
-    /// Its units, the usual one first.
+    /// Units, the usual one first.
     pub units: Vec<UnitRead>,
 }
 
 /// A unit and how it is read.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct UnitRead {
-    /// In project files.
+    /// Spelling in project files.
     pub unit: String,
-    /// In reports and on the terminal.
+    /// Symbol in reports and on the terminal.
     pub symbol: String,
-    /// In JSON and tables.
+    /// Spelling in JSON and tables.
     pub json: String,
     /// Further spellings that are read.
     pub also: Vec<String>,

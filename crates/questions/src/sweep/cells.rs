@@ -68,7 +68,7 @@ impl TableFaults {
         self.more >= COUNTED_MOST
     }
 
-    /// Whether there is none.
+    /// Returns `true` if there is none.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.listed.is_empty()

@@ -14,7 +14,7 @@ const REASONS_MOST: usize = 20;
 /// Largest number of different reasons counted separately.
 const COUNTED_MOST: usize = 10_000;
 
-/// What the rows of a table were answered with.
+/// Summary of the answers to the rows of a table.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SweepSummary {
     /// The file of the answers; `null` where there is none.
@@ -42,9 +42,9 @@ pub struct SweepSummary {
 pub struct MissedBy {
     /// The check; `null` where no actuator is of the required class.
     pub check: Option<&'static str>,
-    /// In words.
+    /// Title of the check.
     pub title: String,
-    /// How many rows.
+    /// Number of rows.
     pub rows: u64,
 }
 
@@ -53,7 +53,7 @@ pub struct MissedBy {
 pub struct NotJudged {
     /// The reason.
     pub message: String,
-    /// How many rows.
+    /// Number of rows.
     pub rows: u64,
 }
 
@@ -62,15 +62,15 @@ pub struct NotJudged {
 pub struct SweepRow {
     /// The row, from 0.
     pub row: u64,
-    /// How many codes fit within every limit.
+    /// Number of codes that fit within every limit.
     pub fit: Option<u32>,
-    /// How many others fit if an estimate holds.
+    /// Number of others that fit if an estimate holds.
     pub fit_if_estimate: Option<u32>,
     /// The best of both.
     pub code: Option<String>,
     /// Utilisation of its governing check; where none fits that of the nearest miss.
     pub utilisation: Option<Number>,
-    /// That check.
+    /// Identifier of this check.
     pub tightest: Option<&'static str>,
     /// Why the row is not judged.
     pub error: Option<String>,

@@ -150,7 +150,7 @@ pub(super) fn is_of_another_gear(check: &Check) -> bool {
     *check.part == Part::Gear && check.margin && check.grade.is_some_and(|grade| *grade == Grade::Published)
 }
 
-/// Each text once.
+/// Returns the texts without repetitions, in their order.
 pub(super) fn once<'t>(texts: impl IntoIterator<Item = &'t String>) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     for text in texts {
