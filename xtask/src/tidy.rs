@@ -15,6 +15,7 @@ pub(crate) mod layers;
 mod machine_paths;
 mod manifest;
 mod one_voice;
+mod openings;
 mod plain_words;
 mod source;
 pub(crate) mod tree;
@@ -43,7 +44,7 @@ impl fmt::Display for Finding {
 
 type Rule = fn(&Path) -> Vec<Finding>;
 
-const RULES: [Rule; 13] = [
+const RULES: [Rule; 14] = [
     tree::not_empty,
     layers::rule,
     architecture::rule,
@@ -56,6 +57,7 @@ const RULES: [Rule; 13] = [
     machine_paths::rule,
     one_voice::choices,
     one_voice::unused,
+    openings::rule,
     plain_words::rule,
 ];
 

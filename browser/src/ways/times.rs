@@ -56,7 +56,7 @@ pub(crate) fn times_of_a_table(stage: &Stage<'_>) -> Worded {
 const FURTHER_MOST: usize = 10;
 
 /// Measures the time from a key in a field to the updated page: median and 95th percentile \[ms\]. Fails if the page
-/// requests more than the keys ask for.
+/// requests more than the keys need.
 fn keys(stage: &Stage<'_>) -> Worded<(f64, f64)> {
     let script = "const field = document.querySelector('#f-load-inertia') ?? document.querySelector('#fields input'); const taken = []; let works = 0; \
         const count = (event) => { works += event.detail.ctx.request.action.endsWith('/work') ? 1 : 0; }; \

@@ -207,7 +207,7 @@ fn gear_ratings_exist_where_they_are_published() {
     assert_eq!(of("CHA-40A-80-H-C1024").gear.input_speed_max, Datum::NotPrinted);
 }
 
-/// Each drive has its four curves, nested in each other at standstill.
+/// Checks that each drive has four curves, nested in each other at standstill.
 #[test]
 fn every_actuator_has_its_curves() {
     for (code, _) in crate::all() {

@@ -173,7 +173,7 @@ fn more_quantities_than_corners_can_be_counted_are_searched() {
     assert!((found.worst.utilisation * 240.0 - (2.313 * 10.1 / 0.099 + 5.5)).abs() < 1e-9, "{:?}", found.worst);
 }
 
-/// What the samples look at is what a full judgement says.
+/// The samples examine the same checks as a full judgement.
 #[test]
 fn the_margins_alone_give_the_verdict_and_the_utilisation_of_every_check() {
     let asked = "[requirements]\nsupply = \"560 V\"\nambient = \"35 degC\"\nabsolute = true\nresolution_max = \"5 arcsec\"\n\

@@ -2,7 +2,7 @@
 #![cfg(not(feature = "report"))]
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
-#[path = "../../cli/tests/run/mod.rs"]
+#[path = "../../cli/tests/it/run/mod.rs"]
 mod run;
 
 use run::run;

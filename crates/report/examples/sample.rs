@@ -11,7 +11,7 @@
     reason = "a tool for whoever works on the template"
 )]
 
-#[path = "../tests/samples/mod.rs"]
+#[path = "../tests/it/samples/mod.rs"]
 mod samples;
 
 use quantities::Language;

@@ -48,7 +48,7 @@ fn work(text: &str, kept: &str, change: (&str, &str)) -> Reply {
     post("/work", &[("text", text), ("good", text), ("path", change.0), ("value", change.1), ("parts", kept)])
 }
 
-/// Puts the parts that a browser shows back into an answer, as the browser does.
+/// Returns an answer with the parts that a browser shows inserted, as the browser does.
 fn whole_again(sent: &str, shown: &str) -> (String, usize) {
     let mut out = sent.to_owned();
     let mut named = 0;

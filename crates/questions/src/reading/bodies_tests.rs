@@ -12,7 +12,7 @@ fn answer(text: &str) -> InertiaAnswer {
     inertia(text).unwrap()
 }
 
-/// What each fault underlines, and what it says.
+/// Place and message of each fault.
 fn faults(text: &str) -> Vec<(String, String)> {
     let found = worded(&inertia(text).unwrap_err(), Language::En);
     found.into_iter().map(|fault| (text.get(fault.span).unwrap_or("?").to_owned(), fault.message)).collect()
@@ -143,7 +143,7 @@ fn turntable(bodies: &str) -> String {
     format!("format = 1\n[mechanism.turntable]\naxis_tilt = \"90 deg\"\n{bodies}\n{TAIL}")
 }
 
-/// What each fault of a turntable underlines, and what it says.
+/// Place and message of each fault of a turntable.
 fn refused(bodies: &str) -> Vec<(String, String)> {
     let text = turntable(bodies);
     let found = worded(&crate::read(&text).map(|_| ()).unwrap_err(), Language::En);

@@ -226,7 +226,7 @@ fn the_schema_knows_every_key_and_refuses_others() {
     assert_eq!(schema["oneOf"][0]["oneOf"].as_array().unwrap().len(), 2, "load or mechanism");
 }
 
-/// What the CHA tables say of the ambient must not be cited for an actuator of another maker.
+/// The ambient conditions of the CHA tables must not be cited for an actuator of another maker.
 #[test]
 fn the_tables_of_the_catalogue_do_not_speak_for_an_own_actuator() {
     let text =

@@ -121,7 +121,7 @@ fn a_line_stays_a_line() {
     assert!((project.axis.moments().angle_swing.si() - 5.0).abs() < 1e-9);
 }
 
-/// By hand: J_1 0.01, (0.9 + J_2 0.05)/16 at n = 4; the error at the lever arm: what the actuator errs, a quarter of it, and 3′ of
+/// Calculated by hand: J_1 0.01, (0.9 + J_2 0.05)/16 at n = 4; the error at the lever arm: what the actuator errs, a quarter of it, and 3′ of
 /// backlash; stiffness in series lowers the frequency.
 #[test]
 fn inertia_backlash_and_stiffness_count() {
@@ -177,7 +177,7 @@ fn faults_of_the_stage_are_reported() {
     assert_eq!(messages("[stage]\nratio = 2\n"), ["`stage.kind` is missing"]);
 }
 
-/// What a belt stage does to the flange: its pull, not the weight behind it.
+/// The load of a belt stage on the flange is its pull, not the weight behind it.
 #[test]
 fn the_flange_bears_the_stage() {
     let bearing = "[bearing]\nmechanism = \"add\"\nbelt_tension = \"200 N\"\noverhang = \"20 mm\"\nload_factor = 1.2\n";

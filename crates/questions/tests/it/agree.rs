@@ -106,7 +106,7 @@ fn failing(candidate: &Candidate<'_>) -> Vec<CheckId> {
     checks.map(|check| check.id).collect()
 }
 
-/// What is said of a candidate.
+/// Statements about a candidate.
 fn said(candidate: &Candidate<'_>) -> (Fit, Vec<CheckId>, Option<CheckId>, u64) {
     let governing = candidate.governing().map(|check| check.id);
     (candidate.fit(), failing(candidate), governing, candidate.standing.utilisation.to_bits())
@@ -180,7 +180,7 @@ fn every_answer_says_the_same_of_a_code() {
     assert!(rejected > 500 && inside > 2 && nothing_fits > 5, "{rejected} {inside} {nothing_fits}");
 }
 
-/// What another maker's page says of another gear rejects nothing, in any check of any code, and a code whose only overrun it is fits
+/// A rating of another manufacturer's gear rejects nothing, in any check of any code, and a code whose only overrun it is fits
 /// if the estimate holds.
 #[test]
 fn no_rejection_rests_on_another_makers_page() {
@@ -286,7 +286,7 @@ fn stated_si(project: &Project, path: &str) -> f64 {
     project.gearings().into_iter().find(|gearing| gearing.path == path).map(|gearing| gearing.si).unwrap()
 }
 
-/// All masses and inertias times the printed factor, and all times of the motion times that of the cycle, typed into the project: the code
+/// Masses and inertias times the printed factor, and all times of the motion times that of the cycle, typed into the project: the code
 /// fits, and with one step of the last digit more it does not.
 #[test]
 fn a_reserve_fits_as_it_is_printed() {

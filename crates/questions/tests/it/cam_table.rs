@@ -20,7 +20,7 @@ const NATURAL: [[f64; 4]; 7] = [
     [0.7, 0.0, 4.66167393349, 0.0],
 ];
 
-/// The same of the quintic spline with stated ends.
+/// Comparison of the quintic spline with stated ends.
 const STATED: [[f64; 4]; 7] = [
     [0.0, 0.0, 0.5, -3.0],
     [0.07, 0.0845773274701, 2.77145352539, 66.7629198122],

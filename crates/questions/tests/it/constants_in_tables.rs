@@ -8,7 +8,7 @@ use quantities::unit::{DEGREE_CELSIUS, HOUR};
 use quantities::{AngularVelocity, Force, Length, Measure, ThermodynamicTemperature, Torque};
 use sizing::OperatingCondition;
 
-/// Those of CHA-20A-50; what is looked at here is the same for every code.
+/// Constants of CHA-20A-50; what is looked at here is the same for every code.
 fn parameters() -> Parameters {
     let code = order_code::parse("CHA-20A-50-H-M512P").unwrap().code;
     configurator::parameters(&code).unwrap()

@@ -1,4 +1,4 @@
-//! What a picture shows of a long recording: few instants, but all that is largest in it, heated by every sample.
+//! The picture of a long recording has few instants, but all that is largest in it, heated by every sample.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use project::Files;

@@ -93,7 +93,7 @@ fn limits_that_are_not_derated_say_so() {
     }
 }
 
-/// Of a condition that no winding meets nothing fits, of one that E does not print the others fit first; ranking and check agree.
+/// No actuator is selected by a condition that no winding meets; one that E does not print puts the others first; ranking and check agree.
 #[test]
 fn requirements_of_the_place_select() {
     let of = |keys: &str| {

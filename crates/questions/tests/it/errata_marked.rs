@@ -71,7 +71,7 @@ fn number(value: &MountValue) -> Option<f64> {
     }
 }
 
-/// Each value of a mounting that the tables print: symbol, unit, value, errata.
+/// Values of a mounting that the tables print: symbol, unit, value, errata.
 fn shown(found: &Mount) -> Vec<(&'static str, &'static str, f64, &[&'static str])> {
     let values = found.tolerances.iter().chain(&found.dimensions);
     let mut all: Vec<_> =

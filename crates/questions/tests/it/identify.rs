@@ -286,7 +286,7 @@ fn what_to_write_for_a_foreign_run_is_said() {
     holds(&format!("{head}{rows}"), &["1.002", "thousands", "torque_nm"]);
 }
 
-/// What a run at the limit of the current does not say is said.
+/// Quantities that a run at the limit of the current does not determine are listed.
 #[test]
 fn a_run_at_the_limit_says_what_it_leaves_open() {
     let heavy = arm("60 kg m^2", "60 kg", "[twin]\nlimits = true\n");

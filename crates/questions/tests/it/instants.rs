@@ -1,4 +1,4 @@
-//! What the page of the limits says of instants is what the code takes.
+//! Limits of instants on the page of the limits are those of the code.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 use mechanism::Mechanism;

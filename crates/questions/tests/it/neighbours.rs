@@ -1,4 +1,4 @@
-//! What is found once for actuators that share a drivetrain or an output bearing is what each of them has alone.
+//! Results found once for actuators that share a drivetrain or an output bearing equal those of each alone.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use configurator::catalogue_actuators;

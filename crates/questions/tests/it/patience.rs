@@ -52,7 +52,7 @@ fn work_is_cancelled_from_elsewhere() {
     });
 }
 
-/// Of several ratios of a stage the best is sought while the project is read.
+/// The best of several ratios of a stage is sought while the project is read.
 #[test]
 fn the_choice_among_ratios_is_cancelled_too() {
     let text = format!("{}\n[stage]\nkind = \"belt\"\nratios = [1, 1.5, 2, 2.5, 3]\n", swings(2));

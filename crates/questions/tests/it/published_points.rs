@@ -72,7 +72,7 @@ const OF_THE_DRIVE: [CheckId; 9] = [
     CheckId::OverloadI2t,
 ];
 
-/// What does not pass, with its utilisation.
+/// Checks that do not pass, with their utilisation.
 fn not_passed(judgement: &Judgement) -> Vec<String> {
     judgement
         .checks

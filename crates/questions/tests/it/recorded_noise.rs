@@ -1,4 +1,4 @@
-//! What a judgement says of a recorded motion does not depend on the noise in which the axis rests: neither on its size nor on
+//! The judgement of a recorded motion does not depend on the noise in which the axis rests: neither on its size nor on
 //! its kind, its interval or on the columns that are there.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 

@@ -55,7 +55,7 @@ fn the_project_states_scenario_gains_and_measured_values() {
     assert_eq!(other["scenario"], "cycle");
 }
 
-/// What cannot run is refused with its reason.
+/// A run that is impossible is refused with its reason.
 #[test]
 fn what_cannot_run_is_refused_with_its_reason() {
     let refused = |text: &str, pairs: &[(&str, &str)]| message(&simulated(text, pairs).unwrap_err());

@@ -60,7 +60,7 @@ fn projects() -> Vec<Project> {
     found
 }
 
-/// What is wrong with the workings of a check.
+/// Returns the errors in the workings of a check.
 fn faults(check: &Check) -> Vec<String> {
     let mut faults = Vec::new();
     let steps = &check.workings;

@@ -1,4 +1,4 @@
-//! What is said of a text that is no quantity, in both languages.
+//! Messages for a text that is no quantity, in both languages.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 use quantities::{Dimension, Language, QuantityError, parse};

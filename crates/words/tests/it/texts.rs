@@ -8,7 +8,7 @@ fn texts() -> impl Iterator<Item = (String, &'static Text)> {
     MODULES.iter().flat_map(|(module, texts)| texts.iter().map(move |text| (format!("{module}::{}", text.name), text)))
 }
 
-/// Each form with its language; one form is that of both.
+/// Forms of a text with their languages; one form is that of both.
 fn forms(text: &'static Text) -> Vec<(Language, &'static str)> {
     match text.forms {
         [same] => Language::ALL.map(|language| (language, *same)).to_vec(),
@@ -18,7 +18,7 @@ fn forms(text: &'static Text) -> Vec<(Language, &'static str)> {
     }
 }
 
-/// What is put in, by name, each once.
+/// Names of the inserted values, without repetitions.
 fn put_in(form: &str) -> Vec<&str> {
     let mut names: Vec<&str> = form.split('{').skip(1).filter_map(|rest| rest.split('}').next()).collect();
     names.sort_unstable();

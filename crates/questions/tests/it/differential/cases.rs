@@ -26,15 +26,15 @@ pub(crate) struct Case {
     pub(crate) files: BTreeMap<String, String>,
     /// Segments with which the cycle may begin as well.
     pub(crate) rotations: Vec<usize>,
-    /// Whether every direction is given, so that it can be turned round.
+    /// Every direction is given, so that the case can be mirrored.
     pub(crate) mirror: bool,
-    /// What the reference found.
+    /// Values of the reference.
     expect: Value,
     /// Place among the cases.
     index: usize,
 }
 
-/// What the engine finds for each case.
+/// Values of the engine for each case.
 static FOUND: LazyLock<Vec<Figures>> = LazyLock::new(|| CASES.iter().map(Case::figures).collect());
 
 /// Recordings kept in memory.
@@ -74,12 +74,12 @@ fn case((index, value): (usize, &Value)) -> Case {
 }
 
 impl Case {
-    /// The same case with another project.
+    /// Returns the case with another project.
     pub(crate) fn with(&self, project: String, files: &BTreeMap<String, String>) -> Self {
         Self { project, files: files.clone(), ..self.clone() }
     }
 
-    /// What the reference found.
+    /// Values of the reference.
     pub(crate) fn expected(&self, key: &str) -> Option<f64> {
         self.expect.as_object().unwrap().values().find_map(|group| group[key].as_f64())
     }
@@ -91,7 +91,7 @@ impl Case {
         axes.pop().unwrap()
     }
 
-    /// Whether the axis is elsewhere at the end of the cycle.
+    /// Returns `true` if the axis is elsewhere at the end of the cycle.
     pub(crate) fn travels_on(&self) -> bool {
         let project = self.read();
         let moves = questions::moves(&project).moves;
@@ -100,12 +100,12 @@ impl Case {
         gone.abs() > 1e-6 * courses().map(|[distance, ..]| distance.abs()).sum::<f64>()
     }
 
-    /// What the engine finds for the case as the reference has it.
+    /// Returns the values of the engine for the case as the reference has it.
     pub(crate) fn found(&self) -> &'static Figures {
         &FOUND[self.index]
     }
 
-    /// What the engine finds.
+    /// Returns the values of the engine.
     pub(crate) fn figures(&self) -> Figures {
         let project = self.read();
         let code = order_code::parse(&self.code).unwrap().code;
@@ -143,7 +143,7 @@ fn of_check(check: &Check) -> Option<(String, f64)> {
     Some((check.id.id().to_owned(), check.value?.value()))
 }
 
-/// What the reference took for an actuator and the catalogue has otherwise.
+/// Data of an actuator in which the reference deviates from the catalogue.
 pub(crate) fn actuators_that_differ() -> Vec<String> {
     let mut faults = Vec::new();
     for (code, numbers) in REFERENCE["actuators"].as_object().unwrap() {

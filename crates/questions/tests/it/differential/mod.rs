@@ -96,12 +96,12 @@ const OF_THE_DRIVE: [&str; 10] = [
     "regenerated_peak",
 ];
 
-/// Whether a figure is one of the drive.
+/// Returns `true` if a figure is one of the drive.
 fn of_the_drive(key: &str) -> bool {
     OF_THE_DRIVE.contains(&key)
 }
 
-/// Whether a figure is one of the load.
+/// Returns `true` if a figure is one of the load.
 fn of_the_load(key: &str) -> bool {
     !of_the_drive(key)
 }

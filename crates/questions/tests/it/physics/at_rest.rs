@@ -44,7 +44,7 @@ fn a_moment_in_a_dwell_is_judged_by_the_static_limit() {
     assert!(heavy.verdict == Verdict::Fail, "{heavy:?}");
 }
 
-/// The same load while the gear turns is judged by M_dyn(max).
+/// The load is the same, but while the gear turns it is judged by M_dyn(max).
 #[test]
 fn a_moment_in_motion_is_judged_by_the_dynamic_limit() {
     let swing = format!("[motion.bearing]\n{}\n", radial(1200.0, 80.0));

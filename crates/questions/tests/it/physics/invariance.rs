@@ -1,4 +1,4 @@
-//! What a quantity must not depend on: direction of the motion, spelling of the units, time at which the cycle begins, language.
+//! Properties that a quantity must not depend on: direction of the motion, spelling of the units, time at which the cycle begins, language.
 
 use crate::physics::{checks, read};
 use quantities::Language;

@@ -28,7 +28,7 @@ fn project(requirements: &str) -> String {
     )
 }
 
-/// What is stated passes at the limit and a billionth of rounding beside it, and fails a millionth beyond.
+/// A stated value passes at the limit and a billionth of rounding beside it, and fails a millionth beyond.
 #[test]
 fn a_stated_limit_is_kept_up_to_rounding() {
     for (id, key, unit) in LIMITS {
