@@ -38,11 +38,11 @@ impl Chance {
 }
 
 /// A key with its description in the schema.
-pub type Key = (String, Value);
+pub type SchemaKey = (String, Value);
 
 /// Returns every key of a section that holds a single value, by its path.
 #[must_use]
-pub fn keys(schema: &Value, path: &str) -> Vec<Key> {
+pub fn keys(schema: &Value, path: &str) -> Vec<SchemaKey> {
     let mut found = Vec::new();
     for (name, about) in schema.get("properties").and_then(Value::as_object).into_iter().flatten() {
         let path = format!("{path}.{name}");
@@ -109,7 +109,7 @@ const SHARED: [&str; 6] = ["axis", "stage", "bearing", "requirements", "drive", 
 
 /// Returns the keys that projects of a mechanism may state.
 #[must_use]
-pub fn keys_of(id: MechanismId) -> Vec<Key> {
+pub fn keys_of(id: MechanismId) -> Vec<SchemaKey> {
     let root = schema(&|_| String::new());
     let section = |path: &str| {
         path.split('.').try_fold(&root, |about, name| about.get("properties")?.get(name)).unwrap_or(&Value::Null)

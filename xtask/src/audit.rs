@@ -17,15 +17,15 @@ mod tally;
 mod view;
 
 pub use tally::Deviation;
-pub use view::Reading;
+pub use view::TextVersion;
 
 use catalogue::Erratum;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use tally::{Tally, place};
-use view::View;
+use view::CellView;
 
-type Check = fn(&View, &mut Tally);
+type Check = fn(&CellView, &mut Tally);
 
 /// The checks by name, in the order of the manual.
 const CHECKS: [(&str, Check); 31] = [
@@ -62,7 +62,7 @@ const CHECKS: [(&str, Check); 31] = [
     ("records", records),
 ];
 
-fn records(view: &View, tally: &mut Tally) {
+fn records(view: &CellView, tally: &mut Tally) {
     records::sources(view, tally);
     records::terms(view, tally);
     records::errata(view, tally);
@@ -78,10 +78,10 @@ pub struct Report {
 /// Runs every check in every reading.
 #[must_use]
 pub fn run() -> Report {
-    let tallies: Vec<Tally> = Reading::ALL
+    let tallies: Vec<Tally> = TextVersion::ALL
         .into_iter()
         .flat_map(|reading| {
-            let view = View::of(reading);
+            let view = CellView::of(reading);
             CHECKS.map(|(name, check)| tally(name, check, &view))
         })
         .collect();
@@ -89,7 +89,7 @@ pub fn run() -> Report {
     Report { tallies, orphans, covered }
 }
 
-fn tally(name: &'static str, check: Check, view: &View) -> Tally {
+fn tally(name: &'static str, check: Check, view: &CellView) -> Tally {
     let mut tally = Tally::new(name, view.reading);
     check(view, &mut tally);
     if tally.comparisons == 0 {
@@ -100,13 +100,13 @@ fn tally(name: &'static str, check: Check, view: &View) -> Tally {
 
 /// Returns the number of errata at cells covered by a check, and the identifiers of those that explain no deviation.
 fn orphans(errata: &[Erratum], tallies: &[Tally]) -> (usize, Vec<&'static str>) {
-    let printed = || tallies.iter().filter(|tally| tally.reading == Reading::Printed);
+    let printed = || tallies.iter().filter(|tally| tally.reading == TextVersion::Printed);
     let covered: BTreeSet<_> = printed().flat_map(|tally| &tally.covered).collect();
     let at_work: BTreeSet<&str> =
         printed().flat_map(|tally| &tally.deviations).flat_map(|deviation| &deviation.errata).copied().collect();
     let under_test: Vec<&'static str> = errata
         .iter()
-        .filter(|erratum| Reading::Printed.explains(erratum))
+        .filter(|erratum| TextVersion::Printed.explains(erratum))
         .filter(|erratum| {
             let mut cells = catalogue::cells().filter(|cell| cell.errata.contains(&erratum.id));
             cells.any(|cell| covered.contains(&place(cell)))
@@ -155,7 +155,7 @@ impl fmt::Display for Report {
             writeln!(f, "  {:<14}{corrected:>4} corrected {flagged:>4} flagged", kind.id())?;
         }
         writeln!(f, "{} comparisons in three readings; per check in the print:", self.comparisons())?;
-        for tally in self.tallies.iter().filter(|tally| tally.reading == Reading::Printed) {
+        for tally in self.tallies.iter().filter(|tally| tally.reading == TextVersion::Printed) {
             let errata: BTreeSet<&str> = tally.deviations.iter().flat_map(|d| &d.errata).copied().collect();
             let by_erratum = tally.deviations.iter().filter(|deviation| !deviation.errata.is_empty()).count();
             let by_rule = tally.deviations.iter().filter(|deviation| deviation.rule.is_some()).count();
@@ -180,7 +180,7 @@ impl fmt::Display for Report {
 
 /// Returns the unexplained deviations that a check finds in a view.
 #[cfg(test)]
-fn findings_of(check: Check, view: &View) -> Vec<String> {
+fn findings_of(check: Check, view: &CellView) -> Vec<String> {
     tally("under test", check, view).findings()
 }
 
@@ -190,19 +190,19 @@ mod tests {
 
     #[test]
     fn an_erratum_without_a_deviation_is_an_orphan() {
-        let mut quiet = Tally::new("quiet", Reading::Printed);
-        let view = View::of(Reading::Printed);
+        let mut quiet = Tally::new("quiet", TextVersion::Printed);
+        let view = CellView::of(TextVersion::Printed);
         let cell = view.find(|cell| cell.errata.contains(&"25A-M512P-J_out-50")).unwrap();
         quiet.compare(true, &[cell], String::new);
         assert_eq!(orphans(catalogue::errata(), &[quiet]).1, ["25A-M512P-J_out-50"]);
-        let mut loud = Tally::new("loud", Reading::Printed);
+        let mut loud = Tally::new("loud", TextVersion::Printed);
         loud.compare(false, &[cell], String::new);
         assert!(orphans(catalogue::errata(), &[loud]).1.is_empty());
     }
 
     #[test]
     fn a_check_that_compares_nothing_does_not_pass() {
-        let idle = tally("idle", |_, _| {}, &View::of(Reading::Printed));
+        let idle = tally("idle", |_, _| {}, &CellView::of(TextVersion::Printed));
         assert_eq!(idle.findings(), ["idle (printed): cannot be checked: the check found nothing to compare"]);
     }
 }

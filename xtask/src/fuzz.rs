@@ -6,7 +6,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use crate::Error;
 use arguments::{Arguments, Work};
-use engine::{Engine, Run, Stop};
+use engine::{EndCondition, Engine, Run};
 
 mod arguments;
 mod corpus;
@@ -75,7 +75,7 @@ pub(crate) fn step(root: &Path) -> Result<(), Error> {
     println!("fuzz: seed {seed}; {SEED}={seed} repeats this run");
     let mut failed = Ok(());
     for target in TARGETS {
-        let stop = Stop::Seconds(target.ci_seconds);
+        let stop = EndCondition::Seconds(target.ci_seconds);
         failed = failed.and(explored(&engine, &target, stop, 1, seed).map(drop));
     }
     failed
@@ -108,7 +108,7 @@ pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
             let share = minutes.map(|minutes| minutes * 60 / u32::try_from(chosen().count().max(1)).unwrap_or(1));
             let mut failed = Ok(());
             for target in chosen() {
-                let stop = share.map_or(Stop::Cases(target.cases), Stop::Seconds);
+                let stop = share.map_or(EndCondition::Cases(target.cases), EndCondition::Seconds);
                 let outcome = explored(&engine, target, stop, arguments.jobs, seed);
                 engine.merge(target)?;
                 failed = failed.and(outcome.map(drop));
@@ -119,7 +119,7 @@ pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
 }
 
 /// Runs a target to its end in several processes at once; a process that ends with a find is restarted.
-fn explored(engine: &Engine, target: &Target, stop: Stop, jobs: u32, seed: u32) -> Result<Run, Error> {
+fn explored(engine: &Engine, target: &Target, stop: EndCondition, jobs: u32, seed: u32) -> Result<Run, Error> {
     let begin = Instant::now();
     let finds = engine.finds(target)?;
     engine.unpack(target)?;
@@ -155,7 +155,7 @@ fn explored(engine: &Engine, target: &Target, stop: Stop, jobs: u32, seed: u32) 
     Ok(sum)
 }
 
-fn job_of(engine: &Engine, target: &Target, stop: Stop, seed: u32) -> Result<Run, Error> {
+fn job_of(engine: &Engine, target: &Target, stop: EndCondition, seed: u32) -> Result<Run, Error> {
     let begin = Instant::now();
     let mut sum = Run::default();
     for attempt in 0.. {
@@ -170,7 +170,7 @@ fn job_of(engine: &Engine, target: &Target, stop: Stop, seed: u32) -> Result<Run
     Ok(sum)
 }
 
-impl Stop {
+impl EndCondition {
     /// Returns the share of the work of each of several processes.
     fn shared(self, jobs: u32) -> Self {
         match self {
@@ -226,11 +226,11 @@ mod tests {
     #[test]
     fn what_is_left_is_what_was_not_done() {
         let spent = Duration::from_secs;
-        assert_eq!(Stop::Seconds(60).after(spent(45), 9), Some(Stop::Seconds(15)));
-        assert_eq!(Stop::Seconds(60).after(spent(60), 9), None);
-        assert_eq!(Stop::Cases(100).shared(3), Stop::Cases(34));
-        assert_eq!(Stop::Cases(34).after(spent(1), 30), Some(Stop::Cases(4)));
-        assert_eq!(Stop::Cases(34).after(spent(1), 40), None);
+        assert_eq!(EndCondition::Seconds(60).after(spent(45), 9), Some(EndCondition::Seconds(15)));
+        assert_eq!(EndCondition::Seconds(60).after(spent(60), 9), None);
+        assert_eq!(EndCondition::Cases(100).shared(3), EndCondition::Cases(34));
+        assert_eq!(EndCondition::Cases(34).after(spent(1), 30), Some(EndCondition::Cases(4)));
+        assert_eq!(EndCondition::Cases(34).after(spent(1), 40), None);
     }
 
     #[test]

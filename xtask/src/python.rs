@@ -32,7 +32,7 @@ const PACKAGE: &str = "crates/python";
 /// # Errors
 /// There is no Python, something does not build, or a test fails.
 pub(crate) fn push(root: &Path) -> Result<(), Error> {
-    let desk = Desk::clear(root, "python")?;
+    let work = TestFolder::clear(root, "python")?;
     let tools = PUSH.ready(root)?;
     // With the features of the workspace tests: alone it would compile most dependencies a second time.
     let all = ["build", "--quiet", "--workspace", "--lib", "--bins", "--tests", "--features", "python/extension"];
@@ -41,21 +41,21 @@ pub(crate) fn push(root: &Path) -> Result<(), Error> {
     let mut pack = Command::new(tools.program("python"));
     pack.arg(root.join("xtask").join("python").join("pack.py"));
     let wheel =
-        printed(pack.arg(root.join(PACKAGE).join("pyproject.toml")).arg(&library).arg(desk.folder.join("wheel")))?;
+        printed(pack.arg(root.join(PACKAGE).join("pyproject.toml")).arg(&library).arg(work.folder.join("wheel")))?;
     let wheel = PathBuf::from(wheel.trim());
 
-    let empty = Ready::empty(desk.folder.join("empty"), PUSH.missing)?;
+    let empty = Ready::empty(work.folder.join("empty"), PUSH.missing)?;
     empty.install(&wheel)?;
-    must_succeed(desk.at(empty.program("antrieb")).arg("--version"))?;
-    must_succeed(desk.at(empty.program("python")).args(["-m", "antrieb.examples", "alone"]))?;
+    must_succeed(work.at(empty.program("antrieb")).arg("--version"))?;
+    must_succeed(work.at(empty.program("python")).args(["-m", "antrieb.examples", "alone"]))?;
 
     tools.install(&wheel)?;
-    must_succeed(desk.at(tools.program("python")).args(["-m", "antrieb.examples", "pictures"]))?;
-    shown(root, &desk.folder.join("pictures"))?;
+    must_succeed(work.at(tools.program("python")).args(["-m", "antrieb.examples", "pictures"]))?;
+    shown(root, &work.folder.join("pictures"))?;
     let python = root.join(PACKAGE);
     let tests = ["-m", "unittest", "discover", "--start-directory"];
-    must_succeed(desk.at(tools.program("python")).args(tests).arg(python.join("tests").join("push")))?;
-    types(root, &desk, &tools)
+    must_succeed(work.at(tools.program("python")).args(tests).arg(python.join("tests").join("push")))?;
+    types(root, &work, &tools)
 }
 
 /// Checks that the guides show the heat map drawn by the examples.
@@ -76,14 +76,14 @@ fn shown(root: &Path, pictures: &Path) -> Result<(), Error> {
 }
 
 /// Checks the types: the package with two checkers, and the stub of the native part against the module.
-fn types(root: &Path, desk: &Desk, tools: &Ready) -> Result<(), Error> {
+fn types(root: &Path, work: &TestFolder, tools: &Ready) -> Result<(), Error> {
     let (settings, sources) =
         (root.join(PACKAGE).join("pyproject.toml"), root.join(PACKAGE).join("python").join("antrieb"));
-    must_succeed(desk.at(tools.program("mypy")).arg("--config-file").arg(&settings).arg(&sources))?;
-    let mut stub = desk.at(tools.program("python"));
+    must_succeed(work.at(tools.program("mypy")).arg("--config-file").arg(&settings).arg(&sources))?;
+    let mut stub = work.at(tools.program("python"));
     must_succeed(stub.args(["-m", "mypy.stubtest", "antrieb._antrieb", "--mypy-config-file"]).arg(&settings))?;
     // pyright as a package that needs no download of its own.
-    let mut pyright = desk.at(tools.program("basedpyright"));
+    let mut pyright = work.at(tools.program("basedpyright"));
     pyright.arg("--project").arg(&settings).arg("--pythonpath").arg(tools.program("python"));
     must_succeed(pyright.arg(&sources))
 }
@@ -93,9 +93,9 @@ fn types(root: &Path, desk: &Desk, tools: &Ready) -> Result<(), Error> {
 /// # Errors
 /// There is no Python, something does not build, or a test fails.
 pub(crate) fn night(root: &Path) -> Result<(), Error> {
-    let desk = Desk::clear(root, "python-night")?;
+    let work = TestFolder::clear(root, "python-night")?;
     let (makers, tools) = (PUSH.ready(root)?, NIGHT.ready(root)?);
-    let folder = desk.folder.join("wheel");
+    let folder = work.folder.join("wheel");
     let mut build = Command::new(makers.program("maturin"));
     build.args(["build", "--locked", "--manifest-path"]).arg(root.join(PACKAGE).join("Cargo.toml"));
     must_succeed(build.arg("--out").arg(&folder).current_dir(root))?;
@@ -107,23 +107,23 @@ pub(crate) fn night(root: &Path) -> Result<(), Error> {
     // Without an isolated network the engine searches one outside.
     let alone = Command::new("unshare").args(["--net", "true"]).stderr(Stdio::null()).status();
     let mut run = if alone.is_ok_and(|status| status.success()) {
-        let mut run = desk.at(PathBuf::from("unshare"));
+        let mut run = work.at(PathBuf::from("unshare"));
         run.args(["--net", "sh", "-c", "ip link set lo up; exec \"$@\"", "sh"]).arg(tools.program("python"));
         run
     } else {
-        desk.at(tools.program("python"))
+        work.at(tools.program("python"))
     };
     run.args(["-m", "unittest", "discover", "--verbose", "--start-directory"]).arg(tests);
     // Its settings and the token that it writes stay in the folder of the run.
-    must_succeed(run.env("HOME", &desk.folder).env("RAY_USAGE_STATS_ENABLED", "0"))
+    must_succeed(run.env("HOME", &work.folder).env("RAY_USAGE_STATS_ENABLED", "0"))
 }
 
 /// Folder for one run.
-struct Desk {
+struct TestFolder {
     folder: PathBuf,
 }
 
-impl Desk {
+impl TestFolder {
     fn clear(root: &Path, name: &str) -> Result<Self, Error> {
         let folder = Workspace::ask(root)?.target.join("xtask").join(name);
         if folder.exists() {

@@ -3,7 +3,7 @@
 use crate::answer::Answer;
 use crate::fault::memory;
 use crate::layout::Layout;
-use crate::save::{Desk, not_to_stdout};
+use crate::save::{Saver, not_to_stdout};
 use crate::source::SourceFile as File;
 use crate::waiting::{patience, waited_s};
 use clap::ArgMatches;
@@ -150,8 +150,8 @@ impl Call<'_> {
     }
 
     /// Returns the writer of the files of the call, which protects those that it reads.
-    pub(crate) fn desk<'c>(&self, inputs: &'c [PathBuf]) -> Desk<'c> {
-        Desk { inputs, force: self.flag("force"), language: self.language }
+    pub(crate) fn saver<'c>(&self, inputs: &'c [PathBuf]) -> Saver<'c> {
+        Saver { inputs, force: self.flag("force"), language: self.language }
     }
 
     /// Returns the answer as a record.

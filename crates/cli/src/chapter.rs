@@ -131,7 +131,7 @@ pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     }
     let mut files: Vec<(&Path, &[u8])> = vec![(out, template.text.as_bytes())];
     files.extend(beside.iter().map(|(path, text)| (path.as_path(), text.as_bytes())));
-    call.desk(&[]).save(&files)?;
+    call.saver(&[]).save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
         return Ok(Answer::record(&FilesWritten { files: paths }));

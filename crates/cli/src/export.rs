@@ -28,9 +28,9 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     }
     let source = asked.source()?;
     let inputs = call.inputs(&source.projects(asked.patience, language)?);
-    let desk = call.desk(&inputs);
+    let saver = call.saver(&inputs);
     if let Some(file) = file {
-        desk.ready(&[file])?;
+        saver.ready(&[file])?;
     }
     let (axis, project) = args.axis(asked)?;
     format.within(&project, table, call.memory())?;
@@ -57,7 +57,7 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     let Some(file) = file else {
         return Ok(Answer::data(String::from_utf8_lossy(&bytes).into_owned()).fits(chosen.fits()));
     };
-    desk.save(&[(file, &bytes)])?;
+    saver.save(&[(file, &bytes)])?;
     let (there, left_out): (Vec<&Table>, Vec<&Table>) = tables.iter().partition(|table| format.holds(table));
     let data = if call.as_json {
         sentence_json(file, (&there, &left_out), &chosen)

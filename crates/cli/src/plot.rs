@@ -46,7 +46,7 @@ pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf], other: Option<&Pa
         return Err(Unanswered::message(terminal::png_needs_a_file(call.language)));
     }
     let files: Vec<&Path> = other.into_iter().chain(call.file("svg")).chain(call.path("png")).collect();
-    call.desk(inputs).ready(&files)
+    call.saver(inputs).ready(&files)
 }
 
 /// Draws the picture and writes it to the files that [`destination`] has checked, or to standard output.
@@ -62,7 +62,7 @@ pub(crate) fn put(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Res
     }
     let svg = call.file("svg").map(|path| (path, picture.svg().as_bytes()));
     let files: Vec<(&Path, &[u8])> = svg.into_iter().chain(png.map(|path| (path, pixels.as_slice()))).collect();
-    call.desk(inputs).save(&files)?;
+    call.saver(inputs).save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
         return Ok(Answer::record(&described(drawing, &picture, &paths)));

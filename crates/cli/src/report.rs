@@ -44,8 +44,8 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     let settings = settings(&args);
     let source = asked.source()?;
     let inputs = call.inputs(&source.projects(asked.patience, language)?);
-    let desk = call.desk(&inputs);
-    desk.ready(&[out])?;
+    let saver = call.saver(&inputs);
+    saver.ready(&[out])?;
     let projects = args.axes(asked)?;
     let with_installation = args.installation;
     let delivered = call.text("delivered").map(|text| questions::list::upkeep::read_date(text, language)).transpose();
@@ -69,7 +69,7 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
     }
     let content = Content { language, axes };
     let bytes = report::pdf(&content, &settings).map_err(|fault| Unanswered::message(fault.message(language)))?;
-    desk.save(&[(out, &bytes)])?;
+    saver.save(&[(out, &bytes)])?;
     let file = path_text(out);
     let verdict = Fit::of_all(of_axes.iter().map(|each| each.verdict));
     let data = match (as_json, of_axes.as_slice()) {

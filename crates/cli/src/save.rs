@@ -18,7 +18,7 @@ pub(crate) fn not_to_stdout(path: &Path, language: Language) -> Unanswered {
 }
 
 /// Writer of the files of a call.
-pub(crate) struct Desk<'c> {
+pub(crate) struct Saver<'c> {
     /// Files that are read and must not be written.
     pub(crate) inputs: &'c [PathBuf],
     /// Replaces an existing file.
@@ -26,7 +26,7 @@ pub(crate) struct Desk<'c> {
     pub(crate) language: Language,
 }
 
-impl Desk<'_> {
+impl Saver<'_> {
     /// Writes files, all or none; a signal removes unfinished ones.
     pub(crate) fn save(&self, files: &[(&Path, &[u8])]) -> Result<(), Unanswered> {
         disk::end_on_signals();

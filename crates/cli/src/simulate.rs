@@ -22,13 +22,13 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let format = file.map(|file| Format::of(file).filter(is_trace).ok_or_else(ending)).transpose()?;
     let axes = args.axes(asked)?;
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
-    let desk = call.desk(&inputs);
+    let saver = call.saver(&inputs);
     // As with `plot`: without a file the picture goes to standard output.
     let draws = plot::is_asked(call) || args.figure.is_some();
     if draws {
         plot::destination(call, &inputs, file)?;
     } else if let Some(file) = file {
-        desk.ready(&[file])?;
+        saver.ready(&[file])?;
     }
     if (file.is_some() || draws) && axes.len() > 1 {
         let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
@@ -42,9 +42,9 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
             Format::Parquet => {
                 let table = tables::trace(&run.course, &args.signals, language);
                 let bytes = tables::parquet(&table);
-                desk.save(&[(file, &bytes.map_err(|error| Unanswered::message(error.message(language)))?)])?;
+                saver.save(&[(file, &bytes.map_err(|error| Unanswered::message(error.message(language)))?)])?;
             }
-            Format::Csv | Format::Json | Format::Workbook => desk.save_by(file, |to| {
+            Format::Csv | Format::Json | Format::Workbook => saver.save_by(file, |to| {
                 let mut to = BufWriter::new(to);
                 let refused = |error: &std::io::Error| Unanswered::message(file_trouble(error, language));
                 let rows = |rows: &str| to.write_all(rows.as_bytes());

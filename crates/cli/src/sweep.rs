@@ -35,10 +35,10 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     let projects = source.projects(asked.patience, language);
     let mut inputs = call.inputs(projects.as_deref().unwrap_or_default());
     inputs.push(path.clone());
-    let desk = call.desk(&inputs);
+    let saver = call.saver(&inputs);
     let ending = || Unanswered::option("out", (sweeps::ending_of_a_table(language).to_owned(), None));
     let place = Format::of(out).ok_or_else(ending);
-    let place = place.and_then(|answers| desk.ready(&[out]).map(|()| answers));
+    let place = place.and_then(|answers| saver.ready(&[out]).map(|()| answers));
     let table = Table { path: &path, language };
     let opened = table.open(0, PART).map(|batches| (table, batches));
     let ready = match opened {
@@ -58,8 +58,8 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     // Files that the table names are protected too.
     let inputs: Vec<PathBuf> =
         inputs.into_iter().chain(run.recordings.iter().map(|name| beside.folder.join(name))).collect();
-    let desk = call.desk(&inputs);
-    desk.ready(&[out])?;
+    let saver = call.saver(&inputs);
+    saver.ready(&[out])?;
     let parts = Parts::of(&run, out, &run.mark()?, sweep.rows_within(call.memory(), PART))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
     talk += &parts.remark(rows);
@@ -68,7 +68,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     }
     let parts = parts.verified(&run)?;
     let mut tally = Tally::default();
-    if let Err(why) = desk.save_by(out, |file| parts.together(answers, &sweep, rows, file, &mut tally)) {
+    if let Err(why) = saver.save_by(out, |file| parts.together(answers, &sweep, rows, file, &mut tally)) {
         return Err(parts.ended(why));
     }
     parts.remove();

@@ -12,7 +12,7 @@ use std::time::Duration;
 
 /// A text that a question is about, or its file.
 #[derive(Clone, Debug)]
-pub enum Text {
+pub enum SourceText {
     /// A file.
     At(PathBuf),
     /// The text itself, its name in faults, and the folder of the recordings that it may name.
@@ -28,11 +28,11 @@ pub enum Text {
 
 /// A call.
 #[derive(Clone, Debug)]
-pub struct Call {
+pub struct QuestionCall {
     /// Command of the question.
     pub command: String,
     /// Texts that it is about.
-    pub texts: Vec<Text>,
+    pub texts: Vec<SourceText>,
     /// Names and values of its arguments.
     pub pairs: Vec<(String, String)>,
     /// Time limit.
@@ -45,14 +45,14 @@ pub struct Call {
 
 /// Answer to a call.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum CallOutcome {
     /// The answer.
     Answered(Reply),
     /// The record of the faults.
     Refused(String),
 }
 
-impl Call {
+impl QuestionCall {
     /// Returns the cancellation of the call, with a time limit if the call has one.
     #[must_use]
     pub fn patience(&self) -> Patience {
@@ -61,8 +61,8 @@ impl Call {
 
     /// Answers the call.
     #[must_use]
-    pub fn answer(&self, patience: &Patience) -> Outcome {
-        self.answered(patience).map_or_else(|why| self.refused(&why), Outcome::Answered)
+    pub fn answer(&self, patience: &Patience) -> CallOutcome {
+        self.answered(patience).map_or_else(|why| self.refused(&why), CallOutcome::Answered)
     }
 
     fn answered(&self, patience: &Patience) -> Result<Reply, Unanswered> {
@@ -92,8 +92,8 @@ impl Call {
         pairs.collect()
     }
 
-    fn refused(&self, why: &Unanswered) -> Outcome {
-        Outcome::Refused(why.record(self.deadline.map(|most| most.as_secs_f64()), self.language))
+    fn refused(&self, why: &Unanswered) -> CallOutcome {
+        CallOutcome::Refused(why.record(self.deadline.map(|most| most.as_secs_f64()), self.language))
     }
 }
 
@@ -103,7 +103,7 @@ fn entry(command: &str) -> Result<&'static Entry, Unanswered> {
     found.ok_or(Unanswered::Refused(questions::Refusal::NoData, None))
 }
 
-impl Text {
+impl SourceText {
     /// Reads the text.
     ///
     /// # Errors

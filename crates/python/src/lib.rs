@@ -1,6 +1,6 @@
 //! antrieb for Python: the questions of the list as functions, sweeps over Arrow tables, and the command line in one wheel.
 //!
-//! [`Call`] is a call without any Python in it; the module that Python loads is behind the feature `extension`, which
+//! [`QuestionCall`] is a call without any Python in it; the module that Python loads is behind the feature `extension`, which
 //! `cargo xtask ci python` and `maturin` set. The functions, their types and their documentation in `python/antrieb`
 //! are generated from the list and from the schema of the answers by `tests/generated.rs`.
 
@@ -10,6 +10,6 @@ mod module;
 mod pool;
 mod sweep;
 
-pub use ask::{Call, Outcome, Text};
+pub use ask::{CallOutcome, QuestionCall, SourceText};
 pub use pool::{ForkedAtWork, forked, within};
 pub use sweep::{SweepCall, checked};

@@ -3,7 +3,7 @@
 mod capsules;
 mod table;
 
-use crate::{Call, ForkedAtWork, Outcome, Text, within};
+use crate::{CallOutcome, ForkedAtWork, QuestionCall, SourceText, within};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::intern;
 use pyo3::prelude::*;
@@ -65,10 +65,10 @@ fn forked_at_work() -> PyErr {
 /// A text or a file, as the functions of the package pass it: text, name, folder; a file without a text.
 type Handed = (Option<String>, String, PathBuf);
 
-fn text((text, name, folder): Handed) -> Text {
+fn text((text, name, folder): Handed) -> SourceText {
     match text {
-        Some(text) => Text::Is { text, name, folder },
-        None => Text::At(PathBuf::from(name)),
+        Some(text) => SourceText::Is { text, name, folder },
+        None => SourceText::At(PathBuf::from(name)),
     }
 }
 
@@ -105,11 +105,11 @@ mod _antrieb {
         let deadline = deadline.map(|text| antrieb::deadline_of(text, language)).transpose();
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, language)))?;
         let texts = texts.into_iter().map(text).collect();
-        let call = Call { command, texts, pairs, deadline, memory, language };
+        let call = QuestionCall { command, texts, pairs, deadline, memory, language };
         let patience = call.patience();
         match beside(py, &patience, deadline, || call.answer(&patience))? {
-            Outcome::Answered(reply) => Ok((reply.media, reply.body.into())),
-            Outcome::Refused(record) => Err(refused(py, &record)),
+            CallOutcome::Answered(reply) => Ok((reply.media, reply.body.into())),
+            CallOutcome::Refused(record) => Err(refused(py, &record)),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Sweeps as calls from Python.
 
-use crate::Text;
+use crate::SourceText;
 use arrow_array::RecordBatch;
 use arrow_schema::Schema;
 use quantities::Language;
@@ -16,7 +16,7 @@ const TABLE: &str = "table";
 #[derive(Clone, Debug)]
 pub struct SweepCall {
     /// Project.
-    pub text: Text,
+    pub text: SourceText,
     /// Names and values of the options: those of the question `sweep` except its table.
     pub pairs: Vec<(String, String)>,
     /// Limit of the memory for recordings and answers, as written.

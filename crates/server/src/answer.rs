@@ -29,7 +29,7 @@ use words::requests;
 pub(crate) type Respond = fn(&Call<'_>, &dyn Shell, &Patience) -> Reply;
 
 /// State shared by all connections.
-pub(crate) struct Desk {
+pub(crate) struct Responder {
     pub(crate) address: SocketAddr,
     pub(crate) token: Option<Token>,
     pub(crate) language: Language,
@@ -123,7 +123,7 @@ struct Question {
     language: Language,
 }
 
-impl Desk {
+impl Responder {
     pub(crate) fn new(
         address: SocketAddr,
         token: Option<Token>,

@@ -1,6 +1,6 @@
 //! The server: its address, connections, and an orderly shutdown.
 
-use crate::answer::{Desk, Respond};
+use crate::answer::{Respond, Responder};
 use crate::folder::Workplace;
 use crate::lanes::Lanes;
 use crate::limits::Limits;
@@ -104,7 +104,7 @@ pub(crate) fn listening(asked: SocketAddr) -> Result<(TcpListener, SocketAddr), 
 /// A server that already listens, so that its address is known before it serves.
 pub struct Server {
     listener: TcpListener,
-    desk: Desk,
+    responder: Responder,
 }
 
 impl Server {
@@ -128,24 +128,27 @@ impl Server {
             Access::Anyone => None,
         };
         let workplace = Workplace::new(folder, options.memory, options.limits.answer_time, options.press);
-        Ok(Self { listener, desk: Desk::new(address, token, options.language, options.limits, workplace, respond) })
+        Ok(Self {
+            listener,
+            responder: Responder::new(address, token, options.language, options.limits, workplace, respond),
+        })
     }
 
     /// Returns the address that it listens on.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
-        self.desk.address
+        self.responder.address
     }
 
     /// Returns the address for a browser, with the token if one is required.
     #[must_use]
     pub fn url(&self) -> String {
-        let mut address = self.desk.address;
+        let mut address = self.responder.address;
         if address.ip().is_unspecified() {
             // For all addresses of the machine: the loopback.
             address.set_ip(IpAddr::V4(Ipv4Addr::LOCALHOST));
         }
-        match &self.desk.token {
+        match &self.responder.token {
             Some(token) => format!("http://{address}/?{IN_QUERY}={}", token.text()),
             None => format!("http://{address}/"),
         }
@@ -154,13 +157,13 @@ impl Server {
     /// Returns `true` if other machines reach it.
     #[must_use]
     pub const fn is_reachable_from_elsewhere(&self) -> bool {
-        !self.desk.address.ip().is_loopback()
+        !self.responder.address.ip().is_loopback()
     }
 
     /// Returns the clients that are served.
     #[must_use]
     pub const fn access(&self) -> Access {
-        if self.desk.token.is_some() { Access::WithToken } else { Access::Anyone }
+        if self.responder.token.is_some() { Access::WithToken } else { Access::Anyone }
     }
 
     /// Serves until the program is terminated.
@@ -176,17 +179,17 @@ impl Server {
     /// # Errors
     /// When the system provides no means to wait for connections.
     pub fn run_until(self, end: impl Future<Output = ()>) -> Result<(), Unserved> {
-        let Self { listener, desk } = self;
+        let Self { listener, responder } = self;
         let runtime = tokio::runtime::Builder::new_current_thread()
             .enable_io()
             .enable_time()
-            .max_blocking_threads(Lanes::threads(&desk.limits))
+            .max_blocking_threads(Lanes::threads(&responder.limits))
             .build()
             .map_err(Unserved::System)?;
-        let end_time = desk.limits.end_time;
+        let end_time = responder.limits.end_time;
         let served = runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener).map_err(Unserved::System)?;
-            serve(listener, Arc::new(desk), end).await;
+            serve(listener, Arc::new(responder), end).await;
             Ok(())
         });
         // A save in progress is completed; a cancelled computation ends at its next step.
@@ -279,9 +282,9 @@ impl Drop for IdleSlot {
 }
 
 /// Accepts connections until the end is requested.
-async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Future<Output = ()>) {
+async fn serve(listener: tokio::net::TcpListener, responder: Arc<Responder>, end: impl Future<Output = ()>) {
     let (tell, ended) = watch::channel(());
-    let most = desk.limits.connections.max(1);
+    let most = responder.limits.connections.max(1);
     let connections = Arc::new(Semaphore::new(most));
     let idle = Arc::<Idle>::default();
     let mut end = pin!(end);
@@ -304,7 +307,7 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
             (place, taken) = next => match (place, taken) {
                 (Ok(place), Ok((stream, _))) => {
                     let place = (place, IdleSlot::new(&idle));
-                    drop(tokio::spawn(connection(stream, Arc::clone(&desk), ended.clone(), place)));
+                    drop(tokio::spawn(connection(stream, Arc::clone(&responder), ended.clone(), place)));
                 }
                 _ => tokio::time::sleep(PAUSE).await,
             },
@@ -312,26 +315,26 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
     }
     drop((listener, tell));
     let all = u32::try_from(most).unwrap_or(u32::MAX);
-    let _ = tokio::time::timeout(desk.limits.end_time, connections.acquire_many(all)).await;
-    desk.lanes.cancel_all();
+    let _ = tokio::time::timeout(responder.limits.end_time, connections.acquire_many(all)).await;
+    responder.lanes.cancel_all();
 }
 
 /// Serves one connection: request by request until it or the server ends.
 async fn connection(
     stream: TcpStream,
-    desk: Arc<Desk>,
+    responder: Arc<Responder>,
     mut ended: watch::Receiver<()>,
     (_permit, place): (OwnedSemaphorePermit, IdleSlot),
 ) {
     // Responses are small and latency matters; Nagle's algorithm would delay them.
     let _ = stream.set_nodelay(true);
-    let limits = desk.limits;
+    let limits = responder.limits;
     let place = Arc::new(place);
     let own = Arc::clone(&place);
     let service = service_fn(move |request| {
-        let (desk, place) = (Arc::clone(&desk), Arc::clone(&own));
+        let (responder, place) = (Arc::clone(&responder), Arc::clone(&own));
         async move {
-            let answer = desk.answer(request, &place).await;
+            let answer = responder.answer(request, &place).await;
             place.idle();
             Ok::<_, Infallible>(answer)
         }

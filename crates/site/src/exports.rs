@@ -5,13 +5,13 @@
 //! confused with each other.
 #![allow(unsafe_code, reason = "the names of three functions: docs/decisions/0017-engine-in-the-browser.md")]
 
-use crate::Desk;
+use crate::PageEngine;
 use std::cell::RefCell;
 
 /// Message being written, and answer being read.
 #[derive(Default)]
 struct Counter {
-    desk: Desk,
+    engine: PageEngine,
     message: Vec<u8>,
     answer: Vec<u8>,
 }
@@ -34,7 +34,7 @@ extern "C" fn antrieb_room(bytes: usize) -> *mut u8 {
 extern "C" fn antrieb_answer() -> usize {
     COUNTER.with_borrow_mut(|counter| {
         let message = std::mem::take(&mut counter.message);
-        counter.answer = counter.desk.answer(&message);
+        counter.answer = counter.engine.answer(&message);
         counter.answer.len()
     })
 }

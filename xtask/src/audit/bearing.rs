@@ -2,7 +2,7 @@
 
 use super::output::step;
 use super::tally::Tally;
-use super::view::{AuditedCell, Span, View, brief, median};
+use super::view::{AuditedCell, CellView, Span, brief, median};
 use std::collections::BTreeMap;
 
 /// Heads of the sizes in the tables that print one column for each.
@@ -15,7 +15,7 @@ pub(super) const SIZES: [&str; 8] =
 ///
 /// Source: chapter 7.4.3 of the manual, P_0 = 2 M_0 / d_p and f_s = C_0 / P_0.
 /// Tolerance: the rounding of all values. Blamed: M_0.
-pub(super) fn static_moment(view: &View, tally: &mut Tally) {
+pub(super) fn static_moment(view: &CellView, tally: &mut Tally) {
     for size in SIZES {
         let safety = if ["CHA-14A", "CHA-17A", "CHA-20A"].contains(&size) { 1.8 } else { 1.5 };
         let span = |symbol| view.of_size("55.1", symbol, size).and_then(AuditedCell::span);
@@ -36,7 +36,7 @@ pub(super) fn static_moment(view: &View, tally: &mut Tally) {
 ///
 /// Source: life equation of chapter 7.4 of the manual, tables 74.5 (B) and 75.4 (x, y), footnote 4 of table 55.1.
 /// Tolerance: half the last digit of the force; a smaller force is another limit and passes. Blamed: the force.
-pub(super) fn life(view: &View, tally: &mut Tally) {
+pub(super) fn life(view: &CellView, tally: &mut Tally) {
     const MILLION_TURNS: f64 = 15_000.0 * 60.0 * 15.0 / 1e6;
     let y =
         view.row("75.4", "y").find_map(|entry| entry.number().filter(|_| entry.cell.place.condition.contains("> 1,5")));
@@ -76,7 +76,7 @@ fn quotient(text: &str) -> Option<f64> {
 ///
 /// Source: chapter 6.20 of the manual (regions of the stiffness curve); a misplaced column breaks it.
 /// Tolerance: none, the printed numbers are compared. Blamed: both values.
-pub(super) fn growth(view: &View, tally: &mut Tally) {
+pub(super) fn growth(view: &CellView, tally: &mut Tally) {
     let stiffness = |symbol: &'static str| {
         ["54.3", "54.4"].iter().flat_map(move |table| view.row(table, symbol)).filter(|entry| entry.text != "-")
     };
@@ -131,7 +131,7 @@ fn ascending(tally: &mut Tally, row: &[&AuditedCell]) {
 /// Source: chapter 9.3 of the manual; completely degreased faces, n screws on the bolt circle d, the same preload for the same thread.
 /// Tolerance: 3 % of the median force of a thread (the bolt circles are printed to full millimetres); the tightening torque
 /// is one value per thread. Blamed: transmissible torque, tightening torque.
-pub(super) fn screws(view: &View, tally: &mut Tally) {
+pub(super) fn screws(view: &CellView, tally: &mut Tally) {
     let mut forces: BTreeMap<&str, Vec<(&AuditedCell, f64)>> = BTreeMap::new();
     let mut torques: BTreeMap<&str, Vec<&AuditedCell>> = BTreeMap::new();
     for size in SIZES {
@@ -194,8 +194,8 @@ mod tests {
     use super::super::findings_of;
     use super::*;
 
-    fn altered(table: &str, symbol: &'static str, drive: &'static str, text: &str) -> View {
-        View::with(table, text, |cell| cell.place.symbol == symbol && cell.place.drive == drive)
+    fn altered(table: &str, symbol: &'static str, drive: &'static str, text: &str) -> CellView {
+        CellView::with(table, text, |cell| cell.place.symbol == symbol && cell.place.drive == drive)
     }
 
     #[test]
@@ -211,15 +211,15 @@ mod tests {
 
     #[test]
     fn a_stiffness_or_accuracy_out_of_order_is_found() {
-        let view = View::with("54.3", "4,8", |c| {
+        let view = CellView::with("54.3", "4,8", |c| {
             c.place.symbol == "K_2" && c.place.drive == "CHA-17A" && c.place.ratio == "30"
         });
         assert!(findings_of(growth, &view).is_empty(), "still in order");
-        let view = View::with("54.3", "44", |c| {
+        let view = CellView::with("54.3", "44", |c| {
             c.place.symbol == "K_2" && c.place.drive == "CHA-17A" && c.place.ratio == "30"
         });
         assert!(!findings_of(growth, &view).is_empty());
-        let view = View::with("54.1", "< 1,6", |c| {
+        let view = CellView::with("54.1", "< 1,6", |c| {
             c.place.symbol == "transmission_accuracy" && c.place.drive == "CHA-20A" && c.place.ratio == "> 50"
         });
         assert_eq!(findings_of(growth, &view).len(), 1);

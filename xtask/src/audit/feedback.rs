@@ -1,7 +1,7 @@
 //! Steps, turns and words of the feedback systems (tables 57.1 to 61.1 and 68.1).
 
 use super::tally::Tally;
-use super::view::{AuditedCell, Span, View, brief};
+use super::view::{AuditedCell, CellView, Span, brief};
 
 /// Tables of the feedback systems, with the number of interpolation steps per period of the incremental signal.
 ///
@@ -15,7 +15,7 @@ const ARCSEC_PER_TURN: f64 = 360.0 * 3600.0;
 ///
 /// Source: notes of tables 57.1 to 61.1 and 68.1.
 /// Tolerance: steps exact; half of the last printed digit of the resolutions. Blamed: the resolution.
-pub(super) fn resolution(view: &View, tally: &mut Tally) {
+pub(super) fn resolution(view: &CellView, tally: &mut Tally) {
     for (table, interpolation) in SYSTEMS {
         let lines = only(view, table, "n_1_lines").or_else(|| only(view, table, "pole_pairs_resolver"));
         let Some((cell, periods)) = lines.and_then(|cell| Some((cell, cell.number()?))) else {
@@ -35,7 +35,7 @@ pub(super) fn resolution(view: &View, tally: &mut Tally) {
     }
 }
 
-fn resolutions(view: &View, tally: &mut Tally, table: &str, symbol: &str, steps: f64) {
+fn resolutions(view: &CellView, tally: &mut Tally, table: &str, symbol: &str, steps: f64) {
     let mut seen = 0;
     for cell in view.row(table, symbol) {
         seen += 1;
@@ -58,7 +58,7 @@ fn resolutions(view: &View, tally: &mut Tally, table: &str, symbol: &str, steps:
 ///
 /// Source: tables 58.1 and 59.1; a whole turn of the output takes i turns of the motor.
 /// Tolerance: none, all are counts. Blamed: the turns at the output, the numbers of bits.
-pub(super) fn turns(view: &View, tally: &mut Tally) {
+pub(super) fn turns(view: &CellView, tally: &mut Tally) {
     for table in ["58.1", "59.1"] {
         let Some(turns) = only(view, table, "turns").and_then(AuditedCell::number) else {
             tally.absent(format_args!("turns of table {table}"));
@@ -102,7 +102,7 @@ fn exact(tally: &mut Tally, cell: &AuditedCell, expected: f64, blamed: &[&Audite
 }
 
 /// Returns the cell of a symbol that a table states once.
-fn only<'a>(view: &'a View, table: &'a str, symbol: &'a str) -> Option<&'a AuditedCell> {
+fn only<'a>(view: &'a CellView, table: &'a str, symbol: &'a str) -> Option<&'a AuditedCell> {
     view.row(table, symbol).next()
 }
 
@@ -111,8 +111,8 @@ mod tests {
     use super::super::findings_of;
     use super::*;
 
-    fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
-        View::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
+    fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> CellView {
+        CellView::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
     }
 
     #[test]

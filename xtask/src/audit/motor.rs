@@ -1,14 +1,14 @@
 //! Currents, torque constants and time constants of the motors (tables 14.1 to 48.1).
 
 use super::tally::{Excuse, Tally};
-use super::view::{AuditedCell, DriveView, Span, View, brief, median};
+use super::view::{AuditedCell, CellView, DriveView, Span, brief, median};
 use std::f64::consts::PI;
 
 /// tau_e = L_LL / R_LL
 ///
 /// Source: definition of the electrical time constant, glossary of the manual; both values line to line.
 /// Tolerance: the rounding of all three values.
-pub(super) fn electrical_time_constant(view: &View, tally: &mut Tally) {
+pub(super) fn electrical_time_constant(view: &CellView, tally: &mut Tally) {
     for drive in view.drives() {
         let cells = [drive.once("tau_e"), drive.once("L_LL"), drive.once("R_LL")];
         let [Some(tau), Some(l), Some(r)] = cells else {
@@ -31,7 +31,7 @@ pub(super) fn electrical_time_constant(view: &View, tally: &mut Tally) {
 ///
 /// Source: definition of the mechanical time constant, glossary of the manual.
 /// Tolerance: the rounding of all values; a zero behind the comma of tau_m may be padding (14,0 9,0 23,0 of table 14.1).
-pub(super) fn mechanical_time_constant(view: &View, tally: &mut Tally) {
+pub(super) fn mechanical_time_constant(view: &CellView, tally: &mut Tally) {
     for drive in view.drives() {
         let taus: Vec<&AuditedCell> = drive.every("tau_m", "").collect();
         if taus.is_empty() {
@@ -71,7 +71,7 @@ fn expected_tau_m(drive: &DriveView<'_>, tau: &AuditedCell) -> Option<Span> {
 ///
 /// Source: as [`mechanical_time_constant`].
 /// Tolerance: the rounding of all four values; a zero behind the comma of tau_m may be padding.
-pub(super) fn time_constant_and_inertia(view: &View, tally: &mut Tally) {
+pub(super) fn time_constant_and_inertia(view: &CellView, tally: &mut Tally) {
     for (base, other) in variants(view) {
         let pairs = [inertia_beside(&base.0, base.1), inertia_beside(&other.0, other.1)];
         let [Some(j_base), Some(j_other)] = pairs.map(|cell| cell.and_then(AuditedCell::span)) else {
@@ -92,7 +92,7 @@ pub(super) fn time_constant_and_inertia(view: &View, tally: &mut Tally) {
 type Variant<'a> = (DriveView<'a>, &'a AuditedCell);
 
 /// Returns pairs of tau_m on the same motor: the one of the encoder with the smallest inertia, and each other one.
-fn variants(view: &View) -> Vec<(Variant<'_>, Variant<'_>)> {
+fn variants(view: &CellView) -> Vec<(Variant<'_>, Variant<'_>)> {
     let mut pairs = Vec::new();
     for drive in view.drives() {
         if let Some(name) = drive.name.strip_suffix("-M512P") {
@@ -128,7 +128,7 @@ fn padding(cell: &AuditedCell, expected: Span) -> Excuse {
 /// Source: chapter 6.1 of the manual (stall torque and no-load current); that the 48 V windings leave I_NLS out is read
 /// from all nine of their values.
 /// Tolerance: the rounding of all values. Blamed: I_0 and k_Tout.
-pub(super) fn stall_current(view: &View, tally: &mut Tally) {
+pub(super) fn stall_current(view: &CellView, tally: &mut Tally) {
     each_ratio(view, tally, "I_0", |drive, ratio, current, tally| {
         let torque = drive.at("T_0", ratio)?.span()?;
         let constant = drive.at("k_Tout", ratio)?;
@@ -148,7 +148,7 @@ pub(super) fn stall_current(view: &View, tally: &mut Tally) {
 ///
 /// Source: definition of k_Tout, glossary of the manual.
 /// Tolerance: lower end of T_max / k_Tout against the upper end of I_max. Blamed: I_max.
-pub(super) fn maximum_current(view: &View, tally: &mut Tally) {
+pub(super) fn maximum_current(view: &CellView, tally: &mut Tally) {
     each_ratio(view, tally, "I_max", |drive, ratio, current, tally| {
         let needed = drive.at("T_max", ratio)?.span()? / drive.at("k_Tout", ratio)?.span()?;
         let printed = current.span()?;
@@ -167,7 +167,7 @@ pub(super) fn maximum_current(view: &View, tally: &mut Tally) {
 /// Tolerance: 0.85 for the quotient of the printed values, 1 for the lower end of k_Tout against the upper end of i k_TM;
 /// the interval of k_Tout / i within 3.2 % of the medians of the family's lower and upper ends. The widest honest spread is
 /// 3.0 % (17A-H/N, i = 80). Blamed: k_Tout; for a quotient above 1 k_TM too.
-pub(super) fn torque_constant(view: &View, tally: &mut Tally) {
+pub(super) fn torque_constant(view: &CellView, tally: &mut Tally) {
     for drive in view.drives() {
         let motor_cell = drive.once("k_TM");
         let Some((motor_cell, motor)) = motor_cell.and_then(|cell| Some((cell, cell.span()?))) else {
@@ -206,7 +206,7 @@ fn expect(tally: &mut Tally, cell: &AuditedCell, printed: Span, expected: Span, 
 
 /// Runs a check on the cell of a symbol at every ratio of every drive; `None` is reported as an impossible comparison.
 pub(super) fn each_ratio(
-    view: &View,
+    view: &CellView,
     tally: &mut Tally,
     symbol: &str,
     check: impl Fn(&DriveView<'_>, &'static str, &AuditedCell, &mut Tally) -> Option<()>,
@@ -226,8 +226,8 @@ mod tests {
     use super::super::findings_of;
     use super::*;
 
-    fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
-        View::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
+    fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> CellView {
+        CellView::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
     }
 
     #[test]
@@ -238,13 +238,13 @@ mod tests {
     #[test]
     fn a_changed_mechanical_time_constant_is_found() {
         assert_eq!(findings_of(mechanical_time_constant, &altered("26.1", "tau_m", "", "7,6")).len(), 1);
-        let small = View::with("17.1", "4,9", |cell| cell.place.symbol == "tau_m" && cell.feedback == "RES");
+        let small = CellView::with("17.1", "4,9", |cell| cell.place.symbol == "tau_m" && cell.feedback == "RES");
         assert_eq!(findings_of(mechanical_time_constant, &small).len(), 1);
     }
 
     #[test]
     fn time_constants_out_of_the_ratio_of_the_inertias_are_found() {
-        let view = View::with("17.1", "4,9", |cell| cell.place.symbol == "tau_m" && cell.feedback == "M128S");
+        let view = CellView::with("17.1", "4,9", |cell| cell.place.symbol == "tau_m" && cell.feedback == "M128S");
         assert_eq!(findings_of(time_constant_and_inertia, &view).len(), 1);
     }
 

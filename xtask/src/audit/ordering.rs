@@ -2,7 +2,7 @@
 
 use super::bearing::SIZES;
 use super::tally::Tally;
-use super::view::View;
+use super::view::CellView;
 use std::collections::BTreeSet;
 
 /// Every table of the manual that holds values, by its number after errata: counted once in the recovered text.
@@ -24,7 +24,7 @@ const RATIOS: [&str; 6] = ["30", "50", "80", "100", "120", "160"];
 ///
 /// Source: chapters 4 and 5 of the manual.
 /// Tolerance: none. Blamed: the cell of table 11.1 or 12.1.
-pub(super) fn ratios(view: &View, tally: &mut Tally) {
+pub(super) fn ratios(view: &CellView, tally: &mut Tally) {
     for size in SIZES {
         for ratio in RATIOS {
             let condition = format!("ratio={ratio}");
@@ -64,7 +64,7 @@ pub(super) fn ratios(view: &View, tally: &mut Tally) {
 ///
 /// Source: chapters 4 and 5 of the manual. On request only (○) needs no data.
 /// Tolerance: none.
-pub(super) fn combinations(view: &View, tally: &mut Tally) {
+pub(super) fn combinations(view: &CellView, tally: &mut Tally) {
     let listed: BTreeSet<(&str, &str)> = view
         .row("11.3", "motor_connector")
         .filter_map(|entry| Some((entry.cell.place.condition.strip_prefix("winding=")?, entry.cell.feedback)))
@@ -112,7 +112,7 @@ pub(super) fn combinations(view: &View, tally: &mut Tally) {
 ///
 /// Source: chapters 4 to 6 of the manual.
 /// Tolerance: none.
-pub(super) fn codes(_: &View, tally: &mut Tally) {
+pub(super) fn codes(_: &CellView, tally: &mut Tally) {
     for (code, availability) in configurator::all() {
         if !availability.is_available() {
             continue;
@@ -128,7 +128,7 @@ pub(super) fn codes(_: &View, tally: &mut Tally) {
 ///
 /// Source: the table numbers of the manual from 11.1 to 79.1, written down in code.
 /// Tolerance: none. Two lists without a number of their own have a name: `glossary-n_N`, and `equation-76.1`, the symbols below that equation.
-pub(super) fn tables(view: &View, tally: &mut Tally) {
+pub(super) fn tables(view: &CellView, tally: &mut Tally) {
     for id in TABLES {
         tally.compare(view.table(id).next().is_some(), &[], || format!("table {id} of the manual has no cells"));
     }
@@ -160,22 +160,24 @@ mod tests {
     #[test]
     fn a_ratio_taken_from_the_matrix_or_given_to_it_is_found() {
         let altered = |size: &'static str, ratio: &'static str, text| {
-            View::with("12.1", text, |cell| {
+            CellView::with("12.1", text, |cell| {
                 cell.place.drive == size && cell.place.condition == format!("ratio={ratio}")
             })
         };
         assert!(!findings_of(ratios, &altered("CHA-20A", "80", "-")).is_empty());
         assert!(!findings_of(ratios, &altered("CHA-50A", "30", "●")).is_empty());
-        let view = View::with("11.1", "60", |cell| cell.place.drive == "CHA-20A" && cell.place.condition == "ratio=80");
+        let view =
+            CellView::with("11.1", "60", |cell| cell.place.drive == "CHA-20A" && cell.place.condition == "ratio=80");
         assert_eq!(findings_of(ratios, &view).len(), 1);
     }
 
     #[test]
     fn a_feedback_without_data_is_found() {
-        let view =
-            View::with("12.1", "●", |cell| cell.place.drive == "CHA-20A" && cell.place.condition == "feedback=RES");
+        let view = CellView::with("12.1", "●", |cell| {
+            cell.place.drive == "CHA-20A" && cell.place.condition == "feedback=RES"
+        });
         assert_eq!(findings_of(combinations, &view).len(), 1);
-        let view = View::with("36.1", "560", |cell| cell.place.symbol == "U_DCmax");
+        let view = CellView::with("36.1", "560", |cell| cell.place.symbol == "U_DCmax");
         assert_eq!(findings_of(combinations, &view).len(), 1);
     }
 

@@ -2,14 +2,14 @@
 
 use super::motor::each_ratio;
 use super::tally::Tally;
-use super::view::{AuditedCell, DriveView, Span, View, brief};
+use super::view::{AuditedCell, CellView, DriveView, Span, brief};
 use std::collections::BTreeMap;
 
 /// J_out = J i², and J_out_brake = J_brake i²
 ///
 /// Source: chapter 6.1 of the manual; J in 10⁻⁴ kgm² at the motor, J_out in kgm² at the output.
 /// Tolerance: the rounding of both values. Blamed: J_out.
-pub(super) fn inertia(view: &View, tally: &mut Tally) {
+pub(super) fn inertia(view: &CellView, tally: &mut Tally) {
     for drive in view.drives() {
         for (out, motor) in [("J_out", "J"), ("J_out_brake", "J_brake")] {
             let mut seen = 0;
@@ -40,7 +40,7 @@ pub(super) fn inertia(view: &View, tally: &mut Tally) {
 /// Source: chapter 6.1 of the manual.
 /// Tolerance: none above the quotient; half of the last printed digit of n_max below it. n_mot_max is exact (a setting,
 /// not a measurement).
-pub(super) fn speed(view: &View, tally: &mut Tally) {
+pub(super) fn speed(view: &CellView, tally: &mut Tally) {
     each_ratio(view, tally, "n_max", |drive, ratio, cell, tally| {
         let quotient = drive.once("n_mot_max")?.number()? / ratio.parse::<f64>().ok()?;
         let printed = cell.span()?;
@@ -65,7 +65,7 @@ fn rounded_down(printed: Span, exact: f64) -> bool {
 ///
 /// Source: found in the tables; the manual states no formula.
 /// Tolerance: the rounding of T_Br. Blamed: T_Br.
-pub(super) fn brake(view: &View, tally: &mut Tally) {
+pub(super) fn brake(view: &CellView, tally: &mut Tally) {
     let mut by_size: BTreeMap<&str, Vec<(&AuditedCell, f64, f64)>> = BTreeMap::new();
     for drive in view.drives() {
         for ratio in drive.ratios() {
@@ -109,7 +109,7 @@ pub(super) fn brake(view: &View, tally: &mut Tally) {
 ///
 /// Source: found in the tables: T_b and rotor grow together from 14A to 50A; the manual states no rule.
 /// Tolerance: the rounding of both inertias. Blamed: J_brake of the stronger brake.
-pub(super) fn brake_rotor(view: &View, tally: &mut Tally) {
+pub(super) fn brake_rotor(view: &CellView, tally: &mut Tally) {
     let mut brakes: Vec<(&AuditedCell, f64, Span)> = Vec::new();
     for drive in view.drives() {
         let torque = drive
@@ -150,7 +150,7 @@ pub(super) fn brake_rotor(view: &View, tally: &mut Tally) {
 ///
 /// Source: the manual's own order; a misplaced column or digit breaks it.
 /// Tolerance: none, the printed numbers are compared. Blamed: both values.
-pub(super) fn order(view: &View, tally: &mut Tally) {
+pub(super) fn order(view: &CellView, tally: &mut Tally) {
     for drive in view.drives() {
         let ratios = drive.ratios();
         for ratio in ratios.windows(2) {
@@ -204,7 +204,7 @@ const FAMILIES: [&[&str]; 2] = [
 ///
 /// Source: the order of the sizes; a misplaced column or digit breaks it.
 /// Tolerance: none, the printed numbers are compared. Blamed: both values.
-pub(super) fn sizes(view: &View, tally: &mut Tally) {
+pub(super) fn sizes(view: &CellView, tally: &mut Tally) {
     for family in FAMILIES {
         for pair in family.windows(2) {
             let [smaller, larger] = pair else { continue };
@@ -267,8 +267,8 @@ mod tests {
     use super::super::findings_of;
     use super::*;
 
-    fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
-        View::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
+    fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> CellView {
+        CellView::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
     }
 
     #[test]
@@ -303,7 +303,7 @@ mod tests {
 
     #[test]
     fn a_brake_too_light_for_its_torque_is_found() {
-        let untouched = findings_of(brake_rotor, &View::of(crate::audit::Reading::Printed));
+        let untouched = findings_of(brake_rotor, &CellView::of(crate::audit::TextVersion::Printed));
         let lighter = findings_of(brake_rotor, &altered("30.2", "J_brake", "", "5,0"));
         assert!(lighter.len() > untouched.len(), "{lighter:?}");
     }
@@ -320,7 +320,7 @@ mod tests {
         assert_eq!(findings_of(order, &altered("26.1", "T_max", "80", "47")).len(), 1);
         assert_eq!(findings_of(order, &altered("26.1", "m_brake", "", "2,9")).len(), 1);
         let view =
-            View::with("51.3", "117", |cell| cell.place.symbol == "L_brake" && cell.place.drive == "CHA-20A-C1024");
+            CellView::with("51.3", "117", |cell| cell.place.symbol == "L_brake" && cell.place.drive == "CHA-20A-C1024");
         assert_eq!(findings_of(order, &view).len(), 1);
     }
 }

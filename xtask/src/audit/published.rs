@@ -2,7 +2,7 @@
 
 use super::output::step;
 use super::tally::Tally;
-use super::view::{AuditedCell, View, brief};
+use super::view::{AuditedCell, CellView, brief};
 
 /// KTY 84-130: rising, typical values within 1.1 ohm of the data sheet's closed form, the bounds on both sides of them
 ///
@@ -10,7 +10,7 @@ use super::view::{AuditedCell, View, brief};
 ///
 /// Source: NXP data sheet KTY84 series rev. 06 (nxp-kty84).
 /// Tolerance: 1.1 ohm; the worst of the 36 points is 1.04 ohm off, at 300 °C.
-pub(super) fn temperature_sensor(view: &View, tally: &mut Tally) {
+pub(super) fn temperature_sensor(view: &CellView, tally: &mut Tally) {
     let of = |which: &str| -> Vec<&AuditedCell> {
         let cells = view.row("kty84-130", "R_KTY");
         cells.filter(|cell| cell.cell.place.condition.starts_with(which)).collect()
@@ -48,7 +48,7 @@ pub(super) fn temperature_sensor(view: &View, tally: &mut Tally) {
 ///
 /// Source: DIN 44081 and DIN 44082 as siemens-1fw6 quotes them; three and one in series have four times the single limit.
 /// Tolerance: none.
-pub(super) fn thermistor(view: &View, tally: &mut Tally) {
+pub(super) fn thermistor(view: &CellView, tally: &mut Tally) {
     let every: Vec<&AuditedCell> = view.row("ptc-din44081", "R_PTC").collect();
     let of = |kind: &str| -> Vec<&AuditedCell> {
         every.iter().copied().filter(|entry| entry.cell.place.condition.split(", ").any(|part| part == kind)).collect()
@@ -74,7 +74,7 @@ pub(super) fn thermistor(view: &View, tally: &mut Tally) {
 ///
 /// Source: zd-shf-2uh, an interchangeable gear; that its T_R is the T_max of the CHA is the reason to use it.
 /// Tolerance: none.
-pub(super) fn gear_ratings(view: &View, tally: &mut Tally) {
+pub(super) fn gear_ratings(view: &CellView, tally: &mut Tally) {
     let get = |symbol: &str, like: &AuditedCell| {
         view.row("gear-ratings", symbol)
             .find(|entry| {
@@ -106,7 +106,7 @@ pub(super) fn gear_ratings(view: &View, tally: &mut Tally) {
 ///
 /// Source: shg-shf-2uh-lw-catalogue, zd-shf-2uh and the manual.
 /// Tolerance: the rounding of both values. Blamed: both.
-pub(super) fn stronger_gear(view: &View, tally: &mut Tally) {
+pub(super) fn stronger_gear(view: &CellView, tally: &mut Tally) {
     let factor = view.row("family", "stronger_gear_factor").find_map(AuditedCell::number);
     let mut seen = 0;
     for cell in view.row("gear-ratings", "T_N").filter(|entry| !entry.text.is_empty()) {
@@ -150,7 +150,7 @@ pub(super) fn stronger_gear(view: &View, tally: &mut Tally) {
 ///
 /// Source: cha-page-39, read from a chart's data.
 /// Tolerance: half a digit of 1 Nm for the torques at standstill; a curve must not pass n_max. Blamed: the curve.
-pub(super) fn curves(view: &View, tally: &mut Tally) {
+pub(super) fn curves(view: &CellView, tally: &mut Tally) {
     let drive = view.drive("CHA-20A-M512P");
     for cell in view.row("curves-20A", "curve_T_n").filter(|entry| !entry.text.is_empty()) {
         let Some(points) = configurator::published_curve_points(&cell.text) else {
@@ -201,21 +201,21 @@ mod tests {
 
     #[test]
     fn a_changed_sensor_resistance_is_found() {
-        let view = View::with("kty84-130", "606", |cell| cell.place.condition == "typical, 25 degC");
+        let view = CellView::with("kty84-130", "606", |cell| cell.place.condition == "typical, 25 degC");
         // By the closed form, and by the bounds on both sides of it.
         assert_eq!(findings_of(temperature_sensor, &view).len(), 2);
     }
 
     #[test]
     fn a_changed_thermistor_limit_is_found() {
-        let view = View::with("ptc-din44081", "≤ 1560", |cell| cell.printed == "≤ 1650");
+        let view = CellView::with("ptc-din44081", "≤ 1560", |cell| cell.printed == "≤ 1650");
         assert_eq!(findings_of(thermistor, &view).len(), 1);
     }
 
     #[test]
     fn a_changed_gear_rating_is_found() {
         let altered = |symbol: &'static str, text| {
-            View::with("gear-ratings", text, move |c| {
+            CellView::with("gear-ratings", text, move |c| {
                 c.place.symbol == symbol && c.place.drive == "CHA-14A" && c.place.ratio == "50"
             })
         };
@@ -225,22 +225,22 @@ mod tests {
 
     #[test]
     fn a_changed_rating_of_the_stronger_gear_is_found() {
-        let altered = View::with("gear-ratings-stronger", "90", |c| {
+        let altered = CellView::with("gear-ratings-stronger", "90", |c| {
             c.place.symbol == "T_N" && c.place.drive == "CHA-25A" && c.place.ratio == "100"
         });
         assert_eq!(findings_of(stronger_gear, &altered).len(), 1);
-        let altered = View::with("gear-ratings-stronger", "90", |c| {
+        let altered = CellView::with("gear-ratings-stronger", "90", |c| {
             c.place.symbol == "T_R" && c.place.drive == "CHA-20A" && c.place.ratio == "80"
         });
         assert!(!findings_of(stronger_gear, &altered).is_empty());
-        let altered = View::with("family", "1,2", |c| c.place.symbol == "stronger_gear_factor");
+        let altered = CellView::with("family", "1,2", |c| c.place.symbol == "stronger_gear_factor");
         assert!(findings_of(stronger_gear, &altered).len() > 25);
     }
 
     #[test]
     fn a_curve_off_the_table_is_found() {
         let altered = |text| {
-            View::with("curves-20A", text, |c| c.place.condition.contains("continuous") && c.place.ratio == "50")
+            CellView::with("curves-20A", text, |c| c.place.condition.contains("continuous") && c.place.ratio == "50")
         };
         assert_eq!(findings_of(curves, &altered("(0;34)(25;31)(70;20)")).len(), 2);
         assert_eq!(findings_of(curves, &altered("(0;32)(25;31)(130;20)")).len(), 1);

@@ -1,7 +1,7 @@
 //! Sources, terms and errata: nothing without use, nothing that points nowhere.
 
 use super::tally::Tally;
-use super::view::View;
+use super::view::CellView;
 use std::collections::BTreeSet;
 
 /// Sources that no table names, each with the reason for keeping it. A source that comes into use leaves this list.
@@ -73,7 +73,7 @@ const GLOSSARY: &str = "explained in chapter 11.1 of the manual, which every rea
 ///
 /// Source: the rules of `data/README.md`.
 /// Tolerance: none.
-pub(super) fn sources(_: &View, tally: &mut Tally) {
+pub(super) fn sources(_: &CellView, tally: &mut Tally) {
     let used: BTreeSet<&str> = catalogue::tables().iter().map(|table| table.source).collect();
     let kept: BTreeSet<&str> = SOURCES_WITHOUT_TABLE.iter().map(|(id, _)| *id).collect();
     each_once(tally, "source", catalogue::documents().iter().map(|document| document.id), &used, &kept);
@@ -83,7 +83,7 @@ pub(super) fn sources(_: &View, tally: &mut Tally) {
 ///
 /// Source: the rules of `data/README.md`.
 /// Tolerance: none.
-pub(super) fn terms(_: &View, tally: &mut Tally) {
+pub(super) fn terms(_: &CellView, tally: &mut Tally) {
     let used: BTreeSet<&str> = catalogue::cells().map(|cell| cell.place.symbol).collect();
     let kept: BTreeSet<&str> = TERMS_WITHOUT_TABLE.iter().map(|(symbol, _)| *symbol).collect();
     each_once(tally, "term", catalogue::glossary().iter().map(|term| term.symbol), &used, &kept);
@@ -112,7 +112,7 @@ fn each_once(
 ///
 /// Source: the rules of `data/README.md`.
 /// Tolerance: none.
-pub(super) fn errata(_: &View, tally: &mut Tally) {
+pub(super) fn errata(_: &CellView, tally: &mut Tally) {
     let mut seen = BTreeSet::new();
     for erratum in catalogue::errata() {
         let table = erratum.table;
@@ -131,11 +131,11 @@ pub(super) fn errata(_: &View, tally: &mut Tally) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::view::Reading;
+    use super::super::view::TextVersion;
     use super::*;
 
     fn findings(used: &[&str], kept: &[&str]) -> Vec<String> {
-        let mut tally = Tally::new("records", Reading::Printed);
+        let mut tally = Tally::new("records", TextVersion::Printed);
         each_once(
             &mut tally,
             "term",

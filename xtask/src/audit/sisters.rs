@@ -1,7 +1,7 @@
 //! Values that sister drives share: C1024 and M512P of one size, E and H/N of one size.
 
 use super::tally::{Excuse, Tally};
-use super::view::{AuditedCell, DriveView, Span, View, brief};
+use super::view::{AuditedCell, CellView, DriveView, Span, brief};
 
 /// C1024 and M512P of a size have the same motor, gear and brake
 ///
@@ -10,7 +10,7 @@ use super::view::{AuditedCell, DriveView, Span, View, brief};
 ///
 /// Source: the model code; only the feedback differs.
 /// Tolerance: none. Blamed: both cells.
-pub(super) fn same_motor(view: &View, tally: &mut Tally) {
+pub(super) fn same_motor(view: &CellView, tally: &mut Tally) {
     for (coded, absolute) in pairs(view, "-C1024", "-M512P") {
         let shared = |entry: &&&AuditedCell| {
             let symbol = entry.cell.place.symbol;
@@ -37,7 +37,7 @@ pub(super) fn same_motor(view: &View, tally: &mut Tally) {
 /// Source: found in the tables; the EQN 1125 is the same part at every size.
 /// Tolerance: 1,0 kg exactly in the printed digits; the rounding of J and J_brake; none for the lengths.
 /// Blamed: the value of M512P; for lengths an erratum of the table.
-pub(super) fn encoder_share(view: &View, tally: &mut Tally) {
+pub(super) fn encoder_share(view: &CellView, tally: &mut Tally) {
     for (coded, absolute) in pairs(view, "-C1024", "-M512P") {
         for (symbol, share, unit) in [
             ("m", Span::exact(1.0), "kg"),
@@ -82,7 +82,7 @@ pub(super) fn encoder_share(view: &View, tally: &mut Tally) {
 ///
 /// Source: the model code; only winding and connector differ.
 /// Tolerance: none. Blamed: both cells.
-pub(super) fn same_gear(view: &View, tally: &mut Tally) {
+pub(super) fn same_gear(view: &CellView, tally: &mut Tally) {
     const SHARED: [&str; 14] = [
         "T_max",
         "T_0",
@@ -111,7 +111,7 @@ pub(super) fn same_gear(view: &View, tally: &mut Tally) {
     }
 }
 
-fn pairs<'a>(view: &'a View, first: &str, second: &str) -> Vec<(DriveView<'a>, DriveView<'a>)> {
+fn pairs<'a>(view: &'a CellView, first: &str, second: &str) -> Vec<(DriveView<'a>, DriveView<'a>)> {
     let ends = |end: &str| view.drives().into_iter().filter(|drive| drive.name.ends_with(end)).collect::<Vec<_>>();
     ends(first).into_iter().zip(ends(second)).filter(|(a, b)| a.size() == b.size()).collect()
 }
@@ -134,23 +134,24 @@ mod tests {
 
     #[test]
     fn a_motor_value_changed_in_one_sister_is_found() {
-        let view = View::with("38.1", "57", |cell| cell.place.symbol == "T_max" && cell.place.ratio == "50");
+        let view = CellView::with("38.1", "57", |cell| cell.place.symbol == "T_max" && cell.place.ratio == "50");
         assert_eq!(findings_of(same_motor, &view).len(), 1);
     }
 
     #[test]
     fn another_mass_length_or_inertia_of_the_encoder_is_found() {
-        let altered = |table, symbol: &'static str, text| View::with(table, text, |cell| cell.place.symbol == symbol);
+        let altered =
+            |table, symbol: &'static str, text| CellView::with(table, text, |cell| cell.place.symbol == symbol);
         assert_eq!(findings_of(encoder_share, &altered("42.1", "m", "7,8")).len(), 1);
         assert_eq!(findings_of(encoder_share, &altered("42.2", "J", "6,3")).len(), 1);
         let view =
-            View::with("53.3", "177", |cell| cell.place.symbol == "L_brake" && cell.place.drive == "CHA-40A-M512P");
+            CellView::with("53.3", "177", |cell| cell.place.symbol == "L_brake" && cell.place.drive == "CHA-40A-M512P");
         assert_eq!(findings_of(encoder_share, &view).len(), 1);
     }
 
     #[test]
     fn a_gear_value_changed_in_one_winding_is_found() {
-        let view = View::with("18.2", "17", |cell| cell.place.symbol == "T_Br" && cell.place.ratio == "50");
+        let view = CellView::with("18.2", "17", |cell| cell.place.symbol == "T_Br" && cell.place.ratio == "50");
         assert_eq!(findings_of(same_gear, &view).len(), 1);
     }
 }

@@ -1,6 +1,6 @@
 //! Record of comparisons, deviations and their explanations.
 
-use super::view::{AuditedCell, Reading};
+use super::view::{AuditedCell, TextVersion};
 use catalogue::Cell;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -10,8 +10,8 @@ use std::fmt;
 pub struct Deviation {
     /// Name of the check.
     pub check: &'static str,
-    /// Reading in which the value deviates.
-    pub reading: Reading,
+    /// TextVersion in which the value deviates.
+    pub reading: TextVersion,
     /// Place, value found and value expected.
     pub message: String,
     /// Identifiers of the errata that explain the deviation.
@@ -55,8 +55,8 @@ pub(super) struct Excuse {
 pub(super) struct Tally {
     /// Name of the check.
     pub check: &'static str,
-    /// Reading.
-    pub reading: Reading,
+    /// TextVersion.
+    pub reading: TextVersion,
     /// Number of comparisons made.
     pub comparisons: usize,
     /// Deviations found.
@@ -66,7 +66,7 @@ pub(super) struct Tally {
 }
 
 impl Tally {
-    pub(super) const fn new(check: &'static str, reading: Reading) -> Self {
+    pub(super) const fn new(check: &'static str, reading: TextVersion) -> Self {
         Self { check, reading, comparisons: 0, deviations: Vec::new(), covered: BTreeSet::new() }
     }
 

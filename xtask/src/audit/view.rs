@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Sub};
 
 /// Version of the cell texts used in a run of the checks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub enum TextVersion {
     /// Text of the manual: every deviation needs an erratum.
     Printed,
     /// Text after errata: a corrected value must fit its neighbours, only a flagged one may still deviate.
@@ -14,7 +14,7 @@ pub enum Reading {
     Limits,
 }
 
-impl Reading {
+impl TextVersion {
     pub(super) const ALL: [Self; 3] = [Self::Printed, Self::Corrected, Self::Limits];
 
     /// Returns the name used in reports.
@@ -87,15 +87,15 @@ impl AuditedCell {
 }
 
 /// The cells in one reading.
-pub(super) struct View {
+pub(super) struct CellView {
     /// The reading.
-    pub reading: Reading,
+    pub reading: TextVersion,
     entries: Vec<AuditedCell>,
 }
 
-impl View {
+impl CellView {
     /// Reads the embedded tables.
-    pub(super) fn of(reading: Reading) -> Self {
+    pub(super) fn of(reading: TextVersion) -> Self {
         let entries = catalogue::cells().map(|cell| AuditedCell { cell, text: reading.text(cell) }).collect();
         Self { reading, entries }
     }
@@ -136,10 +136,10 @@ impl View {
 }
 
 #[cfg(test)]
-impl View {
+impl CellView {
     /// Returns the printed reading with the text of one cell changed; the cell must exist once and have no erratum.
     pub(super) fn with(table: &str, text: &str, accept: impl Fn(&Cell) -> bool) -> Self {
-        let mut view = Self::of(Reading::Printed);
+        let mut view = Self::of(TextVersion::Printed);
         let mut hits = view.entries.iter_mut().filter(|entry| entry.cell.place.table == table && accept(entry.cell));
         let entry = hits.next().expect("the cell to change exists");
         assert!(entry.cell.errata.is_empty(), "{} has an erratum already", entry.place());
@@ -338,9 +338,9 @@ mod tests {
         let corrected = catalogue::erratum("25A-M512P-J_out-50").unwrap();
         let safe = catalogue::erratum("25A-C1024-T_Br-30").unwrap();
         let edition = catalogue::erratum("50A-M512P-J_out_brake-50").unwrap();
-        assert_eq!(Reading::ALL.map(|reading| reading.explains(corrected)), [true, false, false]);
-        assert_eq!(Reading::ALL.map(|reading| reading.explains(safe)), [true, true, false]);
-        assert_eq!(Reading::ALL.map(|reading| reading.explains(edition)), [false; 3]);
+        assert_eq!(TextVersion::ALL.map(|reading| reading.explains(corrected)), [true, false, false]);
+        assert_eq!(TextVersion::ALL.map(|reading| reading.explains(safe)), [true, true, false]);
+        assert_eq!(TextVersion::ALL.map(|reading| reading.explains(edition)), [false; 3]);
     }
 
     #[test]

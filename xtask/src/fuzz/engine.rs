@@ -12,7 +12,7 @@ use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 
 /// Condition that ends a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stop {
+pub(super) enum EndCondition {
     Seconds(u32),
     Cases(u64),
 }
@@ -137,12 +137,12 @@ impl Engine {
     }
 
     /// Replays the corpus and the crashes, then tries new cases.
-    pub(super) fn explore(&self, target: &Target, stop: Stop, seed: u32) -> Result<Run, Error> {
+    pub(super) fn explore(&self, target: &Target, stop: EndCondition, seed: u32) -> Result<Run, Error> {
         let new = self.folder(target, "new")?;
         let mut command = self.command(target)?;
         command.arg(match stop {
-            Stop::Seconds(seconds) => format!("-max_total_time={seconds}"),
-            Stop::Cases(cases) => format!("-runs={cases}"),
+            EndCondition::Seconds(seconds) => format!("-max_total_time={seconds}"),
+            EndCondition::Cases(cases) => format!("-runs={cases}"),
         });
         // The bytes are choices, so a short case is not simpler. Parallel processes use each other's finds. The
         // schedule by rare features costs a fifth of the time if a case has thousands of them.

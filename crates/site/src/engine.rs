@@ -48,11 +48,11 @@ struct Head<'a> {
 
 /// Message handler with the files stored in the browser.
 #[derive(Default)]
-pub struct Desk {
+pub struct PageEngine {
     store: Store,
 }
 
-impl Desk {
+impl PageEngine {
     /// Answers a message. An invalid message gets the status 400 without a text, since only the script of the page
     /// sends messages.
     pub fn answer(&mut self, message: &[u8]) -> Vec<u8> {
@@ -121,8 +121,8 @@ mod tests {
         [&u32::try_from(head.len()).unwrap().to_le_bytes()[..], &head, body].concat()
     }
 
-    fn said(desk: &mut Desk, head: &Value, body: &[u8]) -> (Value, Vec<u8>) {
-        let answer = desk.answer(&message(head, body));
+    fn said(engine: &mut PageEngine, head: &Value, body: &[u8]) -> (Value, Vec<u8>) {
+        let answer = engine.answer(&message(head, body));
         let (length, rest) = answer.split_first_chunk::<4>().unwrap();
         let (head, body) = rest.split_at(u32::from_le_bytes(*length) as usize);
         (serde_json::from_slice(head).unwrap(), body.to_vec())
@@ -136,53 +136,53 @@ mod tests {
 
     #[test]
     fn a_request_has_the_reply_of_the_page() {
-        let mut desk = Desk::default();
-        let (head, body) = said(&mut desk, &ask(false, "/", "", None), &[]);
+        let mut engine = PageEngine::default();
+        let (head, body) = said(&mut engine, &ask(false, "/", "", None), &[]);
         assert_eq!((head["status"].clone(), head["media"].clone()), (json!(200), json!("text/html; charset=utf-8")));
         assert!(String::from_utf8(body).unwrap().contains("Was möchten Sie bewegen?"));
-        assert_eq!(said(&mut desk, &ask(true, "/nowhere", "", None), &[]).0["status"], 404);
+        assert_eq!(said(&mut engine, &ask(true, "/nowhere", "", None), &[]).0["status"], 404);
     }
 
     #[test]
     fn what_is_saved_is_handed_back_to_be_kept_and_another_version_is_left() {
-        let mut desk = Desk::default();
+        let mut engine = PageEngine::default();
         let save = |known: &str, text: &str| format!("file=a.toml&text={text}&known={known}").into_bytes();
-        let (head, _) = said(&mut desk, &ask(true, "/save", "", FORM), &save("", "format"));
+        let (head, _) = said(&mut engine, &ask(true, "/save", "", FORM), &save("", "format"));
         assert_eq!((head["status"].clone(), head["kept"].clone()), (json!(200), json!("a.toml")));
         let version = head["headers"][0][1].as_str().unwrap().to_owned();
-        assert_eq!(said(&mut desk, &json!({ "take": { "name": "a.toml" } }), &[]).1, b"format");
+        assert_eq!(said(&mut engine, &json!({ "take": { "name": "a.toml" } }), &[]).1, b"format");
         // Another tab has saved meanwhile.
-        let _ = said(&mut desk, &json!({ "put": { "name": "a.toml", "modified_s": 5 } }), b"theirs");
-        let (head, _) = said(&mut desk, &ask(true, "/save", "", FORM), &save(&format!("{version}+a.toml"), "mine"));
+        let _ = said(&mut engine, &json!({ "put": { "name": "a.toml", "modified_s": 5 } }), b"theirs");
+        let (head, _) = said(&mut engine, &ask(true, "/save", "", FORM), &save(&format!("{version}+a.toml"), "mine"));
         assert_eq!((head["status"].clone(), head["kept"].clone()), (json!(409), json!(null)));
-        assert_eq!(said(&mut desk, &json!({ "take": { "name": "a.toml" } }), &[]).1, b"theirs");
-        let _ = said(&mut desk, &json!({ "gone": { "name": "a.toml" } }), &[]);
-        assert_eq!(said(&mut desk, &json!({ "take": { "name": "a.toml" } }), &[]).0["status"], 404);
+        assert_eq!(said(&mut engine, &json!({ "take": { "name": "a.toml" } }), &[]).1, b"theirs");
+        let _ = said(&mut engine, &json!({ "gone": { "name": "a.toml" } }), &[]);
+        assert_eq!(said(&mut engine, &json!({ "take": { "name": "a.toml" } }), &[]).0["status"], 404);
     }
 
     #[test]
     fn a_recording_that_is_brought_can_be_read_by_a_project() {
-        let mut desk = Desk::default();
+        let mut engine = PageEngine::default();
         let csv = "t in s;phi in deg\n0;0\n0.5;20\n1;0\n";
-        let (head, body) = said(&mut desk, &ask(true, "/recording", "name=run.csv", None), csv.as_bytes());
+        let (head, body) = said(&mut engine, &ask(true, "/recording", "name=run.csv", None), csv.as_bytes());
         assert_eq!(
             (head["status"].clone(), head["kept"].clone(), body),
             (json!(200), json!("run.csv"), b"run.csv".to_vec())
         );
         let project = "format = 1\n[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\n";
-        let (_, body) = said(&mut desk, &ask(true, "/api/v1/size", "", Some("application/toml")), project.as_bytes());
+        let (_, body) = said(&mut engine, &ask(true, "/api/v1/size", "", Some("application/toml")), project.as_bytes());
         let there = String::from_utf8(body).unwrap();
-        let _ = said(&mut desk, &json!({ "gone": { "name": "run.csv" } }), &[]);
-        let (_, body) = said(&mut desk, &ask(true, "/api/v1/size", "", Some("application/toml")), project.as_bytes());
+        let _ = said(&mut engine, &json!({ "gone": { "name": "run.csv" } }), &[]);
+        let (_, body) = said(&mut engine, &ask(true, "/api/v1/size", "", Some("application/toml")), project.as_bytes());
         let gone = String::from_utf8(body).unwrap();
         assert!(gone.contains("run.csv") && gone != there, "{there}\n{gone}");
     }
 
     #[test]
     fn what_is_no_message_is_answered_too() {
-        let mut desk = Desk::default();
+        let mut engine = PageEngine::default();
         for bytes in [&b""[..], b"abc", &[255, 255, 255, 255, 1], &message(&json!({ "ask": 1 }), b"")] {
-            let answer = desk.answer(bytes);
+            let answer = engine.answer(bytes);
             assert!(String::from_utf8_lossy(&answer).contains("\"status\":400"));
         }
     }
