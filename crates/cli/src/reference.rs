@@ -101,13 +101,7 @@ mod tests {
     #[test]
     fn the_pages_are_those_of_the_command_line() {
         for (file, language) in PAGES {
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference").join(file);
-            let page = page(language);
-            if std::env::var_os("INSTA_UPDATE").is_some_and(|value| value == "always") {
-                std::fs::write(&path, &page).unwrap();
-            }
-            let stored = std::fs::read_to_string(&path).unwrap_or_default();
-            assert!(stored == page, "docs/reference/{file} is out of date: cargo xtask snapshots writes it anew");
+            testkit::generated::is_current(&format!("docs/reference/{file}"), &page(language));
         }
     }
 

@@ -5,7 +5,7 @@
 //! the seconds of one pass on one core. The project has a load and a move with a stated time.
 #![allow(clippy::print_stdout, reason = "it prints what it measures")]
 
-use _antrieb::{SweepCall, Text};
+use _antrieb::{SourceText, SweepCall};
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use quantities::Language;
 use questions::Patience;
@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let time = of(|row| 0.5 + f64::from((row / 1000) % 1000) / 666.0);
     let table = RecordBatch::try_from_iter([("load.inertia [kg m^2]", inertia), ("motion[1].time [s]", time)])?;
     let call =
-        SweepCall { text: Text::At(PathBuf::from(project)), pairs: vec![], memory: None, language: Language::En };
+        SweepCall { text: SourceText::At(PathBuf::from(project)), pairs: vec![], memory: None, language: Language::En };
     let begin = Instant::now();
     let why = |why: questions::list::Unanswered| why.record(None, Language::En);
     let sweep = call.prepared(&table.schema(), std::slice::from_ref(&table)).map_err(why)?;

@@ -11,7 +11,6 @@ mod types;
 
 use questions::list::records;
 use serde_json::{Map, Value};
-use std::path::Path;
 
 /// Names and descriptions of the schema of the answers.
 struct Schema {
@@ -38,16 +37,7 @@ fn files() -> [(&'static str, String); 2] {
 
 #[test]
 fn the_package_is_that_of_the_list_and_the_schema() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("python").join("antrieb");
     for (file, text) in files() {
-        let path = folder.join(file);
-        if std::env::var_os("INSTA_UPDATE").is_some_and(|value| value == "always") {
-            std::fs::write(&path, &text).unwrap_or_default();
-        }
-        let stored = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(
-            stored == text,
-            "crates/python/python/antrieb/{file} is out of date: cargo xtask snapshots writes it anew"
-        );
+        testkit::generated::is_current(&format!("crates/python/python/antrieb/{file}"), &text);
     }
 }

@@ -1,5 +1,7 @@
-//! Test support: tolerances for printed values, generated projects, invalid files, checks of HTML pages, and of words that no reader should meet.
+//! Test support: tolerances for printed values, generated projects and files, invalid files, checks of HTML pages, and of words that
+//! no reader should meet.
 
+pub mod generated;
 pub mod html;
 pub mod parquet;
 pub mod projects;

@@ -2,17 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot panic cannot fail")]
 
-use std::path::Path;
-
 #[test]
 fn the_page_is_that_of_the_records() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/answers.md");
     let page = answers::reference(&answers::schema(&questions::list::records()));
-    if std::env::var_os("INSTA_UPDATE").is_some_and(|value| value == "always") {
-        std::fs::write(&path, &page).unwrap();
-    }
-    let stored = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(stored == page, "docs/reference/answers.md is out of date: cargo xtask snapshots writes it anew");
+    testkit::generated::is_current("docs/reference/answers.md", &page);
 }
 
 /// Every field has a meaning.

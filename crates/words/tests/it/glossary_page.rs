@@ -2,7 +2,6 @@
 #![allow(missing_docs, clippy::unwrap_used, reason = "a test fails loudly")]
 
 use quantities::Language;
-use std::path::Path;
 
 fn pages() -> [(&'static str, String); 2] {
     [("glossary.md", Language::En), ("glossar.md", Language::De)]
@@ -12,12 +11,7 @@ fn pages() -> [(&'static str, String); 2] {
 #[test]
 fn the_pages_are_those_of_the_data() {
     for (file, page) in pages() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference").join(file);
-        if std::env::var_os("INSTA_UPDATE").is_some_and(|value| value == "always") {
-            std::fs::write(&path, &page).unwrap();
-        }
-        let stored = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(stored == page, "docs/reference/{file} is out of date: cargo xtask snapshots writes it anew");
+        testkit::generated::is_current(&format!("docs/reference/{file}"), &page);
     }
 }
 
