@@ -1,7 +1,7 @@
 //! Words of a fixed set in the form of data exchange.
 
 use catalogue::{Bound, Signal, Step};
-use installation::wiring::{CableFor, CableRole, Circuit, Group, Role, Severity};
+use installation::wiring::{CableFor, CableRole, Circuit, SignalGroup, Role, Severity};
 use order_code::Field;
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -69,7 +69,7 @@ identified! {
     CableFor as "CableFor": &CableFor::ALL;
     CableRole as "CableRole": &CableRole::ALL;
     Circuit as "Circuit": &Circuit::ALL;
-    Group as "SignalGroup": &Group::ALL;
+    SignalGroup as "SignalGroup": &SignalGroup::ALL;
     Role as "ConnectorRole": &Role::ALL;
     Severity as "Severity": &Severity::ALL;
     Bound as "Bound": &Bound::ALL;
@@ -94,7 +94,7 @@ identified! {
     installation::fit::FitKind as "FitKind": &installation::fit::FitKind::ALL;
     installation::joint::LoadCase as "LoadCase": &installation::joint::LoadCase::ALL;
     installation::upkeep::Task as "Task": &installation::upkeep::Task::ALL;
-    installation::upkeep::Rule as "Rule": &installation::upkeep::Rule::ALL;
+    installation::upkeep::DateRule as "Rule": &installation::upkeep::DateRule::ALL;
 }
 
 /// Verdict on an actuator, or on the best of several; best first.

@@ -1,7 +1,7 @@
 //! Storage, maintenance, shutdown and disposal of an actuator.
 
 use crate::{Battery, CitedErratum, Fact, Fit, Id};
-use installation::upkeep::{Rule, Task};
+use installation::upkeep::{DateRule, Task};
 use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -47,7 +47,7 @@ pub struct Planned {
     /// Name of the task.
     pub title: String,
     /// Binding force of the task.
-    pub rule: Id<Rule>,
+    pub rule: Id<DateRule>,
     /// Rule as text, with its interval.
     pub rule_text: String,
     /// Interval of a series in ISO 8601: `P6M`, `P90D`.

@@ -1,7 +1,7 @@
 //! Connectors, pins and cables of a code, and the comparison of a pin list with them.
 
 use crate::{Fact, Id, NoteBy, Number};
-use installation::wiring::{CableFor, CableRole, Circuit, Group, Role, Severity};
+use installation::wiring::{CableFor, CableRole, Circuit, SignalGroup, Role, Severity};
 use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -80,7 +80,7 @@ pub struct ConnectorPin {
     /// `true` if a wire is connected.
     pub connected: bool,
     /// Kind of the signal; `null` if nothing is connected.
-    pub group: Option<Id<Group>>,
+    pub group: Option<Id<SignalGroup>>,
     /// Colour of the wire, in the requested language; `null` if the manual states none.
     pub colour: Option<&'static str>,
     /// Meaning of the signal.

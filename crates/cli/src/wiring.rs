@@ -23,7 +23,7 @@ pub(crate) fn wiring(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     Ok(Answer::data(shown(&chapter::wiring(&record, Vec::new(), language), language)))
 }
 
-fn draw(found: &questions::list::wiring::Wiring, call: &Call<'_>) -> Result<Answer, Unanswered> {
+fn draw(found: &questions::list::wiring::CodeWiring, call: &Call<'_>) -> Result<Answer, Unanswered> {
     let language = call.language;
     let wanted = call.text("connector").unwrap_or(Role::Feedback.id());
     let Some(connector) = found.connectors.iter().find(|connector| connector.role.id() == wanted) else {

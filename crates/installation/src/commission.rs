@@ -1,6 +1,6 @@
 //! Motor data of an ordering code for the drive, and measured values of the commissioning.
 //!
-//! A neutral list of [`Parameter`]s, each in SI with its sources; the formats of the drives ([`sinamics`], [`cia402`])
+//! A neutral list of [`ParameterToSet`]s, each in SI with its sources; the formats of the drives ([`sinamics`], [`cia402`])
 //! are tables that assign a parameter, a unit and a rounding, and compute nothing else. Values that the manual does not
 //! state are [`Gap`]s.
 
@@ -171,7 +171,7 @@ identified! {
 
 /// A value to enter in a drive, with its sources.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Parameter {
+pub struct ParameterToSet {
     /// Kind of value.
     pub id: ParameterId,
     /// Value in SI.
@@ -184,7 +184,7 @@ pub struct Parameter {
     pub errata: Vec<&'static str>,
 }
 
-impl Parameter {
+impl ParameterToSet {
     /// Returns the value in the unit of the list, without rounding errors of the conversion.
     #[must_use]
     pub fn value(&self) -> f64 {
@@ -251,7 +251,7 @@ pub struct Commissioning {
     /// Ordering code of the actuator.
     pub code: OrderCode,
     /// Known values in the order of [`ParameterId::ALL`].
-    pub parameters: Vec<Parameter>,
+    pub parameters: Vec<ParameterToSet>,
     /// Values that are not known.
     pub gaps: Vec<Gap>,
     /// Data of the manual on the encoders.
@@ -263,7 +263,7 @@ pub struct Commissioning {
 impl Commissioning {
     /// Returns a parameter, if its value is known.
     #[must_use]
-    pub fn get(&self, id: ParameterId) -> Option<&Parameter> {
+    pub fn get(&self, id: ParameterId) -> Option<&ParameterToSet> {
         self.parameters.iter().find(|parameter| parameter.id == id)
     }
 
@@ -317,7 +317,7 @@ pub fn commission(code: &OrderCode) -> Option<Commissioning> {
 
 /// Result of the search for a parameter.
 enum Found {
-    Known(Parameter),
+    Known(ParameterToSet),
     NotPrinted,
     NotApplicable,
 }
@@ -329,7 +329,7 @@ fn plain<Q: Measure>(id: ParameterId, datum: &Datum<Q>) -> Found {
 
 fn number<T: Copy>(id: ParameterId, datum: &Datum<T>, si: impl Fn(T) -> f64) -> Found {
     match datum {
-        Datum::Known(known) => Found::Known(Parameter {
+        Datum::Known(known) => Found::Known(ParameterToSet {
             id,
             si: si(known.value),
             sources: vec![known.source.clone()],
@@ -348,7 +348,7 @@ fn times<Q: Measure>(id: ParameterId, datum: &Datum<Q>, factor: f64) -> Found {
 
 fn computed(found: Found, change: impl Fn(f64) -> f64) -> Found {
     match found {
-        Found::Known(parameter) => Found::Known(Parameter {
+        Found::Known(parameter) => Found::Known(ParameterToSet {
             si: change(parameter.si),
             grade: parameter.grade.worst(Grade::Computed),
             ..parameter
@@ -360,7 +360,7 @@ fn computed(found: Found, change: impl Fn(f64) -> f64) -> Found {
 /// Combines two data into a third.
 fn joined(one: Found, other: Found, join: impl Fn(f64, f64) -> f64) -> Found {
     match (one, other) {
-        (Found::Known(one), Found::Known(other)) => Found::Known(Parameter {
+        (Found::Known(one), Found::Known(other)) => Found::Known(ParameterToSet {
             id: one.id,
             si: join(one.si, other.si),
             grade: one.grade.worst(other.grade).worst(Grade::Computed),

@@ -1,7 +1,7 @@
 //! Encoders of an ordering code as simulated by `feedback`: parameters from the tables, pins from the wiring.
 
 use crate::commission::encoder::{EncoderSide, rows};
-use crate::wiring::{Meaning, Pin, Role, Wiring};
+use crate::wiring::{SignalMeaning, Pin, Role, CodeWiring};
 use actuator::Feedback;
 use catalogue::{Cell, Value};
 use feedback::ssi::Format;
@@ -102,7 +102,7 @@ impl Fitted {
 
     /// Returns the pins of a signal, plus end first.
     #[must_use]
-    pub fn pins(&self, signal: Signal, wiring: &Wiring) -> Vec<Pin> {
+    pub fn pins(&self, signal: Signal, wiring: &CodeWiring) -> Vec<Pin> {
         let carries = |pin: &&Pin| pin.carries.is_some_and(|carried| of_meaning(carried.meaning) == Some(signal));
         let connector = wiring.connector(self.role);
         let mut pins: Vec<Pin> = connector.into_iter().flat_map(|found| &found.pins).filter(carries).cloned().collect();
@@ -161,25 +161,25 @@ impl Fitted {
 }
 
 /// Returns the signal on a pin; `None` for supply, shield and others that do not depend on the angle.
-const fn of_meaning(meaning: Meaning) -> Option<Signal> {
+const fn of_meaning(meaning: SignalMeaning) -> Option<Signal> {
     Some(match meaning {
-        Meaning::Track('A', _) => Signal::A,
-        Meaning::Track(_, _) => Signal::B,
-        Meaning::Reference => Signal::R,
-        Meaning::Zero => Signal::Z,
-        Meaning::CommutationTrack('C') => Signal::C,
-        Meaning::CommutationTrack(_) => Signal::D,
-        Meaning::CommutationPhase('U') => Signal::U,
-        Meaning::CommutationPhase('V') => Signal::V,
-        Meaning::CommutationPhase(_) => Signal::W,
-        Meaning::Data(_) => Signal::Data,
-        Meaning::Clock(_) => Signal::Clock,
-        Meaning::ResolverSine => Signal::Sine,
-        Meaning::ResolverCosine => Signal::Cosine,
-        Meaning::Excitation => Signal::Excitation,
-        Meaning::Phase(_) | Meaning::ProtectiveEarth | Meaning::Brake | Meaning::Ptc | Meaning::Kty => return None,
-        Meaning::Supply | Meaning::Ground | Meaning::SupplySense | Meaning::GroundSense => return None,
-        Meaning::Shield => return None,
+        SignalMeaning::Track('A', _) => Signal::A,
+        SignalMeaning::Track(_, _) => Signal::B,
+        SignalMeaning::Reference => Signal::R,
+        SignalMeaning::Zero => Signal::Z,
+        SignalMeaning::CommutationTrack('C') => Signal::C,
+        SignalMeaning::CommutationTrack(_) => Signal::D,
+        SignalMeaning::CommutationPhase('U') => Signal::U,
+        SignalMeaning::CommutationPhase('V') => Signal::V,
+        SignalMeaning::CommutationPhase(_) => Signal::W,
+        SignalMeaning::Data(_) => Signal::Data,
+        SignalMeaning::Clock(_) => Signal::Clock,
+        SignalMeaning::ResolverSine => Signal::Sine,
+        SignalMeaning::ResolverCosine => Signal::Cosine,
+        SignalMeaning::Excitation => Signal::Excitation,
+        SignalMeaning::Phase(_) | SignalMeaning::ProtectiveEarth | SignalMeaning::Brake | SignalMeaning::Ptc | SignalMeaning::Kty => return None,
+        SignalMeaning::Supply | SignalMeaning::Ground | SignalMeaning::SupplySense | SignalMeaning::GroundSense => return None,
+        SignalMeaning::Shield => return None,
     })
 }
 

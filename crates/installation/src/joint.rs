@@ -62,7 +62,7 @@ pub struct CaseAnswer {
 
 /// A bolted joint with its results.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Joint {
+pub struct BoltedJoint {
     /// Side of the joint.
     pub side: Side,
     /// Screws, bolt circle and torques from the manual.
@@ -79,7 +79,7 @@ const MODEL: Source = Source::Model { name: "screw-joint" };
 
 /// Computes a joint in all load cases.
 #[must_use]
-pub fn joint(code: &OrderCode, side: Side, actuator: &Parameters, axis: &AxisLoads) -> Joint {
+pub fn joint(code: &OrderCode, side: Side, actuator: &Parameters, axis: &AxisLoads) -> BoltedJoint {
     let screws = match side {
         Side::Load => &actuator.screw_joint_load,
         Side::Housing => &actuator.screw_joint_housing,
@@ -118,7 +118,7 @@ pub fn joint(code: &OrderCode, side: Side, actuator: &Parameters, axis: &AxisLoa
             CaseAnswer { case, torque, alone, moment, together }
         })
         .collect();
-    Joint { side, screws: screws.clone(), friction, clamp_force: clamp, cases }
+    BoltedJoint { side, screws: screws.clone(), friction, clamp_force: clamp, cases }
 }
 
 /// Returns moment and forces that act with a torque: those of the project, else only the moment permitted by the output

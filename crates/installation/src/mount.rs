@@ -2,7 +2,7 @@
 
 use crate::facts::{Order, facts_about, mass_of, needs_hoist};
 use crate::fit::{Bore, Fit, Side, fit};
-use crate::joint::{AxisLoads, Joint, joint};
+use crate::joint::{AxisLoads, BoltedJoint, joint};
 use catalogue::{Cell, Fact, Topic};
 use configurator::{Uncovered, uncovered};
 use order_code::OrderCode;
@@ -44,7 +44,7 @@ pub struct Mount {
     /// Degree of protection.
     pub protection: Option<&'static Cell>,
     /// Bolted joints, load first.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<BoltedJoint>,
     /// Requirements of the manual, in the order of the steps.
     pub facts: Vec<&'static Fact>,
 }

@@ -80,7 +80,7 @@ impl Task {
 identified! {
     /// Obligation of a date.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    pub enum Rule {
+    pub enum DateRule {
         /// Latest date.
         AtTheLatest = "at_the_latest",
         /// Recommended date.
@@ -100,7 +100,7 @@ pub struct Planned {
     /// Task of the line.
     pub task: Task,
     /// Obligation of the date.
-    pub rule: Rule,
+    pub rule: DateRule,
     /// Interval of a series.
     pub interval: Option<Interval>,
     /// Start of a series.
@@ -218,7 +218,7 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
         // Concerns an actuator in store, or a planned storage that is too long; in service it is no date.
         let concerns = asked.today.map_or(!storage_permitted, |today| today < in_service);
         if asked.storage.is_some() && concerns {
-            plan.once(Task::StorageEnd, Rule::AtTheLatest, end);
+            plan.once(Task::StorageEnd, DateRule::AtTheLatest, end);
         }
     }
     if !storage_permitted {
@@ -280,14 +280,14 @@ struct Plan {
 
 impl Plan {
     /// Adds a single task or event.
-    fn once(&mut self, task: Task, rule: Rule, date: NaiveDate) {
+    fn once(&mut self, task: Task, rule: DateRule, date: NaiveDate) {
         self.line(task, rule, None, (date, date), (Some(Grade::Printed), None));
     }
 
     fn line(
         &mut self,
         task: Task,
-        rule: Rule,
+        rule: DateRule,
         interval: Option<Interval>,
         (first, next): (NaiveDate, NaiveDate),
         (grade, model): (Option<Grade>, Option<Source>),
@@ -311,13 +311,13 @@ impl Plan {
         }
         // The interval is stated by the user or assumed; the manual states that of the cleaning only.
         let grade = stated.map_or(Some(Grade::Assumed), |_| None);
-        let clean = if cleaning == yearly { (Rule::EveryAtMost, Some(Grade::Printed)) } else { (Rule::Every, grade) };
+        let clean = if cleaning == yearly { (DateRule::EveryAtMost, Some(Grade::Printed)) } else { (DateRule::Every, grade) };
         let series = [
             (Task::Cleaning, clean.0, cleaning, clean.1),
-            (Task::Cables, Rule::Every, interval, grade),
-            (Task::ProtectiveEarth, Rule::Every, interval, grade),
-            (Task::Screws, Rule::Every, interval, grade),
-            (Task::Seals, Rule::Every, interval, grade),
+            (Task::Cables, DateRule::Every, interval, grade),
+            (Task::ProtectiveEarth, DateRule::Every, interval, grade),
+            (Task::Screws, DateRule::Every, interval, grade),
+            (Task::Seals, DateRule::Every, interval, grade),
         ];
         for (task, rule, interval, grade) in series {
             let beyond = UpkeepFault::BeyondTheCalendar;
@@ -342,10 +342,10 @@ impl Plan {
         }
         let from_delivery = |fact: &str| years_of(fact, "").and_then(|years| years.after(asked.delivered, 1));
         if let Some(date) = from_delivery(Task::EncoderRecommended.fact()) {
-            self.once(Task::EncoderRecommended, Rule::Recommended, date);
+            self.once(Task::EncoderRecommended, DateRule::Recommended, date);
         }
         if let Some(date) = from_delivery(Task::EncoderLatest.fact()) {
-            self.once(Task::EncoderLatest, Rule::AtTheLatest, date);
+            self.once(Task::EncoderLatest, DateRule::AtTheLatest, date);
         }
         let (Some(hours), Datum::Known(battery)) = (asked.hours_per_day, configurator::battery()) else {
             self.notes.push(PlanNote::HoursNotStated);
@@ -357,7 +357,7 @@ impl Plan {
             self.notes.push(PlanNote::BatteryOutlivesEncoder);
         } else if let Some(end) = later(self.in_service, life.life.value) {
             let source = Some(life.life.source.clone());
-            self.line(Task::BatteryEmpty, Rule::Estimated, None, (end, end), (Some(life.life.grade), source));
+            self.line(Task::BatteryEmpty, DateRule::Estimated, None, (end, end), (Some(life.life.grade), source));
         }
         let (source, grade, errata) = (life.life.source.clone(), life.life.grade, life.life.errata);
         Ok(Datum::Known(provenance::Sourced { value: life, source, grade, errata }))

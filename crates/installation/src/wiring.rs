@@ -7,10 +7,10 @@ mod pin_list;
 mod signal;
 
 pub use cables::{Cable, CableFor, CableLength, CableRole};
-pub use comparison::{Comparison, Difference, Finding, Severity, compare};
+pub use comparison::{PinComparison, PinDifference, PinFinding, Severity, compare};
 pub use drop::{Circuit, DropVerdict, VoltageDrop, voltage_drops};
-pub use pin_list::{Column, LISTED_BYTES_MAX, ListFault, ListedPin, PinList, read_pin_list};
-pub use signal::{Form, Group, Meaning, Polarity, Protocol, Signal};
+pub use pin_list::{PinColumn, LISTED_BYTES_MAX, ListFault, ListedPin, PinList, read_pin_list};
+pub use signal::{TrackForm, SignalGroup, SignalMeaning, Polarity, Protocol, Signal};
 
 use catalogue::{Cell, SeriesData, Table};
 use order_code::{Brake, OrderCode};
@@ -18,7 +18,7 @@ use quantities::identified;
 
 /// Wiring of one ordering code.
 #[derive(Clone, Debug)]
-pub struct Wiring {
+pub struct CodeWiring {
     /// Ordering code of the actuator.
     pub code: OrderCode,
     /// Connectors: motor, motor feedback, and the encoder at the output if fitted.
@@ -29,7 +29,7 @@ pub struct Wiring {
     pub absences: Vec<Absence>,
 }
 
-impl Wiring {
+impl CodeWiring {
     /// Returns the connector with a role.
     #[must_use]
     pub fn connector(&self, role: Role) -> Option<&Connector> {
@@ -117,7 +117,7 @@ impl Pin {
     }
 
     /// Returns `true` if the pin has a signal of a group.
-    pub(crate) fn carries(&self, group: Group) -> bool {
+    pub(crate) fn carries(&self, group: SignalGroup) -> bool {
         self.carries.is_some_and(|signal| signal.group() == group)
     }
 }
@@ -186,7 +186,7 @@ identified! {
 /// # Valid
 /// Standard actuator; a special design may be wired differently.
 #[must_use]
-pub fn wiring(code: &OrderCode) -> Option<Wiring> {
+pub fn wiring(code: &OrderCode) -> Option<CodeWiring> {
     let mut tables = SeriesData::of(code.series()).wirings.iter();
     let is_wired =
         |windings: &[_], feedbacks: &[_]| windings.contains(&code.winding) && feedbacks.contains(&code.feedback);
@@ -200,7 +200,7 @@ pub fn wiring(code: &OrderCode) -> Option<Wiring> {
     }
     let cables = cables::cables(code);
     let absences = absences(code, &connectors, &cables);
-    Some(Wiring { code: *code, connectors, cables, absences })
+    Some(CodeWiring { code: *code, connectors, cables, absences })
 }
 
 /// Returns `true` if a cell applies to the size and feedback of a code.
@@ -304,7 +304,7 @@ fn ambiguous(pins: &[Pin]) -> Vec<Ambiguous> {
 
 fn absences(code: &OrderCode, connectors: &[Connector], cables: &[Cable]) -> Vec<Absence> {
     let of = |role: Role| connectors.iter().find(|connector| connector.role == role);
-    let carried = |group: Group| connectors.iter().flat_map(|connector| &connector.pins).any(|pin| pin.carries(group));
+    let carried = |group: SignalGroup| connectors.iter().flat_map(|connector| &connector.pins).any(|pin| pin.carries(group));
     let mut found = Vec::new();
     let mut absent = |what: Absent, table: &'static str| found.push(Absence { what, table });
     let (motor, feedback) = (of(Role::Motor), of(Role::Feedback));
@@ -315,13 +315,13 @@ fn absences(code: &OrderCode, connectors: &[Connector], cables: &[Cable]) -> Vec
     }
     if motor.is_some_and(|motor| motor.pins.is_empty()) {
         absent(Absent::MotorPins, motor_table);
-    } else if !carried(Group::Ptc) {
+    } else if !carried(SignalGroup::Ptc) {
         absent(Absent::Ptc, motor_table);
     }
-    if !carried(Group::Kty) {
+    if !carried(SignalGroup::Kty) {
         absent(Absent::Kty, feedback_table);
     }
-    for (what, group) in [(Absent::Sense, Group::Sense), (Absent::ShieldPin, Group::Shield)] {
+    for (what, group) in [(Absent::Sense, SignalGroup::Sense), (Absent::ShieldPin, SignalGroup::Shield)] {
         if !feedback.is_some_and(|feedback| feedback.pins.iter().any(|pin| pin.carries(group))) {
             absent(what, feedback_table);
         }

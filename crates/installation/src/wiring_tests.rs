@@ -7,7 +7,7 @@ fn code(text: &str) -> OrderCode {
     order_code::parse(text).unwrap().code
 }
 
-fn of(text: &str) -> Wiring {
+fn of(text: &str) -> CodeWiring {
     wiring(&code(text)).unwrap()
 }
 
@@ -15,7 +15,7 @@ fn signals(connector: &Connector) -> Vec<(&str, &str)> {
     connector.pins.iter().map(|pin| (pin.name.as_str(), pin.printed())).collect()
 }
 
-fn compared(code: &str, list: &str) -> Comparison {
+fn compared(code: &str, list: &str) -> PinComparison {
     compare(&of(code), &read_pin_list(list).unwrap())
 }
 
@@ -24,7 +24,7 @@ fn found(code: &str, list: &str) -> Vec<(Option<usize>, &'static str, Severity)>
 }
 
 /// Returns the list of a connector as stated in the manual.
-fn printed_list(wiring: &Wiring) -> String {
+fn printed_list(wiring: &CodeWiring) -> String {
     let mut list = String::from("connector,pin,signal\n");
     for connector in &wiring.connectors {
         for pin in &connector.pins {
@@ -202,7 +202,7 @@ fn the_other_encoders_pin_out_is_recognised() {
         list.push_str(&format!("EC,{},{}\n", pin.name, pin.printed()));
     }
     let comparison = compare(&wiring, &read_pin_list(&list).unwrap());
-    assert_eq!(comparison.findings[0].difference, Difference::OtherEncoder { of: Role::Feedback });
+    assert_eq!(comparison.findings[0].difference, PinDifference::OtherEncoder { of: Role::Feedback });
     assert_eq!(comparison.findings[0].severity(), Severity::Danger);
     assert!(!comparison.agrees());
 }
@@ -223,7 +223,7 @@ fn pins_signals_colours_and_shields_that_are_not_so_are_found() {
     assert!(!found.iter().any(|(at, ..)| *at == Some(4)), "red by its letters and U: {found:?}");
     let nearest = compared("CHA-25A-100-H-M512P-B", list).findings;
     let nearest = nearest.iter().find(|each| each.line == Some(10)).unwrap();
-    assert_eq!(nearest.difference, Difference::UnknownSignal { written: "BRR+".into(), nearest: Some("BR+") });
+    assert_eq!(nearest.difference, PinDifference::UnknownSignal { written: "BRR+".into(), nearest: Some("BR+") });
     let open = self::found("CHA-14A-50-E-RES", "connector,pin,signal\nfeedback,3,SIN+\nfeedback,7,-\nfeedback,4,xyz\n");
     assert_eq!(open[0], (Some(2), "wrong_pin", Severity::Fault));
     assert_eq!(open[1], (Some(3), "left_open", Severity::Fault));

@@ -7,7 +7,7 @@ use crate::section::{Section, section};
 use crate::value::{OneOrMany, choices};
 use crate::{Diagnostic, Fault};
 use installation::commission::expected::Measurand;
-use installation::commission::recorded::{Counting, Measured, NoLoad, Turn};
+use installation::commission::recorded::{Counting, MeasuredValues, NoLoad, Turn};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Frequency, Inductance,
     ThermodynamicTemperature, Time,
@@ -154,7 +154,7 @@ impl MeasuredKey {
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file.
-pub fn measured(text: &str) -> Result<Measured, Vec<Diagnostic>> {
+pub fn measured(text: &str) -> Result<MeasuredValues, Vec<Diagnostic>> {
     let mut reader = Reader::of_file(text)?;
     let root: MeasuredRoot = reader.read();
     let stated: Vec<_> = reader.tolerances.iter().map(|tolerance| tolerance.span.clone()).collect();
@@ -167,8 +167,8 @@ pub fn measured(text: &str) -> Result<Measured, Vec<Diagnostic>> {
     if faults.is_empty() { Ok(found) } else { Err(faults) }
 }
 
-fn build(root: &MeasuredRoot) -> Measured {
-    let mut found = Measured::default();
+fn build(root: &MeasuredRoot) -> MeasuredValues {
+    let mut found = MeasuredValues::default();
     if let Some(winding) = root.winding.get() {
         found.winding_temperature = winding.temperature.value();
         found.resistance_ll = winding.resistance_ll.value();
@@ -262,7 +262,7 @@ mod tests {
     fn a_record_of_every_key_is_read() {
         let text: String = measured_lines().into_iter().map(|line| format!("{}\n", line.text)).collect();
         let found = measured(&text).unwrap();
-        let whole = Measured { no_load: found.no_load.clone(), ..found.clone() };
+        let whole = MeasuredValues { no_load: found.no_load.clone(), ..found.clone() };
         assert_eq!(found, whole);
         assert!(found.resistance_ll.is_some() && found.brake_closing_time.is_some() && found.position.is_some());
         assert!(found.electrical_frequency.is_some() && found.emf.is_some() && found.ptc.is_some());

@@ -1,7 +1,7 @@
 //! A list of pins and the dimensions of a cable, as stated by the user.
 
 use crate::chapters::read_quantity;
-use installation::wiring::{Comparison, ListFault, Wiring, compare, read_pin_list};
+use installation::wiring::{PinComparison, ListFault, CodeWiring, compare, read_pin_list};
 use quantities::unit::{METRE, SQUARE_MILLIMETRE};
 use quantities::{Area, Language, Length, Measure};
 use words::{Worded, wiring};
@@ -18,10 +18,10 @@ pub(crate) const CROSS_SECTION_MAX_MM2: f64 = 1000.0;
 /// # Errors
 /// Errors of the source; bytes in memory have none.
 pub(crate) fn read_list(
-    wiring: &Wiring,
+    wiring: &CodeWiring,
     bytes: &[u8],
     language: Language,
-) -> std::io::Result<Result<Comparison, (String, Vec<Worded>)>> {
+) -> std::io::Result<Result<PinComparison, (String, Vec<Worded>)>> {
     let (text, _) = recording::read_text(bytes)?;
     let worded = |fault: &ListFault| {
         let (message, hint) = (wiring::list_fault(fault, language), wiring::list_fault_hint(fault, language));

@@ -6,7 +6,7 @@ use crate::texts::said;
 use installation::commission::cia402::ObjectId;
 use installation::commission::expected::{Band, Measurand};
 use installation::commission::recorded::{Cause, Unjudged};
-use installation::commission::sinamics::Choice;
+use installation::commission::sinamics::ParameterChoice;
 use installation::commission::{Conversion, Gap, ParameterId};
 use quantities::{Language, format_significant};
 
@@ -106,22 +106,22 @@ pub const fn conversion_text(conversion: Conversion, language: Language) -> &'st
 
 /// Returns the meaning of a parameter number of a drive.
 #[must_use]
-pub const fn choice_text(choice: Choice, language: Language) -> &'static str {
+pub const fn choice_text(choice: ParameterChoice, language: Language) -> &'static str {
     let (en, de) = match choice {
-        Choice::Synchronous => (
+        ParameterChoice::Synchronous => (
             "motor type: rotary permanent-magnet synchronous motor",
             "Motortyp: rotatorischer permanenterregter Synchronmotor",
         ),
-        Choice::IdentifiedEncoder => (
+        ParameterChoice::IdentifiedEncoder => (
             "encoder: identified by the drive over EnDat; compare p0408, p0421, p0423 with the result",
             "Geber: vom Servoregler über EnDat identifiziert; p0408, p0421, p0423 mit dem Ergebnis vergleichen",
         ),
-        Choice::EnteredEncoder => ("encoder: data entered by hand", "Geber: Daten von Hand eingegeben"),
-        Choice::SensorAtEncoder => (
+        ParameterChoice::EnteredEncoder => ("encoder: data entered by hand", "Geber: Daten von Hand eingegeben"),
+        ParameterChoice::SensorAtEncoder => (
             "temperature sensor connected through the motor encoder",
             "Temperatursensor über den Motorgeber angeschlossen",
         ),
-        Choice::SensorKty => ("type of temperature sensor: KTY 84", "Typ des Temperatursensors: KTY 84"),
+        ParameterChoice::SensorKty => ("type of temperature sensor: KTY 84", "Typ des Temperatursensors: KTY 84"),
     };
     pick(language, en, de)
 }

@@ -5,7 +5,7 @@ use crate::pick;
 use crate::texts::{said, texts};
 use chrono::NaiveDate;
 use installation::calendar::{DateFault, INTERVAL_MOST_YEARS, Interval, IntervalFault, YEARS};
-use installation::upkeep::{PlanNote, Rule, Task, UpkeepFault};
+use installation::upkeep::{PlanNote, DateRule, Task, UpkeepFault};
 use quantities::Language;
 
 /// A day of a record as the language writes it: `2026-03-01` is 01.03.2026 in German.
@@ -43,14 +43,14 @@ pub fn task_title(task: Task, language: Language) -> String {
 
 /// Returns the obligation of a date, with the interval of a series.
 #[must_use]
-pub fn rule_text(rule: Rule, interval: Option<Interval>, language: Language) -> String {
+pub fn rule_text(rule: DateRule, interval: Option<Interval>, language: Language) -> String {
     let every = interval.map(|interval| every(interval, language)).unwrap_or_default();
     match rule {
-        Rule::AtTheLatest => said!(language => "at the latest" | "spätestens"),
-        Rule::Recommended => said!(language => "recommended" | "empfohlen"),
-        Rule::Estimated => said!(language => "estimated" | "geschätzt"),
-        Rule::Every => every,
-        Rule::EveryAtMost => said!(language => "at least {every}" | "mindestens {every}"),
+        DateRule::AtTheLatest => said!(language => "at the latest" | "spätestens"),
+        DateRule::Recommended => said!(language => "recommended" | "empfohlen"),
+        DateRule::Estimated => said!(language => "estimated" | "geschätzt"),
+        DateRule::Every => every,
+        DateRule::EveryAtMost => said!(language => "at least {every}" | "mindestens {every}"),
     }
 }
 

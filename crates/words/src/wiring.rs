@@ -8,7 +8,7 @@ use crate::pick;
 use crate::texts::{said, texts};
 use catalogue::Cell;
 use installation::wiring::{
-    Absent, CableFor, CableRole, Circuit, DropVerdict, Form, Meaning, Polarity, Protocol, Role, Severity, Signal,
+    Absent, CableFor, CableRole, Circuit, DropVerdict, TrackForm, SignalMeaning, Polarity, Protocol, Role, Severity, Signal,
 };
 use quantities::Language;
 
@@ -116,50 +116,50 @@ pub fn signal_meaning(signal: Signal, language: Language) -> String {
         Protocol::Ssi => "SSI",
     };
     let text = match signal.meaning {
-        Meaning::Phase(name) => named("motor phase", "Motorphase", name),
-        Meaning::ProtectiveEarth => said!(language => "protective earth" | "Schutzleiter"),
-        Meaning::Brake => said!(language => "supply of the holding brake" | "Versorgung der Haltebremse"),
-        Meaning::Ptc => said!(language =>
+        SignalMeaning::Phase(name) => named("motor phase", "Motorphase", name),
+        SignalMeaning::ProtectiveEarth => said!(language => "protective earth" | "Schutzleiter"),
+        SignalMeaning::Brake => said!(language => "supply of the holding brake" | "Versorgung der Haltebremse"),
+        SignalMeaning::Ptc => said!(language =>
             "PTC thermistors of the winding, one of the two terminals, no polarity"
             | "Kaltleiter (PTC) der Wicklung, einer der beiden Anschlüsse, polungsfrei"
         ),
-        Meaning::Kty => said!(language =>
+        SignalMeaning::Kty => said!(language =>
             "temperature sensor KTY 84-130 of the winding"
             | "Temperatursensor KTY 84-130 der Wicklung"
         ),
-        Meaning::Supply => said!(language => "supply of the encoder" | "Versorgung des Gebers"),
-        Meaning::Ground => said!(language => "ground of the encoder supply" | "Masse der Geberversorgung"),
-        Meaning::SupplySense => said!(language => "sense line of the supply" | "Sense-Leitung der Versorgung"),
-        Meaning::GroundSense => said!(language => "sense line of the ground" | "Sense-Leitung der Masse"),
-        Meaning::Track(name, form) => {
+        SignalMeaning::Supply => said!(language => "supply of the encoder" | "Versorgung des Gebers"),
+        SignalMeaning::Ground => said!(language => "ground of the encoder supply" | "Masse der Geberversorgung"),
+        SignalMeaning::SupplySense => said!(language => "sense line of the supply" | "Sense-Leitung der Versorgung"),
+        SignalMeaning::GroundSense => said!(language => "sense line of the ground" | "Sense-Leitung der Masse"),
+        SignalMeaning::Track(name, form) => {
             let form = match form {
-                Form::Sinusoidal => said!(language => "sinusoidal" | "sinusförmig"),
-                Form::Sine => said!(language => "sine" | "Sinus"),
-                Form::Cosine => said!(language => "cosine" | "Kosinus"),
-                Form::Square => said!(language => "square wave RS422" | "Rechteck RS422"),
+                TrackForm::Sinusoidal => said!(language => "sinusoidal" | "sinusförmig"),
+                TrackForm::Sine => said!(language => "sine" | "Sinus"),
+                TrackForm::Cosine => said!(language => "cosine" | "Kosinus"),
+                TrackForm::Square => said!(language => "square wave RS422" | "Rechteck RS422"),
             };
             format!("{}, {form}", named("incremental track", "Inkrementalspur", name))
         }
-        Meaning::Reference => said!(language => "reference signal" | "Referenzsignal"),
-        Meaning::Zero => said!(language => "reference signal, RS422" | "Referenzsignal, RS422"),
-        Meaning::CommutationTrack(name) => {
+        SignalMeaning::Reference => said!(language => "reference signal" | "Referenzsignal"),
+        SignalMeaning::Zero => said!(language => "reference signal, RS422" | "Referenzsignal, RS422"),
+        SignalMeaning::CommutationTrack(name) => {
             format!(
                 "{}, {}",
                 named("commutation track", "Kommutierungsspur", name),
                 said!(language => "sinusoidal" | "sinusförmig")
             )
         }
-        Meaning::CommutationPhase(name) => {
+        SignalMeaning::CommutationPhase(name) => {
             format!("{}, RS422", named("commutation signal", "Kommutierungssignal", name))
         }
-        Meaning::Data(protocol) => said!(language => "{} data" | "{}-Daten", serial(protocol)),
-        Meaning::Clock(protocol) => said!(language => "{} clock" | "{}-Takt", serial(protocol)),
-        Meaning::ResolverSine => said!(language => "sine winding of the resolver" | "Sinuswicklung des Resolvers"),
-        Meaning::ResolverCosine => {
+        SignalMeaning::Data(protocol) => said!(language => "{} data" | "{}-Daten", serial(protocol)),
+        SignalMeaning::Clock(protocol) => said!(language => "{} clock" | "{}-Takt", serial(protocol)),
+        SignalMeaning::ResolverSine => said!(language => "sine winding of the resolver" | "Sinuswicklung des Resolvers"),
+        SignalMeaning::ResolverCosine => {
             said!(language => "cosine winding of the resolver" | "Kosinuswicklung des Resolvers")
         }
-        Meaning::Excitation => said!(language => "excitation of the resolver" | "Erregung des Resolvers"),
-        Meaning::Shield => said!(language => "inner shield of the cable" | "innerer Schirm des Kabels"),
+        SignalMeaning::Excitation => said!(language => "excitation of the resolver" | "Erregung des Resolvers"),
+        SignalMeaning::Shield => said!(language => "inner shield of the cable" | "innerer Schirm des Kabels"),
     };
     match signal.polarity {
         None => text,

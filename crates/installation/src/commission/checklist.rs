@@ -1,7 +1,7 @@
 //! Checklists: requirements of the manual for each step, and expected values of the code with space for measured ones.
 
-use super::expected::{Expected, Measurand};
-use super::{Commissioning, Parameter, ParameterId};
+use super::expected::{ExpectedValue, Measurand};
+use super::{Commissioning, ParameterToSet, ParameterId};
 use crate::facts::{Order, facts_about};
 use catalogue::{Fact, Step, Topic};
 use quantities::unit::{MINUTE, REVOLUTION_PER_MINUTE};
@@ -15,18 +15,18 @@ pub const STEPS: [Step; 3] = [Step::BeforePower, Step::FirstMotion, Step::AfterA
 
 /// A line of a checklist.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Item {
+pub enum ChecklistItem {
     /// A fact of the manual.
     Fact(&'static Fact),
     /// A value to measure under a condition.
     Measure {
         /// Expected value.
-        expected: Expected,
+        expected: ExpectedValue,
         /// Condition to which the expected value applies.
         at: Condition,
     },
     /// A value to set or to compare.
-    Value(Parameter),
+    Value(ParameterToSet),
     /// Limits of the test run.
     Limit {
         /// Largest motor speed.
@@ -57,7 +57,7 @@ pub struct CheckList {
     /// Step of the commissioning.
     pub step: Step,
     /// Lines: facts first, then values.
-    pub items: Vec<Item>,
+    pub items: Vec<ChecklistItem>,
 }
 
 /// Returns the motor speed and the longest duration of a test run, from the facts of the manual.
@@ -75,7 +75,7 @@ pub fn lists(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<Ch
     let facts = facts_about(Topic::Commission, &about.code, Order::Data);
     let list = |step: Step| {
         let of_step = facts.iter().filter(|fact| fact.step == Some(step));
-        let mut items: Vec<Item> = of_step.map(|fact| Item::Fact(fact)).collect();
+        let mut items: Vec<ChecklistItem> = of_step.map(|fact| ChecklistItem::Fact(fact)).collect();
         items.extend(match step {
             Step::BeforePower => before_power(about, ambient),
             Step::FirstMotion => first_motion(about, ambient),
@@ -87,11 +87,11 @@ pub fn lists(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<Ch
 }
 
 /// Returns a value to measure, if the expected value is known.
-fn measure(expected: Option<Expected>, at: Condition) -> Option<Item> {
-    Some(Item::Measure { expected: expected?, at })
+fn measure(expected: Option<ExpectedValue>, at: Condition) -> Option<ChecklistItem> {
+    Some(ChecklistItem::Measure { expected: expected?, at })
 }
 
-fn before_power(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<Item> {
+fn before_power(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<ChecklistItem> {
     let cold = [about.expected_resistance(ambient), about.expected_kty(ambient), about.expected_ptc(ambient)];
     let at_any = [
         about.expected_inductance(),
@@ -104,7 +104,7 @@ fn before_power(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec
     let set = [ParameterId::SpeedMotorMax, ParameterId::SpeedOutMax, ParameterId::CurrentLimit, ParameterId::PolePairs];
     let cold = cold.map(|expected| measure(expected, Condition::Temperature(ambient)));
     let at_any = at_any.map(|expected| measure(expected, Condition::Any));
-    let values = set.map(|id| about.get(id).cloned().map(Item::Value));
+    let values = set.map(|id| about.get(id).cloned().map(ChecklistItem::Value));
     cold.into_iter().chain(at_any).chain(values).flatten().collect()
 }
 
@@ -115,11 +115,11 @@ fn test_speeds(about: &Commissioning) -> Option<(AngularVelocity, AngularVelocit
     Some((speed_motor, AngularVelocity::from_si(speed_motor.si() / ratio), time))
 }
 
-fn first_motion(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<Item> {
+fn first_motion(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<ChecklistItem> {
     let Some((speed_motor, speed_out, time)) = test_speeds(about) else { return Vec::new() };
     let at = Condition::SpeedMotor(speed_motor);
     let items = [
-        Some(Item::Limit { speed_motor, speed_out, time }),
+        Some(ChecklistItem::Limit { speed_motor, speed_out, time }),
         measure(about.expected_ratio(), at),
         measure(about.expected_emf(speed_motor), at),
         measure(about.expected_no_load(speed_out, ambient), Condition::SpeedOut(speed_out, ambient)),
@@ -127,8 +127,8 @@ fn first_motion(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec
     items.into_iter().flatten().collect()
 }
 
-fn after_a_day(about: &Commissioning) -> Vec<Item> {
-    let warning = about.get(ParameterId::WindingWarning).cloned().map(Item::Value);
+fn after_a_day(about: &Commissioning) -> Vec<ChecklistItem> {
+    let warning = about.get(ParameterId::WindingWarning).cloned().map(ChecklistItem::Value);
     let current = test_speeds(about).zip(about.warm_gear()).and_then(|((_, speed_out, _), warm)| {
         measure(about.expected_no_load(speed_out, warm), Condition::SpeedOut(speed_out, warm))
     });

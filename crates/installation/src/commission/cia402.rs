@@ -1,7 +1,7 @@
 //! CiA 402 objects that follow from a code, as whole numbers with their rounding error.
 
 use super::recorded::{REVERSED, counting_fact};
-use super::{Commissioning, Parameter, ParameterId, clean};
+use super::{Commissioning, ParameterToSet, ParameterId, clean};
 use catalogue::Fact;
 use quantities::identified;
 use quantities::unit::{MILLIAMPERE, MILLINEWTON_METRE, ONE, REVOLUTION_PER_MINUTE};
@@ -124,7 +124,7 @@ pub struct Object {
     /// Rounding of the value.
     pub rounding: Rounding,
     /// Parameters from which the value follows.
-    pub from: Vec<Parameter>,
+    pub from: Vec<ParameterToSet>,
     /// Facts from which the value follows.
     pub facts: Vec<&'static Fact>,
     /// Document that defines the object, its type and its unit.
@@ -188,7 +188,7 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
         drafts.push(share(ObjectId::MaxTorque, 0x6072, "beckhoff-ax8xxx"));
         drafts.push(share(ObjectId::MaxCurrent, 0x6073, "festo-cmmp"));
     }
-    let mut one = |id, place, parameter: Option<Parameter>, unit: &quantities::Unit, shown, document| {
+    let mut one = |id, place, parameter: Option<ParameterToSet>, unit: &quantities::Unit, shown, document| {
         if let Some(parameter) = parameter {
             let exact = clean(unit.from_si(parameter.si));
             drafts.push(draft(id, place, exact, shown, vec![parameter], document));
@@ -209,7 +209,7 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     let document = "beckhoff-ax8xxx";
     one(ObjectId::EncoderIncrements, (0x608F, 1), increments.clone(), &ONE, "inc", document);
     // Per single turn.
-    let single = |parameter: Option<Parameter>| parameter.map(|parameter| Parameter { si: 1.0, ..parameter });
+    let single = |parameter: Option<ParameterToSet>| parameter.map(|parameter| ParameterToSet { si: 1.0, ..parameter });
     one(ObjectId::EncoderRevolutions, (0x608F, 2), single(increments), &ONE, "rev", document);
     one(ObjectId::GearMotorRevolutions, (0x6091, 1), ratio.clone(), &ONE, "rev", document);
     one(ObjectId::GearShaftRevolutions, (0x6091, 2), single(ratio), &ONE, "rev", document);

@@ -1,6 +1,6 @@
 //! Expected values of measurements, with their bands and the sources of these.
 
-use super::{Commissioning, Parameter, ParameterId, sensors};
+use super::{Commissioning, ParameterToSet, ParameterId, sensors};
 use actuator::{NoLoadFriction, copper_resistance};
 use catalogue::{Cell, Value};
 use provenance::{Grade, Source};
@@ -115,7 +115,7 @@ impl Band {
 
 /// Expected value of a measurement, in SI.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Expected {
+pub struct ExpectedValue {
     /// Quantity to measure.
     pub what: Measurand,
     /// Expected value; `None` if there is only an upper bound.
@@ -147,9 +147,9 @@ const BRAKE_TIME: f64 = 0.5;
 const READING: f64 = 0.02;
 
 impl Commissioning {
-    fn about(&self, what: Measurand, id: ParameterId, (share, band): (f64, Band)) -> Option<Expected> {
+    fn about(&self, what: Measurand, id: ParameterId, (share, band): (f64, Band)) -> Option<ExpectedValue> {
         let parameter = self.get(id)?;
-        Some(Expected {
+        Some(ExpectedValue {
             what,
             nominal: Some(parameter.si),
             low: parameter.si * (1.0 - share),
@@ -163,7 +163,7 @@ impl Commissioning {
 
     /// Returns the winding resistance R = R_LL (1 + 3.93e-3 (ϑ − 20 °C)), see [`copper_resistance`].
     #[must_use]
-    pub fn expected_resistance(&self, winding: ThermodynamicTemperature) -> Option<Expected> {
+    pub fn expected_resistance(&self, winding: ThermodynamicTemperature) -> Option<ExpectedValue> {
         let at_20 = self.about(Measurand::ResistanceLl, ParameterId::ResistanceLl, (RESISTANCE, Band::ServoMotors))?;
         let factor = copper_resistance(ElectricalResistance::from_si(1.0), winding).si();
         Some(scaled(at_20, factor))
@@ -171,13 +171,13 @@ impl Commissioning {
 
     /// Returns L_LL of the manual.
     #[must_use]
-    pub fn expected_inductance(&self) -> Option<Expected> {
+    pub fn expected_inductance(&self) -> Option<ExpectedValue> {
         self.about(Measurand::InductanceLl, ParameterId::InductanceLl, (INDUCTANCE, Band::Ours))
     }
 
     /// Returns the induced voltage U = k_EM n, rms between two terminals.
     #[must_use]
-    pub fn expected_emf(&self, speed_motor: AngularVelocity) -> Option<Expected> {
+    pub fn expected_emf(&self, speed_motor: AngularVelocity) -> Option<ExpectedValue> {
         let per_speed =
             self.about(Measurand::Emf, ParameterId::VoltageConstant, (VOLTAGE_CONSTANT, Band::ServoMotors))?;
         Some(scaled(per_speed, speed_motor.si().abs()))
@@ -186,11 +186,11 @@ impl Commissioning {
     /// Returns the resistance of the KTY, see [`sensors::kty_resistance`], with the band [`sensors::kty_band`]; `None`
     /// if no connector has contacts for it.
     #[must_use]
-    pub fn expected_kty(&self, sensor: ThermodynamicTemperature) -> Option<Expected> {
+    pub fn expected_kty(&self, sensor: ThermodynamicTemperature) -> Option<ExpectedValue> {
         let nominal = sensors::kty_resistance(sensor).filter(|_| self.has_kty())?;
         let [low, high] = sensors::kty_band(sensor)?.map(Measure::si);
         let place = sensors::kty_cell(sensor);
-        Some(Expected {
+        Some(ExpectedValue {
             what: Measurand::Kty,
             nominal: Some(nominal.si()),
             low,
@@ -205,13 +205,13 @@ impl Commissioning {
     /// Returns the bound of a cold PTC; `None` without a PTC, and from T_NAT − 20 K on, above which the standard states
     /// no bound for a range.
     #[must_use]
-    pub fn expected_ptc(&self, sensor: ThermodynamicTemperature) -> Option<Expected> {
+    pub fn expected_ptc(&self, sensor: ThermodynamicTemperature) -> Option<ExpectedValue> {
         let response = configurator::ptc_cell(&self.code).filter(|_| self.has_ptc())?;
         let celsius = response.limit().number()?;
         let cold = sensors::ptc_bounds().into_iter().next()?;
         let from_response = sensor.in_unit(&DEGREE_CELSIUS) - celsius;
         (from_response <= -20.0).then_some(())?;
-        Some(Expected {
+        Some(ExpectedValue {
             what: Measurand::Ptc,
             nominal: None,
             low: SHORT_CIRCUIT_OHM,
@@ -225,7 +225,7 @@ impl Commissioning {
 
     /// Returns U_Br with the tolerance of the manual.
     #[must_use]
-    pub fn expected_brake_voltage(&self) -> Option<Expected> {
+    pub fn expected_brake_voltage(&self) -> Option<ExpectedValue> {
         let drive = catalogue::drive(self.code.size, self.code.winding, self.code.feedback)?;
         let cell = drive.cell("U_Br", "", self.code.feedback, self.code.ratio).filter(|_| self.has_brake())?;
         let Value::Tolerance { plus_minus_percent, .. } = cell.limit() else { return None };
@@ -234,7 +234,7 @@ impl Commissioning {
 
     /// Returns a current or a time of the brake.
     #[must_use]
-    pub fn expected_brake(&self, what: Measurand) -> Option<Expected> {
+    pub fn expected_brake(&self, what: Measurand) -> Option<ExpectedValue> {
         let (id, share) = match what {
             Measurand::BrakeOpeningCurrent => (ParameterId::BrakeOpeningCurrent, BRAKE_CURRENT),
             Measurand::BrakeHoldingCurrent => (ParameterId::BrakeHoldingCurrent, BRAKE_CURRENT),
@@ -257,7 +257,7 @@ impl Commissioning {
     /// Uncoupled, at constant speed. Below the lowest temperature of the manual by extrapolation, whose band widens
     /// this one (docs/theory/current.md).
     #[must_use]
-    pub fn expected_no_load(&self, speed_out: AngularVelocity, gear: ThermodynamicTemperature) -> Option<Expected> {
+    pub fn expected_no_load(&self, speed_out: AngularVelocity, gear: ThermodynamicTemperature) -> Option<ExpectedValue> {
         let law = NoLoadFriction::of(&self.actuator).ok()?;
         let at = law.at(gear);
         let (starting, growing) = (at.starting.si(), at.constant.si() * speed_out.si().abs());
@@ -271,11 +271,11 @@ impl Commissioning {
         let (at_one, of_both) = (stated.iter().filter(|(at, _)| *at == gear), stated.iter());
         let used: Vec<ParameterId> = at_one.map(|(_, id)| *id).collect();
         let used = if used.is_empty() { of_both.map(|(_, id)| *id).collect() } else { used };
-        let growths: Vec<&Parameter> = used.into_iter().filter_map(|id| self.get(id)).collect();
+        let growths: Vec<&ParameterToSet> = used.into_iter().filter_map(|id| self.get(id)).collect();
         let (off_starting, off_growing) = (deviation("dev_starting")?, deviation("dev_growing")?);
         let band = [off_starting.1, off_growing.1].map(|cell| Source::Published(&cell.place)).to_vec();
         let (off_starting, off_growing) = (off_starting.0, off_growing.0);
-        Some(Expected {
+        Some(ExpectedValue {
             what: Measurand::NoLoadCurrent,
             nominal: Some(starting + growing),
             low: below * (starting * (1.0 - off_starting) + growing * (1.0 - off_growing)),
@@ -297,13 +297,13 @@ impl Commissioning {
 
     /// Returns the reduction ratio i, from two speeds.
     #[must_use]
-    pub fn expected_ratio(&self) -> Option<Expected> {
+    pub fn expected_ratio(&self) -> Option<ExpectedValue> {
         self.about(Measurand::Ratio, ParameterId::ReductionRatio, (READING, Band::Exact))
     }
 
     /// Returns the number of pole pairs p, from frequency and speed.
     #[must_use]
-    pub fn expected_pole_pairs(&self) -> Option<Expected> {
+    pub fn expected_pole_pairs(&self) -> Option<ExpectedValue> {
         self.about(Measurand::PolePairs, ParameterId::PolePairs, (READING, Band::Exact))
     }
 }
@@ -332,8 +332,8 @@ fn deviation(symbol: &str) -> Option<(f64, &'static Cell)> {
     Some((cell.limit().number()? / 100.0, cell))
 }
 
-fn scaled(expected: Expected, factor: f64) -> Expected {
-    Expected {
+fn scaled(expected: ExpectedValue, factor: f64) -> ExpectedValue {
+    ExpectedValue {
         nominal: expected.nominal.map(|nominal| nominal * factor),
         low: expected.low * factor,
         high: expected.high * factor,

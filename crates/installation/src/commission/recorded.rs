@@ -6,7 +6,7 @@ mod causes;
 pub use causes::Cause;
 
 use super::Commissioning;
-use super::expected::{Expected, Measurand};
+use super::expected::{ExpectedValue, Measurand};
 use catalogue::Fact;
 use order_code::{FeedbackKind, OrderCode};
 use provenance::{Grade, Source};
@@ -46,7 +46,7 @@ pub struct NoLoad {
 
 /// Measured values of a commissioning.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Measured {
+pub struct MeasuredValues {
     /// Temperature of the winding during the resistance measurement.
     pub winding_temperature: Option<ThermodynamicTemperature>,
     /// Resistance between two terminals.
@@ -89,7 +89,7 @@ pub struct Measured {
 
 /// Verdict on a measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum MeasurementVerdict {
     /// The value is inside the band.
     Pass,
     /// The value is outside the band.
@@ -121,9 +121,9 @@ pub struct Judged {
     /// Measured value in SI; for a direction one if correct, zero if not.
     pub value: Option<f64>,
     /// Expected value.
-    pub expected: Option<Expected>,
+    pub expected: Option<ExpectedValue>,
     /// Verdict on the measurement.
-    pub verdict: Verdict,
+    pub verdict: MeasurementVerdict,
     /// Likely cause of a deviation.
     pub cause: Option<Cause>,
     /// Reason for which the measurement is not checked.
@@ -141,7 +141,7 @@ impl Judged {
             number: None,
             value,
             expected: None,
-            verdict: Verdict::NotChecked,
+            verdict: MeasurementVerdict::NotChecked,
             cause: None,
             unjudged: Some(why),
             fact: None,
@@ -149,13 +149,13 @@ impl Judged {
         }
     }
 
-    fn of(value: f64, expected: Expected, cause: Option<Cause>) -> Self {
+    fn of(value: f64, expected: ExpectedValue, cause: Option<Cause>) -> Self {
         let inside = value >= expected.low && value <= expected.high;
         let cause = cause.filter(|_| !inside);
         let verdict = match (inside, expected.band.is_firm() || cause.is_some_and(Cause::is_certain)) {
-            (true, _) => Verdict::Pass,
-            (false, true) => Verdict::Fail,
-            (false, false) => Verdict::Advice,
+            (true, _) => MeasurementVerdict::Pass,
+            (false, true) => MeasurementVerdict::Fail,
+            (false, false) => MeasurementVerdict::Advice,
         };
         Self {
             what: expected.what,
@@ -177,7 +177,7 @@ impl Judged {
             number: None,
             value: Some(if right { 1.0 } else { 0.0 }),
             expected: None,
-            verdict: if right { Verdict::Pass } else { Verdict::Fail },
+            verdict: if right { MeasurementVerdict::Pass } else { MeasurementVerdict::Fail },
             cause: (!right).then_some(cause),
             unjudged: None,
             fact: Some(fact),
@@ -195,7 +195,7 @@ impl Judged {
 /// Compares a record with the data of a code: one entry for each quantity, and one for each point of the no-load
 /// current. Values missing in the record are `not checked`, never passed.
 #[must_use]
-pub fn judge(about: &Commissioning, measured: &Measured) -> Vec<Judged> {
+pub fn judge(about: &Commissioning, measured: &MeasuredValues) -> Vec<Judged> {
     let mut judged = Vec::new();
     for what in Measurand::ALL {
         match what {
@@ -206,7 +206,7 @@ pub fn judge(about: &Commissioning, measured: &Measured) -> Vec<Judged> {
     judged
 }
 
-fn one(about: &Commissioning, measured: &Measured, what: Measurand) -> Judged {
+fn one(about: &Commissioning, measured: &MeasuredValues, what: Measurand) -> Judged {
     let (value, expected) = match what {
         Measurand::ResistanceLl => {
             let winding = measured.winding_temperature;
@@ -263,13 +263,13 @@ fn quotient(one: Option<AngularVelocity>, other: Option<AngularVelocity>) -> Opt
     Some(one?.si().abs() / other)
 }
 
-fn compare(about: &Commissioning, what: Measurand, value: Option<f64>, expected: Option<Expected>) -> Judged {
+fn compare(about: &Commissioning, what: Measurand, value: Option<f64>, expected: Option<ExpectedValue>) -> Judged {
     match (value, expected) {
         (None, _) => Judged::open(what, None, Unjudged::NotMeasured),
         // An open or short-circuited sensor is detected at any temperature.
         (Some(value), None) => match causes::of_a_broken_sensor(what, value) {
             Some(cause) => Judged {
-                verdict: Verdict::Fail,
+                verdict: MeasurementVerdict::Fail,
                 cause: Some(cause),
                 ..Judged::open(what, Some(value), Unjudged::NotStated)
             },
@@ -298,7 +298,7 @@ pub(super) fn counting_fact(code: &OrderCode) -> Option<&'static Fact> {
     catalogue::fact(id).filter(|fact| fact.holds_for.series == code.series())
 }
 
-fn position(about: &Commissioning, measured: &Measured) -> Judged {
+fn position(about: &Commissioning, measured: &MeasuredValues) -> Judged {
     let what = Measurand::DirectionPosition;
     let (Some(motor), Some(counting)) = (measured.direction_motor, measured.position) else {
         return Judged::open(what, None, Unjudged::NotMeasured);
@@ -308,7 +308,7 @@ fn position(about: &Commissioning, measured: &Measured) -> Judged {
     Judged::by_fact(what, right, fact.id, Cause::CountingReversed)
 }
 
-fn no_load(about: &Commissioning, measured: &Measured) -> Vec<Judged> {
+fn no_load(about: &Commissioning, measured: &MeasuredValues) -> Vec<Judged> {
     let what = Measurand::NoLoadCurrent;
     if measured.no_load.is_empty() {
         return vec![Judged::open(what, None, Unjudged::NotMeasured)];
@@ -320,7 +320,7 @@ fn no_load(about: &Commissioning, measured: &Measured) -> Vec<Judged> {
         judged.number = Some(number);
         if let Some(cause) = causes::of_speed(about, point.speed_out) {
             judged.cause = Some(cause);
-            judged.verdict = Verdict::Fail;
+            judged.verdict = MeasurementVerdict::Fail;
         }
         judged
     };

@@ -17,12 +17,12 @@ pub enum Setting {
     /// A value of the list, in a unit.
     Value(ParameterId, &'static Unit),
     /// An option of the drive.
-    Choice(Choice),
+    Choice(ParameterChoice),
 }
 
 /// An option by number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choice {
+pub enum ParameterChoice {
     /// Motor type: rotating synchronous motor with permanent magnets.
     Synchronous,
     /// Encoder whose data are identified over EnDat.
@@ -35,7 +35,7 @@ pub enum Choice {
     SensorKty,
 }
 
-impl Choice {
+impl ParameterChoice {
     /// Returns the number of the option.
     #[must_use]
     pub const fn number(self) -> u16 {
@@ -51,7 +51,7 @@ impl Choice {
 
 /// A parameter of the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DriveParameter {
+pub struct ParameterToSet {
     /// Number of the parameter; its index is that of the data set of motor or encoder, 0.
     pub number: u16,
     /// Setting of the parameter.
@@ -60,12 +60,12 @@ pub struct DriveParameter {
     pub document: &'static str,
 }
 
-const fn entry(number: u16, id: ParameterId, unit: &'static Unit, document: &'static str) -> DriveParameter {
-    DriveParameter { number, setting: Setting::Value(id, unit), document }
+const fn entry(number: u16, id: ParameterId, unit: &'static Unit, document: &'static str) -> ParameterToSet {
+    ParameterToSet { number, setting: Setting::Value(id, unit), document }
 }
 
-const fn choice(number: u16, choice: Choice, document: &'static str) -> DriveParameter {
-    DriveParameter { number, setting: Setting::Choice(choice), document }
+const fn choice(number: u16, choice: ParameterChoice, document: &'static str) -> ParameterToSet {
+    ParameterToSet { number, setting: Setting::Choice(choice), document }
 }
 
 /// Document with the data of a permanent-magnet synchronous motor.
@@ -78,8 +78,8 @@ const LIST: &str = "sinamics-s120-list";
 const ENCODER: &str = "sinamics-s200";
 
 /// Parameters in the order of their numbers.
-pub static ENTRIES: [DriveParameter; 25] = [
-    choice(300, Choice::Synchronous, LIST),
+pub static ENTRIES: [ParameterToSet; 25] = [
+    choice(300, ParameterChoice::Synchronous, LIST),
     entry(310, ParameterId::FrequencyRated, &HERTZ, MOTOR_DATA),
     entry(311, ParameterId::SpeedMotorRated, &REVOLUTION_PER_MINUTE, MOTOR_DATA),
     entry(314, ParameterId::PolePairs, &ONE, MOTOR_DATA),
@@ -94,13 +94,13 @@ pub static ENTRIES: [DriveParameter; 25] = [
     entry(350, ParameterId::ResistancePhase, &OHM, MOTOR_DATA),
     entry(356, ParameterId::InductancePhase, &MILLIHENRY, MOTOR_DATA),
     entry(357, ParameterId::InductancePhase, &MILLIHENRY, MOTOR_DATA),
-    choice(400, Choice::IdentifiedEncoder, ENCODER),
-    choice(400, Choice::EnteredEncoder, ENCODER),
+    choice(400, ParameterChoice::IdentifiedEncoder, ENCODER),
+    choice(400, ParameterChoice::EnteredEncoder, ENCODER),
     entry(408, ParameterId::EncoderLines, &ONE, ENCODER),
     entry(421, ParameterId::EncoderTurns, &ONE, ENCODER),
     entry(423, ParameterId::EncoderPositions, &ONE, ENCODER),
-    choice(600, Choice::SensorAtEncoder, "sinamics-s120-functions"),
-    choice(601, Choice::SensorKty, "sinamics-g220"),
+    choice(600, ParameterChoice::SensorAtEncoder, "sinamics-s120-functions"),
+    choice(601, ParameterChoice::SensorKty, "sinamics-g220"),
     entry(604, ParameterId::WindingWarning, &DEGREE_CELSIUS, "sinamics-g120xa"),
     entry(605, ParameterId::WindingShutdown, &DEGREE_CELSIUS, "sinamics-g120xa"),
     entry(640, ParameterId::CurrentLimit, &AMPERE, "sinamics-g120xa"),
@@ -108,9 +108,9 @@ pub static ENTRIES: [DriveParameter; 25] = [
 
 /// A parameter of the drive with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
+pub struct ParameterLine {
     /// Parameter of the drive.
-    pub entry: &'static DriveParameter,
+    pub entry: &'static ParameterToSet,
     /// Number to write, in the unit of the entry.
     pub value: f64,
 }
@@ -118,22 +118,22 @@ pub struct Line {
 /// Returns the parameters with known values. The numbers are those of the list to fifteen digits, without further
 /// rounding.
 #[must_use]
-pub fn lines(commissioning: &Commissioning) -> Vec<Line> {
+pub fn lines(commissioning: &Commissioning) -> Vec<ParameterLine> {
     let is_identified = commissioning.code.feedback.kind() == Some(FeedbackKind::EndatMultiturn);
-    let holds = |choice: Choice| match choice {
-        Choice::Synchronous => true,
-        Choice::IdentifiedEncoder => is_identified,
-        Choice::EnteredEncoder => !is_identified,
-        Choice::SensorAtEncoder | Choice::SensorKty => commissioning.has_kty(),
+    let holds = |choice: ParameterChoice| match choice {
+        ParameterChoice::Synchronous => true,
+        ParameterChoice::IdentifiedEncoder => is_identified,
+        ParameterChoice::EnteredEncoder => !is_identified,
+        ParameterChoice::SensorAtEncoder | ParameterChoice::SensorKty => commissioning.has_kty(),
     };
-    let value = |entry: &DriveParameter| match entry.setting {
+    let value = |entry: &ParameterToSet| match entry.setting {
         Setting::Choice(choice) => holds(choice).then(|| f64::from(choice.number())),
         Setting::Value(id, unit) => commissioning.get(id).map(|parameter| clean(unit.from_si(parameter.si))),
     };
-    ENTRIES.iter().filter_map(|entry| Some(Line { entry, value: value(entry)? })).collect()
+    ENTRIES.iter().filter_map(|entry| Some(ParameterLine { entry, value: value(entry)? })).collect()
 }
 
-impl DriveParameter {
+impl ParameterToSet {
     /// Returns the parameter as written by drives and their tools: `p0350[0]`.
     #[must_use]
     pub fn name(&self) -> String {

@@ -2,22 +2,22 @@
 
 use super::pin_list::{ListedPin, PinList};
 use super::signal::{is_nothing, plain, printed_signals, spellings};
-use super::{Connector, Pin, Role, Wiring};
-use crate::wiring::signal::Group;
+use super::{Connector, Pin, Role, CodeWiring};
+use crate::wiring::signal::SignalGroup;
 use quantities::identified;
 
 /// Result of a comparison.
 #[derive(Clone, Debug)]
-pub struct Comparison {
+pub struct PinComparison {
     /// Findings in order of line; those without a line at the end.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<PinFinding>,
     /// Number of rows of the list.
     pub rows: usize,
     /// Number of rows that agree with the manual.
     pub agreeing: usize,
 }
 
-impl Comparison {
+impl PinComparison {
     /// Returns `true` if the list may be wired: no findings other than advice.
     #[must_use]
     pub fn agrees(&self) -> bool {
@@ -40,7 +40,7 @@ identified! {
 
 /// A difference between list and manual.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Finding {
+pub struct PinFinding {
     /// Connector of the finding.
     pub role: Role,
     /// Line of the list; `None` for a finding about something missing.
@@ -50,12 +50,12 @@ pub struct Finding {
     /// Signal of the manual; empty for a finding about the connector.
     pub expected: &'static str,
     /// Kind of difference.
-    pub difference: Difference,
+    pub difference: PinDifference,
 }
 
 /// Kind of difference.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Difference {
+pub enum PinDifference {
     /// The code lacks the connector.
     NoSuchConnector,
     /// The list has no row of the connector.
@@ -77,14 +77,14 @@ pub enum Difference {
     /// Both ends of a pair are exchanged.
     Reversed {
         /// Group of the signal.
-        group: Group,
+        group: SignalGroup,
         /// Pin of the other end.
         with: String,
     },
     /// Two signals are exchanged.
     Swapped {
         /// Group of the more dangerous signal.
-        group: Group,
+        group: SignalGroup,
         /// Pin of the other signal.
         with: String,
         /// Text of the signal.
@@ -95,7 +95,7 @@ pub enum Difference {
         /// Text of the signal.
         written: String,
         /// Group of the more dangerous signal.
-        group: Group,
+        group: SignalGroup,
         /// Correct pins of the signal.
         belongs: Vec<String>,
     },
@@ -119,12 +119,12 @@ pub enum Difference {
     /// The list leaves the pin unconnected.
     LeftOpen {
         /// Group of the signal.
-        group: Group,
+        group: SignalGroup,
     },
     /// The list lacks the pin.
     Missing {
         /// Group of the signal.
-        group: Group,
+        group: SignalGroup,
     },
     /// The wire is listed without a shield.
     Unshielded,
@@ -137,7 +137,7 @@ pub enum Difference {
     },
 }
 
-impl Difference {
+impl PinDifference {
     /// Returns the identifier used in data exchange.
     #[must_use]
     pub const fn id(&self) -> &'static str {
@@ -155,8 +155,8 @@ impl Difference {
             Self::UnknownSignal { .. } => "unknown_signal",
             Self::NotConnected { .. } => "not_connected",
             Self::LeftOpen { .. } => "left_open",
-            Self::Missing { group: Group::Shield } => "shield_missing",
-            Self::Missing { group: Group::Earth } => "protective_earth_missing",
+            Self::Missing { group: SignalGroup::Shield } => "shield_missing",
+            Self::Missing { group: SignalGroup::Earth } => "protective_earth_missing",
             Self::Missing { .. } => "pin_missing",
             Self::Unshielded => "unshielded",
             Self::Colour { .. } => "colour",
@@ -165,28 +165,28 @@ impl Difference {
 }
 
 /// Returns `true` if a wrong wire of this group may cause harm.
-const fn harms(group: Group) -> bool {
-    matches!(group, Group::Phase | Group::Earth | Group::Brake | Group::Supply)
+const fn harms(group: SignalGroup) -> bool {
+    matches!(group, SignalGroup::Phase | SignalGroup::Earth | SignalGroup::Brake | SignalGroup::Supply)
 }
 
-impl Finding {
+impl PinFinding {
     /// Returns the severity of the finding.
     #[must_use]
     pub const fn severity(&self) -> Severity {
         match &self.difference {
-            Difference::OtherEncoder { .. } => Severity::Danger,
-            Difference::Reversed { group, .. }
-            | Difference::Swapped { group, .. }
-            | Difference::WrongPin { group, .. }
+            PinDifference::OtherEncoder { .. } => Severity::Danger,
+            PinDifference::Reversed { group, .. }
+            | PinDifference::Swapped { group, .. }
+            | PinDifference::WrongPin { group, .. }
                 if harms(*group) =>
             {
                 Severity::Danger
             }
-            Difference::LeftOpen { group: Group::Earth } | Difference::Missing { group: Group::Earth } => {
+            PinDifference::LeftOpen { group: SignalGroup::Earth } | PinDifference::Missing { group: SignalGroup::Earth } => {
                 Severity::Danger
             }
-            Difference::ConnectorNotListed | Difference::Colour { .. } => Severity::Advice,
-            Difference::LeftOpen { group: Group::Sense } | Difference::Missing { group: Group::Sense } => {
+            PinDifference::ConnectorNotListed | PinDifference::Colour { .. } => Severity::Advice,
+            PinDifference::LeftOpen { group: SignalGroup::Sense } | PinDifference::Missing { group: SignalGroup::Sense } => {
                 Severity::Advice
             }
             _ => Severity::Fault,
@@ -196,21 +196,21 @@ impl Finding {
 
 /// Compares a list with the wiring of a code.
 #[must_use]
-pub fn compare(wiring: &Wiring, list: &PinList) -> Comparison {
+pub fn compare(wiring: &CodeWiring, list: &PinList) -> PinComparison {
     let mut findings = Vec::new();
     let mut agreeing = 0;
     for role in Role::ALL {
         let rows: Vec<&ListedPin> = list.pins.iter().filter(|listed| listed.role == role).collect();
-        let finding = |line, difference| Finding { role, line, pin: String::new(), expected: "", difference };
+        let finding = |line, difference| PinFinding { role, line, pin: String::new(), expected: "", difference };
         match (wiring.connector(role), rows.first()) {
-            (None, Some(first)) => findings.push(finding(Some(first.line), Difference::NoSuchConnector)),
-            (Some(_), None) => findings.push(finding(None, Difference::ConnectorNotListed)),
+            (None, Some(first)) => findings.push(finding(Some(first.line), PinDifference::NoSuchConnector)),
+            (Some(_), None) => findings.push(finding(None, PinDifference::ConnectorNotListed)),
             (Some(connector), Some(first)) if connector.pins.is_empty() => {
-                findings.push(finding(Some(first.line), Difference::PinsNotPrinted));
+                findings.push(finding(Some(first.line), PinDifference::PinsNotPrinted));
             }
             (Some(connector), Some(first)) => {
                 if let Some(of) = other_encoder(wiring, connector, &rows) {
-                    findings.push(finding(Some(first.line), Difference::OtherEncoder { of }));
+                    findings.push(finding(Some(first.line), PinDifference::OtherEncoder { of }));
                 } else {
                     agreeing += of_connector(wiring, connector, &rows, &mut findings);
                 }
@@ -220,14 +220,14 @@ pub fn compare(wiring: &Wiring, list: &PinList) -> Comparison {
     }
     remove_doubles(&mut findings);
     findings.sort_by_key(|finding| (finding.line.is_none(), finding.line));
-    Comparison { findings, rows: list.pins.len(), agreeing }
+    PinComparison { findings, rows: list.pins.len(), agreeing }
 }
 
 /// Removes the second report of an exchange of two pins.
-fn remove_doubles(findings: &mut Vec<Finding>) {
+fn remove_doubles(findings: &mut Vec<PinFinding>) {
     let mut seen: Vec<(Role, String, String)> = Vec::new();
-    findings.retain(|Finding { role, pin, difference, .. }| {
-        let (Difference::Reversed { with, .. } | Difference::Swapped { with, .. }) = difference else { return true };
+    findings.retain(|PinFinding { role, pin, difference, .. }| {
+        let (PinDifference::Reversed { with, .. } | PinDifference::Swapped { with, .. }) = difference else { return true };
         let mirrored = seen.iter().any(|(of, first, second)| of == role && first == with && second == pin);
         seen.push((*role, pin.clone(), with.clone()));
         !mirrored
@@ -270,11 +270,11 @@ fn matching(connector: &Connector, rows: &[&ListedPin]) -> (usize, usize) {
     let agreeing: Vec<&Pin> = carrying
         .filter_map(|row| pin_named(connector, &row.pin).filter(|pin| has_signal(connector, pin, row)))
         .collect();
-    (agreeing.len(), agreeing.iter().filter(|pin| pin.carries(Group::Supply)).count())
+    (agreeing.len(), agreeing.iter().filter(|pin| pin.carries(SignalGroup::Supply)).count())
 }
 
 /// Returns the other encoder's role if the list has its pin assignment, which uses an equal connector.
-fn other_encoder(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin]) -> Option<Role> {
+fn other_encoder(wiring: &CodeWiring, connector: &Connector, rows: &[&ListedPin]) -> Option<Role> {
     let of = match connector.role {
         Role::Motor => return None,
         Role::Feedback => Role::OutputEncoder,
@@ -286,31 +286,31 @@ fn other_encoder(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin]) ->
 }
 
 /// Records the differences of one connector; returns the number of rows that agree.
-fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], findings: &mut Vec<Finding>) -> usize {
+fn of_connector(wiring: &CodeWiring, connector: &Connector, rows: &[&ListedPin], findings: &mut Vec<PinFinding>) -> usize {
     let role = connector.role;
     let mut seen: Vec<(&Pin, &ListedPin)> = Vec::new();
     for row in rows {
         let Some(pin) = pin_named(connector, &row.pin) else {
-            let difference = Difference::NoSuchPin;
-            findings.push(Finding { role, line: Some(row.line), pin: row.pin.clone(), expected: "", difference });
+            let difference = PinDifference::NoSuchPin;
+            findings.push(PinFinding { role, line: Some(row.line), pin: row.pin.clone(), expected: "", difference });
             continue;
         };
         let mut push = |difference| {
             let (pin, expected) = (pin.name.clone(), pin.printed());
-            findings.push(Finding { role, line: Some(row.line), pin, expected, difference });
+            findings.push(PinFinding { role, line: Some(row.line), pin, expected, difference });
         };
         if let Some((_, first)) = seen.iter().find(|(known, _)| known.name == pin.name) {
-            push(Difference::PinTwice { first: first.line });
+            push(PinDifference::PinTwice { first: first.line });
             continue;
         }
         seen.push((pin, row));
         if row.shield == Some(false) && pin.carries.is_some() {
-            push(Difference::Unshielded);
+            push(PinDifference::Unshielded);
         }
         if let (Some(written), Some(printed)) = (&row.colour, pin.colour)
             && !same_colour(written, printed)
         {
-            push(Difference::Colour { written: written.clone(), printed: printed.corrected });
+            push(PinDifference::Colour { written: written.clone(), printed: printed.corrected });
         }
     }
     let mut agreeing = 0;
@@ -319,31 +319,31 @@ fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], fin
             None => agreeing += 1,
             Some(difference) => {
                 let (pin, expected) = (pin.name.clone(), pin.printed());
-                findings.push(Finding { role, line: Some(row.line), pin, expected, difference });
+                findings.push(PinFinding { role, line: Some(row.line), pin, expected, difference });
             }
         }
     }
     for pin in &connector.pins {
         let Some(signal) = pin.carries else { continue };
-        let free = signal.group() == Group::Brake && wiring.code.brake == order_code::Brake::Without;
+        let free = signal.group() == SignalGroup::Brake && wiring.code.brake == order_code::Brake::Without;
         if !free && !seen.iter().any(|(known, _)| known.name == pin.name) {
-            let difference = Difference::Missing { group: signal.group() };
-            findings.push(Finding { role, line: None, pin: pin.name.clone(), expected: pin.printed(), difference });
+            let difference = PinDifference::Missing { group: signal.group() };
+            findings.push(PinFinding { role, line: None, pin: pin.name.clone(), expected: pin.printed(), difference });
         }
     }
     agreeing
 }
 
 /// Returns the more dangerous of two groups.
-const fn graver(one: Group, other: Group) -> Group {
+const fn graver(one: SignalGroup, other: SignalGroup) -> SignalGroup {
     if !harms(one) && harms(other) { other } else { one }
 }
 
 /// Returns the difference in the signal of one row; `None` if it agrees.
-fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&Pin, &ListedPin)]) -> Option<Difference> {
+fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&Pin, &ListedPin)]) -> Option<PinDifference> {
     let written = row.signal.clone();
     if is_nothing(&row.signal) {
-        return pin.carries.map(|signal| Difference::LeftOpen { group: signal.group() });
+        return pin.carries.map(|signal| PinDifference::LeftOpen { group: signal.group() });
     }
     let meant = pins_of_signal(connector, &row.signal);
     if meant.iter().any(|each| each.name == pin.name) {
@@ -356,21 +356,21 @@ fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&Pin, 
         let group = pin.carries.map_or_else(|| foreign.group(), |own| graver(own.group(), foreign.group()));
         return Some(match (meant.iter().find(has_own), pin.carries) {
             (Some(other), Some(own)) if other.carries.is_some_and(|end| own.is_other_end_of(end)) => {
-                Difference::Reversed { group, with: other.name.clone() }
+                PinDifference::Reversed { group, with: other.name.clone() }
             }
-            (Some(other), Some(_)) => Difference::Swapped { group, with: other.name.clone(), written },
-            _ => Difference::WrongPin { written, group, belongs: meant.iter().map(|each| each.name.clone()).collect() },
+            (Some(other), Some(_)) => PinDifference::Swapped { group, with: other.name.clone(), written },
+            _ => PinDifference::WrongPin { written, group, belongs: meant.iter().map(|each| each.name.clone()).collect() },
         });
     }
     if pin.carries.is_none() {
-        return Some(Difference::NotConnected { written });
+        return Some(PinDifference::NotConnected { written });
     }
     let wanted = plain(&row.signal);
     if printed_signals().iter().any(|printed| spellings(printed).iter().any(|each| plain(each) == wanted)) {
-        return Some(Difference::ForeignSignal { written });
+        return Some(PinDifference::ForeignSignal { written });
     }
     let nearest = nearest(connector, &wanted);
-    Some(Difference::UnknownSignal { written, nearest })
+    Some(PinDifference::UnknownSignal { written, nearest })
 }
 
 /// Returns the signal of a connector that is most similar to a text.

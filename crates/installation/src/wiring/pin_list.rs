@@ -37,7 +37,7 @@ pub struct ListedPin {
 
 /// A column of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Column {
+pub enum PinColumn {
     /// Connector of the row.
     Connector,
     /// Pin of the connector.
@@ -50,7 +50,7 @@ pub enum Column {
     Shield,
 }
 
-impl Column {
+impl PinColumn {
     /// The columns, mandatory ones first.
     pub const ALL: &'static [Self] = &[Self::Connector, Self::Pin, Self::Signal, Self::Colour, Self::Shield];
 
@@ -79,14 +79,14 @@ pub enum ListFault {
     /// A mandatory column is missing.
     ColumnMissing {
         /// Missing column.
-        column: Column,
+        column: PinColumn,
         /// Headings found.
         found: Vec<String>,
     },
     /// Two headings name the same column.
     ColumnTwice {
         /// Repeated column.
-        column: Column,
+        column: PinColumn,
         /// Bytes of the second heading.
         span: Range<usize>,
     },
@@ -109,7 +109,7 @@ pub enum ListFault {
     /// A mandatory cell is empty.
     CellEmpty {
         /// Column of the cell.
-        column: Column,
+        column: PinColumn,
         /// Bytes of the row.
         span: Range<usize>,
     },
@@ -268,7 +268,7 @@ impl Row {
 
 /// Index of each column.
 struct Header {
-    places: BTreeMap<Column, usize>,
+    places: BTreeMap<PinColumn, usize>,
     width: usize,
 }
 
@@ -276,7 +276,7 @@ impl Header {
     fn read(row: &Row, faults: &mut Vec<ListFault>) -> Self {
         let mut places = BTreeMap::new();
         for (index, (head, span)) in row.cells.iter().enumerate() {
-            match Column::ALL.iter().copied().find(|column| column.heads().contains(&plain(head).as_str())) {
+            match PinColumn::ALL.iter().copied().find(|column| column.heads().contains(&plain(head).as_str())) {
                 Some(column) if places.contains_key(&column) => {
                     faults.push(ListFault::ColumnTwice { column, span: span.clone() });
                 }
@@ -285,12 +285,12 @@ impl Header {
             }
         }
         let heads = || row.cells.iter().map(|(head, _)| head.clone()).collect();
-        let missing = Column::ALL.iter().copied().filter(|column| column.is_needed() && !places.contains_key(column));
+        let missing = PinColumn::ALL.iter().copied().filter(|column| column.is_needed() && !places.contains_key(column));
         faults.extend(missing.map(|column| ListFault::ColumnMissing { column, found: heads() }));
         Self { places, width: row.cells.len() }
     }
 
-    fn cell<'r>(&self, row: &'r Row, column: Column) -> Option<&'r (String, Range<usize>)> {
+    fn cell<'r>(&self, row: &'r Row, column: PinColumn) -> Option<&'r (String, Range<usize>)> {
         row.cells.get(*self.places.get(&column)?)
     }
 }
@@ -302,19 +302,19 @@ fn listed(row: &Row, header: &Header, faults: &mut Vec<ListFault>) -> Option<Lis
         return None;
     }
     let before = faults.len();
-    for column in [Column::Connector, Column::Pin] {
+    for column in [PinColumn::Connector, PinColumn::Pin] {
         if header.cell(row, column).is_some_and(|(text, _)| text.is_empty()) {
             faults.push(ListFault::CellEmpty { column, span: row.span.clone() });
         }
     }
-    let role = header.cell(row, Column::Connector).filter(|(text, _)| !text.is_empty()).and_then(|(text, span)| {
+    let role = header.cell(row, PinColumn::Connector).filter(|(text, _)| !text.is_empty()).and_then(|(text, span)| {
         let role = role_of(text);
         if role.is_none() {
             faults.push(ListFault::ConnectorUnknown { written: text.clone(), span: span.clone() });
         }
         role
     });
-    let shield = header.cell(row, Column::Shield).filter(|(text, _)| !text.is_empty()).and_then(|(text, span)| {
+    let shield = header.cell(row, PinColumn::Shield).filter(|(text, _)| !text.is_empty()).and_then(|(text, span)| {
         let shield = shield_of(text);
         if shield.is_none() {
             faults.push(ListFault::ShieldUnclear { written: text.clone(), span: span.clone() });
@@ -328,9 +328,9 @@ fn listed(row: &Row, header: &Header, faults: &mut Vec<ListFault>) -> Option<Lis
     Some(ListedPin {
         line: row.line,
         role: role?,
-        pin: text(Column::Pin)?,
-        signal: text(Column::Signal)?,
-        colour: text(Column::Colour).filter(|colour| !colour.is_empty()),
+        pin: text(PinColumn::Pin)?,
+        signal: text(PinColumn::Signal)?,
+        colour: text(PinColumn::Colour).filter(|colour| !colour.is_empty()),
         shield,
     })
 }

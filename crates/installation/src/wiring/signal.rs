@@ -8,7 +8,7 @@ use quantities::identified;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Signal {
     /// Meaning of the signal.
-    pub meaning: Meaning,
+    pub meaning: SignalMeaning,
     /// End of a pair, if the signal has two.
     pub polarity: Option<Polarity>,
 }
@@ -24,7 +24,7 @@ pub enum Polarity {
 
 /// Meaning of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Meaning {
+pub enum SignalMeaning {
     /// Motor phase, by its letter.
     Phase(char),
     /// Protective earth.
@@ -44,7 +44,7 @@ pub enum Meaning {
     /// Sense line of the ground.
     GroundSense,
     /// Incremental track, by its letter and its form.
-    Track(char, Form),
+    Track(char, TrackForm),
     /// Reference mark.
     Reference,
     /// Zero pulse.
@@ -69,7 +69,7 @@ pub enum Meaning {
 
 /// Form of an incremental track.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum TrackForm {
     /// Sinusoidal, 1 V peak to peak; the manual does not state which track is the sine.
     Sinusoidal,
     /// Sine track.
@@ -92,7 +92,7 @@ pub enum Protocol {
 identified! {
     /// A group of signals of one kind.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-    pub enum Group {
+    pub enum SignalGroup {
         /// Motor phases.
         Phase = "phase",
         /// Protective earth.
@@ -143,14 +143,14 @@ impl Signal {
         let serial = if is_motor_of(FeedbackKind::SsiMultiturn) { Protocol::Ssi } else { Protocol::EnDat };
         let of = |meaning| Some(Self { meaning, polarity: None });
         match printed {
-            "U" | "V" | "W" => return of(Meaning::Phase(printed.chars().next()?)),
-            "PE" => return of(Meaning::ProtectiveEarth),
-            "Temp PTC" => return of(Meaning::Ptc),
-            "Up" => return of(Meaning::Supply),
-            "GND" => return of(Meaning::Ground),
-            "Up Sensor" => return of(Meaning::SupplySense),
-            "GND Sensor" => return of(Meaning::GroundSense),
-            "Inner Schirm" | "Innenschirm" => return of(Meaning::Shield),
+            "U" | "V" | "W" => return of(SignalMeaning::Phase(printed.chars().next()?)),
+            "PE" => return of(SignalMeaning::ProtectiveEarth),
+            "Temp PTC" => return of(SignalMeaning::Ptc),
+            "Up" => return of(SignalMeaning::Supply),
+            "GND" => return of(SignalMeaning::Ground),
+            "Up Sensor" => return of(SignalMeaning::SupplySense),
+            "GND Sensor" => return of(SignalMeaning::GroundSense),
+            "Inner Schirm" | "Innenschirm" => return of(SignalMeaning::Shield),
             _ => {}
         }
         // "A+ COS+" names a track and its form, "Temp+ KTY" an end and its sensor.
@@ -162,25 +162,25 @@ impl Signal {
         };
         let square = is_motor_of(FeedbackKind::SquareIncremental);
         let form = match rest.get(..3) {
-            Some("SIN") => Form::Sine,
-            Some("COS") => Form::Cosine,
-            _ if square => Form::Square,
-            _ => Form::Sinusoidal,
+            Some("SIN") => TrackForm::Sine,
+            Some("COS") => TrackForm::Cosine,
+            _ if square => TrackForm::Square,
+            _ => TrackForm::Sinusoidal,
         };
         let letter = base.chars().next()?;
         let meaning = match base {
-            "BR" => Meaning::Brake,
-            "Temp" => Meaning::Kty,
-            "A" | "B" => Meaning::Track(letter, form),
-            "C" | "D" => Meaning::CommutationTrack(letter),
-            "U" | "V" | "W" => Meaning::CommutationPhase(letter),
-            "R" => Meaning::Reference,
-            "Z" => Meaning::Zero,
-            "DATA" => Meaning::Data(serial),
-            "CLOCK" => Meaning::Clock(serial),
-            "SIN" => Meaning::ResolverSine,
-            "COS" => Meaning::ResolverCosine,
-            "Vss" => Meaning::Excitation,
+            "BR" => SignalMeaning::Brake,
+            "Temp" => SignalMeaning::Kty,
+            "A" | "B" => SignalMeaning::Track(letter, form),
+            "C" | "D" => SignalMeaning::CommutationTrack(letter),
+            "U" | "V" | "W" => SignalMeaning::CommutationPhase(letter),
+            "R" => SignalMeaning::Reference,
+            "Z" => SignalMeaning::Zero,
+            "DATA" => SignalMeaning::Data(serial),
+            "CLOCK" => SignalMeaning::Clock(serial),
+            "SIN" => SignalMeaning::ResolverSine,
+            "COS" => SignalMeaning::ResolverCosine,
+            "Vss" => SignalMeaning::Excitation,
             _ => return None,
         };
         Some(Self { meaning, polarity: Some(polarity) })
@@ -188,28 +188,28 @@ impl Signal {
 
     /// Returns the group of the signal.
     #[must_use]
-    pub const fn group(self) -> Group {
+    pub const fn group(self) -> SignalGroup {
         match self.meaning {
-            Meaning::Phase(_) => Group::Phase,
-            Meaning::ProtectiveEarth => Group::Earth,
-            Meaning::Brake => Group::Brake,
-            Meaning::Ptc => Group::Ptc,
-            Meaning::Kty => Group::Kty,
-            Meaning::Supply | Meaning::Ground => Group::Supply,
-            Meaning::SupplySense | Meaning::GroundSense => Group::Sense,
-            Meaning::Track(..) => Group::Incremental,
-            Meaning::Reference | Meaning::Zero => Group::Reference,
-            Meaning::CommutationTrack(_) | Meaning::CommutationPhase(_) => Group::Commutation,
-            Meaning::Data(_) | Meaning::Clock(_) => Group::Serial,
-            Meaning::ResolverSine | Meaning::ResolverCosine | Meaning::Excitation => Group::Resolver,
-            Meaning::Shield => Group::Shield,
+            SignalMeaning::Phase(_) => SignalGroup::Phase,
+            SignalMeaning::ProtectiveEarth => SignalGroup::Earth,
+            SignalMeaning::Brake => SignalGroup::Brake,
+            SignalMeaning::Ptc => SignalGroup::Ptc,
+            SignalMeaning::Kty => SignalGroup::Kty,
+            SignalMeaning::Supply | SignalMeaning::Ground => SignalGroup::Supply,
+            SignalMeaning::SupplySense | SignalMeaning::GroundSense => SignalGroup::Sense,
+            SignalMeaning::Track(..) => SignalGroup::Incremental,
+            SignalMeaning::Reference | SignalMeaning::Zero => SignalGroup::Reference,
+            SignalMeaning::CommutationTrack(_) | SignalMeaning::CommutationPhase(_) => SignalGroup::Commutation,
+            SignalMeaning::Data(_) | SignalMeaning::Clock(_) => SignalGroup::Serial,
+            SignalMeaning::ResolverSine | SignalMeaning::ResolverCosine | SignalMeaning::Excitation => SignalGroup::Resolver,
+            SignalMeaning::Shield => SignalGroup::Shield,
         }
     }
 
     /// Returns `true` if two signals are the ends of one pair.
     #[must_use]
     pub fn is_other_end_of(self, other: Self) -> bool {
-        let supply = |one, other| one == Meaning::Supply && other == Meaning::Ground;
+        let supply = |one, other| one == SignalMeaning::Supply && other == SignalMeaning::Ground;
         let ends = self.meaning == other.meaning && self.polarity != other.polarity;
         ends || supply(self.meaning, other.meaning) || supply(other.meaning, self.meaning)
     }

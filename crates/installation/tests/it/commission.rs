@@ -2,10 +2,10 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 use catalogue::{Step, Topic};
-use installation::commission::checklist::{self, Item};
+use installation::commission::checklist::{self, ChecklistItem};
 use installation::commission::cia402::{self, Rounding};
 use installation::commission::expected::Measurand;
-use installation::commission::recorded::{Cause, Counting, Judged, Measured, NoLoad, Turn, Unjudged, Verdict, judge};
+use installation::commission::recorded::{Cause, Counting, Judged, MeasuredValues, NoLoad, Turn, Unjudged, MeasurementVerdict, judge};
 use installation::commission::{Commissioning, Gap, ParameterId, commission, sinamics};
 use installation::facts::{Order, facts_about};
 use order_code::OrderCode;
@@ -180,13 +180,13 @@ fn every_list_of_every_code_has_prose_and_figures() {
         let lists = checklist::lists(about, ambient);
         assert_eq!(lists.iter().map(|list| list.step).collect::<Vec<_>>(), checklist::STEPS);
         for list in &lists {
-            let facts = list.items.iter().filter(|item| matches!(item, Item::Fact(_))).count();
+            let facts = list.items.iter().filter(|item| matches!(item, ChecklistItem::Fact(_))).count();
             assert!(facts > 1 && list.items.len() > facts, "{} {:?}", about.code, list.step);
         }
         let brake = |list: &checklist::CheckList| {
             list.items
                 .iter()
-                .any(|item| matches!(item, Item::Measure { expected, .. } if expected.what == Measurand::BrakeVoltage))
+                .any(|item| matches!(item, ChecklistItem::Measure { expected, .. } if expected.what == Measurand::BrakeVoltage))
         };
         assert_eq!(lists.first().is_some_and(brake), about.has_brake(), "{}", about.code);
     }
@@ -239,12 +239,12 @@ fn q<Q: Measure>(si: f64) -> Q {
 }
 
 /// Returns a record in which everything is as it should be, computed here from the printed values.
-fn healthy(about: &Commissioning) -> Measured {
+fn healthy(about: &Commissioning) -> MeasuredValues {
     let (warm, i) = (31.0, si(about, ParameterId::ReductionRatio));
     let speed_out = 1000.0 / i;
     let constant = si(about, ParameterId::NoLoadCurrentConstant30) * std::f64::consts::TAU / 60.0;
     let brake = |id| about.get(id).map(|parameter| parameter.si);
-    Measured {
+    MeasuredValues {
         winding_temperature: Some(celsius(warm)),
         resistance_ll: Some(q(si(about, ParameterId::ResistanceLl) * (1.0 + 3.93e-3 * (warm - 20.0)))),
         inductance_ll: Some(q(si(about, ParameterId::InductanceLl) * 1.1)),
@@ -283,7 +283,7 @@ fn a_healthy_actuator_passes_whatever_its_code() {
                 Some(Unjudged::NotMeasured) => judged.what.id().starts_with("brake_"),
                 None => false,
             };
-            let fine = judged.verdict == Verdict::Pass || (judged.verdict == Verdict::NotChecked && open);
+            let fine = judged.verdict == MeasurementVerdict::Pass || (judged.verdict == MeasurementVerdict::NotChecked && open);
             assert!(fine && judged.cause.is_none(), "{}: {judged:?}", about.code);
         }
     }
@@ -292,26 +292,26 @@ fn a_healthy_actuator_passes_whatever_its_code() {
 #[test]
 fn what_is_not_in_the_record_is_not_checked() {
     let about = of("CHA-25A-100-H-M512P-B");
-    let judged = judge(&about, &Measured::default());
+    let judged = judge(&about, &MeasuredValues::default());
     assert_eq!(judged.len(), Measurand::ALL.len());
-    assert!(judged.iter().all(|each| each.verdict == Verdict::NotChecked && each.unjudged.is_some()));
+    assert!(judged.iter().all(|each| each.verdict == MeasurementVerdict::NotChecked && each.unjudged.is_some()));
 }
 
 /// Judges a record with one fault planted and gives back the entry of the measurand.
-fn planted(about: &Commissioning, what: Measurand, plant: impl Fn(&mut Measured)) -> Judged {
+fn planted(about: &Commissioning, what: Measurand, plant: impl Fn(&mut MeasuredValues)) -> Judged {
     let mut measured = healthy(about);
     plant(&mut measured);
     let judged = judge(about, &measured);
     judged.into_iter().find(|judged| judged.what == what).unwrap()
 }
 
-fn found(about: &Commissioning, what: Measurand, plant: impl Fn(&mut Measured)) -> (Verdict, Option<&'static str>) {
+fn found(about: &Commissioning, what: Measurand, plant: impl Fn(&mut MeasuredValues)) -> (MeasurementVerdict, Option<&'static str>) {
     let judged = planted(about, what, plant);
     (judged.verdict, judged.cause.map(|cause| cause.id()))
 }
 
-fn fails(cause: &'static str) -> (Verdict, Option<&'static str>) {
-    (Verdict::Fail, Some(cause))
+fn fails(cause: &'static str) -> (MeasurementVerdict, Option<&'static str>) {
+    (MeasurementVerdict::Fail, Some(cause))
 }
 
 #[test]
@@ -332,7 +332,7 @@ fn a_resistance_that_is_off_has_its_cause() {
         measured.resistance_ll = Some(q(5.9 * (1.0 + 3.93e-3 * 80.0)));
     });
     match (hot.verdict, hot.cause) {
-        (Verdict::Fail, Some(Cause::WindingTemperature(celsius))) => {
+        (MeasurementVerdict::Fail, Some(Cause::WindingTemperature(celsius))) => {
             assert!((celsius - 100.0).abs() < 1e-6, "{celsius}")
         }
         other => panic!("{other:?}"),
@@ -355,7 +355,7 @@ fn an_inductance_or_a_voltage_that_is_off_has_its_cause() {
     };
     assert_eq!(inductance(0.5), fails("one_phase"));
     assert_eq!(inductance(2.0), fails("doubled"));
-    assert_eq!(inductance(1.4), (Verdict::Advice, None));
+    assert_eq!(inductance(1.4), (MeasurementVerdict::Advice, None));
     let emf = |factor: f64| {
         found(&about, Measurand::Emf, move |measured| {
             measured.emf = measured.emf.map(|(volt, speed): (ElectricPotential, _)| (q(volt.si() * factor), speed));
@@ -373,7 +373,7 @@ fn an_inductance_or_a_voltage_that_is_off_has_its_cause() {
     assert_eq!(emf(100.0), fails("speed_of_flange"));
     assert_eq!(emf(0.9), fails("magnets"));
     assert_eq!(emf(0.0), fails("open"));
-    assert_eq!(emf(1.2), (Verdict::Fail, None));
+    assert_eq!(emf(1.2), (MeasurementVerdict::Fail, None));
 }
 
 #[test]
@@ -394,7 +394,7 @@ fn a_temperature_sensor_that_is_off_has_its_cause() {
     assert_eq!(ptc(20e6), fails("open"));
     // Between the cold bound and the response the standard says nothing.
     let near = planted(&small, Measurand::Ptc, |measured| measured.sensor_temperature = Some(celsius(110.0)));
-    assert_eq!((near.verdict, near.unjudged), (Verdict::NotChecked, Some(Unjudged::NotStated)));
+    assert_eq!((near.verdict, near.unjudged), (MeasurementVerdict::NotChecked, Some(Unjudged::NotStated)));
     // An open or shorted sensor is one there too, and beyond the temperatures of the data sheet.
     let broken = |what: Measurand, celsius_at: f64, ohm: f64| {
         found(&small, what, move |measured| {
@@ -434,17 +434,17 @@ fn the_kty_may_be_off_as_its_data_sheet_permits() {
         (250.0, 2046.0, 2286.0),
     ] {
         for (ohm, expected) in [
-            (least + 1e-9, Verdict::Pass),
-            (least - 1.0, Verdict::Fail),
-            (largest - 1e-9, Verdict::Pass),
-            (largest + 1.0, Verdict::Fail),
+            (least + 1e-9, MeasurementVerdict::Pass),
+            (least - 1.0, MeasurementVerdict::Fail),
+            (largest - 1e-9, MeasurementVerdict::Pass),
+            (largest + 1.0, MeasurementVerdict::Fail),
         ] {
             assert_eq!(verdict(celsius_at, ohm), expected, "{celsius_at} degC, {ohm} ohm");
         }
     }
     // Between two temperatures the bounds lie between theirs; 580 ohm at 25 degC is within them.
-    assert_eq!(verdict(25.0, 580.0), Verdict::Pass);
-    assert_eq!((verdict(27.5, 588.5), verdict(27.5, 586.0)), (Verdict::Pass, Verdict::Fail));
+    assert_eq!(verdict(25.0, 580.0), MeasurementVerdict::Pass);
+    assert_eq!((verdict(27.5, 588.5), verdict(27.5, 586.0)), (MeasurementVerdict::Pass, MeasurementVerdict::Fail));
 }
 
 #[test]
@@ -465,7 +465,7 @@ fn a_brake_that_is_off_has_its_cause() {
     };
     assert_eq!(holding(0.6), fails("opening_current"));
     assert_eq!(holding(0.15), fails("half_voltage"));
-    assert_eq!(holding(0.4), (Verdict::Advice, None));
+    assert_eq!(holding(0.4), (MeasurementVerdict::Advice, None));
     let voltage = |volt: f64| {
         found(&about, Measurand::BrakeVoltage, move |measured| {
             measured.brake_voltage = Some(q::<ElectricPotential>(volt))
@@ -473,10 +473,10 @@ fn a_brake_that_is_off_has_its_cause() {
     };
     assert_eq!(voltage(12.0), fails("half_voltage"));
     assert_eq!(voltage(0.0), fails("brake_not_connected"));
-    assert_eq!(voltage(20.0), (Verdict::Fail, None));
+    assert_eq!(voltage(20.0), (MeasurementVerdict::Fail, None));
     let slow =
         found(&about, Measurand::BrakeClosingTime, |measured| measured.brake_closing_time = Some(q::<Time>(0.2)));
-    assert_eq!(slow, (Verdict::Advice, Some("slow_brake")));
+    assert_eq!(slow, (MeasurementVerdict::Advice, Some("slow_brake")));
 }
 
 #[test]
@@ -500,8 +500,8 @@ fn a_motion_that_is_off_has_its_cause() {
         })
     };
     assert_eq!(current(3.0), fails("dragging"));
-    assert_eq!(current(std::f64::consts::SQRT_2), (Verdict::Advice, Some("amplitude")));
-    assert_eq!(current(0.3), (Verdict::Advice, None));
+    assert_eq!(current(std::f64::consts::SQRT_2), (MeasurementVerdict::Advice, Some("amplitude")));
+    assert_eq!(current(0.3), (MeasurementVerdict::Advice, None));
     let speed = found(&about, Measurand::NoLoadCurrent, |measured| {
         for point in &mut measured.no_load {
             point.speed_out = rpm(1000.0);

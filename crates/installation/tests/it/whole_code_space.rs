@@ -212,11 +212,11 @@ fn the_storage_ends_for_what_is_stored_alone() {
 #[test]
 fn the_commissioning_speaks_of_what_the_wiring_has() {
     use installation::commission::expected::Measurand;
-    use installation::commission::recorded::{Measured, Unjudged, judge};
-    use installation::commission::sinamics::{self, Choice, Setting};
+    use installation::commission::recorded::{MeasuredValues, Unjudged, judge};
+    use installation::commission::sinamics::{self, ParameterChoice, Setting};
     use installation::commission::{ParameterId, checklist, commission};
     use installation::facts::{Order, facts_about};
-    use installation::wiring::{Group, Role};
+    use installation::wiring::{SignalGroup, Role};
     use quantities::ThermodynamicTemperature;
     use quantities::unit::DEGREE_CELSIUS;
 
@@ -229,32 +229,32 @@ fn the_commissioning_speaks_of_what_the_wiring_has() {
             continue;
         }
         let pins = wiring.connectors.iter().flat_map(|connector| &connector.pins);
-        let groups: Vec<Group> = pins.filter_map(|pin| Some(pin.carries?.group())).collect();
+        let groups: Vec<SignalGroup> = pins.filter_map(|pin| Some(pin.carries?.group())).collect();
         let is_wired = |group| groups.contains(&group);
-        let items: Vec<checklist::Item> =
+        let items: Vec<checklist::ChecklistItem> =
             checklist::lists(&about, ambient).into_iter().flat_map(|list| list.items).collect();
         let is_measured = |what| {
-            items.iter().any(|item| matches!(item, checklist::Item::Measure { expected, .. } if expected.what == what))
+            items.iter().any(|item| matches!(item, checklist::ChecklistItem::Measure { expected, .. } if expected.what == what))
         };
         let facts = facts_about(Topic::Commission, code, Order::Data);
         let speaks = |word: &str| facts.iter().any(|fact| fact.en.contains(word));
         let is_set = |choice| sinamics::lines(&about).iter().any(|line| line.entry.setting == Setting::Choice(choice));
         let is_judged = |what| {
-            let judged = judge(&about, &Measured::default());
+            let judged = judge(&about, &MeasuredValues::default());
             judged.iter().any(|each| each.what == what && each.unjudged != Some(Unjudged::NotThere))
         };
 
-        let kty = is_wired(Group::Kty);
+        let kty = is_wired(SignalGroup::Kty);
         *(if kty { &mut with_kty } else { &mut without_kty }) += 1;
         assert_eq!(about.has_kty(), kty, "{code}");
         assert_eq!(is_measured(Measurand::Kty), kty, "{code}");
         assert_eq!(is_judged(Measurand::Kty), kty, "{code}");
         assert_eq!(speaks("KTY"), kty, "{code}");
-        assert_eq!((is_set(Choice::SensorAtEncoder), is_set(Choice::SensorKty)), (kty, kty), "{code}");
+        assert_eq!((is_set(ParameterChoice::SensorAtEncoder), is_set(ParameterChoice::SensorKty)), (kty, kty), "{code}");
         for threshold in [ParameterId::WindingWarning, ParameterId::WindingShutdown] {
             assert_eq!(about.get(threshold).is_some(), kty, "{code}");
         }
-        let ptc = is_wired(Group::Ptc);
+        let ptc = is_wired(SignalGroup::Ptc);
         assert_eq!(
             (about.has_ptc(), is_measured(Measurand::Ptc), is_judged(Measurand::Ptc)),
             (ptc, ptc, ptc),
@@ -264,7 +264,7 @@ fn the_commissioning_speaks_of_what_the_wiring_has() {
         // Pins of the brake are there for every motor connector; what is connected the code says.
         let brake = code.brake == Brake::With;
         assert_eq!(is_absent(Absent::Brake), !brake, "{code}");
-        assert!(!brake || is_wired(Group::Brake), "{code}");
+        assert!(!brake || is_wired(SignalGroup::Brake), "{code}");
         assert_eq!(
             (is_measured(Measurand::BrakeVoltage), is_judged(Measurand::BrakeVoltage)),
             (brake, brake),
@@ -277,7 +277,7 @@ fn the_commissioning_speaks_of_what_the_wiring_has() {
         assert_eq!(about.encoder.iter().any(|row| row.side == side), output, "{code}");
         // The absolute feedbacks have their word, and no other has.
         let absolute = wiring.connector(Role::Feedback).is_some_and(|connector| {
-            connector.pins.iter().any(|pin| pin.carries.is_some_and(|signal| signal.group() == Group::Serial))
+            connector.pins.iter().any(|pin| pin.carries.is_some_and(|signal| signal.group() == SignalGroup::Serial))
         });
         assert_eq!(about.get(ParameterId::EncoderTurns).is_some(), absolute, "{code}");
         assert!(about.get(ParameterId::EncoderLines).is_some(), "{code}");

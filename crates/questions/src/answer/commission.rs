@@ -9,12 +9,12 @@ use answers::{
     Number, OverloadSupervision, OverloadTrip, SensorThreshold,
 };
 use catalogue::Topic;
-use installation::commission::checklist::{self, CheckList, Condition, Item};
+use installation::commission::checklist::{self, CheckList, Condition, ChecklistItem};
 use installation::commission::cia402::{self, Object};
 use installation::commission::encoder::{EncoderRow, EncoderSide};
-use installation::commission::expected::Expected;
+use installation::commission::expected::ExpectedValue;
 use installation::commission::sinamics::{self, Setting};
-use installation::commission::{Commissioning, Parameter, ParameterId, clean, sensors};
+use installation::commission::{Commissioning, ParameterToSet, ParameterId, clean, sensors};
 use installation::facts::{Order, facts_about};
 use order_code::FeedbackKind;
 use provenance::{Grade, Source};
@@ -74,7 +74,7 @@ fn joined(sources: &[Source], document: Option<&str>, language: Language) -> Str
     sentences.join("; ")
 }
 
-fn parameter(parameter: &Parameter, language: Language) -> CommissionParameter {
+fn parameter(parameter: &ParameterToSet, language: Language) -> CommissionParameter {
     let conversion = parameter.id.conversion();
     CommissionParameter {
         id: parameter.id.id(),
@@ -91,7 +91,7 @@ fn parameter(parameter: &Parameter, language: Language) -> CommissionParameter {
 }
 
 fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParameter> {
-    let record = |line: &sinamics::Line| {
+    let record = |line: &sinamics::ParameterLine| {
         let number = line.entry.name();
         let document = Some(document_short(line.entry.document, language));
         match line.entry.setting {
@@ -299,14 +299,14 @@ fn tick(id: &'static str, text: String, grade: Grade, source: String) -> Commiss
     }
 }
 
-fn entry(step: catalogue::Step, item: &Item, language: Language) -> CommissionEntry {
+fn entry(step: catalogue::Step, item: &ChecklistItem, language: Language) -> CommissionEntry {
     match item {
-        Item::Fact(fact) => CommissionEntry {
+        ChecklistItem::Fact(fact) => CommissionEntry {
             signal: fact.signal.map(Id),
             ..tick(fact.id, fact_text(fact, language).to_owned(), fact.grade, fact_source(fact, language))
         },
-        Item::Measure { expected, at } => to_measure(expected, *at, language),
-        Item::Value(parameter) => {
+        ChecklistItem::Measure { expected, at } => to_measure(expected, *at, language),
+        ChecklistItem::Value(parameter) => {
             let name = format!("{}, {}", parameter_name(parameter.id, language), parameter.id.symbol());
             let value = plain(parameter.value(), language);
             let (text, shown, field) = if step == catalogue::Step::AfterADay {
@@ -323,7 +323,7 @@ fn entry(step: catalogue::Step, item: &Item, language: Language) -> CommissionEn
                 ..tick(parameter.id.id(), text, parameter.grade, joined(&parameter.sources, None, language))
             }
         }
-        Item::Limit { speed_motor, speed_out, time } => {
+        ChecklistItem::Limit { speed_motor, speed_out, time } => {
             let number = |value: f64| plain(value, language);
             let text = commission::limit_run(
                 &number(speed_motor.in_unit(&REVOLUTION_PER_MINUTE)),
@@ -339,7 +339,7 @@ fn entry(step: catalogue::Step, item: &Item, language: Language) -> CommissionEn
     }
 }
 
-fn to_measure(expected: &Expected, at: Condition, language: Language) -> CommissionEntry {
+fn to_measure(expected: &ExpectedValue, at: Condition, language: Language) -> CommissionEntry {
     let unit = expected.what.unit();
     let name = measurand_name(expected.what, language);
     let number = |value: f64| plain(value, language);
@@ -381,7 +381,7 @@ pub(super) fn in_unit(si: f64, unit: &Unit) -> Number {
 }
 
 /// Formats an expected value as `5.9 (5.31 to 6.49)`, or the upper limit alone.
-pub(super) fn band_shown(expected: &Expected, language: Language) -> String {
+pub(super) fn band_shown(expected: &ExpectedValue, language: Language) -> String {
     let number = |si: f64| format_significant(expected.what.unit().from_si(si), 3, language);
     match expected.nominal {
         None => commission::at_most_value(&number(expected.high), language),

@@ -197,7 +197,7 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
 
 /// Adds the mating connectors, and the cables that the manual lists, by their counterpart.
 fn connected(
-    found: &installation::wiring::Wiring,
+    found: &installation::wiring::CodeWiring,
     add: &mut impl FnMut(String, String, String, Option<String>),
     language: Language,
 ) {

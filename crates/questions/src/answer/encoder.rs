@@ -12,7 +12,7 @@ use feedback::ssi::Position;
 use feedback::{Absolute, Interface, Protocol, Shaft, Signal, SinePair, Value, Windings, Word};
 use installation::encoder::{Fitted, STEPS_OF_A_PERIOD};
 use installation::facts::{Order, facts_about};
-use installation::wiring::{Role, Wiring, wiring};
+use installation::wiring::{Role, CodeWiring, wiring};
 use provenance::Source;
 use quantities::unit::{ARCSECOND, DEGREE, KILOHERTZ, MICROSECOND, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Angle, Language, Measure, Time};
@@ -103,7 +103,7 @@ fn state(
     shaft: Shaft,
     counted: Shaft,
     args: &Args,
-    wiring: &Wiring,
+    wiring: &CodeWiring,
     language: Language,
 ) -> EncoderState {
     let seen = each.encoder.seen(counted);
@@ -266,7 +266,7 @@ fn signal(
     signal: Signal,
     shaft: Shaft,
     window: Option<Angle>,
-    wiring: &Wiring,
+    wiring: &CodeWiring,
     language: Language,
 ) -> EncoderSignal {
     let pins = each.pins(signal, wiring);

@@ -178,7 +178,7 @@ fn source<T>(datum: &Datum<T>, language: Language) -> Option<String> {
     datum.known().map(|known| source_text(&known.source, language))
 }
 
-fn joint(joint: &installation::joint::Joint, language: Language) -> Joint {
+fn joint(joint: &installation::joint::BoltedJoint, language: Language) -> Joint {
     let screws = &joint.screws;
     let printed =
         |datum: &Datum<_>| datum.known().map(|known: &Sourced<std::borrow::Cow<'_, str>>| known.value.to_string());

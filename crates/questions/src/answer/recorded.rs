@@ -4,30 +4,30 @@ use super::commission::in_unit;
 use super::errata::cited_once;
 use answers::{Fit, Id, Recorded, RecordedValue};
 use installation::commission::Commissioning;
-use installation::commission::recorded::{Judged, Verdict};
+use installation::commission::recorded::{Judged, MeasurementVerdict};
 use quantities::Language;
 use words::{band_text, cause_text, fact_source, measurand_name, source_text, unjudged_text};
 
 /// Returns the measured values with their verdicts.
 #[must_use]
 pub fn recorded(about: &Commissioning, judged: &[Judged], language: Language) -> Recorded {
-    let off = judged.iter().filter(|each| each.verdict == Verdict::Fail).count();
+    let off = judged.iter().filter(|each| each.verdict == MeasurementVerdict::Fail).count();
     Recorded {
         code: about.code.to_string(),
         verdict: Fit::of(off == 0),
         off,
-        not_checked: judged.iter().filter(|each| each.verdict == Verdict::NotChecked).count(),
+        not_checked: judged.iter().filter(|each| each.verdict == MeasurementVerdict::NotChecked).count(),
         measurements: judged.iter().map(|each| value(each, language)).collect(),
         errata: cited_once(judged.iter().flat_map(errata).copied(), language),
     }
 }
 
-const fn verdict(verdict: Verdict) -> sizing::Verdict {
+const fn verdict(verdict: MeasurementVerdict) -> sizing::Verdict {
     match verdict {
-        Verdict::Pass => sizing::Verdict::Pass,
-        Verdict::Fail => sizing::Verdict::Fail,
-        Verdict::Advice => sizing::Verdict::Advice,
-        Verdict::NotChecked => sizing::Verdict::NotChecked,
+        MeasurementVerdict::Pass => sizing::Verdict::Pass,
+        MeasurementVerdict::Fail => sizing::Verdict::Fail,
+        MeasurementVerdict::Advice => sizing::Verdict::Advice,
+        MeasurementVerdict::NotChecked => sizing::Verdict::NotChecked,
     }
 }
 

@@ -8,7 +8,7 @@ use answers::{
 use catalogue::{Cell, Topic};
 use installation::facts::{Order, facts_about};
 use installation::wiring::{
-    Cable, CableLength, Circuit, Comparison, Connector, DropVerdict, Exit, Finding, Meaning, Pin, VoltageDrop, Wiring,
+    Cable, CableLength, Circuit, PinComparison, Connector, DropVerdict, Exit, PinFinding, SignalMeaning, Pin, VoltageDrop, CodeWiring,
 };
 use provenance::{Grade, Source};
 use quantities::unit::{AMPERE, METRE, SQUARE_MILLIMETRE, VOLT};
@@ -18,7 +18,7 @@ use words::{cell_text, source_text, table_note, wiring};
 
 /// Returns the wiring of a code, with the voltage drops on a cable if a length is given.
 #[must_use]
-pub fn wiring(wiring: &Wiring, cable: Option<(Length, Option<Area>)>, language: Language) -> answers::Wiring {
+pub fn wiring(wiring: &CodeWiring, cable: Option<(Length, Option<Area>)>, language: Language) -> answers::Wiring {
     let drops = cable.map(|(length, section)| drops(wiring, length, section, language));
     answers::Wiring {
         code: wiring.code.to_string(),
@@ -112,7 +112,7 @@ fn record_of_cable(cable: &Cable, language: Language) -> answers::Cable {
 }
 
 /// Returns the tables of the answer, without repetitions.
-fn tables(wiring: &Wiring) -> Vec<&'static str> {
+fn tables(wiring: &CodeWiring) -> Vec<&'static str> {
     let of_connectors = wiring.connectors.iter().flat_map(|each| [each.kind.place.table, each.table.id]);
     let mut found: Vec<&'static str> = Vec::new();
     for id in of_connectors.chain(wiring.cables.iter().map(|cable| cable.number.place.table)) {
@@ -124,7 +124,7 @@ fn tables(wiring: &Wiring) -> Vec<&'static str> {
 }
 
 /// Returns the notes of the tables, and remarks on the answer.
-fn notes(wiring: &Wiring, language: Language) -> Vec<WiringNote> {
+fn notes(wiring: &CodeWiring, language: Language) -> Vec<WiringNote> {
     let mut found = Vec::new();
     for table in tables(wiring).into_iter().filter_map(catalogue::table) {
         for note in table.footnotes {
@@ -135,7 +135,7 @@ fn notes(wiring: &Wiring, language: Language) -> Vec<WiringNote> {
     let ours = |text: String, table| WiringNote { text, by: NoteBy::Antrieb, table };
     for connector in &wiring.connectors {
         let with = |meaning| connector.pins.iter().find(|pin| pin.carries.is_some_and(|s| s.meaning == meaning));
-        if let (Some(supply), Some(ground)) = (with(Meaning::SupplySense), with(Meaning::GroundSense)) {
+        if let (Some(supply), Some(ground)) = (with(SignalMeaning::SupplySense), with(SignalMeaning::GroundSense)) {
             found.push(ours(wiring::sense_lines(&supply.name, &ground.name, language), Some(connector.table.id)));
         }
     }
@@ -148,7 +148,7 @@ fn notes(wiring: &Wiring, language: Language) -> Vec<WiringNote> {
 }
 
 /// Returns the errata of the cells that are shown and of their tables; slips of the recovered text are left out.
-fn errata(wiring: &Wiring) -> Vec<&'static str> {
+fn errata(wiring: &CodeWiring) -> Vec<&'static str> {
     let pins = wiring.connectors.iter().flat_map(|connector| &connector.pins);
     let of_connectors = wiring.connectors.iter().map(|connector| connector.kind);
     let of_cables = wiring.cables.iter().map(|cable| cable.number);
@@ -163,7 +163,7 @@ fn errata(wiring: &Wiring) -> Vec<&'static str> {
     catalogue::errata().iter().filter(of_the_print).filter(shown).map(|erratum| erratum.id).collect()
 }
 
-fn drops(wiring: &Wiring, length: Length, section: Option<Area>, language: Language) -> VoltageDrops {
+fn drops(wiring: &CodeWiring, length: Length, section: Option<Area>, language: Language) -> VoltageDrops {
     let found = installation::wiring::voltage_drops(&wiring.code, length, section);
     let source = found.first().map(|drop| source_text(&drop.resistivity.source, language));
     VoltageDrops {
@@ -214,8 +214,8 @@ fn circuit_name(drop: &VoltageDrop, language: Language) -> &'static str {
 
 /// Returns a list compared with the wiring.
 #[must_use]
-pub fn wiring_check(wiring: &Wiring, comparison: &Comparison, language: Language) -> WiringCheck {
-    let record = |finding: &Finding| WiringFinding {
+pub fn wiring_check(wiring: &CodeWiring, comparison: &PinComparison, language: Language) -> WiringCheck {
+    let record = |finding: &PinFinding| WiringFinding {
         id: finding.difference.id(),
         severity: Id(finding.severity()),
         connector: Id(finding.role),

@@ -5,7 +5,7 @@ use super::{Answer, Argument, Asked, CODE, Entry, Gives, PICTURE, Reads, Record,
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::wiring::{cable_length, cross_section};
-pub use installation::wiring::{Connector, Group as SignalGroup, Role, Wiring, wiring};
+pub use installation::wiring::{Connector, SignalGroup as SignalGroup, Role, CodeWiring, wiring};
 use order_code::OrderCode;
 use quantities::{Area, Length};
 use words::help;
@@ -41,7 +41,7 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; no data in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<(Wiring, answers::Wiring), Unanswered> {
+pub fn found(asked: &Asked<'_>) -> Result<(CodeWiring, answers::Wiring), Unanswered> {
     let Args { code, length, cross_section } = Args::read(&asked.given)?;
     let found = wiring(&code).ok_or(Refusal::NoData)?;
     let record = answer::wiring(&found, length.map(|length| (length, cross_section)), asked.language);

@@ -4,65 +4,65 @@ use super::role_name;
 use crate::hint_text;
 use crate::pick;
 use crate::texts::said;
-use installation::wiring::{Column, Difference, Finding, Group, ListFault, Role};
+use installation::wiring::{PinColumn, PinDifference, PinFinding, SignalGroup, ListFault, Role};
 use project::Hint;
 use quantities::Language;
 
-fn group_name(group: Group, language: Language) -> &'static str {
+fn group_name(group: SignalGroup, language: Language) -> &'static str {
     let (en, de) = match group {
-        Group::Phase => ("motor phases", "Motorphasen"),
-        Group::Earth => ("protective earth", "Schutzleiter"),
-        Group::Brake => ("brake", "Bremse"),
-        Group::Ptc => ("PTC thermistor", "Kaltleiter"),
-        Group::Kty => ("temperature sensor KTY", "Temperatursensor KTY"),
-        Group::Supply => ("encoder supply", "Geberversorgung"),
-        Group::Sense => ("sense lines", "Sense-Leitungen"),
-        Group::Incremental => ("incremental track", "Inkrementalspur"),
-        Group::Reference => ("reference signal", "Referenzsignal"),
-        Group::Commutation => ("commutation", "Kommutierung"),
-        Group::Serial => ("data and clock", "Daten und Takt"),
-        Group::Resolver => ("resolver winding", "Resolverwicklung"),
-        Group::Shield => ("inner shield", "innerer Schirm"),
+        SignalGroup::Phase => ("motor phases", "Motorphasen"),
+        SignalGroup::Earth => ("protective earth", "Schutzleiter"),
+        SignalGroup::Brake => ("brake", "Bremse"),
+        SignalGroup::Ptc => ("PTC thermistor", "Kaltleiter"),
+        SignalGroup::Kty => ("temperature sensor KTY", "Temperatursensor KTY"),
+        SignalGroup::Supply => ("encoder supply", "Geberversorgung"),
+        SignalGroup::Sense => ("sense lines", "Sense-Leitungen"),
+        SignalGroup::Incremental => ("incremental track", "Inkrementalspur"),
+        SignalGroup::Reference => ("reference signal", "Referenzsignal"),
+        SignalGroup::Commutation => ("commutation", "Kommutierung"),
+        SignalGroup::Serial => ("data and clock", "Daten und Takt"),
+        SignalGroup::Resolver => ("resolver winding", "Resolverwicklung"),
+        SignalGroup::Shield => ("inner shield", "innerer Schirm"),
     };
     pick(language, en, de)
 }
 
 /// Returns a difference, in one sentence.
 #[must_use]
-pub fn difference_text(finding: &Finding, language: Language) -> String {
-    let Finding { pin, expected, .. } = finding;
+pub fn difference_text(finding: &PinFinding, language: Language) -> String {
+    let PinFinding { pin, expected, .. } = finding;
     let connector = role_name(finding.role, language);
     match &finding.difference {
-        Difference::NoSuchConnector => {
+        PinDifference::NoSuchConnector => {
             said!(language => "the ordering code has no {connector}" | "die Bestellbezeichnung hat keinen {connector}")
         }
-        Difference::ConnectorNotListed => {
+        PinDifference::ConnectorNotListed => {
             said!(language => "{connector}: not in the list" | "{connector}: nicht in der Liste")
         }
-        Difference::PinsNotPrinted => said!(language =>
+        PinDifference::PinsNotPrinted => said!(language =>
             "{connector}: the pins are not stated for this ordering code"
             | "{connector}: die Stifte sind für diese Bestellbezeichnung nicht angegeben"
         ),
-        Difference::OtherEncoder { of } => said!(language =>
+        PinDifference::OtherEncoder { of } => said!(language =>
             "this is the pin assignment of the {}: same connector, supply and ground interchanged"
             | "dies ist die Belegung: {}; gleiche Kupplung, Versorgung und Masse vertauscht", role_name(*of, language)
         ),
-        Difference::NoSuchPin => said!(language => "there is no pin `{pin}`" | "einen Stift `{pin}` gibt es nicht"),
-        Difference::PinTwice { first } => {
+        PinDifference::NoSuchPin => said!(language => "there is no pin `{pin}`" | "einen Stift `{pin}` gibt es nicht"),
+        PinDifference::PinTwice { first } => {
             said!(language => "pin {pin} is already listed in line {first}" | "Stift {pin} ist bereits in Zeile {first} aufgeführt")
         }
-        Difference::Reversed { group, with } => {
+        PinDifference::Reversed { group, with } => {
             let name = group_name(*group, language);
             said!(language =>
                 "{name}: polarity reversed, pins {pin} and {with} are interchanged"
                 | "{name}: verpolt, die Stifte {pin} und {with} sind vertauscht"
             )
         }
-        Difference::Swapped { with, written, .. } => said!(language =>
+        PinDifference::Swapped { with, written, .. } => said!(language =>
             "pins {pin} and {with} are interchanged: {pin} is {expected}, not {written}"
             | "die Stifte {pin} und {with} sind vertauscht: {pin} ist {expected}, nicht {written}"
         ),
-        Difference::WrongPin { written, belongs, .. } => {
+        PinDifference::WrongPin { written, belongs, .. } => {
             let belongs = belongs.join(", ");
             if *expected == "-" {
                 return said!(language =>
@@ -75,11 +75,11 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
                 | "{written} auf Stift {pin}, der {expected} ist; es gehört auf Stift {belongs}"
             )
         }
-        Difference::ForeignSignal { written } => said!(language =>
+        PinDifference::ForeignSignal { written } => said!(language =>
             "this connector has no signal {written}; pin {pin} is {expected}"
             | "ein Signal {written} hat dieser Stecker nicht; Stift {pin} ist {expected}"
         ),
-        Difference::UnknownSignal { written, nearest } => {
+        PinDifference::UnknownSignal { written, nearest } => {
             let near = nearest.map(|near| said!(language => ", perhaps {near}" | ", vielleicht {near}"));
             let near = near.unwrap_or_default();
             said!(language =>
@@ -87,22 +87,22 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
                 | "unbekanntes Signal `{written}`{near}; Stift {pin} ist {expected}"
             )
         }
-        Difference::NotConnected { written } => said!(language =>
+        PinDifference::NotConnected { written } => said!(language =>
             "{written} on pin {pin}, which is not connected"
             | "{written} auf Stift {pin}, der nicht belegt ist"
         ),
-        Difference::LeftOpen { .. } => said!(language =>
+        PinDifference::LeftOpen { .. } => said!(language =>
             "pin {pin} is left open; it must carry {expected}"
             | "Stift {pin} ist nicht angeschlossen; er führt {expected}"
         ),
-        Difference::Missing { .. } => said!(language =>
+        PinDifference::Missing { .. } => said!(language =>
             "pin {pin} ({expected}) is not in the list"
             | "Stift {pin} ({expected}) fehlt in der Liste"
         ),
-        Difference::Unshielded => {
+        PinDifference::Unshielded => {
             said!(language => "wire of pin {pin} without a shield" | "Ader von Stift {pin} ohne Schirm")
         }
-        Difference::Colour { written, printed } => said!(language =>
+        PinDifference::Colour { written, printed } => said!(language =>
             "pin {pin}: colour {written}, manual {printed}"
             | "Stift {pin}: Farbe {written}, laut Anleitung {printed}"
         ),
@@ -111,57 +111,57 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
 
 /// Returns the action for a difference.
 #[must_use]
-pub const fn difference_action(finding: &Finding, language: Language) -> &'static str {
+pub const fn difference_action(finding: &PinFinding, language: Language) -> &'static str {
     let (en, de) = match (&finding.difference, finding.role) {
-        (Difference::OtherEncoder { .. }, _) => (
+        (PinDifference::OtherEncoder { .. }, _) => (
             "do not connect: mark both connectors and wire each according to its own table",
             "nicht stecken: beide Stecker kennzeichnen und jeden nach seiner Tabelle verdrahten",
         ),
-        (Difference::Reversed { group: Group::Supply, .. }, Role::Feedback | Role::OutputEncoder) => (
+        (PinDifference::Reversed { group: SignalGroup::Supply, .. }, Role::Feedback | Role::OutputEncoder) => (
             "interchange before switching on the supply: reversed supply can destroy the encoder; the output encoder has supply and ground reversed on the same connector",
             "vor dem Einschalten tauschen: verpolte Versorgung kann den Geber zerstören; beim Abtriebsgeber liegen Versorgung und Masse auf der gleichen Kupplung umgekehrt",
         ),
-        (Difference::Reversed { group: Group::Brake, .. }, _) => {
+        (PinDifference::Reversed { group: SignalGroup::Brake, .. }, _) => {
             ("interchange before supplying the brake", "vor dem Einschalten der Bremsenversorgung tauschen")
         }
-        (Difference::Reversed { group: Group::Kty, .. }, _) => (
+        (PinDifference::Reversed { group: SignalGroup::Kty, .. }, _) => (
             "interchange: a KTY with reversed polarity reports a wrong temperature, and the winding is not protected",
             "tauschen: ein verpolter KTY meldet eine falsche Temperatur, und die Wicklung ist nicht geschützt",
         ),
-        (Difference::Swapped { group: Group::Phase, .. } | Difference::WrongPin { group: Group::Phase, .. }, _) => (
+        (PinDifference::Swapped { group: SignalGroup::Phase, .. } | PinDifference::WrongPin { group: SignalGroup::Phase, .. }, _) => (
             "correct the phase sequence before the first motion: with wrong phases the motor does not follow its encoder and can run away",
             "Phasenfolge vor der ersten Bewegung berichtigen: bei falschen Phasen folgt der Motor seinem Geber nicht und kann durchgehen",
         ),
         (
-            Difference::Swapped { group: Group::Earth, .. }
-            | Difference::WrongPin { group: Group::Earth, .. }
-            | Difference::LeftOpen { group: Group::Earth }
-            | Difference::Missing { group: Group::Earth },
+            PinDifference::Swapped { group: SignalGroup::Earth, .. }
+            | PinDifference::WrongPin { group: SignalGroup::Earth, .. }
+            | PinDifference::LeftOpen { group: SignalGroup::Earth }
+            | PinDifference::Missing { group: SignalGroup::Earth },
             _,
         ) => (
             "connect the protective conductor to PE before switching on any voltage",
             "Schutzleiter vor jedem Einschalten mit PE verbinden",
         ),
-        (Difference::Missing { group: Group::Shield } | Difference::LeftOpen { group: Group::Shield }, _) => {
+        (PinDifference::Missing { group: SignalGroup::Shield } | PinDifference::LeftOpen { group: SignalGroup::Shield }, _) => {
             ("connect the inner shield", "den inneren Schirm anschließen")
         }
-        (Difference::Missing { group: Group::Sense } | Difference::LeftOpen { group: Group::Sense }, _) => {
+        (PinDifference::Missing { group: SignalGroup::Sense } | PinDifference::LeftOpen { group: SignalGroup::Sense }, _) => {
             ("only for a drive without sense inputs", "nur bei einem Servoregler ohne Sense-Eingänge")
         }
-        (Difference::Unshielded, _) => {
+        (PinDifference::Unshielded, _) => {
             ("all connecting cables must be shielded", "alle Anschlussleitungen müssen geschirmt sein")
         }
-        (Difference::Colour { .. }, _) => {
+        (PinDifference::Colour { .. }, _) => {
             ("wire by pin, colours repeat", "nach Stift verdrahten, Farben wiederholen sich")
         }
-        (Difference::NoSuchPin, _) => {
+        (PinDifference::NoSuchPin, _) => {
             ("use the pin numbers of `antrieb wiring`", "Stiftnummern nach `antrieb wiring` verwenden")
         }
-        (Difference::PinTwice { .. }, _) => ("keep one row only", "nur eine Zeile behalten"),
-        (Difference::NoSuchConnector, _) => ("remove its rows from the list", "seine Zeilen aus der Liste entfernen"),
-        (Difference::ConnectorNotListed, _) => ("not compared", "nicht verglichen"),
-        (Difference::PinsNotPrinted, _) => ("ask the manufacturer", "beim Hersteller erfragen"),
-        (Difference::Missing { .. } | Difference::LeftOpen { .. }, _) => {
+        (PinDifference::PinTwice { .. }, _) => ("keep one row only", "nur eine Zeile behalten"),
+        (PinDifference::NoSuchConnector, _) => ("remove its rows from the list", "seine Zeilen aus der Liste entfernen"),
+        (PinDifference::ConnectorNotListed, _) => ("not compared", "nicht verglichen"),
+        (PinDifference::PinsNotPrinted, _) => ("ask the manufacturer", "beim Hersteller erfragen"),
+        (PinDifference::Missing { .. } | PinDifference::LeftOpen { .. }, _) => {
             ("add, or state the reason", "ergänzen oder begründen")
         }
         _ => ("wire as stated in the manual", "nach Anleitung verdrahten"),
@@ -170,13 +170,13 @@ pub const fn difference_action(finding: &Finding, language: Language) -> &'stati
 }
 
 /// Returns the heading of a column, as in the documentation.
-const fn column_name(column: Column, language: Language) -> &'static str {
+const fn column_name(column: PinColumn, language: Language) -> &'static str {
     match column {
-        Column::Connector => pick(language, "connector", "Stecker"),
-        Column::Pin => pick(language, "pin", "Stift"),
-        Column::Signal => pick(language, "signal", "Signal"),
-        Column::Colour => pick(language, "colour", "Farbe"),
-        Column::Shield => pick(language, "shield", "Schirm"),
+        PinColumn::Connector => pick(language, "connector", "Stecker"),
+        PinColumn::Pin => pick(language, "pin", "Stift"),
+        PinColumn::Signal => pick(language, "signal", "Signal"),
+        PinColumn::Colour => pick(language, "colour", "Farbe"),
+        PinColumn::Shield => pick(language, "shield", "Schirm"),
     }
 }
 
@@ -233,7 +233,7 @@ pub fn list_fault_hint(fault: &ListFault, language: Language) -> Option<String> 
             Some(hint_text(&Hint::Example(line.to_owned()), language))
         }
         ListFault::ColumnUnknown { .. } => {
-            let names: Vec<&str> = Column::ALL.iter().map(|column| column_name(*column, language)).collect();
+            let names: Vec<&str> = PinColumn::ALL.iter().map(|column| column_name(*column, language)).collect();
             valid(&names)
         }
         ListFault::ConnectorUnknown { .. } => {

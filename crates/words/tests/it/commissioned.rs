@@ -3,7 +3,7 @@
 
 use installation::commission::expected::{Band, Measurand};
 use installation::commission::recorded::{Cause, Unjudged};
-use installation::commission::sinamics::Choice;
+use installation::commission::sinamics::ParameterChoice;
 use installation::commission::{Conversion, Gap, ParameterId};
 use order_code::{Ratio, Series};
 use project::MeasuredKey;
@@ -42,11 +42,11 @@ fn parameters_gaps_and_conversions() {
         differ(gap.id(), |language| gap_text(gap, language));
     }
     for choice in [
-        Choice::Synchronous,
-        Choice::IdentifiedEncoder,
-        Choice::EnteredEncoder,
-        Choice::SensorAtEncoder,
-        Choice::SensorKty,
+        ParameterChoice::Synchronous,
+        ParameterChoice::IdentifiedEncoder,
+        ParameterChoice::EnteredEncoder,
+        ParameterChoice::SensorAtEncoder,
+        ParameterChoice::SensorKty,
     ] {
         differ("choice", |language| choice_text(choice, language).to_owned());
     }

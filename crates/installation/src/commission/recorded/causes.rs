@@ -1,6 +1,6 @@
 //! Typical causes of deviations, by the quotient of measured and expected value.
 
-use crate::commission::expected::{Expected, KTY_OPEN_OHM, KTY_SHORT_OHM, Measurand, PTC_OPEN_OHM, SHORT_CIRCUIT_OHM};
+use crate::commission::expected::{ExpectedValue, KTY_OPEN_OHM, KTY_SHORT_OHM, Measurand, PTC_OPEN_OHM, SHORT_CIRCUIT_OHM};
 use crate::commission::{Commissioning, ParameterId, sensors};
 use order_code::Ratio;
 use quantities::unit::DEGREE_CELSIUS;
@@ -139,7 +139,7 @@ fn first(quotient: f64, share: f64, patterns: &[(f64, Cause)]) -> Option<Cause> 
 }
 
 /// Returns the likely cause of a value that differs from the expected one; `None` if no pattern fits.
-pub(super) fn of(about: &Commissioning, value: f64, expected: &Expected) -> Option<Cause> {
+pub(super) fn of(about: &Commissioning, value: f64, expected: &ExpectedValue) -> Option<Cause> {
     let quotient = value / expected.nominal.unwrap_or(expected.high);
     if let Some(cause) = of_a_broken_sensor(expected.what, value) {
         return Some(cause);
@@ -178,7 +178,7 @@ pub(super) fn of_speed(about: &Commissioning, speed_out: AngularVelocity) -> Opt
     (speed_out.si().abs() > 1.05 * most.si / ratio.si).then_some(Cause::SpeedOfMotor)
 }
 
-fn resistance(about: &Commissioning, value: f64, quotient: f64, expected: &Expected) -> Option<Cause> {
+fn resistance(about: &Commissioning, value: f64, quotient: f64, expected: &ExpectedValue) -> Option<Cause> {
     match quotient {
         ..0.1 => return Some(Cause::Short),
         10.0.. => return Some(Cause::Open),
@@ -240,7 +240,7 @@ fn kty(about: &Commissioning, value: f64) -> Option<Cause> {
     }
 }
 
-fn ptc(value: f64, expected: &Expected) -> Option<Cause> {
+fn ptc(value: f64, expected: &ExpectedValue) -> Option<Cause> {
     // A KTY has 330 Ω at -50 °C and 880 Ω at 80 °C.
     const KTY_OHM: std::ops::Range<f64> = 330.0..880.0;
     const RESPONDED_OHM: f64 = 1330.0;
@@ -253,7 +253,7 @@ fn ptc(value: f64, expected: &Expected) -> Option<Cause> {
     }
 }
 
-fn brake_current(about: &Commissioning, expected: &Expected, quotient: f64) -> Option<Cause> {
+fn brake_current(about: &Commissioning, expected: &ExpectedValue, quotient: f64) -> Option<Cause> {
     if quotient < 0.05 {
         return Some(Cause::BrakeNotConnected);
     }
