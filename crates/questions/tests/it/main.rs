@@ -39,6 +39,7 @@ mod recorded_energy;
 mod recorded_noise;
 mod recorded_side;
 mod rejections;
+mod segment_loads;
 mod simulate;
 mod simulated;
 mod workings;

@@ -8,6 +8,7 @@ mod hostile;
 mod incomplete;
 mod loggers;
 mod notations;
+mod order;
 mod parquet;
 mod properties;
 mod table;
