@@ -1,7 +1,7 @@
 //! Words of a fixed set in the form of data exchange.
 
 use catalogue::{Bound, Signal, Step};
-use installation::wiring::{CableFor, CableRole, Circuit, SignalGroup, Role, Severity};
+use installation::wiring::{CableFor, CableRole, Circuit, Role, Severity, SignalGroup};
 use order_code::Field;
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};

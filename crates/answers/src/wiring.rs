@@ -1,7 +1,7 @@
 //! Connectors, pins and cables of a code, and the comparison of a pin list with them.
 
 use crate::{Fact, Id, NoteBy, Number};
-use installation::wiring::{CableFor, CableRole, Circuit, SignalGroup, Role, Severity};
+use installation::wiring::{CableFor, CableRole, Circuit, Role, Severity, SignalGroup};
 use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;

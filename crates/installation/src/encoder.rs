@@ -1,7 +1,7 @@
 //! Encoders of an ordering code as simulated by `feedback`: parameters from the tables, pins from the wiring.
 
 use crate::commission::encoder::{EncoderSide, rows};
-use crate::wiring::{SignalMeaning, Pin, Role, CodeWiring};
+use crate::wiring::{CodeWiring, Pin, Role, SignalMeaning};
 use actuator::Feedback;
 use catalogue::{Cell, Value};
 use feedback::ssi::Format;
@@ -177,8 +177,14 @@ const fn of_meaning(meaning: SignalMeaning) -> Option<Signal> {
         SignalMeaning::ResolverSine => Signal::Sine,
         SignalMeaning::ResolverCosine => Signal::Cosine,
         SignalMeaning::Excitation => Signal::Excitation,
-        SignalMeaning::Phase(_) | SignalMeaning::ProtectiveEarth | SignalMeaning::Brake | SignalMeaning::Ptc | SignalMeaning::Kty => return None,
-        SignalMeaning::Supply | SignalMeaning::Ground | SignalMeaning::SupplySense | SignalMeaning::GroundSense => return None,
+        SignalMeaning::Phase(_)
+        | SignalMeaning::ProtectiveEarth
+        | SignalMeaning::Brake
+        | SignalMeaning::Ptc
+        | SignalMeaning::Kty => return None,
+        SignalMeaning::Supply | SignalMeaning::Ground | SignalMeaning::SupplySense | SignalMeaning::GroundSense => {
+            return None;
+        }
         SignalMeaning::Shield => return None,
     })
 }

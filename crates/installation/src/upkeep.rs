@@ -311,7 +311,8 @@ impl Plan {
         }
         // The interval is stated by the user or assumed; the manual states that of the cleaning only.
         let grade = stated.map_or(Some(Grade::Assumed), |_| None);
-        let clean = if cleaning == yearly { (DateRule::EveryAtMost, Some(Grade::Printed)) } else { (DateRule::Every, grade) };
+        let clean =
+            if cleaning == yearly { (DateRule::EveryAtMost, Some(Grade::Printed)) } else { (DateRule::Every, grade) };
         let series = [
             (Task::Cleaning, clean.0, cleaning, clean.1),
             (Task::Cables, DateRule::Every, interval, grade),

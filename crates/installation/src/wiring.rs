@@ -9,8 +9,8 @@ mod signal;
 pub use cables::{Cable, CableFor, CableLength, CableRole};
 pub use comparison::{PinComparison, PinDifference, PinFinding, Severity, compare};
 pub use drop::{Circuit, DropVerdict, VoltageDrop, voltage_drops};
-pub use pin_list::{PinColumn, LISTED_BYTES_MAX, ListFault, ListedPin, PinList, read_pin_list};
-pub use signal::{TrackForm, SignalGroup, SignalMeaning, Polarity, Protocol, Signal};
+pub use pin_list::{LISTED_BYTES_MAX, ListFault, ListedPin, PinColumn, PinList, read_pin_list};
+pub use signal::{Polarity, Protocol, Signal, SignalGroup, SignalMeaning, TrackForm};
 
 use catalogue::{Cell, SeriesData, Table};
 use order_code::{Brake, OrderCode};
@@ -304,7 +304,8 @@ fn ambiguous(pins: &[Pin]) -> Vec<Ambiguous> {
 
 fn absences(code: &OrderCode, connectors: &[Connector], cables: &[Cable]) -> Vec<Absence> {
     let of = |role: Role| connectors.iter().find(|connector| connector.role == role);
-    let carried = |group: SignalGroup| connectors.iter().flat_map(|connector| &connector.pins).any(|pin| pin.carries(group));
+    let carried =
+        |group: SignalGroup| connectors.iter().flat_map(|connector| &connector.pins).any(|pin| pin.carries(group));
     let mut found = Vec::new();
     let mut absent = |what: Absent, table: &'static str| found.push(Absence { what, table });
     let (motor, feedback) = (of(Role::Motor), of(Role::Feedback));

@@ -1,7 +1,7 @@
 //! A list of pins and the dimensions of a cable, as stated by the user.
 
 use crate::chapters::read_quantity;
-use installation::wiring::{PinComparison, ListFault, CodeWiring, compare, read_pin_list};
+use installation::wiring::{CodeWiring, ListFault, PinComparison, compare, read_pin_list};
 use quantities::unit::{METRE, SQUARE_MILLIMETRE};
 use quantities::{Area, Language, Length, Measure};
 use words::{Worded, wiring};

@@ -5,7 +5,7 @@ use crate::pick;
 use crate::texts::{said, texts};
 use chrono::NaiveDate;
 use installation::calendar::{DateFault, INTERVAL_MOST_YEARS, Interval, IntervalFault, YEARS};
-use installation::upkeep::{PlanNote, DateRule, Task, UpkeepFault};
+use installation::upkeep::{DateRule, PlanNote, Task, UpkeepFault};
 use quantities::Language;
 
 /// A day of a record as the language writes it: `2026-03-01` is 01.03.2026 in German.

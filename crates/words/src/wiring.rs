@@ -8,7 +8,8 @@ use crate::pick;
 use crate::texts::{said, texts};
 use catalogue::Cell;
 use installation::wiring::{
-    Absent, CableFor, CableRole, Circuit, DropVerdict, TrackForm, SignalMeaning, Polarity, Protocol, Role, Severity, Signal,
+    Absent, CableFor, CableRole, Circuit, DropVerdict, Polarity, Protocol, Role, Severity, Signal, SignalMeaning,
+    TrackForm,
 };
 use quantities::Language;
 
@@ -154,7 +155,9 @@ pub fn signal_meaning(signal: Signal, language: Language) -> String {
         }
         SignalMeaning::Data(protocol) => said!(language => "{} data" | "{}-Daten", serial(protocol)),
         SignalMeaning::Clock(protocol) => said!(language => "{} clock" | "{}-Takt", serial(protocol)),
-        SignalMeaning::ResolverSine => said!(language => "sine winding of the resolver" | "Sinuswicklung des Resolvers"),
+        SignalMeaning::ResolverSine => {
+            said!(language => "sine winding of the resolver" | "Sinuswicklung des Resolvers")
+        }
         SignalMeaning::ResolverCosine => {
             said!(language => "cosine winding of the resolver" | "Kosinuswicklung des Resolvers")
         }

@@ -1,7 +1,7 @@
 //! Checklists: requirements of the manual for each step, and expected values of the code with space for measured ones.
 
 use super::expected::{ExpectedValue, Measurand};
-use super::{Commissioning, ParameterToSet, ParameterId};
+use super::{Commissioning, ParameterId, ParameterToSet};
 use crate::facts::{Order, facts_about};
 use catalogue::{Fact, Step, Topic};
 use quantities::unit::{MINUTE, REVOLUTION_PER_MINUTE};

@@ -1,7 +1,7 @@
 //! CiA 402 objects that follow from a code, as whole numbers with their rounding error.
 
 use super::recorded::{REVERSED, counting_fact};
-use super::{Commissioning, ParameterToSet, ParameterId, clean};
+use super::{Commissioning, ParameterId, ParameterToSet, clean};
 use catalogue::Fact;
 use quantities::identified;
 use quantities::unit::{MILLIAMPERE, MILLINEWTON_METRE, ONE, REVOLUTION_PER_MINUTE};

@@ -1,6 +1,6 @@
 //! Expected values of measurements, with their bands and the sources of these.
 
-use super::{Commissioning, ParameterToSet, ParameterId, sensors};
+use super::{Commissioning, ParameterId, ParameterToSet, sensors};
 use actuator::{NoLoadFriction, copper_resistance};
 use catalogue::{Cell, Value};
 use provenance::{Grade, Source};
@@ -257,7 +257,11 @@ impl Commissioning {
     /// Uncoupled, at constant speed. Below the lowest temperature of the manual by extrapolation, whose band widens
     /// this one (docs/theory/current.md).
     #[must_use]
-    pub fn expected_no_load(&self, speed_out: AngularVelocity, gear: ThermodynamicTemperature) -> Option<ExpectedValue> {
+    pub fn expected_no_load(
+        &self,
+        speed_out: AngularVelocity,
+        gear: ThermodynamicTemperature,
+    ) -> Option<ExpectedValue> {
         let law = NoLoadFriction::of(&self.actuator).ok()?;
         let at = law.at(gear);
         let (starting, growing) = (at.starting.si(), at.constant.si() * speed_out.si().abs());

@@ -2,7 +2,7 @@
 
 use super::pin_list::{ListedPin, PinList};
 use super::signal::{is_nothing, plain, printed_signals, spellings};
-use super::{Connector, Pin, Role, CodeWiring};
+use super::{CodeWiring, Connector, Pin, Role};
 use crate::wiring::signal::SignalGroup;
 use quantities::identified;
 
@@ -182,13 +182,11 @@ impl PinFinding {
             {
                 Severity::Danger
             }
-            PinDifference::LeftOpen { group: SignalGroup::Earth } | PinDifference::Missing { group: SignalGroup::Earth } => {
-                Severity::Danger
-            }
+            PinDifference::LeftOpen { group: SignalGroup::Earth }
+            | PinDifference::Missing { group: SignalGroup::Earth } => Severity::Danger,
             PinDifference::ConnectorNotListed | PinDifference::Colour { .. } => Severity::Advice,
-            PinDifference::LeftOpen { group: SignalGroup::Sense } | PinDifference::Missing { group: SignalGroup::Sense } => {
-                Severity::Advice
-            }
+            PinDifference::LeftOpen { group: SignalGroup::Sense }
+            | PinDifference::Missing { group: SignalGroup::Sense } => Severity::Advice,
             _ => Severity::Fault,
         }
     }
@@ -227,7 +225,9 @@ pub fn compare(wiring: &CodeWiring, list: &PinList) -> PinComparison {
 fn remove_doubles(findings: &mut Vec<PinFinding>) {
     let mut seen: Vec<(Role, String, String)> = Vec::new();
     findings.retain(|PinFinding { role, pin, difference, .. }| {
-        let (PinDifference::Reversed { with, .. } | PinDifference::Swapped { with, .. }) = difference else { return true };
+        let (PinDifference::Reversed { with, .. } | PinDifference::Swapped { with, .. }) = difference else {
+            return true;
+        };
         let mirrored = seen.iter().any(|(of, first, second)| of == role && first == with && second == pin);
         seen.push((*role, pin.clone(), with.clone()));
         !mirrored
@@ -286,7 +286,12 @@ fn other_encoder(wiring: &CodeWiring, connector: &Connector, rows: &[&ListedPin]
 }
 
 /// Records the differences of one connector; returns the number of rows that agree.
-fn of_connector(wiring: &CodeWiring, connector: &Connector, rows: &[&ListedPin], findings: &mut Vec<PinFinding>) -> usize {
+fn of_connector(
+    wiring: &CodeWiring,
+    connector: &Connector,
+    rows: &[&ListedPin],
+    findings: &mut Vec<PinFinding>,
+) -> usize {
     let role = connector.role;
     let mut seen: Vec<(&Pin, &ListedPin)> = Vec::new();
     for row in rows {
@@ -359,7 +364,11 @@ fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&Pin, 
                 PinDifference::Reversed { group, with: other.name.clone() }
             }
             (Some(other), Some(_)) => PinDifference::Swapped { group, with: other.name.clone(), written },
-            _ => PinDifference::WrongPin { written, group, belongs: meant.iter().map(|each| each.name.clone()).collect() },
+            _ => PinDifference::WrongPin {
+                written,
+                group,
+                belongs: meant.iter().map(|each| each.name.clone()).collect(),
+            },
         });
     }
     if pin.carries.is_none() {

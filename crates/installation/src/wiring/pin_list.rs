@@ -285,7 +285,8 @@ impl Header {
             }
         }
         let heads = || row.cells.iter().map(|(head, _)| head.clone()).collect();
-        let missing = PinColumn::ALL.iter().copied().filter(|column| column.is_needed() && !places.contains_key(column));
+        let missing =
+            PinColumn::ALL.iter().copied().filter(|column| column.is_needed() && !places.contains_key(column));
         faults.extend(missing.map(|column| ListFault::ColumnMissing { column, found: heads() }));
         Self { places, width: row.cells.len() }
     }

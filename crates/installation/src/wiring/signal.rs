@@ -201,7 +201,9 @@ impl Signal {
             SignalMeaning::Reference | SignalMeaning::Zero => SignalGroup::Reference,
             SignalMeaning::CommutationTrack(_) | SignalMeaning::CommutationPhase(_) => SignalGroup::Commutation,
             SignalMeaning::Data(_) | SignalMeaning::Clock(_) => SignalGroup::Serial,
-            SignalMeaning::ResolverSine | SignalMeaning::ResolverCosine | SignalMeaning::Excitation => SignalGroup::Resolver,
+            SignalMeaning::ResolverSine | SignalMeaning::ResolverCosine | SignalMeaning::Excitation => {
+                SignalGroup::Resolver
+            }
             SignalMeaning::Shield => SignalGroup::Shield,
         }
     }

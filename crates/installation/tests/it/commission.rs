@@ -5,7 +5,9 @@ use catalogue::{Step, Topic};
 use installation::commission::checklist::{self, ChecklistItem};
 use installation::commission::cia402::{self, Rounding};
 use installation::commission::expected::Measurand;
-use installation::commission::recorded::{Cause, Counting, Judged, MeasuredValues, NoLoad, Turn, Unjudged, MeasurementVerdict, judge};
+use installation::commission::recorded::{
+    Cause, Counting, Judged, MeasuredValues, MeasurementVerdict, NoLoad, Turn, Unjudged, judge,
+};
 use installation::commission::{Commissioning, Gap, ParameterId, commission, sinamics};
 use installation::facts::{Order, facts_about};
 use order_code::OrderCode;
@@ -283,7 +285,8 @@ fn a_healthy_actuator_passes_whatever_its_code() {
                 Some(Unjudged::NotMeasured) => judged.what.id().starts_with("brake_"),
                 None => false,
             };
-            let fine = judged.verdict == MeasurementVerdict::Pass || (judged.verdict == MeasurementVerdict::NotChecked && open);
+            let fine = judged.verdict == MeasurementVerdict::Pass
+                || (judged.verdict == MeasurementVerdict::NotChecked && open);
             assert!(fine && judged.cause.is_none(), "{}: {judged:?}", about.code);
         }
     }
@@ -305,7 +308,11 @@ fn planted(about: &Commissioning, what: Measurand, plant: impl Fn(&mut MeasuredV
     judged.into_iter().find(|judged| judged.what == what).unwrap()
 }
 
-fn found(about: &Commissioning, what: Measurand, plant: impl Fn(&mut MeasuredValues)) -> (MeasurementVerdict, Option<&'static str>) {
+fn found(
+    about: &Commissioning,
+    what: Measurand,
+    plant: impl Fn(&mut MeasuredValues),
+) -> (MeasurementVerdict, Option<&'static str>) {
     let judged = planted(about, what, plant);
     (judged.verdict, judged.cause.map(|cause| cause.id()))
 }

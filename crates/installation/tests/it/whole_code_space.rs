@@ -216,7 +216,7 @@ fn the_commissioning_speaks_of_what_the_wiring_has() {
     use installation::commission::sinamics::{self, ParameterChoice, Setting};
     use installation::commission::{ParameterId, checklist, commission};
     use installation::facts::{Order, facts_about};
-    use installation::wiring::{SignalGroup, Role};
+    use installation::wiring::{Role, SignalGroup};
     use quantities::ThermodynamicTemperature;
     use quantities::unit::DEGREE_CELSIUS;
 
@@ -234,7 +234,9 @@ fn the_commissioning_speaks_of_what_the_wiring_has() {
         let items: Vec<checklist::ChecklistItem> =
             checklist::lists(&about, ambient).into_iter().flat_map(|list| list.items).collect();
         let is_measured = |what| {
-            items.iter().any(|item| matches!(item, checklist::ChecklistItem::Measure { expected, .. } if expected.what == what))
+            items
+                .iter()
+                .any(|item| matches!(item, checklist::ChecklistItem::Measure { expected, .. } if expected.what == what))
         };
         let facts = facts_about(Topic::Commission, code, Order::Data);
         let speaks = |word: &str| facts.iter().any(|fact| fact.en.contains(word));
@@ -250,7 +252,11 @@ fn the_commissioning_speaks_of_what_the_wiring_has() {
         assert_eq!(is_measured(Measurand::Kty), kty, "{code}");
         assert_eq!(is_judged(Measurand::Kty), kty, "{code}");
         assert_eq!(speaks("KTY"), kty, "{code}");
-        assert_eq!((is_set(ParameterChoice::SensorAtEncoder), is_set(ParameterChoice::SensorKty)), (kty, kty), "{code}");
+        assert_eq!(
+            (is_set(ParameterChoice::SensorAtEncoder), is_set(ParameterChoice::SensorKty)),
+            (kty, kty),
+            "{code}"
+        );
         for threshold in [ParameterId::WindingWarning, ParameterId::WindingShutdown] {
             assert_eq!(about.get(threshold).is_some(), kty, "{code}");
         }

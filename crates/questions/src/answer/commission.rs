@@ -9,12 +9,12 @@ use answers::{
     Number, OverloadSupervision, OverloadTrip, SensorThreshold,
 };
 use catalogue::Topic;
-use installation::commission::checklist::{self, CheckList, Condition, ChecklistItem};
+use installation::commission::checklist::{self, CheckList, ChecklistItem, Condition};
 use installation::commission::cia402::{self, Object};
 use installation::commission::encoder::{EncoderRow, EncoderSide};
 use installation::commission::expected::ExpectedValue;
 use installation::commission::sinamics::{self, Setting};
-use installation::commission::{Commissioning, ParameterToSet, ParameterId, clean, sensors};
+use installation::commission::{Commissioning, ParameterId, ParameterToSet, clean, sensors};
 use installation::facts::{Order, facts_about};
 use order_code::FeedbackKind;
 use provenance::{Grade, Source};

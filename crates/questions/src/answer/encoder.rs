@@ -12,7 +12,7 @@ use feedback::ssi::Position;
 use feedback::{Absolute, Interface, Protocol, Shaft, Signal, SinePair, Value, Windings, Word};
 use installation::encoder::{Fitted, STEPS_OF_A_PERIOD};
 use installation::facts::{Order, facts_about};
-use installation::wiring::{Role, CodeWiring, wiring};
+use installation::wiring::{CodeWiring, Role, wiring};
 use provenance::Source;
 use quantities::unit::{ARCSECOND, DEGREE, KILOHERTZ, MICROSECOND, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Angle, Language, Measure, Time};

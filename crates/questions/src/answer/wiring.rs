@@ -8,7 +8,8 @@ use answers::{
 use catalogue::{Cell, Topic};
 use installation::facts::{Order, facts_about};
 use installation::wiring::{
-    Cable, CableLength, Circuit, PinComparison, Connector, DropVerdict, Exit, PinFinding, SignalMeaning, Pin, VoltageDrop, CodeWiring,
+    Cable, CableLength, Circuit, CodeWiring, Connector, DropVerdict, Exit, Pin, PinComparison, PinFinding,
+    SignalMeaning, VoltageDrop,
 };
 use provenance::{Grade, Source};
 use quantities::unit::{AMPERE, METRE, SQUARE_MILLIMETRE, VOLT};

@@ -5,7 +5,7 @@ use super::{Answer, Argument, Asked, CODE, Entry, Gives, PICTURE, Reads, Record,
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::wiring::{cable_length, cross_section};
-pub use installation::wiring::{Connector, SignalGroup as SignalGroup, Role, CodeWiring, wiring};
+pub use installation::wiring::{CodeWiring, Connector, Role, SignalGroup, wiring};
 use order_code::OrderCode;
 use quantities::{Area, Length};
 use words::help;

@@ -4,7 +4,7 @@ use super::role_name;
 use crate::hint_text;
 use crate::pick;
 use crate::texts::said;
-use installation::wiring::{PinColumn, PinDifference, PinFinding, SignalGroup, ListFault, Role};
+use installation::wiring::{ListFault, PinColumn, PinDifference, PinFinding, Role, SignalGroup};
 use project::Hint;
 use quantities::Language;
 
@@ -128,7 +128,11 @@ pub const fn difference_action(finding: &PinFinding, language: Language) -> &'st
             "interchange: a KTY with reversed polarity reports a wrong temperature, and the winding is not protected",
             "tauschen: ein verpolter KTY meldet eine falsche Temperatur, und die Wicklung ist nicht geschützt",
         ),
-        (PinDifference::Swapped { group: SignalGroup::Phase, .. } | PinDifference::WrongPin { group: SignalGroup::Phase, .. }, _) => (
+        (
+            PinDifference::Swapped { group: SignalGroup::Phase, .. }
+            | PinDifference::WrongPin { group: SignalGroup::Phase, .. },
+            _,
+        ) => (
             "correct the phase sequence before the first motion: with wrong phases the motor does not follow its encoder and can run away",
             "Phasenfolge vor der ersten Bewegung berichtigen: bei falschen Phasen folgt der Motor seinem Geber nicht und kann durchgehen",
         ),
@@ -142,12 +146,16 @@ pub const fn difference_action(finding: &PinFinding, language: Language) -> &'st
             "connect the protective conductor to PE before switching on any voltage",
             "Schutzleiter vor jedem Einschalten mit PE verbinden",
         ),
-        (PinDifference::Missing { group: SignalGroup::Shield } | PinDifference::LeftOpen { group: SignalGroup::Shield }, _) => {
-            ("connect the inner shield", "den inneren Schirm anschließen")
-        }
-        (PinDifference::Missing { group: SignalGroup::Sense } | PinDifference::LeftOpen { group: SignalGroup::Sense }, _) => {
-            ("only for a drive without sense inputs", "nur bei einem Servoregler ohne Sense-Eingänge")
-        }
+        (
+            PinDifference::Missing { group: SignalGroup::Shield }
+            | PinDifference::LeftOpen { group: SignalGroup::Shield },
+            _,
+        ) => ("connect the inner shield", "den inneren Schirm anschließen"),
+        (
+            PinDifference::Missing { group: SignalGroup::Sense }
+            | PinDifference::LeftOpen { group: SignalGroup::Sense },
+            _,
+        ) => ("only for a drive without sense inputs", "nur bei einem Servoregler ohne Sense-Eingänge"),
         (PinDifference::Unshielded, _) => {
             ("all connecting cables must be shielded", "alle Anschlussleitungen müssen geschirmt sein")
         }
@@ -158,7 +166,9 @@ pub const fn difference_action(finding: &PinFinding, language: Language) -> &'st
             ("use the pin numbers of `antrieb wiring`", "Stiftnummern nach `antrieb wiring` verwenden")
         }
         (PinDifference::PinTwice { .. }, _) => ("keep one row only", "nur eine Zeile behalten"),
-        (PinDifference::NoSuchConnector, _) => ("remove its rows from the list", "seine Zeilen aus der Liste entfernen"),
+        (PinDifference::NoSuchConnector, _) => {
+            ("remove its rows from the list", "seine Zeilen aus der Liste entfernen")
+        }
         (PinDifference::ConnectorNotListed, _) => ("not compared", "nicht verglichen"),
         (PinDifference::PinsNotPrinted, _) => ("ask the manufacturer", "beim Hersteller erfragen"),
         (PinDifference::Missing { .. } | PinDifference::LeftOpen { .. }, _) => {

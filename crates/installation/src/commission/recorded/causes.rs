@@ -1,6 +1,8 @@
 //! Typical causes of deviations, by the quotient of measured and expected value.
 
-use crate::commission::expected::{ExpectedValue, KTY_OPEN_OHM, KTY_SHORT_OHM, Measurand, PTC_OPEN_OHM, SHORT_CIRCUIT_OHM};
+use crate::commission::expected::{
+    ExpectedValue, KTY_OPEN_OHM, KTY_SHORT_OHM, Measurand, PTC_OPEN_OHM, SHORT_CIRCUIT_OHM,
+};
 use crate::commission::{Commissioning, ParameterId, sensors};
 use order_code::Ratio;
 use quantities::unit::DEGREE_CELSIUS;
