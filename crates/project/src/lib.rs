@@ -102,7 +102,7 @@ use root::{AxisSection, OneOfSeveral, Root};
 use section::{Fields, Section};
 use sizing::{Axis, BearingDuty, BrakeTimes};
 use stated::{Field, Stated};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use value::OneOrMany;
 
@@ -484,25 +484,27 @@ impl Project {
 
 /// Reports axes with the name of an earlier one, each with the nearest free name.
 fn named_apart(axes: &[OneOfSeveral], reader: &mut Reader<'_>) {
-    let mut known: HashMap<&str, &Stated<String>> = HashMap::new();
-    let names: HashSet<&str> = axes.iter().filter_map(|axis| Some(axis.name.get()?.trim())).collect();
-    let mut proposed: HashSet<String> = HashSet::new();
+    // By name: the first field, its line, and the number of the next proposal.
+    let mut known: BTreeMap<&str, (&Stated<String>, usize, usize)> = BTreeMap::new();
+    let names: BTreeSet<&str> = axes.iter().filter_map(|axis| Some(axis.name.get()?.trim())).collect();
+    let (mut line, mut counted) = (1, 0);
     for field in axes.iter().map(|axis| &axis.name) {
         let Some(name) = field.get().map(|name| name.trim()) else { continue };
-        let Some(first) = known.get(name) else {
-            let _ = known.insert(name, field);
+        let span = field.span();
+        line += reader.text.get(counted..span.start).unwrap_or_default().matches('\n').count();
+        counted = counted.max(span.start);
+        let Some((first, at, next)) = known.get_mut(name) else {
+            let _ = known.insert(name, (field, line, 2));
             continue;
         };
-        let line = reader.text.get(..first.span().start).unwrap_or_default().matches('\n').count() + 1;
-        let fault = Fault::AxisNamedTwice { name: shortened(name, WORD_SHOWN), first: first.path(), line };
-        let free = (2_usize..)
-            .map(|number| format!("{name} {number}"))
-            .find(|free| !names.contains(free.as_str()) && !proposed.contains(free));
-        let hint = free.map(|free| {
-            let _ = proposed.insert(free.clone());
+        let fault = Fault::AxisNamedTwice { name: shortened(name, WORD_SHOWN), first: first.path(), line: *at };
+        let free = (*next..).map(|number| (number, format!("{name} {number}")));
+        let free = free.into_iter().find(|(_, free)| !names.contains(free.as_str()));
+        let hint = free.map(|(number, free)| {
+            *next = number + 1;
             Hint::DidYouMean(free)
         });
-        reader.fault(field.span(), fault, hint);
+        reader.fault(span, fault, hint);
     }
 }
 

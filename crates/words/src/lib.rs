@@ -15,6 +15,7 @@ mod errata;
 mod examples;
 mod facts;
 mod faults;
+mod file_trouble;
 mod geometry;
 mod glossary_page;
 pub mod help;
@@ -68,7 +69,8 @@ pub use derivation::{found_condition, found_text, step_term, step_terms, symbol_
 pub use errata::{ERRATUM_MARK, erratum_kind, erratum_place, erratum_status, marked};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
-pub use faults::{Worded, battery_fault, fault_text, file_trouble, hint_text, own_hint, worded};
+pub use faults::{Worded, battery_fault, fault_text, hint_text, own_hint, worded};
+pub use file_trouble::file_trouble;
 pub use glossary_page::{glossary_page, glossary_symbol, glossary_symbols};
 pub use hyphens::hyphenated;
 pub use keys::{about_text, key_text};

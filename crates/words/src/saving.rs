@@ -78,7 +78,7 @@ pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
         SaveTrouble::System(FileTrouble { kind: ErrorKind::FileTooLarge, .. }) => {
             ("not enough space for a file of this size", "nicht genügend Speicherplatz für eine Datei dieser Größe")
         }
-        SaveTrouble::System(found) => return super::faults::trouble_text(found, language),
+        SaveTrouble::System(found) => return super::file_trouble::trouble_text(found, language),
     };
     pick(language, en, de).to_owned()
 }
