@@ -384,7 +384,8 @@ class Motion:
     """The motion: every segment with its given and its resulting values."""
 
     units: Units
-    """Units of time, distance, speed and acceleration; those of a linear axis are linear."""
+    """Units of time, distance, speed and acceleration, those of a linear axis linear, and of the loads that a segment
+states."""
     segments: list[Segment]
     """Segments in their order."""
 
@@ -407,6 +408,15 @@ class Segment:
     """Largest speed."""
     acceleration: float | None = None
     """Largest acceleration."""
+    payload: float | None = None
+    """Mass in addition to those of the mechanism; omitted if no segment states a payload."""
+    payload_inertia: float | None = None
+    """Moment of inertia in addition to that of the mechanism; omitted if no segment states one."""
+    process_force: float | None = None
+    """Process force as it acts: that of the mechanism plus that of the segment; omitted if no segment states one."""
+    external_torque: float | None = None
+    """Torque against the positive direction as it acts: the external torque of the mechanism plus the process torque
+of the segment; omitted if no segment states one."""
     recording: Recording | None = None
     """Data read from the file; only for a recorded segment."""
 
@@ -571,7 +581,7 @@ class AxesOfJudgement:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SweepSummary:
-    """What the rows of a table were answered with."""
+    """Summary of the answers to the rows of a table."""
 
     file: str | None = None
     """The file of the answers; `null` where there is none."""
@@ -600,9 +610,9 @@ class MissedBy:
     check: str | None = None
     """The check; `null` where no actuator is of the required class."""
     title: str
-    """In words."""
+    """Title of the check."""
     rows: int
-    """How many rows."""
+    """Number of rows."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -612,7 +622,7 @@ class NotJudged:
     message: str
     """The reason."""
     rows: int
-    """How many rows."""
+    """Number of rows."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -622,15 +632,15 @@ class SweepRow:
     row: int
     """The row, from 0."""
     fit: int | None = None
-    """How many codes fit within every limit."""
+    """Number of codes that fit within every limit."""
     fit_if_estimate: int | None = None
-    """How many others fit if an estimate holds."""
+    """Number of others that fit if an estimate holds."""
     code: str | None = None
     """The best of both."""
     utilisation: float | None = None
     """Utilisation of its governing check; where none fits that of the nearest miss."""
     tightest: str | None = None
-    """That check."""
+    """Identifier of this check."""
     error: str | None = None
     """Why the row is not judged."""
 
@@ -946,7 +956,7 @@ class AxesOfSimulation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Identification:
-    """What a recorded run says of load and motor."""
+    """Parameters of load and motor estimated from a recorded run."""
 
     axis: str
     """Name of the axis."""
@@ -959,7 +969,7 @@ class Identification:
     open: list[LeftOpen]
     """Parameters without an estimate."""
     signals: list[SignalDatum]
-    """Zeros and delays of the signals, which the estimates take into account."""
+    """Zeros, delays and filters of the signals, which the estimates take into account."""
     doubts: list[Doubted]
     """Signals that seem to have another unit, sign or side than their columns; while there are any, the estimates are not those of the
 axis, `overrides` is empty, and the exit status is 1."""
@@ -976,7 +986,7 @@ class Identified95:
     id: str
     """Identifier."""
     title: str
-    """In words."""
+    """Title."""
     value: float | None
     """The value."""
     half_width: float | None
@@ -996,21 +1006,21 @@ class LeftOpen:
     id: str
     """Identifier."""
     title: str
-    """In words."""
+    """Title."""
     reason: str
     """Reason, in words."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SignalDatum:
-    """A zero or delay of a signal of the run."""
+    """A zero, a delay or a filter of a signal of the run."""
 
     id: str
     """Identifier."""
     column: str
     """Heading of the column."""
     title: str
-    """In words."""
+    """Title."""
     value: float | None
     """The value."""
     half_width: float | None
@@ -2739,11 +2749,11 @@ class Measured:
     """A quantity with its units."""
 
     quantity: str
-    """Its name in the language of the call."""
+    """Name in the language of the call."""
     si_unit: str
     """The unit in which `si` and `zero` are stated, in the spelling of project files."""
     units: list[UnitRead]
-    """Its units, the usual one first."""
+    """Units, the usual one first."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -2751,11 +2761,11 @@ class UnitRead:
     """A unit and how it is read."""
 
     unit: str
-    """In project files."""
+    """Spelling in project files."""
     symbol: str
-    """In reports and on the terminal."""
+    """Symbol in reports and on the terminal."""
     json: str
-    """In JSON and tables."""
+    """Spelling in JSON and tables."""
     also: list[str]
     """Further spellings that are read."""
     si: float | None
