@@ -69,7 +69,7 @@ pub struct Recording {
     pub left_out_after: u64,
     /// Columns read.
     pub columns: Vec<RecordedColumn>,
-    /// Names of columns that hold a quantity by name or unit but are not used.
+    /// Headings of the columns that are not used.
     pub unused: Vec<String>,
 }
 

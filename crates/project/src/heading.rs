@@ -57,10 +57,7 @@ impl Heading {
         let (name, unit) = parts(written);
         let (name, unit) = (name.as_ref(), unit.as_deref());
         let unknown = || (Fault::UnknownKey { path: shortened(name, HEADING_SHOWN) }, nearest_key(name, &[]));
-        let path = from_one(name, counted).ok_or_else(unknown)?;
-        let within = axis.map_or_else(|| path.clone(), |index| format!("axis[{}].{path}", index + 1));
-        let is_of_an_axis = !["axis", "curve", "format"].contains(&path.split(['.', '[']).next().unwrap_or_default());
-        let key = key_at(&within).filter(|_| is_of_an_axis && names_its_entries(&within)).ok_or_else(unknown)?;
+        let (path, key) = located(name, counted, axis).ok_or_else(unknown)?;
         if counted == Counted::FromZero && path != name {
             let now = unit.map_or_else(|| path.clone(), |unit| format!("{path} [{unit}]"));
             let fault = TabularFault::CountsFromZero { path: shortened(name, HEADING_SHOWN) };
@@ -92,11 +89,7 @@ impl Heading {
     /// Returns `true` if a text is a heading, with or without the unit that its key needs.
     #[must_use]
     pub fn is_one(written: &str) -> bool {
-        match Self::read(written, Counted::of([written]), None) {
-            Ok(_) => true,
-            Err((Fault::Tabular(fault), _)) => !matches!(fault, TabularFault::NoColumn { .. }),
-            Err((fault, _)) => matches!(fault, Fault::Quantity { .. }),
-        }
+        located(&parts(written).0, Counted::of([written]), None).is_some_and(|(_, key)| may_be_a_column(key))
     }
 
     /// Returns the dimensions of the unit that a heading lacks; `None` if it states one or needs none.
@@ -215,6 +208,24 @@ fn parts(written: &str) -> (Cow<'_, str>, Option<Cow<'_, str>>) {
             (_, None) => (written.into(), None),
         },
     }
+}
+
+/// Returns the path of a key of an axis, entries of lists counted from one, and its description; `None` if the project file
+/// has no such key.
+fn located(name: &str, counted: Counted, axis: Option<usize>) -> Option<(String, &'static Key)> {
+    let path = from_one(name, counted)?;
+    let within = axis.map_or_else(|| path.clone(), |index| format!("axis[{}].{path}", index + 1));
+    let is_of_an_axis = !["axis", "curve", "format"].contains(&path.split(['.', '[']).next().unwrap_or_default());
+    let key = key_at(&within).filter(|_| is_of_an_axis && names_its_entries(&within))?;
+    Some((path, key))
+}
+
+/// Returns `true` if a cell can hold a value of a key.
+const fn may_be_a_column(key: &Key) -> bool {
+    !matches!(
+        key.kind,
+        Kind::Numbers(..) | Kind::Rows(_) | Kind::Table(_) | Kind::OneOrMany(..) | Kind::Bodies | Kind::Variants(_)
+    )
 }
 
 /// Returns the path with the entries of its lists counted from one; `None` if it is invalid.

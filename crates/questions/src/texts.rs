@@ -397,6 +397,21 @@ pub fn battery_lines(battery: &BatteryLife, language: Language) -> Vec<String> {
     ]
 }
 
+/// Largest number of headings without use that a text lists.
+const UNUSED_SHOWN: usize = 12;
+
+/// Lists the headings that are not used, if there are any.
+fn unused_text(headings: &[String], language: Language) -> Option<String> {
+    let shown = headings.iter().take(UNUSED_SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
+    match headings.len() {
+        0 => None,
+        count if count > UNUSED_SHOWN => {
+            Some(terminal::more_columns_not_used(&shown, &(count - UNUSED_SHOWN), language))
+        }
+        _ => Some(terminal::columns_not_used(&shown, language)),
+    }
+}
+
 /// Describes the reading of a recording: file, samples, columns with their units, omissions and assumptions.
 #[must_use]
 pub fn recording_text(read: &RecordingRead, language: Language) -> String {
@@ -414,8 +429,8 @@ pub fn recording_text(read: &RecordingRead, language: Language) -> String {
     if left > 0 {
         what = format!("{what}; {}", terminal::outside_the_window(&left, language));
     }
-    if !read.recording.unused.is_empty() {
-        what = format!("{what}; {}", terminal::columns_not_used(&read.recording.unused.join(", "), language));
+    if let Some(unused) = unused_text(&read.recording.unused, language) {
+        what = format!("{what}; {unused}");
     }
     if let Some(guess) = encoding_guess(read.recording.encoding, language) {
         what.push_str("; ");

@@ -4,6 +4,7 @@ use crate::cells::{Cells, DELIMITERS};
 use crate::clock::is_clock;
 use crate::encoding;
 use crate::faults::Fault;
+use crate::limits::TABLE_COLUMNS_MAX;
 use crate::lines::Lines;
 use crate::names::is_usual_name;
 use crate::number::{Decimals, with_unit};
@@ -247,8 +248,9 @@ fn of_headings(line: &[u8]) -> u8 {
 fn delimiter_of_names(line: &[u8], stated: Option<u8>, is_known: impl Fn(&str) -> bool) -> Option<u8> {
     let signs = possible_delimiters(stated, of_headings(line));
     signs.into_iter().find(|sign| {
-        let cells = split(line, *sign).unwrap_or_default();
-        let known = cells.iter().filter(|cell| is_known(cell)).count();
+        // A line with more cells than a table has columns is not searched.
+        let cells = split(line, *sign).filter(|cells| cells.len() as u64 <= TABLE_COLUMNS_MAX).unwrap_or_default();
+        let known = cells.iter().filter(|cell| is_known(cell)).take(2).count();
         let filled = cells.iter().filter(|cell| !cell.is_empty()).count();
         known > 1 || known > 0 && 2 * known >= filled
     })

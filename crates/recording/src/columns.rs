@@ -5,7 +5,7 @@ use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
 use crate::names::{Named, Sureness, before_nanoseconds, before_seconds};
 use crate::series::{Along, ColumnRead, KnownBy};
-use quantities::{Dimension, Unit, seen};
+use quantities::{Unit, seen};
 
 /// Heading of a column.
 #[derive(Clone, Debug)]
@@ -189,32 +189,16 @@ fn ambiguous(role: Role, headings: &[Heading], picks: &[Pick]) -> Fault {
     Fault::Ambiguous { role, columns: chosen_names(headings, picks), numbers }
 }
 
-/// Returns the columns without a role whose name or unit indicates a quantity; a reader could assume that they are
-/// used.
+/// Returns the headings that are not used, without those that the layout leaves out by `none`; a reader could assume that
+/// they are.
 pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> Vec<String> {
-    let is_quantity = |text: &String| match Unit::of(text) {
-        Some(unit) if unit.dimension == Dimension::Ratio => text.contains(['%', '‰']),
-        Some(unit) => unit.dimension != Dimension::Information,
-        None => false,
-    };
-    let looks = |heading: &Heading| {
-        let is_wanted = |role: &Role| !layout.column(*role).unused;
-        let mut usual: Vec<Role> = Role::ALL.into_iter().filter(|role| heading.usual(*role).is_some()).collect();
-        if usual.is_empty() {
-            // `velocity_cps`, `Torque Reference [%]`: the word of a quantity, with a unit that is none of it or not known.
-            let (roles, is_other) = heading.named.words_of_quantities();
-            if is_other {
-                return true;
-            }
-            usual = roles;
-        }
-        let states_unit = || [&heading.named.unit, &heading.below].into_iter().flatten().any(is_quantity);
-        if usual.is_empty() { states_unit() || heading.named.holds_quantity() } else { usual.iter().any(is_wanted) }
+    let is_left_out = |heading: &Heading| {
+        let mut usual = Role::ALL.into_iter().filter(|role| heading.usual(*role).is_some()).peekable();
+        usual.peek().is_some() && usual.all(|role| layout.column(role).unused)
     };
     let free = headings.iter().enumerate().filter(|(index, _)| !used.contains(index)).map(|(_, heading)| heading);
-    free.take(PROPOSED_FROM)
-        .filter(|heading| looks(heading))
-        .take(NAMES_MAX)
+    free.filter(|heading| !heading.written.is_empty() && !is_left_out(heading))
+        .take(PROPOSED_FROM)
         .map(|heading| excerpt(&heading.written))
         .collect()
 }

@@ -137,6 +137,9 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     for (role, picked) in Role::ALL.into_iter().zip(picks) {
         let Some(Pick { index, unit, .. }) = picked else { continue };
         let Some(heading) = headings.get(index) else { continue };
+        // A column without a heading is named by its number, as a layout names it.
+        let numbered = Heading { written: format!("#{}", index + 1), ..heading.clone() };
+        let heading = if heading.written.is_empty() { &numbered } else { heading };
         let in_row = units.as_ref().and_then(|row| row.get(index)).filter(|text| !text.is_empty());
         let cell = first_row.get(index).map(|cell| encoding::text(cell)).unwrap_or_default();
         if role == Role::Time && is_clock(&cell) {

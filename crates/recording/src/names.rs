@@ -1,7 +1,7 @@
 //! Names of columns in the notation of loggers: `time_s`, `Ist-Lage [mm]`, `Axis1.ActPos`.
 
 use crate::layout::Role;
-use quantities::{Dimension, Unit};
+use quantities::Unit;
 
 /// Words before or after the name of a quantity that mark it as measured.
 pub(crate) const MEASURED: &[&str] =
@@ -20,24 +20,6 @@ pub(crate) const COMMANDED: &[&str] = &[
     "target",
     "desired",
     "demand",
-];
-/// Words of quantities that a recording may hold and that have no role.
-const OTHERS: &[&str] = &[
-    "acceleration",
-    "beschleunigung",
-    "current",
-    "strom",
-    "load",
-    "last",
-    "power",
-    "leistung",
-    "voltage",
-    "spannung",
-    "temperature",
-    "temperatur",
-    "jerk",
-    "ruck",
-    "rpm",
 ];
 /// Words without meaning for the quantity.
 const FILLING: &[&str] = &["axis", "ax", "achse", "joint", "gelenk", "value", "val", "wert"];
@@ -88,33 +70,6 @@ impl Named {
             let unit = (!bare.is_empty() && fits(bare)).then(|| unit_of(role, unit)).flatten()?;
             Some(Self { bare: bare.to_owned(), unit: Some(unit.ascii.to_owned()) })
         })
-    }
-
-    /// Returns the roles of which a word of the name is a usual name, and `true` if it states another quantity: by a word, or by a unit
-    /// behind an underscore.
-    pub(crate) fn words_of_quantities(&self) -> (Vec<Role>, bool) {
-        if self.bare.len() > NAME_BYTES {
-            return (Vec::new(), false);
-        }
-        let words: Vec<String> = words(&self.bare).into_iter().flat_map(parted).collect();
-        let holds = |name: &&str| name.len() > 2 && words.iter().any(|word| word == *name);
-        let roles = Role::ALL.into_iter().filter(|role| role.names().iter().any(holds)).collect();
-        let unit = self.bare.rsplit_once(['_', ' ']).map_or(self.bare.as_str(), |(_, unit)| unit);
-        let is_other = OTHERS.iter().any(holds)
-            || Unit::of(unit).is_some_and(|unit| !matches!(unit.dimension, Dimension::Ratio | Dimension::Information));
-        (roles, is_other)
-    }
-
-    /// Returns `true` if a word of the name begins or ends with that of a quantity: `Motordrehzahl`, `speedref`.
-    pub(crate) fn holds_quantity(&self) -> bool {
-        /// Minimum length of a name that is recognised within a longer word.
-        const WITHIN_MIN: usize = 5;
-        let of_roles = || [Role::Position, Role::Speed, Role::Torque].into_iter().flat_map(Role::names);
-        let is_within = |word: &String| {
-            let mut names = of_roles().chain(OTHERS).filter(|name| name.len() >= WITHIN_MIN);
-            names.any(|name| word.starts_with(name) || word.ends_with(name))
-        };
-        self.bare.len() <= NAME_BYTES && words(&self.bare).iter().any(is_within)
     }
 
     /// Returns the certainty with which the name denotes the quantity of a role.

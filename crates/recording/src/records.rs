@@ -5,7 +5,7 @@ use crate::cells::{Cells, ends_empty};
 use crate::csv_faults::ragged;
 use crate::encoding;
 use crate::faults::{Fault, excerpt};
-use crate::limits::{COLUMNS_MAX, Limit};
+use crate::limits::{Limit, TABLE_COLUMNS_MAX};
 use crate::number::{Decimals, finite, with_unit};
 use crate::series::Encoding;
 use crate::thousands::Thousands;
@@ -65,7 +65,7 @@ impl<R: Read> Records<R> {
         records.cells = Cells::new(sign);
         let mut headings = Vec::new();
         records.read(|heading| headings.push(heading.trim().to_owned()))?;
-        Limit::Columns.hold(headings.len() as u64, COLUMNS_MAX as u64)?;
+        Limit::Columns.hold(headings.len() as u64, TABLE_COLUMNS_MAX)?;
         while headings.len() > 1 && headings.last().is_some_and(String::is_empty) {
             let _ = headings.pop();
         }

@@ -20,7 +20,7 @@ pub struct Recording {
     pub columns: Vec<ColumnRead>,
     /// Encoding of the text; `None` for a format that is no text.
     pub encoding: Option<Encoding>,
-    /// Columns that hold a quantity by their name or unit but are not used.
+    /// Headings of the columns that are not used.
     pub unused: Vec<String>,
     /// Number of jumps of one revolution that were removed from the positions of a modulo axis.
     pub revolutions_removed: usize,

@@ -98,6 +98,7 @@ texts! {
     demand_on(id) = "demand on {id}" | "geforderte Werte am Abtrieb, {id}";
     more_segments(more) = "{more} more; --json lists all" | "{more} weitere; --json nennt alle";
     columns_not_used(names) = "not used: {names}" | "nicht verwendet: {names}";
+    more_columns_not_used(names, more) = "not used: {names} and {more} more" | "nicht verwendet: {names} und {more} weitere";
     outside_the_window(left) = "{left} outside the window" | "{left} außerhalb des Fensters";
     built_without_report =
         "this build of antrieb does not include the typesetting engine and cannot write reports; `cargo install --path crates/cli` builds it with the report"

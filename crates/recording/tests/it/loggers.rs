@@ -158,14 +158,14 @@ fn what_is_not_used_is_named() {
     assert_eq!(recording.columns.len(), 4);
     assert_eq!(recording.unused, ["LinearAcceleration [m/s²]", "FrictionForce [N]"]);
     // TwinCAT's speed is recognised; a setpoint next to the measured position and a column with its unit in the row of
-    // units are unused; the counter is no quantity.
+    // units are unused.
     let text = "Time;ActPos;SetPos;ActVelo;Temp;Counter\nms;°;°;°/s;°C;\n0;0;0;0;20;1\n1;1;1;1;20;2\n2;2;2;1;20;3\n";
     let recording = read(text);
     assert!(recording.course.speed.is_some());
-    assert_eq!(recording.unused, ["SetPos", "Temp"]);
+    assert_eq!(recording.unused, ["SetPos", "Temp", "Counter"]);
     let none = Layout { speed: ColumnSpec { unused: true, ..ColumnSpec::default() }, ..Layout::default() };
     let recording = read_csv(text.as_bytes(), &none).unwrap();
-    assert_eq!(recording.unused, ["SetPos", "Temp"], "what the layout leaves out is no surprise");
+    assert_eq!(recording.unused, ["SetPos", "Temp", "Counter"], "what the layout leaves out is no surprise");
 }
 
 #[test]
