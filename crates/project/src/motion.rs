@@ -473,6 +473,10 @@ fn report_all(axis: &AxisSection, travel: Option<f64>, reader: &mut Reader<'_>) 
 
 /// Reports the faults of segments some of which are faulty (`None`), apart from those of their end.
 fn report_readable(axis: &AxisSection, specs: Vec<Option<SegmentSpec>>, travel: Option<f64>, reader: &mut Reader<'_>) {
+    // A file whose text cannot be read may have its motion behind the fault.
+    if specs.is_empty() {
+        return;
+    }
     let unread = |segment: &Segment| match segment.ends_at_rest() {
         true => Unread::EndsAtRest,
         false => Unread::EndsMoving,

@@ -71,6 +71,9 @@ mod tests {
             found
         });
         assert!(en.len() > 100 && en.len() == de.len(), "{} {}", en.len(), de.len());
+        for (number, (path, _)) in en.iter().enumerate() {
+            assert!(en.iter().skip(number + 1).all(|(other, _)| other != path), "{path} stands twice");
+        }
         for ((path, en), (_, de)) in en.iter().zip(&de) {
             // A list of words that are typed literally is the same in both.
             let words = en.split(", ").all(|word| word.bytes().all(|byte| byte == b'_' || byte.is_ascii_lowercase()));

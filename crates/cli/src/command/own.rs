@@ -40,7 +40,7 @@ pub(crate) fn plot(command: Command, language: Language) -> Command {
     command.after_help(help::plot_without_files(language))
 }
 
-/// Adds the options of a picture, and a list of the signals of the output file below the options.
+/// Adds a list of the signals of the output file below the options.
 pub(crate) fn simulate(command: Command, language: Language) -> Command {
     let mut listed = format!("{}:", help::signals(language));
     for names in SIGNALS.chunks(5) {
@@ -48,7 +48,8 @@ pub(crate) fn simulate(command: Command, language: Language) -> Command {
         listed.push_str("\n  ");
         listed.push_str(&names.join(" "));
     }
-    picture(command.mut_arg("signals", |signals| signals.requires("out")).after_help(listed), language)
+    // The question has the options of its picture.
+    command.mut_arg("signals", |signals| signals.requires("out")).after_help(listed)
 }
 
 /// Adds the options of a picture.
