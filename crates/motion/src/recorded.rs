@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// be wrong.
 const CONTRADICTION: f64 = 0.05;
 
-/// The same where recorded and integrated position differ by a factor alone.
+/// Largest permitted difference, relative to the travel, where recorded and integrated position differ by a factor alone.
 const CONTRADICTION_BY_FACTOR: f64 = 0.02;
 
 /// Difference that a factor leaves, relative to that without it.

@@ -477,10 +477,7 @@ fn report_readable(axis: &AxisSection, specs: Vec<Option<SegmentSpec>>, travel: 
     if specs.is_empty() {
         return;
     }
-    let unread = |segment: &Segment| match segment.ends_at_rest() {
-        true => Unread::EndsAtRest,
-        false => Unread::EndsMoving,
-    };
+    let unread = |segment: &Segment| if segment.ends_at_rest() { Unread::EndsAtRest } else { Unread::EndsMoving };
     let segments = axis.segments().iter().zip(specs).map(|(segment, spec)| spec.ok_or_else(|| unread(segment)));
     let start = axis.driven().and_then(Driven::start_angle);
     let mut faults = Motion::faults(&segments.collect::<Vec<_>>(), start.and_then(Stated::value));

@@ -301,7 +301,7 @@ mod tests {
         assert!(marked > 0 && lines > 1000, "{marked} of {lines}");
     }
 
-    /// Where the number of brakings governs, the check of the brake is titled by it; with a short life by its torque.
+    /// The check of the brake is titled by the number of brakings where that governs, with a short life by its torque.
     #[test]
     fn the_check_of_the_brake_is_titled_by_what_it_compares() {
         for (life, is_number) in [("1 h", false), ("500000 h", true)] {

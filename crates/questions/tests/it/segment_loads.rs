@@ -1,4 +1,4 @@
-//! What a segment states is added to the loads of the mechanism, and shown as it acts.
+//! Loads of a segment are added to those of the mechanism, and shown as they act.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use answers::Number;
