@@ -1,6 +1,7 @@
 //! Runs the binary as a user does, from the root of the repository.
 
-#![allow(dead_code, reason = "each test file uses its part")]
+#![allow(dead_code, reason = "the tests of the quick program use a part of it")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot panic cannot fail")]
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::PathBuf;

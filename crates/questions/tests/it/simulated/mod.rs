@@ -1,4 +1,5 @@
 //! Answers of the twin about a project in a text.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test that cannot panic cannot fail")]
 
 use project::NoFiles;
 use quantities::Language;
