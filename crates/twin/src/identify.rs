@@ -8,6 +8,7 @@
 mod delay;
 mod doubts;
 mod load;
+mod losses;
 mod motor;
 mod moves;
 mod regression;
@@ -24,6 +25,8 @@ use moves::Followed;
 use quantities::identified;
 use timing::Examined;
 use windows::{NoWindows, Strokes, Windows};
+
+pub(crate) use losses::Losses;
 
 pub use doubts::{Column, Doubt, Misread};
 
@@ -380,7 +383,16 @@ pub fn identify_while(
     let windows = Windows::of(&run, &strokes, limit, is_even, goes_on)?;
     let of_sample = |sample: usize| extra(segment(sample));
     let both_ways = strokes.both_ways();
-    let load = load::Load { mechanism: stated.mechanism, extra: &of_sample, extras, both_ways, is_delayed: false };
+    let losses = Losses::of(stated.mechanism);
+    let load = load::Load {
+        mechanism: stated.mechanism,
+        losses: losses.as_ref(),
+        flange_kgm2: stated.parameters.flange_kgm2(),
+        extra: &of_sample,
+        extras,
+        both_ways,
+        is_delayed: false,
+    };
     let made = |run: &Observed, settle_s: f64| {
         let settled = (settle_s > 0.0).then(|| strokes.settled(&run.time_s, settle_s));
         Windows::of(run, settled.as_ref().unwrap_or(&strokes), limit, is_even, goes_on).ok()

@@ -1,5 +1,6 @@
 //! The load at the output: the mechanism of the project, linearised about a state.
 
+use crate::identify::Losses;
 use crate::parameters::MeasuredLoad;
 use mechanism::{Extra, Loading, Mechanism, Output, Plain};
 use provenance::Sourced;
@@ -39,6 +40,8 @@ pub(crate) struct LoadModel<'a> {
     parts: Vec<Part<'a>>,
     flange_kgm2: f64,
     measured: Measured,
+    /// The mechanism without losses, if it has any and values are measured: they replace its own before the losses.
+    without: Option<(Mechanism, &'a [Extra])>,
 }
 
 /// Measured values as plain numbers; those that depend on the position apply only to a load with constant coefficients.
@@ -107,6 +110,9 @@ impl<'a> LoadModel<'a> {
                 coulomb_nm: value(&measured.coulomb),
                 viscous_nms: value(&measured.viscous),
             },
+            without: (inertia.is_some() || measured.coulomb.is_some() || measured.viscous.is_some())
+                .then(|| Losses::of(mechanism).map(|losses| (losses.without, extras)))
+                .flatten(),
         })
     }
 
@@ -152,6 +158,30 @@ impl<'a> LoadModel<'a> {
         let [ahead, back] = [1.0, -1.0].map(|direction| torque(position, speed, acceleration, direction));
         let coulomb = 0.5 * (ahead - back);
         let Measured { inertia_kgm2, coulomb_nm, viscous_nms } = self.measured;
+        if let Some((mechanism, extras)) = &self.without
+            && let Some(extra) = extras.get(segment).or(extras.last())
+        {
+            let own = mechanism.loading(extra);
+            let at = |speed_rad_s: f64, acceleration_rad_s2: f64, direction: f64| {
+                own.at(&Output { position_rad: position, speed_rad_s, acceleration_rad_s2, direction }).torque_nm
+            };
+            // Values before the losses: an inertia counts with them, friction beside the stated one at the output.
+            let stated = at(speed, 1.0, 0.0) - at(speed, 0.0, 0.0);
+            let factor = inertia / stated;
+            let rubs = viscous_nms.map_or(viscous, |measured| {
+                viscous + measured - (at(speed + 0.5, 0.0, sign) - at(speed - 0.5, 0.0, sign))
+            });
+            let stated_coulomb = 0.5 * (at(speed, 0.0, 1.0) - at(speed, 0.0, -1.0));
+            return Some(Local {
+                inertia_kgm2: inertia_kgm2.map_or(inertia, |measured| (measured - self.flange_kgm2) * factor)
+                    + self.flange_kgm2,
+                middle_nm: still - coulomb * sign + (rubs - viscous) * speed,
+                slope_nm: slope,
+                viscous_nms: rubs,
+                coulomb_nm: coulomb_nm.map_or(coulomb, |measured| coulomb + measured - stated_coulomb),
+                ..local
+            });
+        }
         let rubs = viscous_nms.unwrap_or(viscous);
         Some(Local {
             inertia_kgm2: inertia_kgm2.unwrap_or(inertia + self.flange_kgm2),

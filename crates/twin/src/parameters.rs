@@ -265,6 +265,11 @@ load! {
 }
 
 impl Parameters {
+    /// Returns J of the flange, which turns with the load \[kgm²\]; zero if the inertia of the actuator is not known.
+    pub(crate) fn flange_kgm2(&self) -> f64 {
+        self.actuator.inertia_out.known().map_or(0.0, |known| self.model.flange_inertia_share.value * known.value.si())
+    }
+
     /// Creates the parameters of an actuator on a drive at 560 V.
     #[must_use]
     pub fn of(actuator: &Actuator) -> Self {

@@ -6,7 +6,7 @@ use super::motor::Tabulated;
 use super::moves::Followed;
 use super::scale;
 use super::windows::{Strokes, Windows};
-use super::{Identification, Identified, Observed, Stated};
+use super::{Estimate, Identification, Identified, Observed, Open, Stated};
 use mechanism::Extra;
 use quantities::identified;
 use std::f64::consts::{PI, SQRT_2};
@@ -336,6 +336,13 @@ pub(super) fn of_estimates(
     if !has_doubt && let Some(value) = friction(Identified::Coulomb, Identified::Viscous, 0.02 * size) {
         doubts.push(Doubt::new(Column::Torque, Misread::NegativeFriction, value));
     }
+    // Friction that falls with the speed to less than nothing at the mean speed is none.
+    let falls = of(Identified::Viscous).filter(|each| each.value * speed < -each.half_width * speed - 0.02 * size);
+    if doubts.is_empty()
+        && let Some(viscous) = falls
+    {
+        doubts.push(Doubt::new(Column::Torque, Misread::NegativeFriction, viscous.value * speed));
+    }
     if !has_doubt
         && let (Some(weight), Some(angle), Some(plain)) = (of(Identified::Gravity), of(Identified::GravityAngle), plain)
         && plain.weight_nm != 0.0
@@ -360,4 +367,22 @@ pub(super) fn of_estimates(
         }
     }
     found.doubts = doubts;
+    if found.doubts.is_empty() {
+        for pair in
+            [[Identified::Coulomb, Identified::Viscous], [Identified::StartingCurrent, Identified::CurrentConstant]]
+        {
+            unseparated(pair, found);
+        }
+    }
+}
+
+/// Leaves both parts of a friction open if one of them is negative beyond its interval: the run shows their sum alone.
+fn unseparated(pair: [Identified; 2], found: &mut Identification) {
+    let is_negative = |each: &Estimate| pair.contains(&each.of) && each.value < -each.half_width;
+    if found.estimates.iter().any(is_negative) {
+        found.estimates.retain(|each| !pair.contains(&each.of));
+        let open: Vec<Identified> =
+            pair.into_iter().filter(|of| found.open.iter().all(|(open, _)| open != of)).collect();
+        found.open.extend(open.into_iter().map(|of| (of, Open::NotSeparated)));
+    }
 }

@@ -1,5 +1,6 @@
 //! Parameters of the load: linear equations of the windows, without the additions of the segments.
 
+use super::losses::{self, Losses, Part};
 use super::regression::{Fit, Row, fit};
 use super::windows::{Window, Windows};
 use super::{Estimate, Identification, Identified, IdentifyFault, Observed, Open};
@@ -47,6 +48,10 @@ pub(super) struct Shares {
 #[derive(Clone, Copy)]
 pub(super) struct Load<'a, 'e> {
     pub(super) mechanism: &'a Mechanism,
+    /// Losses of the mechanism, if it has any.
+    pub(super) losses: Option<&'a Losses>,
+    /// J of the flange, in front of the losses \[kgm²\].
+    pub(super) flange_kgm2: f64,
     /// Additions of a segment, by the sample of a run.
     pub(super) extra: &'a dyn Fn(usize) -> Option<&'e Extra>,
     /// Additions of all segments.
@@ -87,11 +92,12 @@ pub(super) fn rows_of_delay(run: &Observed, windows: &Windows, load: &Load<'_, '
         return (rows.collect(), vec![windows.noise[0], 0.0, windows.noise[1]], true);
     }
     let row = |window: &Window| {
-        let own = (load.extra)(window.samples.start).map_or(0.0, |extra| without_friction(run, window, load, extra));
-        let regressors = vec![own, window.sign, window.speed, 1.0, window.acceleration, window.torque_rate];
-        Row { regressors, value: window.torque, stroke: window.stroke }
+        let Part { own, factor } =
+            (load.extra)(window.samples.start).map_or(Some(Part::NONE), |extra| part(run, window, load, extra))?;
+        let regressors = vec![own, window.sign, window.speed, factor, factor * window.acceleration, window.torque_rate];
+        Some(Row { regressors, value: window.torque, stroke: window.stroke })
     };
-    (windows.all.iter().map(row).collect(), Vec::new(), false)
+    (windows.all.iter().filter_map(row).collect(), Vec::new(), false)
 }
 
 /// Columns of the equations of a load with constant coefficients, besides those of acceleration, direction and speed.
@@ -295,23 +301,35 @@ fn beside(
     let rows: Vec<Row> = windows
         .all
         .iter()
-        .map(|window| {
+        .filter_map(|window| {
+            let Part { own, factor } =
+                extra(window.samples.start).map_or(Some(Part::NONE), |extra| part(run, window, load, extra))?;
             // The flange turns with every load, so that the acceleration is a column in each case.
-            let mut regressors = vec![window.sign, window.speed, 1.0, window.acceleration];
+            let mut regressors = vec![window.sign, window.speed, factor, factor * window.acceleration];
             regressors.extend(load.is_delayed.then_some(window.torque_rate));
-            let own = extra(window.samples.start).map_or(0.0, |extra| without_friction(run, window, load, extra));
-            Row { regressors, value: window.torque - own, stroke: window.stroke }
+            let flange = if load.losses.is_some() { load.flange_kgm2 * window.acceleration } else { 0.0 };
+            Some(Row { regressors, value: window.torque - own - flange, stroke: window.stroke })
         })
         .collect();
     let noise = [0.0, windows.noise[1], 0.0, windows.noise[0]];
-    let fit = fit(&rows, &noise, &[]).ok_or(IdentifyFault::NotExcited)?;
+    let Some(fit) = fit(&rows, &noise, &[]) else {
+        if load.losses.is_none() {
+            return Err(IdentifyFault::NotExcited);
+        }
+        // Too few windows in which the power flows in one direction.
+        let all = [Identified::LoadInertia, Identified::Coulomb, Identified::Viscous];
+        found.open.extend(all.map(|of| (of, Open::NotSeparated)));
+        let others = [Identified::External, Identified::Gravity, Identified::GravityAngle];
+        found.open.extend(others.map(|of| (of, Open::NotConstant)));
+        return Ok(Shares::default());
+    };
     let per_stroke = |row: &Row| row.regressors.iter().skip(2).take(2).copied().collect();
     let unstated_nm = if is_even { unstated(&rows, &fit, &per_stroke) } else { None };
     let shares = Shares { unstated_nm, ..shares_beside(run, windows, load) };
     if is_even {
         let stated = mechanism.inertia(0.0, extra(0).unwrap_or(&none));
         let of = Identified::LoadInertia;
-        let stated = quantities::Measure::si(stated);
+        let stated = quantities::Measure::si(stated) + if load.losses.is_some() { load.flange_kgm2 } else { 0.0 };
         match fit.estimate(3) {
             Some((value, half)) if fit.separates(3) && half < super::SHARE_MOST * (stated + value).abs() => {
                 let half_width = half.max(QUADRATURE * stated);
@@ -324,6 +342,29 @@ fn beside(
     }
     take(&fit, Identified::Coulomb, both_ways.then_some(0), both_ways, found);
     take(&fit, Identified::Viscous, Some(1), both_ways, found);
+    if let Some(losses) = load.losses {
+        // A part beside the stated load may lie before or behind the losses.
+        let column = |row: &Row, place: usize| row.regressors.get(place).copied().unwrap_or(0.0);
+        let farthest = rows.iter().map(|row| (column(row, 2) - 1.0).abs()).fold(0.0, f64::max);
+        let constant = fit.values.get(2).map_or(0.0, |value| value.abs());
+        let stated = losses.coulomb_nm(extra(0).unwrap_or(&none));
+        // A window may have a small part of its torque on the other side of the power.
+        let part = QUADRATURE + losses::OTHER_SIDE * farthest;
+        #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
+        let rms = |of: &dyn Fn(&Window) -> f64| {
+            let square: f64 = windows.all.iter().map(|window| of(window).powi(2)).sum();
+            (square / windows.all.len() as f64).sqrt()
+        };
+        let torque = part * rms(&|window| window.torque);
+        for each in &mut found.estimates {
+            each.half_width += match each.of {
+                Identified::Coulomb => torque + farthest * (constant + (each.value - stated).abs()),
+                Identified::Viscous => torque / rms(&|window| window.speed),
+                Identified::LoadInertia => torque / rms(&|window| window.acceleration),
+                _ => 0.0,
+            };
+        }
+    }
     let others = [Identified::External, Identified::Gravity, Identified::GravityAngle];
     found.open.extend(others.map(|of| (of, Open::NotConstant)));
     Ok(shares)
@@ -346,17 +387,17 @@ fn shares_beside(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> Shar
     let first = load.extras.first().unwrap_or(&none);
     let differs = load.extras.iter().any(|each| each != first);
     let row = |window: &Window| {
-        let own = without_friction(run, window, load, first);
-        let mut regressors = vec![own, window.sign, window.speed, 1.0];
+        let Part { own, factor } = part(run, window, load, first)?;
+        let mut regressors = vec![own, window.sign, window.speed, factor];
         if differs {
             let extra = (load.extra)(window.samples.start);
-            let all = extra.map_or(own, |extra| without_friction(run, window, load, extra));
+            let all = extra.and_then(|extra| part(run, window, load, extra)).map_or(own, |all| all.own);
             regressors.push(all - own);
         }
         regressors.extend(load.is_delayed.then_some(window.torque_rate));
-        Row { regressors, value: window.torque, stroke: window.stroke }
+        Some(Row { regressors, value: window.torque, stroke: window.stroke })
     };
-    let rows: Vec<Row> = windows.all.iter().map(row).collect();
+    let rows: Vec<Row> = windows.all.iter().filter_map(row).collect();
     fit(&rows, &[], &[]).map_or_else(Shares::default, |fit| Shares {
         payload: Share::of(&fit, 4, 1.0).filter(|_| differs),
         inertia: Share::of(&fit, 0, 1.0),
@@ -364,9 +405,29 @@ fn shares_beside(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> Shar
     })
 }
 
+/// Returns the stated load without friction in a window; `None` if the mechanism has losses whose direction changes in it.
+fn part(run: &Observed, window: &Window, load: &Load<'_, '_>, extra: &Extra) -> Option<Part> {
+    match load.losses {
+        Some(losses) => losses.part(run, window, load.flange_kgm2, extra),
+        None => {
+            let none = Part { own: without_friction(run, window, load.mechanism, extra), ..Part::NONE };
+            Some(none)
+        }
+    }
+}
+
 /// Returns the mean torque of the stated load without friction and losses in a window \[Nm\].
-fn without_friction(run: &Observed, window: &Window, load: &Load<'_, '_>, extra: &Extra) -> f64 {
-    let loading = load.mechanism.loading(extra);
+fn without_friction(run: &Observed, window: &Window, mechanism: &Mechanism, extra: &Extra) -> f64 {
+    let loading = mechanism.loading(extra);
+    mean(run, window, &|output| {
+        let state = |speed_rad_s: f64| loading.at(&Output { speed_rad_s, direction: 0.0, ..output }).torque_nm;
+        // Viscous friction is odd in the speed, the torque of a varying inertia is even.
+        0.5 * (state(output.speed_rad_s) + state(-output.speed_rad_s))
+    })
+}
+
+/// Returns the weighted mean of a quantity over a window; the direction of the states is that of the window.
+pub(super) fn mean(run: &Observed, window: &Window, of: &dyn Fn(Output) -> f64) -> f64 {
     let length = window.samples.len() - 1;
     let [mut sum, mut all] = [0.0; 2];
     let at = |place: usize| Some((*run.time_s.get(place)?, *run.position_rad.get(place)?));
@@ -379,13 +440,8 @@ fn without_friction(run: &Observed, window: &Window, load: &Load<'_, '_>, extra:
             continue;
         };
         let speed_rad_s = window.speed + window.acceleration * (time - middle);
-        let state = |speed_rad_s: f64, acceleration_rad_s2: f64| {
-            let output = Output { position_rad, speed_rad_s, acceleration_rad_s2, direction: 0.0 };
-            loading.at(&output).torque_nm
-        };
-        // Viscous friction is odd in the speed, the torque of a varying inertia is even.
-        let own = 0.5 * (state(speed_rad_s, window.acceleration) + state(-speed_rad_s, window.acceleration));
-        sum += weight * own;
+        let acceleration_rad_s2 = window.acceleration;
+        sum += weight * of(Output { position_rad, speed_rad_s, acceleration_rad_s2, direction: window.sign });
         all += weight;
     }
     sum / all

@@ -298,7 +298,15 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, is_delayed: b
         found.open.extend(of.map(|of| (of, Open::NotSeparated)));
         return;
     };
-    let zero = equations.zero().zip(equations.driving()).and_then(|(place, driving)| zero(&fit, place, driving));
+    // Where windows are left out, the others rarely cover all speeds and torques.
+    let is_limited =
+        equations.windows.len() < LIMITED_EACH * windows.all.iter().filter(|window| window.limited).count();
+    let separates = |place: usize| {
+        if is_limited { fit.is_inflated_within(place, INFLATION_LIMITED) } else { fit.separates(place) }
+    };
+    let unseparated = if is_limited { Open::AtLimit } else { Open::NotSeparated };
+    let free = equations.zero().zip(equations.driving()).filter(|(place, _)| !is_limited || separates(*place));
+    let zero = free.and_then(|(place, driving)| zero(&fit, place, driving));
     found.zero = zero.map(|(zero, _)| zero);
     let [of_torque, of_start, of_speed] = of;
     match fit.estimate(0) {
@@ -311,15 +319,22 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, is_delayed: b
     }
     for (of, place) in [(of_start, 1), (of_speed, 2)] {
         match fit.estimate(place) {
-            Some((value, half)) if fit.separates(place) => {
+            Some((value, half)) if separates(place) => {
                 let of_zero = zero.filter(|_| of == of_start).map_or(0.0, |(_, of_zero)| of_zero);
                 let half_width = half + of_zero;
                 found.estimates.push(Estimate { of, value, half_width: half_width.max(CONSTANT * value.abs()) });
             }
-            _ => found.open.push((of, Open::NotSeparated)),
+            _ => found.open.push((of, unseparated)),
         }
     }
 }
+
+/// Number of windows for each at the limit of the current from which on those left out count: a fifth of them. A choice.
+const LIMITED_EACH: usize = 4;
+
+/// Largest variance inflation factor of a parameter of the motor if windows at the limit of the current are left out: a
+/// condition number of 5. A choice.
+const INFLATION_LIMITED: f64 = 25.0;
 
 /// Largest variance inflation factor of the zero; beyond it rounding decides. A choice.
 const ZERO_INFLATION: f64 = 1e8;
@@ -333,10 +348,11 @@ const ZERO_INFLATION: f64 = 1e8;
 /// T_0 zero of the torque, p± share of the windows of a direction in which the torque drives
 fn zero(fit: &Fit, place: usize, driving: [f64; 2]) -> Option<(Zero, f64)> {
     let (value, half_width) = fit.estimate(place).filter(|_| fit.is_inflated_within(place, ZERO_INFLATION))?;
-    let (drives, _) = fit.estimate(0).filter(|(slope, _)| *slope > 0.0)?;
+    // A slope that the run does not determine leaves the torque of the zero open.
+    let (drives, _) = fit.estimate(0).filter(|(slope, half)| *slope > *half)?;
     let driven = if place > 4 { fit.estimate(4)?.0 } else { drives };
     let [forth, back] = driving.map(|share| driven + (drives - driven) * share);
-    let slope = Some(0.5 * (forth + back)).filter(|slope| *slope > 0.0)?;
+    let slope = Some(0.5 * (forth + back)).filter(|slope| *slope > 0.1 * drives)?;
     let zero = Zero {
         current_q_a: SQRT_2 * value,
         half_width_a: SQRT_2 * half_width,
