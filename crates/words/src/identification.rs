@@ -84,8 +84,8 @@ texts! {
         "In {count} windows the current is at its limit: they are not used for the motor parameters."
         | "In {count} Fenstern liegt der Strom an der Grenze: sie werden für die Motorparameter nicht verwendet.";
     friction_of_the_stated_load =
-        "Load, efficiency or stage of this mechanism depend on the position or the direction of power flow: the deviation from the stated load is estimated. The friction includes the losses of transmission and stage."
-        | "Last, Wirkungsgrad oder Stufe dieser Mechanik hängen von der Position oder der Leistungsrichtung ab: Geschätzt wird die Abweichung von der angegebenen Last. Die Reibung enthält die Verluste von Übertragung und Stufe.";
+        "Load, efficiency or stage of this mechanism depend on the position or the direction of power flow: the deviation from the stated load is estimated. The losses of transmission and stage enter with the stated efficiencies, the friction is that without them."
+        | "Last, Wirkungsgrad oder Stufe dieser Mechanik hängen von der Position oder der Leistungsrichtung ab: Geschätzt wird die Abweichung von der angegebenen Last. Die Verluste von Übertragung und Stufe gehen mit den angegebenen Wirkungsgraden ein, die Reibung ist die ohne diese Verluste.";
     time_not_rising(line) =
         "line {line}: the time is not later than that of the previous row"
         | "Zeile {line}: die Zeit liegt nicht nach der Zeit der vorigen Zeile";

@@ -54,7 +54,7 @@ mod tests {
         let text = |help: Option<&clap::builder::StyledStr>| help.map(ToString::to_string).unwrap_or_default();
         found.push((path.to_owned(), text(command.get_about())));
         for argument in command.get_arguments() {
-            found.push((format!("{path} {}", argument.get_id()), text(argument.get_help())));
+            found.push((format!("{path} --{}", argument.get_id()), text(argument.get_help())));
         }
         for subcommand in command.get_subcommands() {
             collect_commands(subcommand, &format!("{path} {}", subcommand.get_name()), found);

@@ -440,7 +440,7 @@ class Recording:
     columns: list[RecordedColumn]
     """Columns read."""
     unused: list[str]
-    """Names of columns that hold a quantity by name or unit but are not used."""
+    """Headings of the columns that are not used."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
