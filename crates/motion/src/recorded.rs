@@ -89,6 +89,8 @@ pub struct Recorded {
     alternating: Option<Alternating>,
     made_up: Option<MadeUp>,
     remarks: Vec<Remark>,
+    rests: bool,
+    turns: bool,
 }
 
 impl Recorded {
@@ -171,6 +173,8 @@ impl Recorded {
             (Some(torque), Some(window)) => Some(Arc::new(smooth(&time_s, &torque, window)?.0)),
             (torque, _) => torque,
         };
+        let rests = speed.windows(2).any(|ends| ends == [0.0; 2]);
+        let turns = speed.iter().any(|speed| *speed != 0.0);
         Ok(Self {
             time_s,
             position_rad: position,
@@ -182,6 +186,8 @@ impl Recorded {
             alternating,
             made_up,
             remarks,
+            rests,
+            turns,
         })
     }
 
@@ -190,6 +196,18 @@ impl Recorded {
     pub(crate) fn geared(&self, ratio: f64) -> Self {
         let times = |values: &[f64]| Arc::new(values.iter().map(|value| value * ratio).collect());
         Self { position_rad: times(&self.position_rad), speed_rad_s: times(&self.speed_rad_s), ..self.clone() }
+    }
+
+    /// Returns `true` if the axis rests between two neighbouring samples, at any pace.
+    #[must_use]
+    pub const fn rests(&self) -> bool {
+        self.rests
+    }
+
+    /// Returns `true` if the axis turns between two neighbouring samples, at any pace.
+    #[must_use]
+    pub const fn turns(&self) -> bool {
+        self.turns
     }
 
     /// Returns the instants from the first sample \[s\].

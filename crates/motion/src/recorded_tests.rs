@@ -135,3 +135,26 @@ fn a_factor_between_position_and_speed_is_refused_with_it() {
         }
     }
 }
+
+/// The states of a recording are those of its intervals, at any pace and behind a stage.
+#[test]
+fn rest_and_turning_are_those_of_the_intervals() {
+    let mut noise = crate::generated::Noise(11);
+    for case in 0..200 {
+        // Never, rarely, mostly and always at zero.
+        let still = [-1.0, -0.6, 0.6, 1.0][case % 4];
+        let speed: Vec<f64> =
+            (0..12).map(|k| if noise.next() < still { 0.0 } else { 1.0 + f64::from(k) * 0.1 }).collect();
+        let time: Vec<f64> = (0..12).map(|k| 0.01 * f64::from(k)).collect();
+        let samples = Samples { time_s: time.into(), speed_rad_s: Some(speed.into()), ..Samples::default() };
+        let Ok(recorded) = Recorded::new(samples, Treatment::default()) else { continue };
+        for recorded in [recorded.geared(-3.0), recorded] {
+            let placed =
+                crate::Placed { recorded: recorded.into(), start_s: 0.0, offset_rad: 0.0, stretch: 1.7, segment: 0 };
+            let intervals: Vec<_> = (0..placed.intervals()).filter_map(|index| placed.interval(index)).collect();
+            let rests = intervals.iter().any(|interval| interval.speed_rad_s == [0.0; 2]);
+            let turns = intervals.iter().any(|interval| interval.speed_rad_s != [0.0; 2]);
+            assert_eq!((placed.recorded.rests(), placed.recorded.turns()), (rests, turns), "{:?}", placed.recorded);
+        }
+    }
+}

@@ -168,16 +168,16 @@ impl Axis {
     pub(crate) fn gear_states(&self) -> &[States] {
         self.flange_known.0.states.get_or_init(|| {
             let mut states = vec![States::default(); self.motion.stretches().len()];
-            let mut see = |segment: usize, is_rest: bool| {
+            let mut see = |segment: usize, rests: bool, turns: bool| {
                 if let Some(state) = states.get_mut(segment) {
-                    state.rests |= is_rest;
-                    state.turns |= !is_rest;
+                    state.rests |= rests;
+                    state.turns |= turns;
                 }
             };
-            self.motion.pieces().iter().for_each(|piece| see(piece.segment, piece.is_rest()));
+            self.motion.pieces().iter().for_each(|piece| see(piece.segment, piece.is_rest(), !piece.is_rest()));
+            // Each step of a search judges another axis: the samples are not passed again.
             for placed in self.motion.recordings() {
-                let intervals = (0..placed.intervals()).filter_map(|index| placed.interval(index));
-                intervals.for_each(|interval| see(placed.segment, is_rest(&interval)));
+                see(placed.segment, placed.recorded.rests(), placed.recorded.turns());
             }
             states
         })
