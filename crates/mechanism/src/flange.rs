@@ -97,9 +97,9 @@ impl FlangeForces {
     #[must_use]
     pub fn moment(&self, offset: Length) -> f64 {
         let (r, [fx, fy], [mx, my]) = (offset.si(), self.radial_n, self.moment_nm);
-        let (x, y) = (mx - r * fy, my + r * fx);
+        let (x, y) = (without_rounding(mx, -r * fy), without_rounding(my, r * fx));
         let Aligned { radial_n, moment_nm, couple_nm, .. } = self.aligned;
-        (x * x + y * y).sqrt() + (moment_nm + r * radial_n).abs() + couple_nm
+        (x * x + y * y).sqrt() + without_rounding(moment_nm, r * radial_n).abs() + couple_nm
     }
 
     /// Adds a force acting at a point, given by its distances from the axis and from the flange face \[m\].
@@ -347,6 +347,12 @@ impl Mechanism {
         let torque = stage.taken(handed_on, output.direction).abs().max((handed_on / stage.ratio).abs());
         wheel_forces(torque / radius, radius, mounting)
     }
+}
+
+/// Returns the sum of two moments, 0 if they cancel but for their rounding: a force at the centre has no lever.
+fn without_rounding(one: f64, other: f64) -> f64 {
+    let sum = one + other;
+    if sum.abs() <= 4.0 * f64::EPSILON * one.abs() { 0.0 } else { sum }
 }
 
 /// Returns the forces of a wheel under a tangential force, at its overhang.

@@ -561,6 +561,9 @@ fn closing_fault(
     None
 }
 
+/// Largest rounding of a distance relative to the positions it is computed from \[1\].
+const ROUNDING: f64 = 1e-13;
+
 /// Returns distance, time, peak speed and peak acceleration of a move.
 fn solved(pieces: &[Piece]) -> Solved {
     let (mut speed, mut acceleration, mut time) = (0.0_f64, 0.0_f64, 0.0);
@@ -577,7 +580,16 @@ fn solved(pieces: &[Piece]) -> Solved {
             acceleration = acceleration.max(state.acceleration_rad_s2.abs());
         }
     }
-    let travelled = pieces.first().zip(pieces.last()).map_or(0.0, |(a, b)| b.end().position_rad - a.position_rad);
+    let start = pieces.first().map_or(0.0, |piece| piece.position_rad);
+    let (mut travelled, mut farthest) = (0.0, 0.0_f64);
+    for piece in pieces {
+        travelled = piece.end().position_rad - start;
+        farthest = farthest.max(travelled.abs()).max(start.abs());
+    }
+    // A return to the start leaves the rounding of the positions between.
+    if travelled.abs() < ROUNDING * farthest {
+        travelled = 0.0;
+    }
     Solved {
         distance: Angle::from_si(travelled),
         time: Time::from_si(time),

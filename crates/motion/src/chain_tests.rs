@@ -154,3 +154,20 @@ fn a_recording_that_jumps_or_does_not_close_is_reported() {
     Arc::make_mut(moving.position_rad.as_mut().unwrap()).drain(..20);
     assert!(matches!(fault(&[dwell, recorded(moving)]), MoveFault::RecordingSpeedJumps { .. }));
 }
+
+/// The distance of a list of points that returns to its start is zero, at any position and through any number of points.
+#[test]
+fn a_return_to_the_start_has_no_distance() {
+    for count in 3..60_u32 {
+        for start in [0.0, 0.3, -17.0, 400.0] {
+            let at = |k: u32| {
+                let turned = if k == count { 0.0 } else { (f64::from(k) * 0.7).sin() };
+                (Time::from_si(0.1 * f64::from(k)), Angle::from_si(start + turned))
+            };
+            let points: Vec<_> = (0..=count).map(at).collect();
+            let made = Points::new(&points, crate::Spline::Quintic, crate::Ends::Rest).unwrap();
+            let motion = chain(&[SegmentSpec::Points(Arc::new(made))]).unwrap();
+            assert_eq!(motion.stretches()[0].solved.unwrap().distance.si(), 0.0, "{count} {start}");
+        }
+    }
+}

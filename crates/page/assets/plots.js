@@ -22,15 +22,16 @@ export function cursor() {
   instant = time;
   for (const figure of overTime()) for (const panel of panels(figure)) line(panel, time);
   const values = read(overTime()[0], time);
-  const shown = (value, digits) => format(digits).format(value).replace('-', '\u2212');
+  soonExact();
+  const shown = (value, digits, drawn) => (drawn ? '≈\u202f' : '') + format(digits).format(value).replace('-', '\u2212');
   const all = [{ symbol: 't', value: time, unit: 's', digits: 4 }, ...values];
   const place = $('#instant-values');
   while (place.childElementCount < all.length) place.append(cell());
   while (place.childElementCount > all.length) place.lastChild.remove();
-  all.forEach(({ symbol, label, value, unit, digits }, number) => {
+  all.forEach(({ symbol, label, value, unit, digits, drawn }, number) => {
     const [name, amount, of] = place.children[number].children;
     named(name, symbol, label);
-    amount.textContent = shown(value, digits);
+    amount.textContent = shown(value, digits, drawn);
     of.textContent = unit;
   });
   range.setAttribute('aria-valuetext', [...place.children].map((cell) => [...cell.children].map((part) => part.textContent).join(' ')).join(', '));
@@ -89,27 +90,41 @@ function points(path) {
   }
   return known;
 }
-// The curves as they were computed are fetched once the cursor is used: a line tells only what a pixel can tell.
+// The curves as they were computed are fetched for each picture that stays, at once if the cursor is used: a line tells only what
+// a pixel can tell. Until then what is read from the line has a sign for it.
 let exact = null;
-async function fetchCurves(figure) {
-  const of = figure.querySelector('svg');
-  if (exact?.of === of) return;
-  exact = { of, columns: null };
-  const body = new URLSearchParams(new FormData($('#state')));
-  body.set('lang', 'en');
-  const reply = await fetch('/curves', { method: 'POST', body }).catch(() => null);
-  if (!reply?.ok || exact.of !== of) return;
-  exact.columns = [];
+let soon = null;
+// An answer may change the lines of a picture and keep its element.
+let answers = 0;
+document.addEventListener('htmx:after:swap', () => { answers += 1; });
+const isExact = () => exact?.answers === answers;
+function soonExact() {
+  clearTimeout(soon);
+  const figure = overTime()[0];
+  if (figure && !isExact()) soon = setTimeout(fetchCurves, 400);
+}
+async function fetchCurves() {
+  if (isExact()) return;
+  const fields = new URLSearchParams(new FormData($('#state')));
+  fields.set('lang', 'en');
+  const body = fields.toString();
+  // What is asked for the same state has the same curves.
+  if (exact?.body === body) { exact.answers = answers; if (exact.columns) cursor(); return; }
+  const own = exact = { answers, body, columns: null };
+  const reply = await fetch('/curves', { method: 'POST', body: fields }).catch(() => null);
+  if (!reply?.ok || exact !== own) return;
+  const columns = [];
   for (const block of (await reply.text()).split('\n\n').filter((each) => each.trim())) {
     const rows = block.trim().split('\n').slice(1).map((row) => row.split('\t').map(Number));
     const x = rows.map((row) => row[0]);
-    for (let column = 1; column < (rows[0]?.length ?? 0); column++) exact.columns.push({ x, y: rows.map((row) => row[column]) });
+    for (let column = 1; column < (rows[0]?.length ?? 0); column++) columns.push({ x, y: rows.map((row) => row[column]) });
   }
+  own.columns = columns;
   cursor();
 }
 for (const kind of ['input', 'focusin', 'pointerdown']) document.addEventListener(kind, (event) => {
   const figure = overTime()[0];
-  if (figure && (event.target.id === 'instant' || event.target.closest?.('figure.plot, [data-play], [data-instant]'))) fetchCurves(figure);
+  if (figure && (event.target.id === 'instant' || event.target.closest?.('figure.plot, [data-play], [data-instant]'))) fetchCurves();
 });
 function at(x, y, place) {
   let low = 0, high = x.length - 1;
@@ -120,7 +135,7 @@ function at(x, y, place) {
 function read(figure, time) {
   const found = [];
   let number = 0;
-  const columns = exact?.of === figure.querySelector('svg') ? exact.columns : null;
+  const columns = isExact() ? exact.columns : null;
   for (const panel of panels(figure)) {
     const p = numbers(panel);
     const { symbol, unit } = panel.dataset;
@@ -133,7 +148,7 @@ function read(figure, time) {
       const value = column ? at(x, y, time) : atY(p, at(x, y, xOf(p, time)));
       // A line is drawn to a hundredth of a pixel, a curve thinned to a fine part of its range: no more digits than that.
       const step = (p.yMax - p.yMin) / (column ? 2e4 : (p.bottom - p.top) * 20);
-      found.push({ symbol, label: curves.length > 1 ? curve.dataset.label ?? '' : '', unit, exact: value, value: Math.round(value / step) * step + 0, digits: Math.max(0, Math.min(6, 1 - Math.ceil(Math.log10(step)))) });
+      found.push({ drawn: !column, symbol, label: curves.length > 1 ? curve.dataset.label ?? '' : '', unit, exact: value, value: Math.round(value / step) * step + 0, digits: Math.max(0, Math.min(6, 1 - Math.ceil(Math.log10(step)))) });
     }
   }
   return found;
