@@ -368,16 +368,18 @@ fn an_inertia_pulls_the_belt_wherever_it_is_stated() {
     }
 }
 
-/// A force in the plane of the bearing centre has no moment about it, whatever the digits of distance and force.
+/// Forces in the plane of the bearing centre have no moment about it, whatever the digits of distance and force.
 #[test]
-fn a_force_at_the_centre_has_no_moment() {
+fn forces_at_the_centre_have_no_moment() {
     for tenth in 1..400_u32 {
         let distance = f64::from(tenth) * 1e-4;
         for force in [0.3, 45.7, 9.81 * 37.0, 12_345.678] {
             let mut forces = FlangeForces::default();
-            forces.act([0.031, -0.02, -distance], [force, -0.7 * force, 0.0]);
-            forces.aligned.radial_n = force;
-            forces.aligned.moment_nm = -distance * force;
+            for share in [1.0, 0.7, 0.1] {
+                forces.act([0.031, -0.02, -distance], [share * force, -0.7 * share * force, 0.0]);
+                forces.aligned.radial_n += share * force;
+                forces.aligned.moment_nm -= distance * share * force;
+            }
             assert_eq!(forces.moment(metres_of(distance)), 0.0, "{distance} {force}");
             assert!(forces.moment(metres_of(distance * (1.0 + 1e-12))) > 0.0);
         }
