@@ -20,6 +20,8 @@ pub(super) struct Rule {
     legendre: Vec<Values>,
     /// Row j gives the factor of the Chebyshev polynomial T_j from the values at the nodes.
     chebyshev: Vec<Values>,
+    /// Row k gives the factor of s^k from the values at the nodes.
+    powers: Vec<Values>,
     /// Row k gives the integral from the beginning of the panel to its node k from the values at the nodes.
     integrals: Vec<Values>,
     /// Row m gives the value at the share m/[`PARTS`] from those at the nodes.
@@ -40,6 +42,7 @@ pub(super) fn rule(n: usize) -> &'static Rule {
         barycentric: Vec::new(),
         legendre: Vec::new(),
         chebyshev: Vec::new(),
+        powers: Vec::new(),
         integrals: Vec::new(),
         parts: Vec::new(),
         middles: Vec::new(),
@@ -72,6 +75,7 @@ impl Rule {
                 .map(row)
                 .collect(),
             chebyshev: Vec::new(),
+            powers: powers(rule),
             integrals: Vec::new(),
             parts: Vec::new(),
             middles: Vec::new(),
@@ -170,6 +174,14 @@ impl Rule {
         coefficients
     }
 
+    /// Iterates over the factors of the powers of the share, by rising degree.
+    ///
+    /// # Valid
+    /// Few nodes: the factors grow with the degree and cancel each other, at seven nodes by three digits.
+    pub(super) fn powers<'a>(&'a self, values: &'a Values) -> impl Iterator<Item = f64> + 'a {
+        self.powers.iter().map(move |row| dot(row, values))
+    }
+
     /// Iterates over the coefficients of the shifted Legendre polynomials for several values per node, by rising
     /// degree.
     pub(super) fn coefficients_of<const N: usize>(
@@ -216,6 +228,26 @@ impl Rule {
     pub(super) fn middles(&self) -> &[Values] {
         &self.middles
     }
+}
+
+/// Returns for each power of the share its factors in the basis polynomials of the nodes, Π (s − s_m)/(s_k − s_m).
+fn powers(rule: &[(f64, f64)]) -> Vec<Values> {
+    let mut powers = vec![[0.0; MOST]; rule.len()];
+    for (k, (own, _)) in rule.iter().enumerate() {
+        let mut basis: Values = std::array::from_fn(|degree| if degree == 0 { 1.0 } else { 0.0 });
+        for (other, _) in rule.iter().filter(|(other, _)| other != own) {
+            let mut below = 0.0;
+            for factor in &mut basis {
+                let here = *factor;
+                *factor = (below - other * here) / (own - other);
+                below = here;
+            }
+        }
+        for (row, factor) in powers.iter_mut().zip(basis) {
+            row.iter_mut().skip(k).take(1).for_each(|to| *to = factor);
+        }
+    }
+    powers
 }
 
 /// Σ a_k b_k
@@ -423,6 +455,9 @@ mod tests {
                 let series: f64 = (0..n).map(|j| a[j] * legendre(j, s)).sum();
                 assert!((dot(&rule.shares(s), &values) - f(s)).abs() < 1e-12, "{n} {s}");
                 assert!((series - f(s)).abs() < 1e-12, "{n} {s}: {series} {}", f(s));
+                let power: f64 =
+                    rule.powers(&values).collect::<Vec<f64>>().iter().rev().fold(0.0, |sum, c| sum * s + c);
+                assert!((power - f(s)).abs() < 1e-15 * 8_f64.powi(n as i32), "{n} {s}: {power} {}", f(s));
             }
             for (value, s) in part.iter().zip(rule.nodes()) {
                 assert!((value - f(0.6 * s)).abs() < 1e-12);

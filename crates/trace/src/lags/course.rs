@@ -76,9 +76,9 @@ fn turns(lowest: f64, highest: f64) -> bool {
 /// Tolerance for the instant of a maximum, as a share of the panel.
 const CLOSE: f64 = 1e-12;
 
-/// Largest λ and smallest number of nodes for which a lag is represented by the polynomial through its values at the
-/// nodes.
-const SMOOTH: (f64, usize) = (0.5, 8);
+/// Largest λ for which a lag is smooth enough for a polynomial, and largest number of nodes for which this is one in powers
+/// of the share; with more nodes it is that through its values at the nodes.
+const SMOOTH: (f64, usize) = (0.5, 7);
 
 /// Returns the share of the panel at which the sum of lags has its highest maximum, and that value, if it exceeds
 /// `least`.
@@ -95,24 +95,40 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
     if !turns(lowest, highest) || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
         return None;
     }
+    let (slow, few) = SMOOTH;
+    if courses.iter().all(|course| course.lambda <= slow) {
+        let by_powers = courses.iter().all(|course| course.count <= few);
+        return if by_powers { turn_by_powers(courses, states, least) } else { turn_by_nodes(courses, states, least) };
+    }
+    turn_in_closed_form(courses, states, least)
+}
+
+/// Finds the maximum like [`turn`] on any panel.
+fn turn_in_closed_form(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
     let sum = |of: &dyn Fn(&Course, f64) -> f64| courses.iter().zip(states).map(|(c, y)| of(c, *y)).sum::<f64>();
-    let (slow, many) = SMOOTH;
-    if courses.iter().all(|course| course.lambda <= slow && course.count >= many) {
-        return turn_by_nodes(courses, states, least);
-    }
-    if courses.iter().all(|course| course.lambda <= slow && course.count <= PARABOLA) {
-        return turn_by_powers(courses, states, least);
-    }
     let slope = |s: f64| sum(&|course, start| course.slope(start, s));
-    let mut last = (0.0, slope(0.0));
-    let mut best = None;
-    let mut most = least;
-    for part in 1..=PARTS {
-        let s = f64::from(part) / f64::from(PARTS);
-        let here = (s, slope(s));
+    highest(parts().map(slope), slope, least, |s, _| sum(&|course, start| course.at(start, s)))
+}
+
+/// Iterates over the borders of the equal parts of a panel, as shares of it.
+fn parts() -> impl Iterator<Item = f64> {
+    (0..=PARTS).map(|part| f64::from(part) / f64::from(PARTS))
+}
+
+/// Returns the highest value above `least` at a root where the slope changes from positive to negative, and its share of
+/// the panel, from the slopes at equal parts; `value` returns the value at a root, given the highest one so far.
+fn highest(
+    at_parts: impl Iterator<Item = f64>,
+    slope: impl Fn(f64) -> f64,
+    least: f64,
+    value: impl Fn(f64, f64) -> f64,
+) -> Option<(f64, f64)> {
+    let (mut best, mut most) = (None, least);
+    let mut last = (0.0, 0.0);
+    for here in parts().zip(at_parts) {
         if last.1 > 0.0 && here.1 < 0.0 {
-            let at = root(slope, last, here, CLOSE);
-            let value = sum(&|course, start| course.at(start, at));
+            let at = root(&slope, last, here, CLOSE);
+            let value = value(at, most);
             if value > most {
                 most = value;
                 best = Some((at, value));
@@ -123,42 +139,27 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
     best
 }
 
-/// Number of nodes of a panel whose input is a parabola.
-const PARABOLA: usize = 3;
-
-/// Number of powers of the share that are evaluated. From the third on each coefficient is λ/(k + 1) of the one before,
-/// so for λ = 0.5 the first neglected one is 0.5¹³ · 3!/16! of the third, 10⁻¹⁶.
-const POWERS: usize = 16;
+/// Number of powers of the share that are evaluated. From the n-th on each coefficient is λ/(k + 1) of the one before,
+/// so for λ = 0.5 and seven nodes the first neglected one is 0.5¹¹ · 7!/18! of the seventh, 4 · 10⁻¹⁶.
+const POWERS: usize = 18;
 
 impl Course {
-    /// Returns the coefficients of the input as a polynomial of the share: a parabola or a line through the nodes.
-    const fn parabola(&self) -> [f64; 3] {
-        let [first, second, third, ..] = self.input;
-        if self.count == PARABOLA {
-            [first, 4.0 * second - 3.0 * first - third, 2.0 * (first - 2.0 * second + third)]
-        } else {
-            [first, second - first, 0.0]
-        }
-    }
-
-    /// Adds the coefficients of the lag of a parabola as powers of the share, and returns the number of powers that
-    /// matter.
+    /// Adds the coefficients of the lag as powers of the share, and returns the number of powers that matter.
     ///
     /// y_(k+1) = λ (u_k − y_k)/(k + 1), y_0 the lag at the beginning
     ///
     /// # Source
     /// docs/theory/moments.md
     /// # Valid
-    /// λ ≤ 0.5
+    /// λ ≤ 0.5, n ≤ 7
     fn add_powers(&self, start: f64, sums: &mut [f64; POWERS]) -> usize {
-        let input = self.parabola();
-        let scale = input.iter().fold(start.abs(), |most, u| most.max(u.abs()));
-        let inputs = input.into_iter().chain(std::iter::repeat(0.0));
+        let scale = self.input.iter().fold(start.abs(), |most, u| most.max(u.abs()));
+        let inputs = rule(self.count).powers(&self.input).chain(std::iter::repeat(0.0));
         let (mut power, mut order, mut count) = (start, 1.0, 0);
         for (sum, u) in sums.iter_mut().zip(inputs) {
             *sum += power;
             count += 1;
-            if count > PARABOLA && power.abs() <= 1e-18 * scale {
+            if count > self.count && power.abs() <= 1e-18 * scale {
                 break;
             }
             power = self.lambda * (u - power) / order;
@@ -168,7 +169,7 @@ impl Course {
     }
 }
 
-/// Finds the maximum like [`turn`], for parabolas over a short panel, from a few powers of the share.
+/// Finds the maximum like [`turn`], over a short panel of few nodes, from powers of the share.
 fn turn_by_powers(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
     let (mut sums, mut slopes) = ([0.0; POWERS], [0.0; POWERS]);
     let count = courses.iter().zip(states).map(|(course, state)| course.add_powers(*state, &mut sums)).max()?;
@@ -179,22 +180,8 @@ fn turn_by_powers(courses: &[Course], states: &[f64], least: f64) -> Option<(f64
     }
     let (sums, slopes) = (sums.get(..count)?, slopes.get(..count.saturating_sub(1))?);
     let at = |factors: &[f64], s: f64| factors.iter().rev().fold(0.0, |value, factor| value * s + factor);
-    let (mut best, mut most) = (None, least);
-    let mut last = (0.0, slopes.first().copied()?);
-    for part in 1..=PARTS {
-        let s = f64::from(part) / f64::from(PARTS);
-        let here = (s, at(slopes, s));
-        if last.1 > 0.0 && here.1 < 0.0 {
-            let s = root(|s| at(slopes, s), last, here, CLOSE);
-            let value = at(sums, s);
-            if value > most {
-                most = value;
-                best = Some((s, value));
-            }
-        }
-        last = here;
-    }
-    best
+    let slope = |s: f64| at(slopes, s);
+    highest(parts().map(slope), slope, least, |s, _| at(sums, s))
 }
 
 /// Finds the maximum like [`turn`], from the values at the nodes, where each lag is the polynomial through them.
@@ -208,22 +195,59 @@ fn turn_by_nodes(courses: &[Course], states: &[f64], least: f64) -> Option<(f64,
             *sum += y;
         }
     }
-    let (mut best, mut most) = (None, least);
-    let mut last = (0.0, slopes.first().copied()?);
-    for (part, here) in (0..=PARTS).zip(rule.at_parts(&slopes)).skip(1) {
-        let here = (f64::from(part) / f64::from(PARTS), here);
-        if last.1 > 0.0 && here.1 < 0.0 {
-            let s = root(|s| dot(&rule.shares(s), &slopes), last, here, CLOSE);
+    highest(
+        rule.at_parts(&slopes),
+        |s| dot(&rule.shares(s), &slopes),
+        least,
+        |s, most| {
+            let near = dot(&rule.shares(s), &sums);
             // The closed form is evaluated only for values that are not clearly lower.
-            if dot(&rule.shares(s), &sums) > most - 1e-6 * most.abs() {
-                let value = courses.iter().zip(states).map(|(course, state)| course.at(*state, s)).sum();
-                if value > most {
-                    most = value;
-                    best = Some((s, value));
-                }
+            if near > most - 1e-6 * most.abs() {
+                courses.iter().zip(states).map(|(course, state)| course.at(*state, s)).sum()
+            } else {
+                near
             }
-        }
-        last = here;
+        },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns a random course over a panel with that many nodes, and a state close to its inputs.
+    fn drawn(chance: &mut impl FnMut() -> f64, count: usize, lambda: f64) -> (Course, f64) {
+        let mut input = [0.0; MOST];
+        let (mean, swing) = (chance(), chance());
+        input.iter_mut().take(count).for_each(|u| *u = mean + swing * chance());
+        let gain = dot(&rule(count).weights(lambda), &input);
+        let state = mean + 0.2 * swing * chance();
+        (Course { tau_s: 0.3 / lambda, lambda, decay: (-lambda).exp(), count, input, gain }, state)
     }
-    best
+
+    /// The maximum of a short panel of few nodes is that of the closed form.
+    #[test]
+    fn powers_of_the_share_have_the_maximum_of_the_closed_form() {
+        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut chance = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as f64 / f64::from(u32::MAX >> 1) * 2.0 - 1.0
+        };
+        let mut found = 0;
+        for case in 0..3_000_u32 {
+            let count = 2 + (case % 6) as usize;
+            let lambdas = [0, 1].map(|_| 0.5 * 10_f64.powf(-2.0 * (chance() + 1.0)));
+            let [(a, start_a), (b, start_b)] = lambdas.map(|lambda| drawn(&mut chance, count, lambda));
+            let (courses, states) = ([a, b], [start_a, start_b]);
+            let [powers, closed] =
+                [turn_by_powers, turn_in_closed_form].map(|turn| turn(&courses, &states, f64::NEG_INFINITY));
+            let (Some((_, powers)), Some((_, closed))) = (powers, closed) else {
+                assert_eq!(powers, closed, "{case}");
+                continue;
+            };
+            assert!((powers - closed).abs() < 1e-13, "{case}: {powers} {closed}");
+            found += 1;
+        }
+        assert!(found > 500, "{found} maxima");
+    }
 }
