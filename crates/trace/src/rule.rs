@@ -26,12 +26,19 @@ pub(super) struct Rule {
     integrals: Vec<Values>,
     /// Row m gives the value at the share m/[`PARTS`] from those at the nodes.
     parts: Vec<Values>,
+    /// Element m gives the factors of the shifted Legendre polynomials on 0…(m + 1)/[`PARTS`] from the values at the nodes.
+    first_parts: OnceLock<Vec<Vec<Values>>>,
     /// Row m gives the value half-way between the nodes m and m + 1 from those at the nodes.
     middles: Vec<Values>,
 }
 
 /// Number of equal parts of a panel in the search for a change of sign.
 pub(super) const PARTS: u32 = 16;
+
+/// Iterates over the borders of the equal parts of a panel, as shares of it.
+pub(super) fn parts() -> impl Iterator<Item = f64> {
+    (0..=PARTS).map(|part| f64::from(part) / f64::from(PARTS))
+}
 
 /// Returns the rule of n nodes.
 #[inline]
@@ -45,6 +52,7 @@ pub(super) fn rule(n: usize) -> &'static Rule {
         powers: Vec::new(),
         integrals: Vec::new(),
         parts: Vec::new(),
+        first_parts: OnceLock::new(),
         middles: Vec::new(),
     };
     RULES.get(n).unwrap_or(&NONE)
@@ -78,11 +86,12 @@ impl Rule {
             powers: powers(rule),
             integrals: Vec::new(),
             parts: Vec::new(),
+            first_parts: OnceLock::new(),
             middles: Vec::new(),
         };
         made.chebyshev = (0..rule.len()).map(|j| made.chebyshev_factor(j)).collect();
         made.integrals = made.nodes.iter().map(|s| made.integral_until(*s)).collect();
-        made.parts = (0..=PARTS).map(|part| made.shares(f64::from(part) / f64::from(PARTS))).collect();
+        made.parts = parts().map(|s| made.shares(s)).collect();
         made.middles =
             made.nodes.iter().zip(made.nodes.iter().skip(1)).map(|(a, b)| made.shares(0.5 * (a + b))).collect();
         made
@@ -209,13 +218,28 @@ impl Rule {
         weights
     }
 
-    /// Returns the values at the nodes of the same rule on 0…s.
+    /// Returns the coefficients of the shifted Legendre polynomials on 0…s.
     pub(super) fn first_part(&self, values: &Values, s: f64) -> Values {
         let mut part = [0.0; MOST];
         for (value, node) in part.iter_mut().zip(&self.nodes) {
             *value = dot(&self.shares(s * node), values);
         }
-        part
+        self.coefficients(&part)
+    }
+
+    /// Iterates over the coefficients of the shifted Legendre polynomials on the first of the equal parts, the first two,
+    /// and so on.
+    pub(super) fn first_parts<'a>(&'a self, values: &'a Values) -> impl Iterator<Item = Values> + 'a {
+        let of = |s: f64| {
+            let shares: Vec<Values> = self.nodes.iter().map(|node| self.shares(s * node)).collect();
+            self.legendre.iter().map(|row| combined(row, &shares)).collect()
+        };
+        let matrices = self.first_parts.get_or_init(|| parts().skip(1).map(of).collect());
+        matrices.iter().map(|matrix| {
+            let mut coefficients = [0.0; MOST];
+            coefficients.iter_mut().zip(matrix).for_each(|(coefficient, row)| *coefficient = dot(row, values));
+            coefficients
+        })
     }
 
     #[inline]
@@ -248,6 +272,15 @@ fn powers(rule: &[(f64, f64)]) -> Vec<Values> {
         }
     }
     powers
+}
+
+/// Returns the sum of some rows, each times its factor.
+fn combined(factors: &Values, rows: &[Values]) -> Values {
+    let mut sum = [0.0; MOST];
+    for (factor, row) in factors.iter().zip(rows) {
+        sum.iter_mut().zip(row).for_each(|(to, value)| *to += factor * value);
+    }
+    sum
 }
 
 /// Σ a_k b_k
@@ -451,6 +484,11 @@ mod tests {
             values.iter_mut().zip(rule.nodes()).for_each(|(value, s)| *value = f(*s));
             let a = rule.coefficients(&values);
             let part = rule.first_part(&values, 0.6);
+            for (part, s) in rule.first_parts(&values).zip(parts().skip(1)) {
+                for (a, b) in part.iter().zip(rule.first_part(&values, s)) {
+                    assert!((a - b).abs() < 1e-12, "{n} {s}: {a} {b}");
+                }
+            }
             for s in [0.0, 0.123, 0.5, 0.77, 1.0] {
                 let series: f64 = (0..n).map(|j| a[j] * legendre(j, s)).sum();
                 assert!((dot(&rule.shares(s), &values) - f(s)).abs() < 1e-12, "{n} {s}");
@@ -459,8 +497,9 @@ mod tests {
                     rule.powers(&values).collect::<Vec<f64>>().iter().rev().fold(0.0, |sum, c| sum * s + c);
                 assert!((power - f(s)).abs() < 1e-15 * 8_f64.powi(n as i32), "{n} {s}: {power} {}", f(s));
             }
-            for (value, s) in part.iter().zip(rule.nodes()) {
-                assert!((value - f(0.6 * s)).abs() < 1e-12);
+            for s in rule.nodes() {
+                let series: f64 = (0..n).map(|j| part[j] * legendre(j, *s)).sum();
+                assert!((series - f(0.6 * s)).abs() < 1e-12);
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::Lag;
 use crate::Panel;
-use crate::rule::{MOST, PARTS, Values, dot, lagged, rule};
+use crate::rule::{MOST, PARTS, Values, dot, lagged, parts, rule};
 use numeric::root;
 
 /// A lag over one panel.
@@ -41,14 +41,28 @@ impl Course {
 
     /// Returns y at a share of the panel.
     fn at(&self, start: f64, s: f64) -> f64 {
-        let (rule, lambda) = (rule(self.count), s * self.lambda);
-        let part = rule.coefficients(&rule.first_part(&self.input, s));
-        start * (-lambda).exp() + lambda * dot(&lagged(lambda, self.count), &part)
+        self.behind(start, s, &rule(self.count).first_part(&self.input, s))
+    }
+
+    /// Returns y at a share of the panel, from the coefficients of the input up to it.
+    fn behind(&self, start: f64, s: f64, first_part: &Values) -> f64 {
+        let lambda = s * self.lambda;
+        start * (-lambda).exp() + lambda * dot(&lagged(lambda, self.count), first_part)
     }
 
     /// Returns y' at a share of the panel.
     fn slope(&self, start: f64, s: f64) -> f64 {
         (dot(&rule(self.count).shares(s), &self.input) - self.at(start, s)) / self.tau_s
+    }
+
+    /// Adds y' at the equal parts of the panel.
+    fn add_slopes(&self, start: f64, sums: &mut [f64; PARTS as usize + 1]) {
+        let rule = rule(self.count);
+        let behind = parts().skip(1).zip(rule.first_parts(&self.input)).map(|(s, part)| self.behind(start, s, &part));
+        let values = std::iter::once(start).chain(behind);
+        for ((sum, u), y) in sums.iter_mut().zip(rule.at_parts(&self.input)).zip(values) {
+            *sum += (u - y) / self.tau_s;
+        }
     }
 
     /// Returns a lower and an upper bound of y' within the panel.
@@ -106,13 +120,10 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
 /// Finds the maximum like [`turn`] on any panel.
 fn turn_in_closed_form(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
     let sum = |of: &dyn Fn(&Course, f64) -> f64| courses.iter().zip(states).map(|(c, y)| of(c, *y)).sum::<f64>();
+    let mut at_parts = [0.0; PARTS as usize + 1];
+    courses.iter().zip(states).for_each(|(course, start)| course.add_slopes(*start, &mut at_parts));
     let slope = |s: f64| sum(&|course, start| course.slope(start, s));
-    highest(parts().map(slope), slope, least, |s, _| sum(&|course, start| course.at(start, s)))
-}
-
-/// Iterates over the borders of the equal parts of a panel, as shares of it.
-fn parts() -> impl Iterator<Item = f64> {
-    (0..=PARTS).map(|part| f64::from(part) / f64::from(PARTS))
+    highest(at_parts.into_iter(), slope, least, |s, _| sum(&|course, start| course.at(start, s)))
 }
 
 /// Returns the highest value above `least` at a root where the slope changes from positive to negative, and its share of
