@@ -7,7 +7,7 @@ use super::gains::{Gain, GainTables, Gains, Products, rounded, sum, sum_of_magni
 use super::recording::Strip;
 use super::rule::{SHORT, short};
 use super::{Form, Node, Panel, Run, Trace};
-use course::{Course, turn};
+use course::{Bounds, Course, may_turn, turn};
 use lots::{Lot, Lots};
 use numeric::{EQUAL, First};
 use std::collections::BTreeMap;
@@ -313,7 +313,14 @@ impl Search<'_> {
     fn inside_kept(&mut self, panel: usize, states: &[f64], steps: &[(f64, f64)]) {
         let trace = self.trace;
         let Some(panel) = trace.panels.get(panel).map(|kept| trace.panel(kept)) else { return };
-        if !self.was_seen(&panel, states) {
+        if self.was_seen(&panel, states) {
+            return;
+        }
+        let bounds = self.lags.iter().zip(states).zip(steps).map(|((lag, start), (decay, gain))| {
+            let inputs = panel.nodes.iter().map(|node| lag.form.at(node));
+            Bounds::of(inputs, (*start, start * decay + gain), panel.duration_s / lag.tau_s, lag.tau_s)
+        });
+        if may_turn(bounds, panel.duration_s, self.enough(panel.start_s())) {
             let lags = self.lags.iter().zip(steps);
             let courses: Vec<Course> = lags.map(|(lag, step)| Course::with(lag, &panel, *step)).collect();
             self.turn(&courses, states, (panel.start_s(), panel.duration_s));
@@ -492,7 +499,7 @@ impl Search<'_> {
 
     /// Searches the values between the ends of a panel, given its start and duration \[s\].
     fn turn(&mut self, courses: &[Course], states: &[f64], (start_s, duration_s): (f64, f64)) {
-        if let Some((s, value)) = turn(courses, states, duration_s, self.enough(start_s)) {
+        if let Some((s, value)) = turn(courses, states, self.enough(start_s)) {
             self.best.see(value, start_s + s * duration_s, ());
         }
     }
@@ -501,7 +508,10 @@ impl Search<'_> {
     fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64], later_s: f64) {
         let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
         let start = panel.start_s() + later_s;
-        self.turn(&courses, states, (start, panel.duration_s));
+        let bounds = courses.iter().zip(&*states).map(|(course, state)| course.bounds(*state));
+        if may_turn(bounds, panel.duration_s, self.enough(start)) {
+            self.turn(&courses, states, (start, panel.duration_s));
+        }
         for (state, course) in states.iter_mut().zip(&courses) {
             *state = course.end(*state);
         }

@@ -65,26 +65,46 @@ impl Course {
         }
     }
 
-    /// Returns a lower and an upper bound of y' within the panel.
-    fn slopes(&self, start: f64) -> (f64, f64) {
-        slopes(self.input.iter().take(self.count).copied(), (start, self.end(start)), self.lambda, self.tau_s)
+    /// Returns the bounds within the panel.
+    pub(super) fn bounds(&self, start: f64) -> Bounds {
+        let inputs = self.input.iter().take(self.count).copied();
+        Bounds::of(inputs, (start, self.end(start)), self.lambda, self.tau_s)
     }
 }
 
-/// Returns a lower and an upper bound of y' of a lag within a panel, from the inputs at the nodes and the values at
-/// both ends.
-fn slopes(inputs: impl Iterator<Item = f64>, (start, end): (f64, f64), lambda: f64, tau_s: f64) -> (f64, f64) {
-    let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
-    let room = 0.125 * (high - low);
-    let (low, high) = (low - room, high + room);
-    // y deviates from the straight line by less than λ/4 of the range of its input.
-    let stray = 0.25 * lambda * (high - low + (end - start).abs());
-    ((low - start.max(end) - stray) / tau_s, (high - start.min(end) + stray) / tau_s)
+/// Bounds of a lag within a panel.
+pub(super) struct Bounds {
+    /// Values at both ends.
+    ends: (f64, f64),
+    /// Lower and upper bound of y'.
+    slopes: (f64, f64),
 }
 
-/// Returns `true` if a slope within these bounds may change from positive to negative.
-fn turns(lowest: f64, highest: f64) -> bool {
-    lowest < 0.0 && highest > 0.0
+impl Bounds {
+    /// Returns the bounds from the inputs at the nodes and the values at both ends.
+    pub(super) fn of(inputs: impl Iterator<Item = f64>, (start, end): (f64, f64), lambda: f64, tau_s: f64) -> Self {
+        let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
+        let room = 0.125 * (high - low);
+        let (low, high) = (low - room, high + room);
+        // y deviates from the straight line by less than λ/4 of the range of its input.
+        let stray = 0.25 * lambda * (high - low + (end - start).abs());
+        let slopes = ((low - start.max(end) - stray) / tau_s, (high - start.min(end) + stray) / tau_s);
+        Self { ends: (start, end), slopes }
+    }
+}
+
+/// Returns `true` if the slope of a sum of lags may change from positive to negative within a panel, at a value above
+/// `least`.
+pub(super) fn may_turn(lags: impl Iterator<Item = Bounds>, duration: f64, least: f64) -> bool {
+    let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
+    for Bounds { ends, slopes } in lags {
+        lowest += slopes.0;
+        highest += slopes.1;
+        start += ends.0;
+        end += ends.1;
+    }
+    // The sum exceeds its ends by at most this much with slopes within these bounds.
+    lowest < 0.0 && highest > 0.0 && f64::max(start, end) + 0.25 * duration * (highest - lowest) > least
 }
 
 /// Tolerance for the instant of a maximum, as a share of the panel.
@@ -96,19 +116,7 @@ const SMOOTH: (f64, usize) = (0.5, 7);
 
 /// Returns the share of the panel at which the sum of lags has its highest maximum, and that value, if it exceeds
 /// `least`.
-pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option<(f64, f64)> {
-    let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
-    for (course, state) in courses.iter().zip(states) {
-        let (low, high) = course.slopes(*state);
-        lowest += low;
-        highest += high;
-        start += state;
-        end += course.end(*state);
-    }
-    // The sum exceeds its ends by at most this much with slopes within these bounds.
-    if !turns(lowest, highest) || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
-        return None;
-    }
+pub(super) fn turn(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
     let (slow, few) = SMOOTH;
     if courses.iter().all(|course| course.lambda <= slow) {
         let by_powers = courses.iter().all(|course| course.count <= few);
