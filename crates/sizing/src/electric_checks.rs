@@ -160,7 +160,10 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcom
     };
     work.limit(if is_braking { "T_max" } else { "T_short" });
     // Beyond the lower edge, another instant may be decisive for the upper edge.
-    let beyond = !at_most(found, 1.0) && !at_most(axis.trace.largest(&lower.of_the_upper_edge()).0, 1.0);
+    let beyond = !at_most(found, 1.0) && {
+        let upper = lower.of_the_upper_edge();
+        !at_most(upper.value(&worst), 1.0) || !at_most(axis.trace.largest(&upper).0, 1.0)
+    };
     let limit = curve.limit.value.si();
     let upper = if beyond { limit } else { curve.upper.si().max(torque) };
     let edges = Edges { limit, upper, unit: &NEWTON_METRE };
