@@ -5,7 +5,7 @@
 
 use benches::{Gates, least_processor_s};
 use feedback::endat::{ErrorBits, Frame};
-use feedback::ssi::Format;
+use feedback::ssi::SsiFormat;
 use feedback::{
     Absolute, CommutationPhases, Encoder, Interface, Protocol, Shaft, Signal, SinePair, SquareTracks, TrackingLoop,
 };
@@ -27,14 +27,14 @@ fn main() -> ExitCode {
         });
     };
     let pair = SinePair { periods: 512, level: None };
-    let format = Format { turns: 12, steps: 13 };
+    let format = SsiFormat { turns: 12, steps: 13 };
     let absolute = Some(Absolute { protocol: Protocol::EnDat, format });
     let interface = Interface::Sine { pair, commutation: None, has_reference: false, absolute };
     let sine = Encoder { interface, deviation: None };
     let tracks = SquareTracks { periods: 2048 };
     let commutation = CommutationPhases { periods: 5 };
     let square = Encoder { interface: Interface::Square { tracks, commutation }, deviation: None };
-    let ssi = Format { turns: 12, steps: 17 };
+    let ssi = SsiFormat { turns: 12, steps: 17 };
     let still = AngularVelocity::from_si(0.0);
     let mut gate = |what: &str, most: f64, measured: &mut dyn FnMut()| {
         let [own, other] = [least_processor_s(9, 40, &mut *measured), least_processor_s(9, 40, baseline)];

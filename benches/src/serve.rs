@@ -9,7 +9,7 @@ use page::{Call, FileEntry, Folder, Method, SaveFault, Shell};
 use project::{Files, NoFiles};
 use quantities::Language;
 use questions::Patience;
-use server::{Access, Limits, Options, Server};
+use server::{Access, Options, RequestLimits, Server};
 use std::hint::black_box;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -185,7 +185,7 @@ fn main() -> ExitCode {
         port: 0,
         memory: 1 << 20,
         language: Language::default(),
-        limits: Limits::default(),
+        limits: RequestLimits::default(),
         press: None,
     };
     let server = Server::bind(options).expect("a free port");

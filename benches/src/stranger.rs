@@ -7,7 +7,7 @@
 
 use benches::{Gates, milliseconds, timed};
 use quantities::Language;
-use server::{Access, Limits, Options, Server};
+use server::{Access, Options, RequestLimits, Server};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::process::ExitCode;
@@ -115,7 +115,7 @@ fn main() -> ExitCode {
         port: 0,
         memory: 1 << 20,
         language: Language::default(),
-        limits: Limits::default(),
+        limits: RequestLimits::default(),
         press: None,
     };
     let server = Server::bind(options).expect("a free port");

@@ -13,7 +13,7 @@ mod ways;
 
 use driver::Driver;
 use shell::Shell;
-use stage::Stage;
+use stage::OpenPage;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -74,7 +74,7 @@ fn all(options: &Options) -> Result<usize, String> {
             }
             // Each scenario begins in a browser with an empty profile.
             let tab = driver.browser(&options.browser, downloads.path())?;
-            let stage = Stage { tab, shell: &shell, downloads: downloads.path(), axe: &axe };
+            let stage = OpenPage { tab, shell: &shell, downloads: downloads.path(), axe: &axe };
             let begin = Instant::now();
             let outcome = (way.go)(&stage).and_then(|()| stage.no_fault_in_the_console());
             let seconds = begin.elapsed().as_secs_f64();

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// A tab with the shell that it shows.
-pub(crate) struct Stage<'s> {
+pub(crate) struct OpenPage<'s> {
     pub(crate) tab: Tab,
     pub(crate) shell: &'s Shell,
     pub(crate) downloads: &'s Path,
@@ -17,7 +17,7 @@ pub(crate) struct Stage<'s> {
 /// Rules of WCAG 2.2, levels A and AA, by their names in axe-core.
 const RULES: [&str; 5] = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"];
 
-impl Stage<'_> {
+impl OpenPage<'_> {
     /// Opens the start page.
     pub(crate) fn start(&self, language: &str) -> Worded {
         self.tab.open(&self.shell.at(&format!("lang={language}")))?;

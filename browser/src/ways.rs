@@ -13,7 +13,7 @@ mod times;
 
 use crate::driver::Make;
 use crate::shell::Shell;
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::Worded;
 
 /// One scenario.
@@ -21,7 +21,7 @@ pub(crate) struct Way {
     pub(crate) name: &'static str,
     shells: Shells,
     makes: Makes,
-    pub(crate) go: fn(&Stage<'_>) -> Worded,
+    pub(crate) go: fn(&OpenPage<'_>) -> Worded,
 }
 
 /// Browsers in which a scenario runs.
@@ -41,15 +41,15 @@ enum Shells {
 }
 
 impl Way {
-    const fn both(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
+    const fn both(name: &'static str, go: fn(&OpenPage<'_>) -> Worded) -> Self {
         Self { name, shells: Shells::Both, makes: Makes::Any, go }
     }
 
-    const fn server(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
+    const fn server(name: &'static str, go: fn(&OpenPage<'_>) -> Worded) -> Self {
         Self { name, shells: Shells::Server, makes: Makes::Any, go }
     }
 
-    const fn site(name: &'static str, go: fn(&Stage<'_>) -> Worded) -> Self {
+    const fn site(name: &'static str, go: fn(&OpenPage<'_>) -> Worded) -> Self {
         Self { name, shells: Shells::Site, makes: Makes::Any, go }
     }
 

@@ -1,7 +1,7 @@
 //! Reads the grammar of every series in `data/` and embeds it.
 #![allow(clippy::print_stdout, reason = "a build script speaks to cargo over stdout")]
 
-use series_files::{Code, Field, Meaning, variant_of};
+use series_files::{Code, CodeField, WordMeaning, variant_of};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
@@ -37,7 +37,7 @@ fn text(codes: &[Code]) -> String {
     out
 }
 
-fn record(code: &Code, field: &Field) -> String {
+fn record(code: &Code, field: &CodeField) -> String {
     let of = |word: &String| code.feedbacks.iter().find(|feedback| feedback.word == *word);
     let found = field.words.iter().filter_map(of);
     let kinds = found.map(|feedback| format!("FeedbackKind::{}", variant_of(&feedback.kind)));
@@ -53,7 +53,7 @@ fn record(code: &Code, field: &Field) -> String {
     )
 }
 
-fn meaning(meaning: &Meaning) -> String {
+fn meaning(meaning: &WordMeaning) -> String {
     let when: Vec<String> =
         meaning.when.iter().map(|(field, words)| format!("(Field::{}, &{words:?})", variant_of(field))).collect();
     format!(

@@ -3,7 +3,7 @@
 use crate::text::{any_edits, mutate, rest};
 use arbitrary::{Result, Unstructured};
 use feedback::endat::{ErrorBits, Frame, Opening, Parameter};
-use feedback::ssi::Format;
+use feedback::ssi::SsiFormat;
 use feedback::{
     Absolute, CommutationPhases, Deviation, Encoder, Interface, Protocol, Shaft, SinePair, SquareTracks, Word,
 };
@@ -26,9 +26,9 @@ pub fn shown(data: &[u8]) -> String {
 }
 
 const ABSOLUTE: [Absolute; 3] = [
-    Absolute { protocol: Protocol::EnDat, format: Format { turns: 12, steps: 13 } },
-    Absolute { protocol: Protocol::EnDat, format: Format { turns: 0, steps: 13 } },
-    Absolute { protocol: Protocol::Ssi, format: Format { turns: 12, steps: 17 } },
+    Absolute { protocol: Protocol::EnDat, format: SsiFormat { turns: 12, steps: 13 } },
+    Absolute { protocol: Protocol::EnDat, format: SsiFormat { turns: 0, steps: 13 } },
+    Absolute { protocol: Protocol::Ssi, format: SsiFormat { turns: 12, steps: 17 } },
 ];
 
 const SETS: [ErrorBits; 2] = [ErrorBits::One, ErrorBits::Both];

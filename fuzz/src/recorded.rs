@@ -7,7 +7,7 @@ use crate::PAST_THE_GATE;
 use crate::project::read;
 use crate::text::{any_edits, mutate, one_in, rest};
 use arbitrary::{Result, Unstructured};
-pub(crate) use columns::{Column, Columns, edit_bytes};
+pub(crate) use columns::{Columns, GeneratedColumn, edit_bytes};
 pub(crate) use table::encoded;
 
 use project::{Diagnostic, Fault, Files, Project};

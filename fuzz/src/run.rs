@@ -1,12 +1,12 @@
 //! Recorded runs, as they are identified: columns in CSV of any dialect and in Parquet; estimates or faults.
 
-use crate::recorded::{Column, Columns, edit_bytes, encoded};
+use crate::recorded::{Columns, GeneratedColumn, edit_bytes, encoded};
 use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
 use project::Files;
 use quantities::Language;
 use questions::Patience;
-use questions::list::{Asked, Given, Source, identify};
+use questions::list::{Asked, Given, ReferencedText, identify};
 use std::borrow::Cow;
 use std::io::Read;
 
@@ -46,7 +46,11 @@ pub(crate) fn hold(bytes: &[u8]) {
     let Ok(given) = given else { return };
     let asked = Asked {
         given,
-        sources: vec![Source { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(AXIS.as_bytes()), files: &files }],
+        sources: vec![ReferencedText {
+            name: "axis.toml".to_owned(),
+            bytes: Cow::Borrowed(AXIS.as_bytes()),
+            files: &files,
+        }],
         days_since_1970: None,
         patience: &patience,
         refuses_long: true,
@@ -80,7 +84,7 @@ pub(crate) fn made(u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
         let noise = |k: u32| f64::from(k.wrapping_mul(2_654_435_761) >> 16) * 1e-9;
         let values =
             (0..count).map(|k| of(f64::from(k) * step) + if name == "time_s" { 0.0 } else { noise(k) }).collect();
-        Column { name, unit: "", values }
+        GeneratedColumn { name, unit: "", values }
     };
     let position = |t: f64| 0.5 * reach * (1.0 - (turn * t).cos());
     let speed = |t: f64| 0.5 * reach * turn * (turn * t).sin();

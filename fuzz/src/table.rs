@@ -1,6 +1,6 @@
 //! Tables of many axes, as `sweep` reads them: CSV of any dialect and Parquet; an answer for each row, or the faults.
 
-use crate::recorded::{Column, Columns, as_table, encoded};
+use crate::recorded::{Columns, GeneratedColumn, as_table, encoded};
 use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
 use project::Files;
@@ -97,7 +97,7 @@ pub(crate) fn made(u: &mut Unstructured<'_>) -> Result<Vec<u8>> {
         let name = *u.choose(&HEADINGS)?;
         let base = *u.choose(&[0.5, 2.0, 560.0, 0.0, -1.0, 1e12, 1e-9])?;
         let values = (0..count).map(|row| base * (1.0 + 0.1 * f64::from(row))).collect();
-        columns.push(Column { name, unit: "", values });
+        columns.push(GeneratedColumn { name, unit: "", values });
     }
     let mut columns = Columns { columns };
     columns.spoil(u)?;

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use crate::Error;
 use crate::cargo::{Workspace, must_succeed};
-use crate::markdown::{Document, Link, leads_to};
+use crate::markdown::{Link, MarkdownText, leads_to};
 use crate::tidy::tree::Tree;
 use crate::tools::{LYCHEE, MDBOOK};
 
@@ -45,7 +45,7 @@ pub(crate) fn is_german(document: &str) -> bool {
 
 /// Returns the pages named in the summary, in its order.
 pub(crate) fn chapters(tree: &Tree) -> Vec<String> {
-    let summary = Document::read(&tree.text(SUMMARY).unwrap_or_default());
+    let summary = MarkdownText::read(&tree.text(SUMMARY).unwrap_or_default());
     summary.links.iter().filter_map(|link| leads_to(SUMMARY, &link.target)).collect()
 }
 
@@ -57,7 +57,7 @@ fn lay_out(root: &Path, tree: &Tree, folder: &Path) -> Result<(), Error> {
     let chapters = chapters(tree);
     let mut files: BTreeSet<String> = chapters.iter().cloned().collect();
     for page in &chapters {
-        let document = Document::read(&tree.text(page).unwrap_or_default());
+        let document = MarkdownText::read(&tree.text(page).unwrap_or_default());
         let led_to = document.links.iter().filter_map(|Link { target, .. }| leads_to(page, target));
         // A page missing from the summary would be copied as text: its link is left to fail.
         files.extend(led_to.filter(|file| !file.ends_with(".md") && root.join(file).is_file()));
@@ -94,7 +94,7 @@ fn as_index(path: &str) -> String {
 
 /// Returns a page with its links to a README changed to links to an index.
 fn with_indices(page: &str) -> String {
-    let links = Document::read(page).links.into_iter().map(|link| link.target);
+    let links = MarkdownText::read(page).links.into_iter().map(|link| link.target);
     links
         .filter(|target| leads_to("", target).is_some_and(|file| file.ends_with("README.md")))
         .fold(page.to_owned(), |text, target| {

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use crate::Error;
 use arguments::{Arguments, Work};
-use engine::{EndCondition, Engine, Run};
+use engine::{EndCondition, Engine, EngineRuns};
 
 mod arguments;
 mod corpus;
@@ -119,11 +119,11 @@ pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
 }
 
 /// Runs a target to its end in several processes at once; a process that ends with a find is restarted.
-fn explored(engine: &Engine, target: &Target, stop: EndCondition, jobs: u32, seed: u32) -> Result<Run, Error> {
+fn explored(engine: &Engine, target: &Target, stop: EndCondition, jobs: u32, seed: u32) -> Result<EngineRuns, Error> {
     let begin = Instant::now();
     let finds = engine.finds(target)?;
     engine.unpack(target)?;
-    let shares: Vec<Run> = std::thread::scope(|scope| {
+    let shares: Vec<EngineRuns> = std::thread::scope(|scope| {
         let one = |job: u32| scope.spawn(move || job_of(engine, target, stop.shared(jobs), seed.wrapping_add(job)));
         let started: Vec<_> = (0..jobs).map(one).collect();
         started
@@ -131,7 +131,7 @@ fn explored(engine: &Engine, target: &Target, stop: EndCondition, jobs: u32, see
             .map(|job| job.join().unwrap_or(Err(Error::NoCases { target: target.name })))
             .collect::<Result<_, _>>()
     })?;
-    let sum = shares.into_iter().fold(Run::default(), Run::and);
+    let sum = shares.into_iter().fold(EngineRuns::default(), EngineRuns::and);
     let seconds = begin.elapsed().as_secs_f64();
     println!(
         "fuzz: {:<9} {:>9} cases in {seconds:.0} s, {:.0} in a second{}; {} of {} edges; finds: {}",
@@ -155,9 +155,9 @@ fn explored(engine: &Engine, target: &Target, stop: EndCondition, jobs: u32, see
     Ok(sum)
 }
 
-fn job_of(engine: &Engine, target: &Target, stop: EndCondition, seed: u32) -> Result<Run, Error> {
+fn job_of(engine: &Engine, target: &Target, stop: EndCondition, seed: u32) -> Result<EngineRuns, Error> {
     let begin = Instant::now();
-    let mut sum = Run::default();
+    let mut sum = EngineRuns::default();
     for attempt in 0.. {
         let Some(left) = stop.after(begin.elapsed(), sum.cases) else { break };
         // A new seed after a find: the same one leads to the same place.

@@ -14,7 +14,7 @@ use std::path::Path;
 
 use crate::Error;
 use crate::book::is_german;
-use crate::markdown::Document;
+use crate::markdown::MarkdownText;
 use crate::tidy::tree::Tree;
 use crate::tools;
 
@@ -59,7 +59,7 @@ pub fn run(root: &Path) -> Result<(), Error> {
 
 /// Returns the words of the running text with their lines.
 fn of_document(text: &str) -> Vec<(usize, String)> {
-    let document = Document::read(text);
+    let document = MarkdownText::read(text);
     let mut found = Vec::new();
     for (line, piece) in document.sections.iter().flat_map(|section| &section.prose) {
         // A word with a digit or an underscore is a symbol.

@@ -6,7 +6,7 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 /// A document.
 #[derive(Debug, Default)]
-pub(crate) struct Document {
+pub(crate) struct MarkdownText {
     pub(crate) links: Vec<Link>,
     pub(crate) code: Vec<Code>,
     /// Parts between two headings, each with its heading; the first one holds the text before any heading.
@@ -43,7 +43,7 @@ pub(crate) struct Section {
     pub(crate) spans: Vec<String>,
 }
 
-impl Document {
+impl MarkdownText {
     pub(crate) fn read(text: &str) -> Self {
         let begins: Vec<usize> = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
         let line = |place: &Range<usize>| begins.partition_point(|begin| *begin <= place.start);
@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_document_is_reported_by_its_parts() {
-        let page = Document::read(PAGE);
+        let page = MarkdownText::read(PAGE);
         let links: Vec<(usize, &str)> = page.links.iter().map(|link| (link.line, link.target.as_str())).collect();
         assert_eq!(links, [(3, "../a.md#b"), (13, "p.svg")]);
         assert_eq!(page.links.iter().filter(|link| link.is_picture).count(), 1);

@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 use base64::Engine as _;
 
-use crate::markdown::Document;
+use crate::markdown::MarkdownText;
 use crate::{Error, samples};
 
 const FILE: &str = "docs/pictures/overview.svg";
@@ -62,7 +62,7 @@ fn composed(root: &Path) -> Result<String, Error> {
     }
     let page = root.join(PAGE);
     let page = fs::read(&page).map_err(|source| Error::File { path: page, source })?;
-    let readme = Document::read(&read(root, README)?);
+    let readme = MarkdownText::read(&read(root, README)?);
     let answer = readme.code.into_iter().find(|code| code.info == "console").ok_or(Error::NoReadmeCommand)?;
     Ok(picture(&answer.text, &figure, &base64::engine::general_purpose::STANDARD.encode(page)))
 }

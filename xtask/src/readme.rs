@@ -127,27 +127,27 @@ fn commands(readme: &str) -> Result<Vec<Line>, Error> {
 fn command(number: usize, printed: &str) -> Result<Line, Error> {
     let syntax = |why| Error::ReadmeSyntax { line: number, why };
     let mut words = split(printed.strip_prefix(PREFIX).unwrap_or(printed)).map_err(syntax)?;
-    let into = match words.iter().position(|word| word == &Word::Into) {
+    let into = match words.iter().position(|word| word == &ReadmeWord::Into) {
         None => None,
         Some(at) => {
             let tail = words.split_off(at);
             match tail.as_slice() {
-                [Word::Into, Word::Text(name)] => Some(name.clone()),
+                [ReadmeWord::Into, ReadmeWord::Text(name)] => Some(name.clone()),
                 _ => return Err(syntax("after `>` stands one file name and nothing else")),
             }
         }
     };
-    let words = words.into_iter().filter_map(Word::text).collect();
+    let words = words.into_iter().filter_map(ReadmeWord::text).collect();
     Ok(Line { number, printed: printed.to_owned(), words, into })
 }
 
 #[derive(Debug, PartialEq)]
-pub(crate) enum Word {
+pub(crate) enum ReadmeWord {
     Text(String),
     Into,
 }
 
-impl Word {
+impl ReadmeWord {
     pub(crate) fn text(self) -> Option<String> {
         match self {
             Self::Text(text) => Some(text),
@@ -158,7 +158,7 @@ impl Word {
 
 /// Splits a line into words like a shell, with quotes, `>` and a comment only, so that the README's commands have the
 /// same meaning in every shell.
-pub(crate) fn split(line: &str) -> Result<Vec<Word>, &'static str> {
+pub(crate) fn split(line: &str) -> Result<Vec<ReadmeWord>, &'static str> {
     let mut words = Vec::new();
     let mut word: Option<String> = None;
     let mut quote: Option<char> = None;
@@ -172,20 +172,20 @@ pub(crate) fn split(line: &str) -> Result<Vec<Word>, &'static str> {
             }
             (None, '#') if word.is_none() => break,
             (None, '>') => {
-                words.extend(word.take().map(Word::Text));
-                words.push(Word::Into);
+                words.extend(word.take().map(ReadmeWord::Text));
+                words.push(ReadmeWord::Into);
             }
             (None, '|' | '&' | ';' | '<' | '$' | '`' | '\\' | '*') => {
                 return Err("a README command stands alone: no pipe, variable, pattern or second command");
             }
-            (None, _) if letter.is_whitespace() => words.extend(word.take().map(Word::Text)),
+            (None, _) if letter.is_whitespace() => words.extend(word.take().map(ReadmeWord::Text)),
             (None, _) => word.get_or_insert_default().push(letter),
         }
     }
     if quote.is_some() {
         return Err("a quote is not closed");
     }
-    words.extend(word.map(Word::Text));
+    words.extend(word.map(ReadmeWord::Text));
     Ok(words)
 }
 

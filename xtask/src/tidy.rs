@@ -25,7 +25,7 @@ mod scratch;
 
 /// A violation of a house rule.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Finding {
+pub struct Violation {
     /// File, relative to the root of the tree, with `/` on every system.
     pub path: String,
     /// Line, counted from 1.
@@ -36,13 +36,13 @@ pub struct Finding {
     pub message: String,
 }
 
-impl fmt::Display for Finding {
+impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}: {}: {}", self.path, self.line, self.rule, self.message)
     }
 }
 
-type Rule = fn(&Path) -> Vec<Finding>;
+type Rule = fn(&Path) -> Vec<Violation>;
 
 const RULES: [Rule; 14] = [
     tree::not_empty,
@@ -78,8 +78,8 @@ pub fn run(root: &Path) -> Result<(), Error> {
 
 /// Returns the findings in the tree at `root`, by file and line.
 #[must_use]
-pub fn findings(root: &Path) -> Vec<Finding> {
-    let mut findings: Vec<Finding> = RULES.iter().flat_map(|rule| rule(root)).collect();
+pub fn findings(root: &Path) -> Vec<Violation> {
+    let mut findings: Vec<Violation> = RULES.iter().flat_map(|rule| rule(root)).collect();
     findings.sort();
     findings.dedup();
     findings

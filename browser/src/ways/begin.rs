@@ -1,13 +1,13 @@
 //! Scenarios from the start page to a first answer.
 
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::Worded;
 use serde_json::json;
 
 const PROJECT: &str = "# a table\nformat = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"48 deg\"\ntime = \"1.3 s\"\n[requirements]\nsupply = \"560 V\"\n";
 
 /// A mechanism tile, a few values, an answer.
-pub(crate) fn with_figures(stage: &Stage<'_>) -> Worded {
+pub(crate) fn with_figures(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.click(".tiles li:nth-child(5) .tile")?;
@@ -19,7 +19,7 @@ pub(crate) fn with_figures(stage: &Stage<'_>) -> Worded {
 }
 
 /// An example from the list.
-pub(crate) fn with_an_example(stage: &Stage<'_>) -> Worded {
+pub(crate) fn with_an_example(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("de")?;
     tab.says("h2", "Was möchten Sie bewegen?")?;
@@ -32,7 +32,7 @@ pub(crate) fn with_an_example(stage: &Stage<'_>) -> Worded {
 }
 
 /// A project file from disk.
-pub(crate) fn with_a_file(stage: &Stage<'_>) -> Worded {
+pub(crate) fn with_a_file(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.will_choose("turntable.toml", PROJECT)?;
@@ -43,7 +43,7 @@ pub(crate) fn with_a_file(stage: &Stage<'_>) -> Worded {
 }
 
 /// A link that contains the whole project after its `#`.
-pub(crate) fn with_a_link(stage: &Stage<'_>) -> Worded {
+pub(crate) fn with_a_link(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "21 kg")?;

@@ -1,11 +1,11 @@
 //! Scenarios with files: save, open, paste, download.
 
 use crate::shell::Shell;
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect};
 use serde_json::json;
 
-pub(crate) fn save_and_open(stage: &Stage<'_>) -> Worded {
+pub(crate) fn save_and_open(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "47 kg")?;
@@ -28,7 +28,7 @@ pub(crate) fn save_and_open(stage: &Stage<'_>) -> Worded {
     tab.until("!document.title.startsWith('•')")
 }
 
-pub(crate) fn two_tabs(stage: &Stage<'_>) -> Worded {
+pub(crate) fn two_tabs(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     tab.fill("#file", "shared.toml")?;
@@ -59,7 +59,7 @@ fn recording() -> String {
     ["t in s;phi in deg\n".to_owned()].into_iter().chain(rows).collect()
 }
 
-pub(crate) fn paste_a_recording(stage: &Stage<'_>) -> Worded {
+pub(crate) fn paste_a_recording(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("table", "en")?;
     tab.paste(&recording())?;
@@ -77,7 +77,7 @@ pub(crate) fn paste_a_recording(stage: &Stage<'_>) -> Worded {
     expect(!faults.contains("cannot be read") && !faults.contains("no such file"), || faults)
 }
 
-pub(crate) fn download(stage: &Stage<'_>) -> Worded {
+pub(crate) fn download(stage: &OpenPage<'_>) -> Worded {
     stage.example("belt", "en")?;
     let bytes = |path: std::path::PathBuf| std::fs::read(path).map_err(|error| error.to_string());
     let workbook = bytes(stage.download("#workbook", "xlsx")?)?;
@@ -90,7 +90,7 @@ pub(crate) fn download(stage: &Stage<'_>) -> Worded {
     expect(project == text.as_bytes(), || "another project".to_owned())
 }
 
-pub(crate) fn report(stage: &Stage<'_>) -> Worded {
+pub(crate) fn report(stage: &OpenPage<'_>) -> Worded {
     stage.example("belt", "en")?;
     let report = stage.download("#report", "pdf")?;
     let report = std::fs::read(report).map_err(|error| error.to_string())?;
@@ -98,13 +98,13 @@ pub(crate) fn report(stage: &Stage<'_>) -> Worded {
 }
 
 /// Without a typesetting engine the page names the command that writes the report, and offers no button.
-pub(crate) fn no_report(stage: &Stage<'_>) -> Worded {
+pub(crate) fn no_report(stage: &OpenPage<'_>) -> Worded {
     stage.example("belt", "de")?;
     stage.tab.until("!document.querySelector('#report')")?;
     stage.tab.says("#menu-export", "antrieb report")
 }
 
-pub(crate) fn reload(stage: &Stage<'_>) -> Worded {
+pub(crate) fn reload(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "39 kg")?;
@@ -116,7 +116,7 @@ pub(crate) fn reload(stage: &Stage<'_>) -> Worded {
     tab.until("document.documentElement.dataset.theme === 'dark'")
 }
 
-pub(crate) fn no_network(stage: &Stage<'_>) -> Worded {
+pub(crate) fn no_network(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.until("(await navigator.serviceWorker.ready).active?.state === 'activated'")?;
@@ -130,7 +130,7 @@ pub(crate) fn no_network(stage: &Stage<'_>) -> Worded {
     tab.offline(false)
 }
 
-pub(crate) fn opened_as_a_file(stage: &Stage<'_>) -> Worded {
+pub(crate) fn opened_as_a_file(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     let Shell::Site { folder, .. } = stage.shell else { return Err("a page that is served is not a file".to_owned()) };
     let index = folder.join("index.html").canonicalize().map_err(|error| error.to_string())?;
@@ -147,7 +147,7 @@ pub(crate) fn opened_as_a_file(stage: &Stage<'_>) -> Worded {
     tab.holds("#f-mechanism-belt-mass", "53")
 }
 
-pub(crate) fn forget(stage: &Stage<'_>) -> Worded {
+pub(crate) fn forget(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     expect(matches!(stage.shell, Shell::Site { .. }), || "a folder of the disk is not emptied here".to_owned())?;
     stage.example("belt", "en")?;

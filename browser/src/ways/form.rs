@@ -1,9 +1,9 @@
 //! Scenarios of the form and its answer.
 
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect, key};
 
-pub(crate) fn a_value_changes_the_verdict(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_value_changes_the_verdict(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.text("#answer")?;
@@ -15,7 +15,7 @@ pub(crate) fn a_value_changes_the_verdict(stage: &Stage<'_>) -> Worded {
     tab.says("#answer", "No actuator")
 }
 
-pub(crate) fn a_fault_stands_at_its_field(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_fault_stands_at_its_field(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.text("#standing")?;
@@ -29,7 +29,7 @@ pub(crate) fn a_fault_stands_at_its_field(stage: &Stage<'_>) -> Worded {
     tab.until("!document.querySelector('#demands.old') && !document.querySelector('[aria-invalid]')")
 }
 
-pub(crate) fn undo_and_redo(stage: &Stage<'_>) -> Worded {
+pub(crate) fn undo_and_redo(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.value("#f-mechanism-belt-mass")?;
@@ -41,7 +41,7 @@ pub(crate) fn undo_and_redo(stage: &Stage<'_>) -> Worded {
     tab.says("#text", "44 kg")
 }
 
-pub(crate) fn a_number_is_explained(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_number_is_explained(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.unfold()?;
@@ -54,7 +54,7 @@ pub(crate) fn a_number_is_explained(stage: &Stage<'_>) -> Worded {
     tab.until("document.activeElement.closest('#check-peak_torque') !== null")
 }
 
-pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Worded {
+pub(crate) fn language_and_dark(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "44 kg")?;
@@ -72,7 +72,7 @@ pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Worded {
     tab.until("document.documentElement.dataset.theme === 'dark'")
 }
 
-pub(crate) fn compare(stage: &Stage<'_>) -> Worded {
+pub(crate) fn compare(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let marks = tab.eval("[...document.querySelectorAll('input[name=mark]')].slice(0, 2).map((mark) => mark.id)")?;
@@ -109,7 +109,7 @@ const COMPUTED: &str = "const body = new URLSearchParams(new FormData(document.q
     return shown.map((read, at) => far(computed[at], read) ? `${cells[at].textContent} for ${computed[at].value}` : '').filter((each) => each).join('; ');";
 
 /// Example, changed verdict and plots, by keyboard only.
-pub(crate) fn by_keyboard(stage: &Stage<'_>) -> Worded {
+pub(crate) fn by_keyboard(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.tab_to("a[href*=\"new=belt\"]")?;

@@ -1,11 +1,11 @@
 //! Scenarios of the page frame: panes, verdict, palette, links, and unsaved work.
 
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect, key};
 use serde_json::json;
 
 /// Verdict, sketch, first plot and the five best codes are visible without scrolling in a window of common size.
-pub(crate) fn in_sight(stage: &Stage<'_>) -> Worded {
+pub(crate) fn in_sight(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     for language in ["en", "de"] {
         for (width, height) in [(1440, 900), (1280, 800), (1920, 1080)] {
@@ -35,7 +35,7 @@ pub(crate) fn in_sight(stage: &Stage<'_>) -> Worded {
 }
 
 /// A narrow window has three tabs, and a count in the bar leads to its check.
-pub(crate) fn narrow(stage: &Stage<'_>) -> Worded {
+pub(crate) fn narrow(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.sized(375, 800, 1.0)?;
     stage.example("belt", "en")?;
@@ -49,7 +49,7 @@ pub(crate) fn narrow(stage: &Stage<'_>) -> Worded {
 }
 
 /// A border is moved by keys, and keeps its place at the next visit.
-pub(crate) fn a_border_is_moved(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_border_is_moved(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let wide = "Math.round(document.querySelector('#moves').getBoundingClientRect().width)";
@@ -62,7 +62,7 @@ pub(crate) fn a_border_is_moved(stage: &Stage<'_>) -> Worded {
 }
 
 /// The palette finds a key behind a closed fold, a check and a code.
-pub(crate) fn the_palette_finds(stage: &Stage<'_>) -> Worded {
+pub(crate) fn the_palette_finds(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     tab.run("document.activeElement.blur();", Vec::new())?;
@@ -87,7 +87,7 @@ pub(crate) fn the_palette_finds(stage: &Stage<'_>) -> Worded {
 }
 
 /// A number takes the unit next to it, a comma is decimal in German, and another unit states the same value.
-pub(crate) fn numbers_and_units(stage: &Stage<'_>) -> Worded {
+pub(crate) fn numbers_and_units(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "de")?;
     stage.change("#f-mechanism-belt-mass", "17,5")?;
@@ -102,7 +102,7 @@ pub(crate) fn numbers_and_units(stage: &Stage<'_>) -> Worded {
 }
 
 /// A link opens the same state in a browser without stored data, for a project begun from a tile too.
-pub(crate) fn a_link_of_a_tile(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_link_of_a_tile(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("en")?;
     tab.click(".tiles li:nth-child(4) .tile")?;
@@ -128,7 +128,7 @@ pub(crate) fn a_link_of_a_tile(stage: &Stage<'_>) -> Worded {
 }
 
 /// Unsaved work is restored after a reload, and offered after a new start.
-pub(crate) fn unsaved_work_stays(stage: &Stage<'_>) -> Worded {
+pub(crate) fn unsaved_work_stays(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     stage.change("#f-mechanism-belt-mass", "39 kg")?;
@@ -145,7 +145,7 @@ pub(crate) fn unsaved_work_stays(stage: &Stage<'_>) -> Worded {
 
 /// The page reports a missing answer within seconds, and applies the values typed meanwhile once the connection is
 /// back.
-pub(crate) fn no_answer(stage: &Stage<'_>) -> Worded {
+pub(crate) fn no_answer(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     tab.offline(true)?;
@@ -159,7 +159,7 @@ pub(crate) fn no_answer(stage: &Stage<'_>) -> Worded {
 }
 
 /// File names as typed by users: a name in use is reported, a deleted file is written anew.
-pub(crate) fn names_of_files(stage: &Stage<'_>) -> Worded {
+pub(crate) fn names_of_files(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     tab.fill("#file", "my axis")?;
@@ -184,7 +184,7 @@ pub(crate) fn names_of_files(stage: &Stage<'_>) -> Worded {
 }
 
 /// Versions of the session restore an earlier state, and name their changes.
-pub(crate) fn versions(stage: &Stage<'_>) -> Worded {
+pub(crate) fn versions(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.value("#text")?;
@@ -197,7 +197,7 @@ pub(crate) fn versions(stage: &Stage<'_>) -> Worded {
 }
 
 /// The curves of a picture as computed.
-pub(crate) fn curves(stage: &Stage<'_>) -> Worded {
+pub(crate) fn curves(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "de")?;
     let script = "const body = new URLSearchParams(new FormData(document.querySelector('#state'))); \
@@ -217,7 +217,7 @@ pub(crate) fn curves(stage: &Stage<'_>) -> Worded {
 }
 
 /// A simulated scenario next to the sizing, and the signals of an encoder.
-pub(crate) fn the_twin(stage: &Stage<'_>) -> Worded {
+pub(crate) fn the_twin(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("table", "en")?;
     tab.click("#view-simulation")?;
@@ -232,7 +232,7 @@ pub(crate) fn the_twin(stage: &Stage<'_>) -> Worded {
 }
 
 /// Number of clicks and keys to a first answer: for a screw, an arm and a recording.
-pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
+pub(crate) fn actions_to_an_answer(stage: &OpenPage<'_>) -> Worded {
     const MOST: usize = 25;
     let tab = &stage.tab;
     // A selected field is overwritten: Tab leads to the next one.
@@ -283,7 +283,7 @@ pub(crate) fn actions_to_an_answer(stage: &Stage<'_>) -> Worded {
 }
 
 /// A fault is shown without moving the field being edited; if nothing fits, another gearing is proposed.
-pub(crate) fn faults_and_proposals(stage: &Stage<'_>) -> Worded {
+pub(crate) fn faults_and_proposals(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let top = "Math.round(document.querySelector('#f-mechanism-belt-mass').getBoundingClientRect().top)";

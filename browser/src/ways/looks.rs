@@ -1,10 +1,10 @@
 //! Scenarios of layout and accessibility.
 
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect, key};
 
 /// Narrow, common and wide windows, and double scale, without horizontal scrolling.
-pub(crate) fn widths(stage: &Stage<'_>) -> Worded {
+pub(crate) fn widths(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     for language in ["en", "de"] {
         for (width, height, scale) in [(375, 800, 1.0), (1280, 800, 1.0), (1920, 1080, 1.0), (640, 400, 2.0)] {
@@ -24,7 +24,7 @@ pub(crate) fn widths(stage: &Stage<'_>) -> Worded {
 }
 
 /// Accessibility of the start page, the main page, a fault, details, comparison and tools, in light and dark.
-pub(crate) fn accessibility(stage: &Stage<'_>) -> Worded {
+pub(crate) fn accessibility(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.sized(1280, 900, 1.0)?;
     stage.start("en")?;

@@ -1,14 +1,14 @@
 //! A server of another user on the same machine: at the same address, at another port.
 
 use crate::shell::Shell;
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect};
 use std::io::{BufRead, BufReader, Write};
 use std::net::TcpListener;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// A link and a redirect lead the browser to the other server; neither the request nor the page has the token.
-pub(crate) fn a_server_at_another_port_gets_no_token(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_server_at_another_port_gets_no_token(stage: &OpenPage<'_>) -> Worded {
     let Shell::Server { address, token, .. } = stage.shell else { return Ok(()) };
     let tab = &stage.tab;
     stage.start("en")?;

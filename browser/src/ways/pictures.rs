@@ -1,10 +1,10 @@
 //! Scenarios of the pictures and of the tools next to the project.
 
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect, key};
 
 /// Dragging the end of a segment is one undo step.
-pub(crate) fn an_end_is_pulled(stage: &Stage<'_>) -> Worded {
+pub(crate) fn an_end_is_pulled(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.value("#text")?;
@@ -21,7 +21,7 @@ pub(crate) fn an_end_is_pulled(stage: &Stage<'_>) -> Worded {
 }
 
 /// The end of a segment is moved by keys.
-pub(crate) fn an_end_is_pulled_by_keys(stage: &Stage<'_>) -> Worded {
+pub(crate) fn an_end_is_pulled_by_keys(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let spoken = "document.querySelector('#grip-1').getAttribute('aria-valuetext')";
@@ -34,7 +34,7 @@ pub(crate) fn an_end_is_pulled_by_keys(stage: &Stage<'_>) -> Worded {
 }
 
 /// The pictures over time are zoomed in and back to the whole.
-pub(crate) fn the_time_is_narrowed(stage: &Stage<'_>) -> Worded {
+pub(crate) fn the_time_is_narrowed(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let shown = "(() => { const plane = document.querySelector('#plot-cycle g.plane[data-x-max]').dataset; return plane.xMax - plane.xMin; })()";
@@ -46,7 +46,7 @@ pub(crate) fn the_time_is_narrowed(stage: &Stage<'_>) -> Worded {
 }
 
 /// A tolerance is entered next to its value.
-pub(crate) fn a_tolerance(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_tolerance(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let text = tab.value("#text")?;
@@ -56,7 +56,7 @@ pub(crate) fn a_tolerance(stage: &Stage<'_>) -> Worded {
 }
 
 /// A calculator answers while it is edited, and reports faults.
-pub(crate) fn a_calculator(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_calculator(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.open(&stage.shell.at("tool=torsion&lang=en"))?;
     tab.there("#tool #about")?;

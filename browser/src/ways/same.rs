@@ -1,6 +1,6 @@
 //! Comparison of the engine in the browser with the program: every word, and every number to twelve digits.
 
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect};
 use page::{Call, FileEntry, Folder, Method, SaveFault, Shell, Storage, respond};
 use project::{Files, NoFiles};
@@ -74,7 +74,7 @@ const ALONE: [&str; 8] = [
     "/nowhere?",
 ];
 
-pub(crate) fn same_answers(stage: &Stage<'_>) -> Worded {
+pub(crate) fn same_answers(stage: &OpenPage<'_>) -> Worded {
     stage.start("en")?;
     let mut asked = 0;
     for language in Language::ALL {
@@ -99,7 +99,7 @@ pub(crate) fn same_answers(stage: &Stage<'_>) -> Worded {
 }
 
 /// Sends a request to the engine and to the program, and compares the replies.
-fn same(stage: &Stage<'_>, path: &str, query: &str, text: Option<&str>) -> Worded {
+fn same(stage: &OpenPage<'_>, path: &str, query: &str, text: Option<&str>) -> Worded {
     let script = "const [path, query, text] = arguments_; \
         const reply = await fetch(path + '?' + query, text === null ? {} : { method: 'POST', headers: { 'content-type': 'application/toml' }, body: text }); \
         const bytes = new Uint8Array(await reply.arrayBuffer()); let packed = ''; \

@@ -4,7 +4,7 @@
 //! is reported. With `ANTRIEB_RENEW_SCREENS` set the small screenshots are written anew. The large ones are always
 //! written to `target/screens` for review.
 
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect, key};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -59,7 +59,7 @@ const STATES: [State; 12] = [
 ];
 
 /// Compares every state with its small screenshot.
-pub(crate) fn as_they_were(stage: &Stage<'_>) -> Worded {
+pub(crate) fn as_they_were(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     let (small, large) = (folder("browser/screens"), folder("target/screens"));
     fs::create_dir_all(&large).map_err(|error| error.to_string())?;
@@ -109,7 +109,7 @@ pub(crate) fn as_they_were(stage: &Stage<'_>) -> Worded {
 }
 
 /// Waits until no request is pending and the picture fills its pane.
-fn settled(stage: &Stage<'_>) -> Worded {
+fn settled(stage: &OpenPage<'_>) -> Worded {
     let quiet = "(() => { const figure = document.querySelector('#demands figure.plot'); const frame = figure?.querySelector('.frame'); \
         return !document.querySelector('.htmx-request') && (!frame || frame.clientWidth === 0 || Math.abs(frame.clientWidth - figure.dataset.width) < 8); })()";
     stage.tab.until(quiet)?;

@@ -1,7 +1,7 @@
 //! Times and transferred sizes; printed, and compared with their limits.
 
 use crate::shell::Shell;
-use crate::stage::Stage;
+use crate::stage::OpenPage;
 use crate::tab::{Worded, expect};
 use flate2::Compression;
 use flate2::write::GzEncoder;
@@ -13,7 +13,7 @@ const KEYS: usize = 40;
 /// Maximum size of the page, its style and scripts as packed by hosts \[bytes\].
 const WEIGHT_MOST: usize = 100_000;
 
-pub(crate) fn times(stage: &Stage<'_>) -> Worded {
+pub(crate) fn times(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     let address = stage.shell.at("new=table&lang=en");
     tab.open(&address)?;
@@ -44,7 +44,7 @@ pub(crate) fn times(stage: &Stage<'_>) -> Worded {
 }
 
 /// Measures a turntable with its bodies, stage and bearing, whose smooth moves cost more.
-pub(crate) fn times_of_a_table(stage: &Stage<'_>) -> Worded {
+pub(crate) fn times_of_a_table(stage: &OpenPage<'_>) -> Worded {
     stage.tab.open(&stage.shell.at("new=table&lang=en"))?;
     stage.ready()?;
     let (half, most) = keys(stage)?;
@@ -57,7 +57,7 @@ const FURTHER_MOST: usize = 10;
 
 /// Measures the time from a key in a field to the updated page: median and 95th percentile \[ms\]. Fails if the page
 /// requests more than the keys need.
-fn keys(stage: &Stage<'_>) -> Worded<(f64, f64)> {
+fn keys(stage: &OpenPage<'_>) -> Worded<(f64, f64)> {
     let script = "const field = document.querySelector('#f-load-inertia') ?? document.querySelector('#fields input'); const taken = []; let works = 0; \
         const count = (event) => { works += event.detail.ctx.request.action.endsWith('/work') ? 1 : 0; }; \
         addEventListener('htmx:before:request', count); \
@@ -95,7 +95,7 @@ fn median(values: &mut [f64]) -> f64 {
 
 /// Returns the packed size of the page, its style and its scripts; without the engine of the site, which
 /// `cargo xtask site` reports.
-fn weight(stage: &Stage<'_>) -> Worded<usize> {
+fn weight(stage: &OpenPage<'_>) -> Worded<usize> {
     let own: &[&str] = if matches!(stage.shell, Shell::Site { .. }) { &["site.js"] } else { &[] };
     let mut whole = 0;
     let mut add = |bytes: &[u8]| -> Worded {
@@ -125,7 +125,7 @@ const LONG: u32 = 100_000;
 const OWN_MOST: f64 = 16.0;
 
 /// A long recording: its numbers appear before its picture, and the instant moves through it with every frame.
-pub(crate) fn a_long_recording(stage: &Stage<'_>) -> Worded {
+pub(crate) fn a_long_recording(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     let folder = stage.shell.folder().ok_or("no folder")?;
     let row = |at: u32| {

@@ -1,7 +1,7 @@
 //! Records of `commission`.
 
 use crate::{CitedErratum, Fact, Fit, Id, Number, TableCell};
-use catalogue::{Signal, Step};
+use catalogue::{LifeStep, SignalWord};
 use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -206,7 +206,7 @@ pub struct OverloadTrip {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CommissionList {
     /// `before_power`, `first_motion` or `after_a_day`.
-    pub step: Id<Step>,
+    pub step: Id<LifeStep>,
     /// Title of the checklist.
     pub title: String,
     /// Entries of the checklist.
@@ -219,7 +219,7 @@ pub struct CommissionEntry {
     /// Identifier: of a fact, a value or a measurand.
     pub id: &'static str,
     /// Signal word; `null` if there is none.
-    pub signal: Option<Id<Signal>>,
+    pub signal: Option<Id<SignalWord>>,
     /// Action, setting or measurement.
     pub text: String,
     /// Expected value; `null` for an entry to tick.

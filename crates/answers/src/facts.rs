@@ -1,7 +1,7 @@
 //! Facts stated in prose by a source: hazards, rules, limits.
 
 use crate::{Id, Number};
-use catalogue::{Bound, Signal, Step};
+use catalogue::{Bound, LifeStep, SignalWord};
 use provenance::Grade;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -12,9 +12,9 @@ pub struct Fact {
     /// Id of the fact.
     pub id: &'static str,
     /// Signal word of ISO 3864-2 and ANSI Z535.6; `null` for a plain statement.
-    pub signal: Option<Id<Signal>>,
+    pub signal: Option<Id<SignalWord>>,
     /// Step of the work to which it applies; `null` if it always applies.
-    pub step: Option<Id<Step>>,
+    pub step: Option<Id<LifeStep>>,
     /// Text of the fact.
     pub text: &'static str,
     /// Figures in the text.

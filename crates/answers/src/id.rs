@@ -1,6 +1,6 @@
 //! Words of a fixed set in the form of data exchange.
 
-use catalogue::{Bound, Signal, Step};
+use catalogue::{Bound, LifeStep, SignalWord};
 use installation::wiring::{CableFor, CableRole, Circuit, Role, Severity, SignalGroup};
 use order_code::Field;
 use provenance::Grade;
@@ -73,8 +73,8 @@ identified! {
     Role as "ConnectorRole": &Role::ALL;
     Severity as "Severity": &Severity::ALL;
     Bound as "Bound": &Bound::ALL;
-    Signal as "Signal": &Signal::ALL;
-    Step as "Step": &Step::ALL;
+    SignalWord as "Signal": &SignalWord::ALL;
+    LifeStep as "Step": &LifeStep::ALL;
     CheckId as "CheckId": CheckId::ALL;
     EventKind as "EventKind": &EventKind::ALL;
     Loop as "Loop": &Loop::ALL;

@@ -5,7 +5,7 @@
 
 mod series;
 
-use series_files::{Cells, Data, Erratum, KEYS, value_of, variant_of};
+use series_files::{AllCells, Data, ErratumEntry, KEYS, value_of, variant_of};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -40,7 +40,7 @@ impl Numbered {
     }
 }
 
-fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
+fn records(out: &mut String, data: &Data, AllCells { cells, ranges }: &AllCells<'_>) {
     let opt = |text: &Option<String>| text.as_deref().unwrap_or("").to_owned();
     let (mut texts, mut errata) = (Numbered::default(), Numbered::default());
     let _ = writeln!(out, "pub(crate) static PACKED: &[Packed] = &[");
@@ -71,7 +71,7 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
     for list in &errata.kept {
         let _ = writeln!(out, "&{list},");
     }
-    let _ = writeln!(out, "];\npub(crate) static TABLES: &[Table] = &[");
+    let _ = writeln!(out, "];\npub(crate) static TABLES: &[ManualTable] = &[");
     for (number, (table, (first, end))) in data.tables.iter().zip(ranges).enumerate() {
         let notes: Vec<String> = table
             .footnotes
@@ -95,7 +95,7 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
             .collect();
         let _ = writeln!(
             out,
-            "Table {{ id: {:?}, section: {:?}, page: {}, title_en: {:?}, title_de: {:?}, source: {:?}, footnotes: &[{}], \
+            "ManualTable {{ id: {:?}, section: {:?}, page: {}, title_en: {:?}, title_de: {:?}, source: {:?}, footnotes: &[{}], \
              row_notes: &[{}], number: {number}, first: {first}, end: {end} }},",
             table.table,
             opt(&table.section),
@@ -134,7 +134,7 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
             erratum.evidence_de,
         );
     }
-    let _ = writeln!(out, "];\npub(crate) static SOURCES: &[Document] = &[");
+    let _ = writeln!(out, "];\npub(crate) static SOURCES: &[SourceDocument] = &[");
     for source in &data.sources {
         let _ = writeln!(out, "{source:?},");
     }
@@ -146,11 +146,11 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
     for text in &data.texts {
         let _ = writeln!(out, "({:?}, {:?}),", text.printed, text.en);
     }
-    let _ = writeln!(out, "];\npub(crate) static WORDS: &[Word] = &[");
+    let _ = writeln!(out, "];\npub(crate) static WORDS: &[ProductWord] = &[");
     for word in &data.words {
         let _ = writeln!(
             out,
-            "Word {{ id: {:?}, en: {:?}, de: {:?}, about_en: {:?}, about_de: {:?}, not_en: &{:?}, not_de: &{:?} }},",
+            "ProductWord {{ id: {:?}, en: {:?}, de: {:?}, about_en: {:?}, about_de: {:?}, not_en: &{:?}, not_de: &{:?} }},",
             word.id, word.en, word.de, word.about_en, word.about_de, word.not_en, word.not_de,
         );
     }
@@ -158,11 +158,11 @@ fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
 }
 
 /// Returns the words of a field in the codes that an erratum concerns; empty if the field is open.
-fn concerned<'e>(erratum: &'e Erratum, field: &str) -> &'e [String] {
+fn concerned<'e>(erratum: &'e ErratumEntry, field: &str) -> &'e [String] {
     erratum.concerns.get(field).map_or(&[], Vec::as_slice)
 }
 
 /// Returns the place of an erratum in words, from the keys of its cell.
-fn place_of(erratum: &Erratum) -> String {
+fn place_of(erratum: &ErratumEntry) -> String {
     KEYS.iter().filter_map(|key| erratum.cell.get(*key)).cloned().collect::<Vec<_>>().join(", ")
 }

@@ -94,7 +94,7 @@ impl Writer<'_> {
         let heads = self.code.drives.iter().flat_map(|drive| drive.heads.iter().map(move |head| (drive, head)));
         let record = heads.map(|(drive, head)| {
             format!(
-                "Head {{ name: {head:?}, size: {}, windings: &[{}], feedbacks: &[{}] }}",
+                "DriveHead {{ name: {head:?}, size: {}, windings: &[{}], feedbacks: &[{}] }}",
                 self.value("size", "Size", self.code.size_of(head).unwrap_or_default()),
                 self.values("winding", "Winding", &drive.windings),
                 self.values("feedback", "Feedback", &drive.feedbacks),

@@ -1,7 +1,7 @@
 //! Drives that head tables of the manual, and typed access to their values.
 
-use crate::record::{Cell, Table};
-use crate::series::{Head, SeriesData, winding_data};
+use crate::record::{Cell, ManualTable};
+use crate::series::{DriveHead, SeriesData, winding_data};
 use order_code::{Feedback, Ratio, Size, Winding};
 use provenance::Datum;
 use quantities::{Measure, Unit};
@@ -31,7 +31,7 @@ struct Printed {
 
 static DRIVES: LazyLock<Vec<Drive>> = LazyLock::new(|| {
     let heads = crate::series().iter().flat_map(|series| series.drives);
-    let drive = |head: &Head| Drive {
+    let drive = |head: &DriveHead| Drive {
         name: head.name,
         size: head.size,
         windings: head.windings,
@@ -152,8 +152,8 @@ static SIZE_CELLS: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLo
     let mut by_symbol: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
     for series in crate::series() {
         let of_series =
-            |table: &&Table| table.source == series.manual && SeriesData::begins(series.by_size, table.section);
-        for cell in crate::tables().iter().filter(of_series).flat_map(Table::cells) {
+            |table: &&ManualTable| table.source == series.manual && SeriesData::begins(series.by_size, table.section);
+        for cell in crate::tables().iter().filter(of_series).flat_map(ManualTable::cells) {
             by_symbol.entry(cell.place.symbol).or_default().push(cell);
         }
     }
@@ -199,7 +199,7 @@ pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Rati
 
 /// Sections of ordering are named in full, those of wiring by their beginning: the number of a chapter is a prefix of
 /// others.
-fn is_ordering_or_wiring(table: &Table, series: &SeriesData) -> bool {
+fn is_ordering_or_wiring(table: &ManualTable, series: &SeriesData) -> bool {
     series.ordering.iter().any(|section| match section.contains('.') {
         true => table.section.starts_with(section),
         false => table.section == *section,

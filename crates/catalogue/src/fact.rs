@@ -18,9 +18,9 @@ pub struct Fact {
     /// Answers that show it.
     pub topics: &'static [Topic],
     /// Signal word; `None` for a plain statement.
-    pub signal: Option<Signal>,
+    pub signal: Option<SignalWord>,
     /// Step of the checklist that contains it.
-    pub step: Option<Step>,
+    pub step: Option<LifeStep>,
     /// Codes for which it holds.
     pub holds_for: HoldsFor,
     /// Figures of the statement, in machine form.
@@ -105,7 +105,7 @@ identified! {
 identified! {
     /// Signal words of ISO 3864-2 and ANSI Z535.6, most severe first.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-    pub enum Signal {
+    pub enum SignalWord {
         /// Death or serious injury will occur.
         Danger = "danger",
         /// Death or serious injury may occur.
@@ -122,7 +122,7 @@ identified! {
 identified! {
     /// Step in the life of a machine at which a fact matters, in order.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-    pub enum Step {
+    pub enum LifeStep {
         /// Transport and storage.
         Transport = "transport",
         /// Mounting in the machine.

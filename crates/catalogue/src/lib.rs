@@ -14,17 +14,17 @@ mod record;
 mod series;
 
 pub use drive::{Drive, cells_about, datum_of, drive, drives, size_cell};
-pub use fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
+pub use fact::{Bound, Fact, FactValue, HoldsFor, LifeStep, SignalWord, Topic};
 pub use provenance::Value;
-pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Word};
+pub use record::{Cell, Erratum, ErratumKind, Footnote, ManualTable, ProductWord, SourceDocument, Term};
 pub use series::{
-    Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables, leads_out_kty, leads_out_ptc, winding_data,
+    DriveHead, Mark, MarkEntry, SeriesData, WindingData, WiringTables, leads_out_kty, leads_out_ptc, winding_data,
 };
 
 mod embedded {
-    use crate::fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
-    use crate::record::{Document, Erratum, ErratumKind, Footnote, Packed, Table, Term, Word};
-    use crate::series::{Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables};
+    use crate::fact::{Bound, Fact, FactValue, HoldsFor, LifeStep, SignalWord, Topic};
+    use crate::record::{Erratum, ErratumKind, Footnote, ManualTable, Packed, ProductWord, SourceDocument, Term};
+    use crate::series::{DriveHead, Mark, MarkEntry, SeriesData, WindingData, WiringTables};
     use provenance::Value;
     include!(concat!(env!("OUT_DIR"), "/data.rs"));
 }
@@ -41,9 +41,9 @@ pub struct Further {
     /// Cells of the tables.
     pub cells: Vec<Cell>,
     /// Tables, whose `number` counts them and whose `first` and `end` count these cells.
-    pub tables: Vec<Table>,
+    pub tables: Vec<ManualTable>,
     /// Documents that contain the tables.
-    pub documents: Vec<Document>,
+    pub documents: Vec<SourceDocument>,
     /// A record for each series, in the order of their grammars.
     pub series: Vec<SeriesData>,
 }
@@ -54,7 +54,7 @@ pub struct Further {
 /// # Errors
 /// The series, if others were added before.
 pub fn extend(further: Further) -> Result<(), Box<Further>> {
-    let moved = |table: &Table| Table { number: table.number + CELLS.len(), ..*table };
+    let moved = |table: &ManualTable| ManualTable { number: table.number + CELLS.len(), ..*table };
     let joined = Further {
         cells: further.cells.clone(),
         tables: embedded::TABLES.iter().copied().chain(further.tables.iter().map(moved)).collect(),
@@ -72,11 +72,11 @@ pub fn series() -> &'static [SeriesData] {
 
 /// Returns every cell of every table, in the order of the tables, rows and columns.
 pub fn cells() -> impl Iterator<Item = &'static Cell> {
-    tables().iter().flat_map(Table::cells)
+    tables().iter().flat_map(ManualTable::cells)
 }
 
 /// Returns the cells of one table.
-fn cells_of(table: &Table) -> &'static [Cell] {
+fn cells_of(table: &ManualTable) -> &'static [Cell] {
     let within = table.first..table.end;
     match CELLS.get(table.number) {
         Some(cells) => cells.get_or_init(|| {
@@ -89,15 +89,15 @@ fn cells_of(table: &Table) -> &'static [Cell] {
 
 /// Returns every table, the manual's first, in the order of their numbers.
 #[must_use]
-pub fn tables() -> &'static [Table] {
+pub fn tables() -> &'static [ManualTable] {
     EXTENDED.get().map_or(embedded::TABLES, |all| &all.tables)
 }
 
 /// Returns the table with this number, e.g. `26.1`.
 #[must_use]
-pub fn table(id: &str) -> Option<&'static Table> {
+pub fn table(id: &str) -> Option<&'static ManualTable> {
     // Looked up some thousand times when the parameters of the actuators are read.
-    static BY_ID: LazyLock<BTreeMap<&str, &Table>> =
+    static BY_ID: LazyLock<BTreeMap<&str, &ManualTable>> =
         LazyLock::new(|| embedded::TABLES.iter().rev().map(|table| (table.id, table)).collect());
     match EXTENDED.get() {
         Some(all) => all.tables.iter().find(|table| table.id == id),
@@ -114,7 +114,7 @@ pub fn errata() -> &'static [Erratum] {
 /// Returns the cells of a table; empty if there is no such table.
 #[must_use]
 pub fn table_cells(id: &str) -> &'static [Cell] {
-    table(id).map(Table::cells).unwrap_or_default()
+    table(id).map(ManualTable::cells).unwrap_or_default()
 }
 
 /// Returns the first cell of a table with this symbol.
@@ -143,19 +143,19 @@ pub fn term(symbol: &str) -> Option<&'static Term> {
 
 /// Returns the words of the product: one term per thing, in both languages.
 #[must_use]
-pub fn words() -> &'static [Word] {
+pub fn words() -> &'static [ProductWord] {
     embedded::WORDS
 }
 
 /// Returns every document that a number comes from.
 #[must_use]
-pub fn documents() -> &'static [Document] {
+pub fn documents() -> &'static [SourceDocument] {
     EXTENDED.get().map_or(embedded::SOURCES, |all| &all.documents)
 }
 
 /// Returns the document with this identifier.
 #[must_use]
-pub fn document(id: &str) -> Option<&'static Document> {
+pub fn document(id: &str) -> Option<&'static SourceDocument> {
     documents().iter().find(|document| document.id == id)
 }
 

@@ -132,7 +132,7 @@ pub struct Footnote {
 
 /// One table of the manual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Table {
+pub struct ManualTable {
     /// Number after errata, or the file's name for tables of other sources.
     pub id: &'static str,
     /// Section of the manual; empty for other sources.
@@ -157,7 +157,7 @@ pub struct Table {
     pub end: usize,
 }
 
-impl Table {
+impl ManualTable {
     /// Returns the cells of this table.
     #[must_use]
     pub fn cells(&self) -> &'static [Cell] {
@@ -264,7 +264,7 @@ impl Erratum {
 
 /// A document that a number comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Document {
+pub struct SourceDocument {
     /// Identifier.
     pub id: &'static str,
     /// Short name under which texts cite it, in English; unique, and never part of another one.
@@ -310,7 +310,7 @@ pub struct Term {
 
 /// A word of the product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Word {
+pub struct ProductWord {
     /// Identifier.
     pub id: &'static str,
     /// English word.

@@ -45,7 +45,7 @@ pub struct SeriesData {
     /// Table of each feedback, in the order of its words; empty: none.
     pub feedback_tables: &'static [&'static str],
     /// Headings of the drives.
-    pub drives: &'static [Head],
+    pub drives: &'static [DriveHead],
     /// Tables of connectors.
     pub wirings: &'static [WiringTables],
 }
@@ -93,7 +93,7 @@ pub struct WindingData {
 
 /// A drive that heads tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Head {
+pub struct DriveHead {
     /// Heading.
     pub name: &'static str,
     /// Frame size.

@@ -9,7 +9,7 @@ use words::file_trouble;
 
 /// Answer of a command.
 #[derive(Debug, Default)]
-pub(crate) struct Answer {
+pub(crate) struct CommandAnswer {
     /// Text for stdout.
     pub(crate) data: String,
     /// Messages for stderr.
@@ -56,7 +56,7 @@ fn pieces(mut rest: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-impl Answer {
+impl CommandAnswer {
     pub(crate) fn none() -> Self {
         Self::default()
     }

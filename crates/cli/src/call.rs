@@ -1,6 +1,6 @@
 //! A call of a command as a question: its files are read, its arguments become texts for the list.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::fault::memory;
 use crate::layout::Layout;
 use crate::save::{Saver, not_to_stdout};
@@ -10,7 +10,7 @@ use clap::ArgMatches;
 use clap::parser::ValueSource;
 use project::Project;
 use quantities::Language;
-use questions::list::{Argument, ArgumentKind, Asked, Entry, Form, Given, LIST, Reads, Unanswered, bounded};
+use questions::list::{Argument, ArgumentForm, ArgumentKind, Asked, Entry, Given, LIST, Reads, Unanswered, bounded};
 use questions::read_code;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -43,11 +43,11 @@ pub fn named_file(value: &str) -> String {
 }
 
 /// Layout of the answer to a question on the terminal.
-pub(crate) type Show = fn(&Call<'_>, &Asked<'_>) -> Result<Answer, Unanswered>;
+pub(crate) type Show = fn(&Call<'_>, &Asked<'_>) -> Result<CommandAnswer, Unanswered>;
 
 /// Answers a question of the list: as a record, or in the layout of the terminal.
-pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Answer, Unanswered> {
-    let Some((command, mut found)) = matches.subcommand() else { return Ok(Answer::none()) };
+pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<CommandAnswer, Unanswered> {
+    let Some((command, mut found)) = matches.subcommand() else { return Ok(CommandAnswer::none()) };
     let mut command = command.to_owned();
     while let Some((below, matches)) = found.subcommand() {
         command = format!("{command} {below}");
@@ -55,7 +55,7 @@ pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) ->
     }
     let is_given = |option: &str| found.try_contains_id(option).unwrap_or(false);
     let mut entries = LIST.iter().copied().filter(|entry| entry.command() == command);
-    let Some(first) = entries.next() else { return Ok(Answer::none()) };
+    let Some(first) = entries.next() else { return Ok(CommandAnswer::none()) };
     let other = entries.find(|entry| entry.reads != Reads::Nothing && entry.option().is_some_and(is_given));
     let entry = other.unwrap_or(first);
     // A file that cannot be written is reported before anything is read.
@@ -72,12 +72,12 @@ pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) ->
         Some(layout) if !is_record => (layout.show)(&call, &asked)?,
         _ => call.record(&asked)?,
     };
-    Ok(Answer { talk: call.understood(&asked) + &shown.talk, ..shown })
+    Ok(CommandAnswer { talk: call.understood(&asked) + &shown.talk, ..shown })
 }
 
 /// Returns an answer of the list.
-fn record(answer: &questions::list::Answer) -> Answer {
-    Answer { talk: answer.remarks.clone(), ..Answer::data(answer.text.clone()) }.fits(answer.fits)
+fn record(answer: &questions::list::Answer) -> CommandAnswer {
+    CommandAnswer { talk: answer.remarks.clone(), ..CommandAnswer::data(answer.text.clone()) }.fits(answer.fits)
 }
 
 /// Reads the files that a question is about.
@@ -125,8 +125,8 @@ impl Call<'_> {
                     pairs.extend(values.iter().map(|value| (argument.name.into(), named_file(value).into())));
                 }
                 (ArgumentKind::Flag, _) => pairs.push((argument.name.into(), "true".into())),
-                (_, Form::Words) => pairs.push((argument.name.into(), values.join(" ").into())),
-                (_, Form::Option | Form::Bare | Form::Each) => {
+                (_, ArgumentForm::Words) => pairs.push((argument.name.into(), values.join(" ").into())),
+                (_, ArgumentForm::Option | ArgumentForm::Bare | ArgumentForm::Each) => {
                     pairs.extend(values.into_iter().map(|value| (argument.name.into(), value.into())));
                 }
             }
@@ -155,9 +155,9 @@ impl Call<'_> {
     }
 
     /// Returns the answer as a record.
-    pub(crate) fn record(&self, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    pub(crate) fn record(&self, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
         let answer = self.entry.answer.map(|answer| answer(asked)).transpose()?;
-        Ok(answer.as_ref().map_or_else(Answer::none, record))
+        Ok(answer.as_ref().map_or_else(CommandAnswer::none, record))
     }
 
     /// Returns the text of an option.

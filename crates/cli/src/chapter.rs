@@ -1,10 +1,10 @@
 //! `curve`, `bearing`, `battery`, `new`: commands whose answer is one chapter.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::plot;
-use crate::table::{Align, Table, labelled};
+use crate::table::{Align, TextTable, labelled};
 use answers::FilesWritten;
 use order_code::Size;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
@@ -17,7 +17,7 @@ use std::path::Path;
 use words::{curve_title, grade_word, source_text, terminal, terms, title_of_check};
 
 /// `antrieb curve CODE`
-pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     if plot::is_asked(call) {
         plot::destination(call, &[], None)?;
@@ -38,7 +38,7 @@ pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
             source_text(&curve.source, language)
         ));
         let (speed, torque, upper) = ("n min⁻¹", "T Nm", terminal::up_to_nm(language));
-        let mut table = Table::new([(speed, Align::Right), (torque, Align::Right), (upper, Align::Right)]);
+        let mut table = TextTable::new([(speed, Align::Right), (torque, Align::Right), (upper, Align::Right)]);
         let shown = |value: f64| format_significant(value, 4, language);
         let newton_metres =
             |torque: Option<Torque>| torque.map_or_else(|| "–".into(), |torque| shown(torque.in_unit(&NEWTON_METRE)));
@@ -47,11 +47,11 @@ pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         }
         out.push_str(&table.render());
     }
-    Ok(Answer::data(out))
+    Ok(CommandAnswer::data(out))
 }
 
 /// `antrieb bearing PROJECT`
-pub(crate) fn bearing(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn bearing(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = bearing::Args::read(&asked.given)?;
     let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
@@ -59,11 +59,11 @@ pub(crate) fn bearing(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unan
         let sizes = bearing::sizes(project, asked.patience, language)?;
         Ok((bearing_text(&sizes, language), bearing::fits(&sizes)))
     })?;
-    Ok(Answer::of_axes(found))
+    Ok(CommandAnswer::of_axes(found))
 }
 
 fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         (terminal::size(language), Align::Left),
         (terms::check(language), Align::Left),
         (terms::verdict(language), Align::Left),
@@ -94,8 +94,8 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
 }
 
 /// `antrieb battery`
-pub(crate) fn battery(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
-    Ok(Answer::lines(&battery_lines(&battery::found(asked)?, call.language)))
+pub(crate) fn battery(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+    Ok(CommandAnswer::lines(&battery_lines(&battery::found(asked)?, call.language)))
 }
 
 /// Returns `true` if there is something at a path other than the recording of a template, in any language.
@@ -108,14 +108,14 @@ fn is_of_the_user(path: &Path, kind: &str) -> bool {
 }
 
 /// `antrieb new KIND`
-pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let out = call.file("out");
     let name = out.and_then(Path::file_name);
     let name = name.map_or_else(|| new::USUAL_NAME.to_owned(), |name| path_text(Path::new(name)));
     let template = new::found(asked, &name)?;
     let Some(out) = out else {
-        let mut answer = Answer::data(template.text);
+        let mut answer = CommandAnswer::data(template.text);
         if let Some((recording, _)) = template.recording {
             let kind = call.text("kind").unwrap_or_default();
             answer.talk = format!("{}\n", terminal::recording_not_written(&recording, &kind, language));
@@ -134,7 +134,7 @@ pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     call.saver(&[]).save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
-        return Ok(Answer::record(&FilesWritten { files: paths }));
+        return Ok(CommandAnswer::record(&FilesWritten { files: paths }));
     }
-    Ok(Answer::lines(&paths))
+    Ok(CommandAnswer::lines(&paths))
 }

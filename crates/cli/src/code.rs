@@ -1,8 +1,8 @@
 //! `code parse|list|complete`.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, TextTable, paragraph};
 use order_code::OrderCode;
 use quantities::Language;
 use questions::list::code_list::Availability;
@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use words::{describe_field, describe_uncovered, terminal, terms};
 
 /// `antrieb code parse CODE`
-pub(crate) fn parse(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn parse(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let reading = code_parse::reading(asked)?;
     let mut data = format!("{}\n", reading.parsed.code);
@@ -25,7 +25,7 @@ pub(crate) fn parse(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     };
     let _ = writeln!(data, "{state}\n");
     let (field, token, meaning) = (terminal::field(language), terminal::token(language), terminal::meaning(language));
-    let mut table = Table::new([(field, Align::Left), (token, Align::Left), (meaning, Align::Left)]);
+    let mut table = TextTable::new([(field, Align::Left), (token, Align::Left), (meaning, Align::Left)]);
     for (each, token, meaning) in questions::list::code_parse::explain_code(&reading.parsed.code, language) {
         let token = if token.is_empty() { "–".to_owned() } else { token };
         table.row([describe_field(each, language).to_owned(), token, meaning]);
@@ -37,16 +37,16 @@ pub(crate) fn parse(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         }
         data.push_str(&paragraph("", &describe_uncovered(what, language)));
     }
-    Ok(Answer::data(data))
+    Ok(CommandAnswer::data(data))
 }
 
 /// `antrieb code list [PATTERN]`
-pub(crate) fn list(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn list(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let codes = code_list::Args::read(&asked.given)?.codes();
     let available = codes.iter().filter(|(_, found)| found.is_available()).count();
     let talk = terminal::codes_counted(&codes.len(), &available, &(codes.len() - available), language) + "\n";
-    Ok(Answer { talk, ..Answer::data(listed(&codes, language)) }.fits(!codes.is_empty()))
+    Ok(CommandAnswer { talk, ..CommandAnswer::data(listed(&codes, language)) }.fits(!codes.is_empty()))
 }
 
 /// Lists codes, a line each; those available on request only are marked.
@@ -58,14 +58,14 @@ fn listed(codes: &[&(OrderCode, Availability)], language: Language) -> String {
 }
 
 /// `antrieb code complete CODE`
-pub(crate) fn complete(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn complete(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let pattern = code_complete::pattern_of(&asked.given)?;
     let codes = questions::list::code_list::list_codes(Some(&pattern));
     let choices = questions::list::code_complete::completion(&pattern, language);
     let (field, may) = (terminal::field(language), terminal::may_be(language));
     let none = terminal::nothing(language);
-    let mut table = Table::new([(field, Align::Left), (may, Align::Left)]);
+    let mut table = TextTable::new([(field, Align::Left), (may, Align::Left)]);
     for (_, name, found) in &choices {
         let tokens: Vec<String> = found
             .iter()
@@ -78,5 +78,5 @@ pub(crate) fn complete(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     }
     let data = format!("{}\n{}", table.render(), listed(&codes, language));
     let talk = terminal::codes(codes.len(), language) + "\n";
-    Ok(Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty()))
+    Ok(CommandAnswer { talk, ..CommandAnswer::data(data) }.fits(!codes.is_empty()))
 }

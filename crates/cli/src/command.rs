@@ -1,6 +1,6 @@
 //! The commands and their help, in English and German.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use clap::builder::{PossibleValuesParser, Styles};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use quantities::Language;
@@ -225,18 +225,18 @@ fn of_this_face(root: Command, language: Language) -> Command {
 }
 
 /// Returns the completion script of a shell.
-pub(crate) fn completions(matches: &ArgMatches, language: Language) -> Answer {
+pub(crate) fn completions(matches: &ArgMatches, language: Language) -> CommandAnswer {
     let mut out = Vec::new();
     let mut command = build(language);
     let shell = matches.get_one::<String>("shell").and_then(|name| name.parse::<clap_complete::Shell>().ok());
     if let Some(shell) = shell {
         clap_complete::generate(shell, &mut command, NAME, &mut out);
     }
-    Answer::data(String::from_utf8_lossy(&out).into_owned())
+    CommandAnswer::data(String::from_utf8_lossy(&out).into_owned())
 }
 
 /// Returns a manual page.
-pub(crate) fn man(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
+pub(crate) fn man(matches: &ArgMatches, language: Language) -> Result<CommandAnswer, Unanswered> {
     let mut whole = build(language);
     whole.build();
     let wanted = matches.get_one::<String>("command");
@@ -250,7 +250,7 @@ pub(crate) fn man(matches: &ArgMatches, language: Language) -> Result<Answer, Un
     };
     let mut out = Vec::new();
     clap_mangen::Man::new(page).render(&mut out).map_err(|error| Unanswered::message(error.to_string()))?;
-    Ok(Answer::data(library::headings(&String::from_utf8_lossy(&out), language)))
+    Ok(CommandAnswer::data(library::headings(&String::from_utf8_lossy(&out), language)))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 mod recorded;
 
-use crate::answer::{Answer, written};
+use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out;
@@ -20,7 +20,7 @@ use words::describe_uncovered;
 pub(crate) use recorded::recorded;
 
 /// `antrieb commission CODE`
-pub(crate) fn commission(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn commission(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = commission::Args::read(&asked.given)?;
     let about = commission::about(&args.code)?;
@@ -55,11 +55,11 @@ pub(crate) fn commission(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, U
     for text in uncovered.collect::<Vec<_>>().into_iter().rev() {
         chapter.blocks.insert(0, Block::Text { text });
     }
-    Ok(Answer::data(laid_out::shown(&chapter, language)))
+    Ok(CommandAnswer::data(laid_out::shown(&chapter, language)))
 }
 
 /// Writes the requested files, all or none.
-fn write(files: &[(&Path, Vec<u8>)], code: &OrderCode, call: &Call<'_>) -> Result<Answer, Unanswered> {
+fn write(files: &[(&Path, Vec<u8>)], code: &OrderCode, call: &Call<'_>) -> Result<CommandAnswer, Unanswered> {
     let to_write: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (*path, bytes.as_slice())).collect();
     call.saver(&[]).save(&to_write)?;
     let code = code.to_string();
@@ -68,9 +68,9 @@ fn write(files: &[(&Path, Vec<u8>)], code: &OrderCode, call: &Call<'_>) -> Resul
         .map(|(path, bytes)| CommissionWritten { file: path_text(path), code: code.clone(), bytes: bytes.len() })
         .collect();
     if call.as_json {
-        return Ok(Answer::record(&records));
+        return Ok(CommandAnswer::record(&records));
     }
-    Ok(Answer::data(records.iter().map(|each| format!("{}: {}\n", each.file, each.code)).collect()))
+    Ok(CommandAnswer::data(records.iter().map(|each| format!("{}: {}\n", each.file, each.code)).collect()))
 }
 
 fn lists_as_pdf(file: &Path, sheet: &Commissioning, language: Language) -> Result<Vec<u8>, Unanswered> {

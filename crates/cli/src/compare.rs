@@ -1,8 +1,8 @@
 //! `compare`: comparison of several actuators.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, TextTable, paragraph};
 use project::Project;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
@@ -19,14 +19,14 @@ use words::{
 const BESIDE: usize = 3;
 
 /// `antrieb compare PROJECT --code A --code B`
-pub(crate) fn compare(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn compare(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let (args, axes) = compare::put(asked)?;
     let found = asked.each(&axes, |project| {
         let found = args.comparison(project, asked)?;
         Ok((text(&found, project, language), found.candidates.iter().any(Candidate::fits)))
     })?;
-    Ok(Answer::of_axes(found))
+    Ok(CommandAnswer::of_axes(found))
 }
 
 fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String {
@@ -92,7 +92,7 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
         heads.push((format!("{letter} {}", terms::value(language)), Align::Right));
         heads.push((format!("{letter} {}  ", terms::utilisation_short(language)), Align::Right));
     }
-    let mut table = Table::new(heads);
+    let mut table = TextTable::new(heads);
     for row in &found.checks {
         let unit = row.checks.iter().flatten().find_map(|check: &Check| check.value.or(check.limit));
         let mut cells = vec![check_title(row.id, language), unit_text(unit, language).to_owned()];
@@ -115,7 +115,7 @@ fn figures(found: &Comparison<'_>, language: Language) -> String {
     let mut heads =
         vec![(terminal::figure(language).to_owned(), Align::Left), (terms::unit(language).to_owned(), Align::Left)];
     heads.extend((0..found.candidates.len()).map(|index| (letter(index).to_string(), Align::Right)));
-    let mut table = Table::new(heads);
+    let mut table = TextTable::new(heads);
     for row in found.demand.iter().chain(&found.data) {
         let mut cells = names(row, language).to_vec();
         let marked = |(place, value): (usize, &Option<f64>)| marked(shown(*value, language), row.errata_of(place));

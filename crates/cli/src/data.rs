@@ -1,8 +1,8 @@
 //! `data` and `catalogue export`.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::table::{Align, Table, labelled, paragraph};
+use crate::table::{Align, TextTable, labelled, paragraph};
 use quantities::{Language, Unit};
 use questions::answer::sheet_note_text;
 use questions::list::data::{Sheet, SheetMarks, SheetNote, SheetSection};
@@ -11,9 +11,9 @@ use std::fmt::Write as _;
 use words::{condition_text, describe_uncovered, evidence_text, row_sign, symbol_term, table_title, terminal, terms};
 
 /// `antrieb data CODE`
-pub(crate) fn sheet(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn sheet(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    Ok(Answer::data(sheet_text(&data::found(asked)?, language)))
+    Ok(CommandAnswer::data(sheet_text(&data::found(asked)?, language)))
 }
 
 fn sheet_text(sheet: &Sheet, language: Language) -> String {
@@ -42,7 +42,7 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
     let title = table_title(section.table, language);
     let _ = writeln!(out, "\n{title} ({} {})", terminal::table(language), section.table.id);
     let heads = [terminal::symbol(language), terms::value(language), terms::unit(language), terminal::name(language)];
-    let mut table = Table::new(heads.map(|head| (head, Align::Left)));
+    let mut table = TextTable::new(heads.map(|head| (head, Align::Left)));
     let mut notes = SheetMarks::default();
     for row in &section.rows {
         let cell = row.cell;
@@ -83,15 +83,15 @@ fn by(note: &SheetNote) -> String {
 }
 
 /// `antrieb torsion CODE --torque "60 N m"`
-pub(crate) fn torsion(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn torsion(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let (code, found) = torsion::found(asked)?;
-    Ok(Answer::lines(&questions::texts::torsion_lines(&code, &found, call.language)))
+    Ok(CommandAnswer::lines(&questions::texts::torsion_lines(&code, &found, call.language)))
 }
 
 /// `antrieb catalogue export`
-pub(crate) fn catalogue(call: &Call<'_>, _: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn catalogue(call: &Call<'_>, _: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     if call.text("format") == Some("json") {
-        return Ok(Answer::record(&questions::answer::catalogue_cells()));
+        return Ok(CommandAnswer::record(&questions::answer::catalogue_cells()));
     }
-    Ok(Answer::data(questions::list::catalogue::export_csv()))
+    Ok(CommandAnswer::data(questions::list::catalogue::export_csv()))
 }

@@ -1,9 +1,9 @@
 //! `diff`: effect of another revision of a project on an actuator.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::compare::{names, shown, verdict};
-use crate::table::{Align, Table, labelled};
+use crate::table::{Align, TextTable, labelled};
 use project::InputChange;
 use quantities::{Language, format_number};
 use questions::list::diff::{CheckChange, Difference, revisions};
@@ -14,12 +14,12 @@ use std::fmt::Write as _;
 use words::{check_title, terminal, terms};
 
 /// `antrieb diff OLD NEW`
-pub(crate) fn diff(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn diff(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let found = revisions(asked)?;
     let texts =
         found.each(asked, |name, changed, inputs| (text(changed, name, inputs, language), changed.after.fits()))?;
-    Ok(Answer { talk: found.unpaired(asked), ..Answer::of_axes(texts) })
+    Ok(CommandAnswer { talk: found.unpaired(asked), ..CommandAnswer::of_axes(texts) })
 }
 
 fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: Language) -> String {
@@ -57,7 +57,7 @@ fn changed_inputs(inputs: &[InputChange], language: Language) -> String {
     if inputs.is_empty() {
         return format!("{}\n\n", terminal::no_input_changed(language));
     }
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         (terminal::input(language), Align::Left),
         (terminal::before(language), Align::Left),
         (terminal::after(language), Align::Left),
@@ -74,7 +74,7 @@ fn demand(found: &Difference<'_>, language: Language) -> String {
     if rows.is_empty() {
         return format!("{}\n\n", terminal::same_demand(language));
     }
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         (terms::demand(language), Align::Left),
         (terms::unit(language), Align::Left),
         (terminal::before(language), Align::Right),
@@ -94,7 +94,7 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
     if !other.is_empty() {
         let (before, after) = (terminal::before(language), terminal::after(language));
         let [before_percent, after_percent] = [before, after].map(|word| format!("{word} %"));
-        let mut table = Table::new([
+        let mut table = TextTable::new([
             (terms::check(language), Align::Left),
             (terms::verdict(language), Align::Left),
             (before, Align::Right),

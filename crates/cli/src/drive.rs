@@ -1,6 +1,6 @@
 //! `drive`: the virtual drive of a code.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::fault::memory;
 use crate::source::SourceFile;
 use crate::waiting::patience;
@@ -25,7 +25,7 @@ const fn usual_port(protocol: DriveProtocol) -> u16 {
 }
 
 /// `antrieb drive CODE`
-pub(crate) fn drive(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
+pub(crate) fn drive(matches: &ArgMatches, language: Language) -> Result<CommandAnswer, Unanswered> {
     let word = |name: &str| matches.get_one::<String>(name).map(String::as_str);
     let written: Vec<&str> = matches.get_many::<String>("code").into_iter().flatten().map(String::as_str).collect();
     let text = written.join(" ");
@@ -43,7 +43,7 @@ pub(crate) fn drive(matches: &ArgMatches, language: Language) -> Result<Answer, 
     let seed = matches.get_one::<u32>("seed").copied().unwrap_or(0);
     if matches.get_flag("eds") {
         let sheet = with_drive(&project, &code, (node, seed), language, |drive| eds(&drive, &code, node, language))?;
-        return Ok(Answer::data(sheet));
+        return Ok(CommandAnswer::data(sheet));
     }
     let protocol = word("protocol").and_then(DriveProtocol::of).unwrap_or_default();
     let time = word("time").and_then(Time::of).unwrap_or_default();
@@ -58,7 +58,7 @@ fn serve(
     (node, seed): (u8, u32),
     (server, protocol): (DriveServer, DriveProtocol),
     language: Language,
-) -> Result<Answer, Unanswered> {
+) -> Result<CommandAnswer, Unanswered> {
     let served = with_drive(project, code, (node, seed), language, |drive| {
         let address = server.address();
         let mut out = anstream::stdout();
@@ -71,7 +71,7 @@ fn serve(
         let _ = writeln!(talk, "{}", serving::how_to_end(language));
         server.run(drive, node).map_err(|fault| fault.message(language))
     })?;
-    served.map(|()| Answer::none()).map_err(Unanswered::message)
+    served.map(|()| CommandAnswer::none()).map_err(Unanswered::message)
 }
 
 /// Listens on the requested port, else on the default one or, if that is taken, on a free one.

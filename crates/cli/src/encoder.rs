@@ -1,6 +1,6 @@
 //! `encoder`: signals and words of the encoders of a code.
 
-use crate::answer::{Answer, written};
+use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out::with_file;
@@ -8,7 +8,7 @@ use questions::chapter;
 use questions::list::{Asked, Unanswered, encoder, encoder_trace};
 
 /// `antrieb encoder CODE`
-pub(crate) fn encoder(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn encoder(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let file = call.path("vcd");
     let trace = || call.put(&encoder_trace::ENTRY).and_then(|asked| encoder_trace::found(&asked));
@@ -24,5 +24,5 @@ pub(crate) fn encoder(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unan
     }
     let text = || with_file(&chapter::encoder(&record, language), record.trace.as_deref(), language);
     let data = if call.as_json { written(&record) } else { text() };
-    Ok(Answer::data(data).fits(encoder::is_right(&record)))
+    Ok(CommandAnswer::data(data).fits(encoder::is_right(&record)))
 }

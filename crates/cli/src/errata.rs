@@ -1,6 +1,6 @@
 //! `errata`: errors and doubts in the manual, and the values that are used.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::table::paragraph;
 use answers::{Erratum, ErratumStatus};
@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use words::{decimal, erratum_kind, erratum_status, terminal};
 
 /// `antrieb errata [CODE | TABLE | ID]`
-pub(crate) fn errata(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn errata(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let found = errata::found(asked)?;
     let record = questions::answer::errata(&found, language);
@@ -29,7 +29,7 @@ pub(crate) fn errata(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
         0 => terminal::no_erratum(language).to_owned(),
         count => terminal::errata_counted(count, &corrected, &flagged, language),
     } + "\n";
-    Ok(Answer { talk, ..Answer::data(data) })
+    Ok(CommandAnswer { talk, ..CommandAnswer::data(data) })
 }
 
 /// Appends place, stated value, used value and evidence of an erratum.

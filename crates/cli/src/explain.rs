@@ -1,6 +1,6 @@
 //! `explain`: derivation of value and limit of a check.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::reserve::assumptions_text;
 use crate::table::{hanging, paragraph};
@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 use words::{check_missing, note_text, percent_text, symbol_shown, terminal, title_of_check};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
-pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = explain::Args::read(&asked.given)?;
     let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
@@ -24,7 +24,7 @@ pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unan
         let found = args.explanation(project, patience())?;
         Ok((derivations(project, &found.candidate, &found.checks(), language), found.candidate.fits()))
     })?;
-    Ok(Answer::of_axes(found))
+    Ok(CommandAnswer::of_axes(found))
 }
 
 fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {

@@ -1,6 +1,6 @@
 //! `export`: the results as a workbook, or one table in a file.
 
-use crate::answer::{Answer, written};
+use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::waiting::patience;
@@ -16,7 +16,7 @@ use tables::{Format, Front, NAMES, SHEET_ROWS_MOST, Subject, Table};
 use words::terminal;
 
 /// `antrieb export PROJECT (--out FILE | --table NAME)`
-pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = export::Args::read(&asked.given)?;
     let file = call.file("out");
@@ -55,7 +55,7 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     };
     let bytes = bytes(format, &tables, &front).map_err(|error| Unanswered::message(error.message(language)))?;
     let Some(file) = file else {
-        return Ok(Answer::data(String::from_utf8_lossy(&bytes).into_owned()).fits(chosen.fits()));
+        return Ok(CommandAnswer::data(String::from_utf8_lossy(&bytes).into_owned()).fits(chosen.fits()));
     };
     saver.save(&[(file, &bytes)])?;
     let (there, left_out): (Vec<&Table>, Vec<&Table>) = tables.iter().partition(|table| format.holds(table));
@@ -64,7 +64,7 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     } else {
         sentence(file, (&there, &left_out), &chosen, language)
     };
-    Ok(Answer::data(data).fits(chosen.fits()))
+    Ok(CommandAnswer::data(data).fits(chosen.fits()))
 }
 
 /// Returns the format of a file; that of standard output without a file.

@@ -2,7 +2,7 @@
 
 pub(crate) mod memory;
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::table::width;
 use crate::waiting::waited_s;
 pub(crate) use disk::path_text;
@@ -27,14 +27,14 @@ pub(crate) fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
 }
 
 /// Returns the answer to a faulty call: the faults, underlined in their texts, and as a record if JSON is requested.
-pub(crate) fn unanswered(why: &Unanswered, as_json: bool, language: Language) -> Answer {
+pub(crate) fn unanswered(why: &Unanswered, as_json: bool, language: Language) -> CommandAnswer {
     let mut said: Vec<String> = Vec::new();
     talk(why, &mut said, language);
     if is_about_text(why) {
         said.push(closing(why.faults(waited_s(), language).errors.len(), language));
     }
     let data = if as_json { why.record(waited_s(), language) } else { String::new() };
-    Answer { data, talk: said.concat(), code: 2 }
+    CommandAnswer { data, talk: said.concat(), code: 2 }
 }
 
 /// Returns `true` if faults of a text are among the reasons.

@@ -1,14 +1,14 @@
 //! `glossary` and `units`: terms and symbols with their meaning, units with their spellings.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, TextTable, paragraph};
 use answers::Number;
 use questions::list::{Asked, Unanswered, glossary, units};
 use words::{own_and_foreign, symbol_shown, terminal, terms, unpadded};
 
 /// `antrieb glossary [TERM]`
-pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let found = glossary::found(asked)?;
     let both = |en: &str, de: &str| own_and_foreign(en, de, language).map(str::to_owned);
@@ -16,7 +16,7 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     let (meaning, symbol) = (terminal::meaning(language), terminal::sign(language));
     let mut parts = Vec::new();
     if !found.words.is_empty() {
-        let mut table = Table::new([(word, Align::Left), (foreign, Align::Left), (meaning, Align::Left)]);
+        let mut table = TextTable::new([(word, Align::Left), (foreign, Align::Left), (meaning, Align::Left)]);
         for each in &found.words {
             let [own, foreign] = both(&each.en, &each.de);
             table.row([own, foreign, each.meaning.clone()]);
@@ -25,7 +25,7 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     }
     if !found.terms.is_empty() {
         let (name, unit) = (terminal::identifier(language), terms::unit(language));
-        let mut table = Table::new([
+        let mut table = TextTable::new([
             (symbol, Align::Left),
             (name, Align::Left),
             (unit, Align::Left),
@@ -42,7 +42,7 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
     }
     if !found.symbols.is_empty() {
         let head = terminal::in_derivations(language);
-        let mut table = Table::new([(head, Align::Left), (meaning, Align::Left), (foreign, Align::Left)]);
+        let mut table = TextTable::new([(head, Align::Left), (meaning, Align::Left), (foreign, Align::Left)]);
         for each in &found.symbols {
             let shown = symbol_shown(&each.symbol);
             let name = if shown == each.symbol { shown } else { format!("{shown} ({})", each.symbol) };
@@ -51,18 +51,18 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
         }
         parts.push(table.render());
     }
-    Ok(Answer::data(parts.join("\n")))
+    Ok(CommandAnswer::data(parts.join("\n")))
 }
 
 /// `antrieb units [QUANTITY]`
-pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     // A conversion factor is exact: as many digits as its definition needs.
     let shown = |number: Number| unpadded(number.written().unwrap_or_default(), 12, language);
     let mut parts = Vec::new();
     for measured in units::found(asked)?.quantities {
         let heads = [measured.quantity.as_str(), terminal::also_written(language), terminal::in_si(language)];
-        let mut table = Table::new(heads.map(|head| (head, Align::Left)));
+        let mut table = TextTable::new(heads.map(|head| (head, Align::Left)));
         for unit in &measured.units {
             let spellings = [&unit.symbol, &unit.json].into_iter().chain(&unit.also).map(String::as_str);
             let mut also: Vec<&str> = spellings.filter(|spelling| *spelling != unit.unit).collect();
@@ -75,5 +75,5 @@ pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         }
         parts.push(table.render());
     }
-    Ok(Answer::data(parts.join("\n")))
+    Ok(CommandAnswer::data(parts.join("\n")))
 }

@@ -1,8 +1,8 @@
 //! `inertia BODY…`.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::table::{Align, Table};
+use crate::table::{Align, TextTable};
 use project::InertiaAnswer;
 use quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, format_significant};
@@ -10,14 +10,14 @@ use questions::list::{Asked, Unanswered, inertia};
 use words::{shape_title, terminal, terms};
 
 /// `antrieb inertia "disc diameter=200mm length=20mm density=7850kg/m^3" …`
-pub(crate) fn inertia(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn inertia(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    Ok(Answer::data(shown(&inertia::found(asked)?, language)))
+    Ok(CommandAnswer::data(shown(&inertia::found(asked)?, language)))
 }
 
 fn shown(answer: &InertiaAnswer, language: Language) -> String {
     let number = |value: f64| format_significant(value, 4, language);
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         ("#", Align::Right),
         (terms::body(language), Align::Left),
         ("z", Align::Right),

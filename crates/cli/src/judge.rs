@@ -1,9 +1,9 @@
 //! `size` and `check`: the axis judged with the catalogue, and with one actuator.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::reserve::{assumptions_text, reserve_text};
-use crate::table::{Align, Table, labelled, paragraph, width};
+use crate::table::{Align, TextTable, labelled, paragraph, width};
 use crate::waiting::patience;
 use crate::{moves, report, tolerance};
 use anstyle::{AnsiColor, Style};
@@ -36,7 +36,7 @@ fn paint(text: &str, verdict: Verdict) -> String {
 }
 
 /// `antrieb size PROJECT`
-pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     // First the file: if the report cannot be written, no partial answer is shown.
     let talk = match call.path("report") {
@@ -44,7 +44,7 @@ pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswe
         None => String::new(),
     };
     if call.as_json {
-        return Ok(Answer { talk, ..call.record(asked)? });
+        return Ok(CommandAnswer { talk, ..call.record(asked)? });
     }
     let args = size::Args::read(&asked.given)?;
     let axes = asked.axes(args.axis.as_deref(), args.cost())?;
@@ -56,7 +56,7 @@ pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswe
             nearest.map(|near| questions::list::check::reserve_within(project, near, patience())).transpose()?;
         Ok((sizing_text(&found, reserve.as_ref(), args.all, language), found.sizing.fits()))
     })?;
-    Ok(Answer { talk, ..Answer::of_axes(found) })
+    Ok(CommandAnswer { talk, ..CommandAnswer::of_axes(found) })
 }
 
 fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, language: Language) -> String {
@@ -134,8 +134,8 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     out
 }
 
-fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
-    let mut table = Table::new([
+fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTable {
+    let mut table = TextTable::new([
         ("#", Align::Right),
         (terms::ordering_code(language), Align::Left),
         (terms::utilisation_short(language), Align::Right),
@@ -188,7 +188,7 @@ fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, l
     if all {
         let code = terms::rejected(language);
         let why = terms::reason(language);
-        let mut table = Table::new([(code, Align::Left), (why, Align::Left)]);
+        let mut table = TextTable::new([(code, Align::Left), (why, Align::Left)]);
         for candidate in rejected {
             table.row([candidate.id.to_string(), reason(candidate, language)]);
         }
@@ -311,7 +311,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     }
     out.push_str(&demand_text(candidate, language));
     out.push('\n');
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         (terms::check(language), Align::Left),
         (terms::verdict(language), Align::Left),
         (terms::value(language), Align::Right),
@@ -352,7 +352,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
 }
 
 /// `antrieb check PROJECT --code CODE`
-pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = check::Args::read(&asked.given)?;
     let axes = asked.axes(args.axis.as_deref(), args.cost())?;
@@ -360,7 +360,7 @@ pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         let found = args.verification(project, patience())?;
         Ok((verification_text(&found, language), found.candidate.fits()))
     })?;
-    Ok(Answer::of_axes(found))
+    Ok(CommandAnswer::of_axes(found))
 }
 
 fn verification_text(found: &Verification<'_>, language: Language) -> String {

@@ -1,6 +1,6 @@
 //! Layout of a chapter on the terminal.
 
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, TextTable, paragraph};
 use answers::{Block, Chapter, Grid, Hazard, Task};
 use quantities::Language;
 use words::commission;
@@ -46,7 +46,7 @@ fn block_text(block: &Block, language: Language) -> String {
 
 fn grid_text(grid: &Grid) -> String {
     let align = |numbers| if numbers { Align::Right } else { Align::Left };
-    let mut table = Table::new(grid.columns.iter().map(|column| (&column.head, align(column.numbers))));
+    let mut table = TextTable::new(grid.columns.iter().map(|column| (&column.head, align(column.numbers))));
     for row in &grid.rows {
         table.row(row.as_slice());
     }

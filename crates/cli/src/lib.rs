@@ -44,7 +44,7 @@ mod upkeep;
 mod waiting;
 mod wiring;
 
-use answer::Answer;
+use answer::CommandAnswer;
 pub use call::{days_since_1970, named_file};
 use clap::ArgMatches;
 pub use fault::memory::allowed_by as memory_allowed;
@@ -69,7 +69,7 @@ pub fn run(call: Vec<OsString>) -> u8 {
             let missing = command::usage::missing(&error, &command, &arguments);
             return command::usage::refused(&error, &missing, as_json, language).write(language);
         }
-        Err(help) => return Answer::data(help.render().ansi().to_string()).write(language),
+        Err(help) => return CommandAnswer::data(help.render().ansi().to_string()).write(language),
     };
     let json = matches.get_flag("json");
     let most = match deadline(&matches, language) {
@@ -111,7 +111,7 @@ pub fn deadline_of(text: &str, language: Language) -> Result<Duration, Unanswere
     Ok(Duration::from_secs_f64(time.si().clamp(0.0, 86_400.0)))
 }
 
-fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
+fn dispatch(matches: &ArgMatches, language: Language) -> CommandAnswer {
     let json = matches.get_flag("json");
     let answered = match matches.subcommand() {
         Some(("serve", found)) => serve::serve(found, language),

@@ -1,12 +1,12 @@
 //! `licences`: authors and terms of the works in the program.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use questions::list::{Asked, Unanswered};
 
 /// `antrieb licences`
-pub(crate) fn licences(_: &Call<'_>, _: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn licences(_: &Call<'_>, _: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let found = questions::list::licences::licences();
     let texts: Vec<String> = found.texts.iter().map(|each| each.text.trim_end().to_owned() + "\n").collect();
-    Ok(Answer::data(texts.join("\n")))
+    Ok(CommandAnswer::data(texts.join("\n")))
 }

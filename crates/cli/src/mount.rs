@@ -1,6 +1,6 @@
 //! `mount`: mounting of an actuator.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::laid_out::shown;
 use answers::{Fit, Mount};
@@ -8,16 +8,16 @@ use questions::chapter;
 use questions::list::{Asked, Unanswered, mount, mount_project};
 
 /// `antrieb mount CODE`
-pub(crate) fn alone(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn alone(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     mount::found(asked).map(|found| text(&found, call))
 }
 
 /// `antrieb mount CODE --project FILE`
-pub(crate) fn under_project(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn under_project(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     mount_project::found(asked).map(|found| text(&found, call))
 }
 
-fn text(found: &Mount, call: &Call<'_>) -> Answer {
+fn text(found: &Mount, call: &Call<'_>) -> CommandAnswer {
     let chapter = chapter::mount(found, call.language);
-    Answer::data(shown(&chapter, call.language)).fits(found.verdict == Fit::Fits)
+    CommandAnswer::data(shown(&chapter, call.language)).fits(found.verdict == Fit::Fits)
 }

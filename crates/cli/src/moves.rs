@@ -1,9 +1,9 @@
 //! The resulting motion as text.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::table::{Align, Table, labelled};
-use project::SegmentLoad;
+use crate::table::{Align, TextTable, labelled};
+use project::SegmentLoadKey;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, format_significant};
 use questions::Moves;
@@ -15,11 +15,11 @@ use words::{law_text, segment_load, terminal, terms};
 const SEGMENTS_MOST: usize = 12;
 
 /// `antrieb moves PROJECT`
-pub(crate) fn moves(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn moves(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = moves::Args::read(&asked.given)?;
     let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
-    Ok(Answer::data(text(&questions::moves(&project), language)))
+    Ok(CommandAnswer::data(text(&questions::moves(&project), language)))
 }
 
 /// Returns every segment with its stated and its computed values.
@@ -27,7 +27,7 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     let [distance, speed, acceleration] = moves.units.map(|unit| unit.symbol_in(language));
     let speed_word = if moves.turns { terms::rotary_speed(language) } else { terms::linear_speed(language) };
     let number = |value: f64| format_significant(value, 4, language);
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         (terminal::segment_of_motion(language).to_owned(), Align::Right),
         (terms::law(language).to_owned(), Align::Left),
         (terminal::from_s(language).to_owned(), Align::Right),
@@ -68,13 +68,13 @@ fn loads(moves: &Moves<'_>, language: Language) -> String {
     if moves.loads.is_empty() {
         return String::new();
     }
-    let title = |load: &SegmentLoad| {
+    let title = |load: &SegmentLoadKey| {
         (format!("{} {}", segment_load(*load, language), load.unit().symbol_in(language)), Align::Right)
     };
     let segment = (terminal::segment_of_motion(language).to_owned(), Align::Right);
-    let mut table = Table::new(std::iter::once(segment).chain(moves.loads.iter().map(title)));
+    let mut table = TextTable::new(std::iter::once(segment).chain(moves.loads.iter().map(title)));
     for (number, each) in (1_usize..).zip(&moves.moves).take(SEGMENTS_MOST) {
-        let value = |(load, si): (&SegmentLoad, &f64)| format_significant(load.unit().from_si(*si), 4, language);
+        let value = |(load, si): (&SegmentLoadKey, &f64)| format_significant(load.unit().from_si(*si), 4, language);
         let values = moves.loads.iter().zip(&each.loads).map(value);
         table.row(std::iter::once(number.to_string()).chain(values).collect::<Vec<String>>());
     }

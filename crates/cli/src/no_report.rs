@@ -1,7 +1,7 @@
 //! `report` in a program built without the typesetting engine: it says so, and names the way to get it. If cargo has
 //! started the program, cargo builds the one with the engine, and that one answers.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use answers::Commissioning;
 use clap::ArgMatches;
@@ -36,12 +36,12 @@ pub(crate) fn by_cargo(matches: &ArgMatches, language: Language) -> Option<u8> {
 }
 
 /// `antrieb report PROJECT --out FILE`
-pub(crate) fn report(call: &Call<'_>, _: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn report(call: &Call<'_>, _: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     Err(refusal(call.language))
 }
 
 /// `antrieb size PROJECT --report FILE`
-pub(crate) fn write(call: &Call<'_>, _: &Asked<'_>, _: &Path, _: bool) -> Result<Answer, Unanswered> {
+pub(crate) fn write(call: &Call<'_>, _: &Asked<'_>, _: &Path, _: bool) -> Result<CommandAnswer, Unanswered> {
     Err(refusal(call.language))
 }
 

@@ -1,6 +1,6 @@
 //! `plot`, and `curve` with a file: pictures.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::waiting::{patience, waited_s};
@@ -19,7 +19,7 @@ const PNG_SCALE: f64 = 2.0;
 const MM_PER_PX: f64 = 25.4 / 96.0;
 
 /// `antrieb plot PROJECT --figure FIGURE`
-pub(crate) fn plot(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn plot(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let all = asked.source()?.projects(asked.patience, language)?;
     let inputs = call.inputs(&all);
@@ -50,7 +50,7 @@ pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf], other: Option<&Pa
 }
 
 /// Draws the picture and writes it to the files that [`destination`] has checked, or to standard output.
-pub(crate) fn put(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Result<Answer, Unanswered> {
+pub(crate) fn put(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let picture = drawing.render(&style(drawing, call)?);
     let png = call.path("png");
@@ -65,16 +65,16 @@ pub(crate) fn put(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Res
     call.saver(inputs).save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
-        return Ok(Answer::record(&described(drawing, &picture, &paths)));
+        return Ok(CommandAnswer::record(&described(drawing, &picture, &paths)));
     }
     let to_stdout = call.path("svg").is_some_and(|path| path.as_os_str() == "-") || paths.is_empty();
     if to_stdout {
-        return Ok(Answer::data(picture.into_svg()));
+        return Ok(CommandAnswer::data(picture.into_svg()));
     }
     let (width, height) = millimetres(&picture);
     let mm = |value: f64| format_number(value, 0, language);
     let head = format!("{} ({} × {} mm)", paths.join(", "), mm(width), mm(height));
-    Ok(Answer::data(format!("{head}\n{}\n{}\n", drawing.title, drawing.description)))
+    Ok(CommandAnswer::data(format!("{head}\n{}\n{}\n", drawing.title, drawing.description)))
 }
 
 fn millimetres(picture: &Picture) -> (f64, f64) {

@@ -1,6 +1,6 @@
 //! `report`: the results as PDF for the signature of an engineer.
 
-use crate::answer::{Answer, written};
+use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::waiting::patience;
@@ -30,12 +30,17 @@ const FIGURES: [(DiagramPlace, &str, Figure); 4] = [
 ];
 
 /// `antrieb report PROJECT --out FILE`
-pub(crate) fn report(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn report(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     write(call, asked, call.path("out").unwrap_or(Path::new("")), call.as_json)
 }
 
 /// Writes the report of the requested axes and actuator.
-pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: bool) -> Result<Answer, Unanswered> {
+pub(crate) fn write(
+    call: &Call<'_>,
+    asked: &Asked<'_>,
+    out: &Path,
+    as_json: bool,
+) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
         return Err(Unanswered::message(terminal::report_is_a_pdf(&path_text(out), language)));
@@ -95,7 +100,7 @@ pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: boo
             })
         }
     };
-    Ok(Answer::data(data).fits(verdict.fits()))
+    Ok(CommandAnswer::data(data).fits(verdict.fits()))
 }
 
 /// Writers of reports and forms over HTTP.

@@ -1,11 +1,11 @@
 //! `serve`: the web workbench.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::fault::memory;
 use clap::ArgMatches;
 use quantities::Language;
 use questions::list::Unanswered;
-use server::{Access, Limits, Options, Server};
+use server::{Access, Options, RequestLimits, Server};
 use std::io::Write;
 use std::net::IpAddr;
 use std::path::PathBuf;
@@ -18,7 +18,7 @@ const USUAL_PORT: u16 = 8377;
 pub(crate) const EXAMPLES: [&str; 2] = ["192.168.1.5", "0.0.0.0"];
 
 /// `antrieb serve [DIR]`
-pub(crate) fn serve(matches: &ArgMatches, language: Language) -> Result<Answer, Unanswered> {
+pub(crate) fn serve(matches: &ArgMatches, language: Language) -> Result<CommandAnswer, Unanswered> {
     let server = bound(matches, language)?;
     let url = server.url();
     let mut out = anstream::stdout();
@@ -42,7 +42,7 @@ pub(crate) fn serve(matches: &ArgMatches, language: Language) -> Result<Answer, 
     }
     let _ = writeln!(talk, "{}", serving::how_to_end(language));
     server.run().map_err(|fault| Unanswered::message(fault.message(language)))?;
-    Ok(Answer::none())
+    Ok(CommandAnswer::none())
 }
 
 /// Returns a listening server: on the requested port, else on the default one or, if that is taken, on a free one.
@@ -55,7 +55,7 @@ fn bound(matches: &ArgMatches, language: Language) -> Result<Server, Unanswered>
         port: port.unwrap_or(USUAL_PORT),
         memory: memory::allowed(matches, language)?,
         language,
-        limits: Limits::default(),
+        limits: RequestLimits::default(),
         press: crate::report::PRESS,
     };
     let first = Server::bind(options.clone());

@@ -1,6 +1,6 @@
 //! `simulate`: the digital twin of an axis.
 
-use crate::answer::{Answer, written};
+use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out::shown;
@@ -13,7 +13,7 @@ use tables::Format;
 use words::{file_trouble, simulation, terminal};
 
 /// `antrieb simulate PROJECT --code CODE --scenario NAME --out FILE`
-pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = simulate::Args::read(&asked.given)?;
     let file = call.path("out");
@@ -73,13 +73,13 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Una
         };
         records.iter().map(text).collect::<Vec<_>>().join("\n")
     };
-    Ok(Answer::data(data).fits(fits))
+    Ok(CommandAnswer::data(data).fits(fits))
 }
 
 /// `antrieb identify TRACE PROJECT`
-pub(crate) fn identify(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn identify(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let found = identify::found(asked)?;
     let text = || shown(&chapter::identification(&found, call.language), call.language);
     let fits = found.doubts.is_empty();
-    Ok(Answer::data(if call.as_json { written(&found) } else { text() }).fits(fits))
+    Ok(CommandAnswer::data(if call.as_json { written(&found) } else { text() }).fits(fits))
 }

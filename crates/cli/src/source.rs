@@ -4,7 +4,7 @@ use crate::fault::{path_text, read_bytes};
 use disk::{Beside, Links};
 use project::{Grant, Reach};
 use quantities::Language;
-use questions::list::{Source, Unanswered};
+use questions::list::{ReferencedText, Unanswered};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use words::file_trouble;
@@ -59,7 +59,7 @@ impl SourceFile {
 
     /// Returns it in the form of a question.
     #[must_use]
-    pub fn source(&self) -> Source<'_> {
-        Source { name: self.name.clone(), bytes: Cow::Borrowed(&self.bytes), files: &self.beside }
+    pub fn source(&self) -> ReferencedText<'_> {
+        ReferencedText { name: self.name.clone(), bytes: Cow::Borrowed(&self.bytes), files: &self.beside }
     }
 }

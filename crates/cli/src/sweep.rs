@@ -4,18 +4,18 @@
 mod parts;
 mod run;
 
-use crate::answer::{Answer, written};
+use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
-use parts::{PART, Parts};
+use parts::{PART, SweepParts};
 use quantities::{Language, format_number};
 use questions::list::{Asked, Unanswered, sweep};
 use questions::sweep::{SweepSummary, Tally};
-use run::Run;
+use run::SweepRun;
 use std::fmt::Write as _;
 use std::fs::File;
 use std::path::{Path, PathBuf};
-use sweep_io::{Batches, Format, Head, Sweep, Unread};
+use sweep_io::{BatchHead, BatchSweep, Batches, Format, NoBatch};
 use words::{file_trouble, sweeps};
 
 /// A table in a file.
@@ -25,11 +25,11 @@ struct Table<'c> {
 }
 
 /// `antrieb sweep PROJECT --table FILE --out FILE`
-pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = sweep::Args::read(&asked.given)?;
     let path = PathBuf::from(args.table.clone().unwrap_or_default());
-    let (Some(out), Some(beside)) = (call.path("out"), call.beside()) else { return Ok(Answer::none()) };
+    let (Some(out), Some(beside)) = (call.path("out"), call.beside()) else { return Ok(CommandAnswer::none()) };
     let source = asked.source()?;
     let text = source.text(language)?;
     let projects = source.projects(asked.patience, language);
@@ -44,7 +44,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     let ready = match opened {
         Ok((table, batches)) => {
             let options = args.options(batches.has_decimal_commas(), language)?;
-            let head = Head::read(text, projects, &batches.schema(), options);
+            let head = BatchHead::read(text, projects, &batches.schema(), options);
             table.checked(batches, head, beside.clone()).map(|(sweep, rows)| (table, sweep, rows))
         }
         Err(unread) => Err(Unanswered::together(projects.err().into_iter().chain([unread]).collect())),
@@ -54,13 +54,13 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
         (ready, place) => return Err(Unanswered::together(ready.err().into_iter().chain(place.err()).collect())),
     };
     let request = format!("{args:?} {} {answers:?} {}", language.id(), call.memory());
-    let run = Run { table: &table, project: text, recordings: sweep.recordings(), files: &beside, request };
+    let run = SweepRun { table: &table, project: text, recordings: sweep.recordings(), files: &beside, request };
     // Files that the table names are protected too.
     let inputs: Vec<PathBuf> =
         inputs.into_iter().chain(run.recordings.iter().map(|name| beside.folder.join(name))).collect();
     let saver = call.saver(&inputs);
     saver.ready(&[out])?;
-    let parts = Parts::of(&run, out, &run.mark()?, sweep.rows_within(call.memory(), PART))?;
+    let parts = SweepParts::of(&run, out, &run.mark()?, sweep.rows_within(call.memory(), PART))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
     talk += &parts.remark(rows);
     if let Err(why) = parts.judged(&table, &sweep, rows, asked) {
@@ -74,7 +74,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unansw
     parts.remove();
     let summary = tally.summary(Some(path_text(out)), language);
     let data = if call.as_json { written(&summary) } else { shown(&summary, language) };
-    Ok(Answer { talk, ..Answer::data(data) }.fits(summary.fitting > 0))
+    Ok(CommandAnswer { talk, ..CommandAnswer::data(data) }.fits(summary.fitting > 0))
 }
 
 impl Table<'_> {
@@ -94,7 +94,12 @@ impl Table<'_> {
     }
 
     /// Returns the sweep over the table and the number of its rows, after all cells have been read without faults.
-    fn checked(&self, mut batches: Batches, mut head: Head, beside: disk::Beside) -> Result<(Sweep, u64), Unanswered> {
+    fn checked(
+        &self,
+        mut batches: Batches,
+        mut head: BatchHead,
+        beside: disk::Beside,
+    ) -> Result<(BatchSweep, u64), Unanswered> {
         let mut rows = 0;
         let unread = loop {
             if head.is_enough() {
@@ -109,11 +114,11 @@ impl Table<'_> {
                     head.refuse_empty(rows);
                     break None;
                 }
-                Err(Unread::Line(fault)) => {
+                Err(NoBatch::Line(fault)) => {
                     head.refuse_line(fault, rows);
                     rows += 1;
                 }
-                Err(Unread::Table(why)) => break Some(self.refused(&why)),
+                Err(NoBatch::Table(why)) => break Some(self.refused(&why)),
             }
         };
         match (head.ready(&path_text(self.path), Box::new(beside)), unread) {

@@ -43,12 +43,12 @@ pub(crate) enum Align {
 
 /// A table of texts.
 #[derive(Debug)]
-pub(crate) struct Table {
+pub(crate) struct TextTable {
     columns: Vec<(String, Align)>,
     rows: Vec<Vec<String>>,
 }
 
-impl Table {
+impl TextTable {
     pub(crate) fn new<H: Into<String>>(columns: impl IntoIterator<Item = (H, Align)>) -> Self {
         Self { columns: columns.into_iter().map(|(head, align)| (head.into(), align)).collect(), rows: Vec::new() }
     }
@@ -328,7 +328,7 @@ mod tests {
 
     #[test]
     fn no_line_is_wider_than_the_terminal_whatever_its_width() {
-        let mut table = Table::new([
+        let mut table = TextTable::new([
             ("check", Align::Left),
             ("verdict", Align::Left),
             ("value", Align::Right),
@@ -372,7 +372,7 @@ mod tests {
             .into_iter()
             .enumerate()
             .map(|(place, head)| (head, if [0, 2, 4].contains(&place) { Align::Right } else { Align::Left }));
-        let mut table = Table::new(columns.collect::<Vec<_>>());
+        let mut table = TextTable::new(columns.collect::<Vec<_>>());
         for code in ["CHA-17A-120-H-RES-B", "CHA-20A-100-H-C1024-B-EC-K"] {
             table.row(["1", code, "72.2", "torque-speed trace", "18.16", "advice: inertia ratio"].map(str::to_owned));
         }
@@ -401,7 +401,7 @@ mod tests {
 
     #[test]
     fn numbers_stand_under_each_other() {
-        let mut table = Table::new([("n", Align::Right), ("x", Align::Left)]);
+        let mut table = TextTable::new([("n", Align::Right), ("x", Align::Left)]);
         table.row(["9".into(), "a".into()]);
         table.row(["120".into(), "b".into()]);
         assert_eq!(table.render(), "  n  x\n───  ─\n  9  a\n120  b\n");

@@ -1,6 +1,6 @@
 //! The part of `size` and `check` about the effect of tolerances.
 
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, TextTable, paragraph};
 use project::Project;
 use quantities::Language;
 use questions::Assessment;
@@ -14,7 +14,7 @@ use words::{terminal, terms};
 pub(crate) fn table(ranking: &Ranking<'_>, language: Language) -> String {
     let (project, assessed) = (ranking.project, &ranking.assessed);
     let Some((_, first)) = assessed.first() else { return String::new() };
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         (terms::ordering_code(language), Align::Left),
         (terms::utilisation_short(language), Align::Right),
         (terminal::worst_percent(language), Align::Right),
@@ -45,7 +45,7 @@ pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Langu
         out.push_str(&paragraph("  ", &line));
     }
     let [quantity, from, to, unit, worst, influence] = tolerance_heads(language);
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         (quantity, Align::Left),
         (from, Align::Right),
         (to, Align::Right),

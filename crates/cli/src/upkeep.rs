@@ -1,6 +1,6 @@
 //! `upkeep`: maintenance of an actuator with its dates.
 
-use crate::answer::{Answer, written};
+use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out::with_file;
@@ -10,7 +10,7 @@ use questions::list::{Asked, Unanswered};
 use words::upkeep;
 
 /// `antrieb upkeep CODE --delivered DATE`
-pub(crate) fn upkeep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn upkeep(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let file = call.path("ical");
     let wrong = file.filter(|file| file.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("ics")));
@@ -30,5 +30,5 @@ pub(crate) fn upkeep(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unans
     }
     let text = || with_file(&chapter::upkeep(&record, language), record.calendar.as_deref(), language);
     let data = if call.as_json { written(&record) } else { text() };
-    Ok(Answer::data(data).fits(record.verdict == Fit::Fits))
+    Ok(CommandAnswer::data(data).fits(record.verdict == Fit::Fits))
 }

@@ -1,10 +1,10 @@
 //! `wiring`: connectors, pins and cables, and their comparison with a list of pins.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::laid_out::shown;
 use crate::plot;
-use crate::table::{Align, Table};
+use crate::table::{Align, TextTable};
 use answers::WiringCheck;
 use quantities::Language;
 use questions::chapter;
@@ -14,16 +14,16 @@ use std::fmt::Write as _;
 use words::wiring;
 
 /// `antrieb wiring CODE`
-pub(crate) fn wiring(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn wiring(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let (found, record) = questions::list::wiring::found(asked)?;
     if plot::is_asked(call) {
         return draw(&found, call);
     }
-    Ok(Answer::data(shown(&chapter::wiring(&record, Vec::new(), language), language)))
+    Ok(CommandAnswer::data(shown(&chapter::wiring(&record, Vec::new(), language), language)))
 }
 
-fn draw(found: &questions::list::wiring::CodeWiring, call: &Call<'_>) -> Result<Answer, Unanswered> {
+fn draw(found: &questions::list::wiring::CodeWiring, call: &Call<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let wanted = call.text("connector").unwrap_or(Role::Feedback.id());
     let Some(connector) = found.connectors.iter().find(|connector| connector.role.id() == wanted) else {
@@ -39,14 +39,14 @@ fn draw(found: &questions::list::wiring::CodeWiring, call: &Call<'_>) -> Result<
 }
 
 /// `antrieb wiring CODE --check FILE`
-pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     if plot::is_asked(call) {
         return Err(Unanswered::message(wiring::check_or_draw(language)));
     }
     let record = wiring_check::found(asked)?;
     let name = asked.source()?.name.as_str();
-    Ok(Answer::data(check_text(&record, name, language)).fits(record.agrees))
+    Ok(CommandAnswer::data(check_text(&record, name, language)).fits(record.agrees))
 }
 
 fn check_text(record: &WiringCheck, name: &str, language: Language) -> String {
@@ -61,7 +61,7 @@ fn check_text(record: &WiringCheck, name: &str, language: Language) -> String {
         return out;
     }
     out.push('\n');
-    let mut table = Table::new([
+    let mut table = TextTable::new([
         (wiring::line(language), Align::Right),
         (wiring::severity(language), Align::Left),
         (wiring::connector(language), Align::Left),

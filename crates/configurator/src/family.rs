@@ -3,7 +3,7 @@
 
 use crate::parts;
 use actuator::Battery;
-use catalogue::{Cell, SeriesData, Table};
+use catalogue::{Cell, ManualTable, SeriesData};
 use order_code::{Feedback, FeedbackKind, OrderCode, Series};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::DEGREE;
@@ -172,7 +172,8 @@ pub fn assumed() -> Assumed {
 pub fn brake_times() -> Option<(Time, Time)> {
     static TIMES: LazyLock<Option<(Time, Time)>> = LazyLock::new(|| {
         let printed = |symbol: &str| {
-            let cells = catalogue::tables().iter().filter(|table| table.is_of_the_manual()).flat_map(Table::cells);
+            let cells =
+                catalogue::tables().iter().filter(|table| table.is_of_the_manual()).flat_map(ManualTable::cells);
             let times = cells.filter(|cell| cell.place.symbol == symbol).map(catalogue::datum_of::<Time>);
             times.filter_map(|time| Some(time.known()?.value)).max_by(|a, b| a.si().total_cmp(&b.si()))
         };

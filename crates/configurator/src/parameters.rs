@@ -6,7 +6,7 @@ use actuator::{
     Accuracy, BearingType, Curve, CurvePoint, Drivetrain, Environment, Gear, Heat, OutputBearing, Parameters,
     ScrewJoint,
 };
-use catalogue::{Cell, Drive, SeriesData, Table, winding_data};
+use catalogue::{Cell, Drive, ManualTable, SeriesData, winding_data};
 use order_code::{Brake, OrderCode, Winding};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
@@ -386,7 +386,7 @@ fn published_curve(code: &OrderCode, which: &str) -> Datum<Curve> {
         let place = &cell.place;
         place.condition == which && place.ratio == code.ratio.as_str() && place.drive == head
     };
-    let cell = tables.iter().filter_map(|table| catalogue::table(table)).flat_map(Table::cells).find(is_it);
+    let cell = tables.iter().filter_map(|table| catalogue::table(table)).flat_map(ManualTable::cells).find(is_it);
     let point = |(speed, torque)| CurvePoint {
         speed: AngularVelocity::new_in(speed, &REVOLUTION_PER_MINUTE),
         torque: Torque::new_in(torque, &NEWTON_METRE),

@@ -2,7 +2,7 @@
 
 use crate::parameters::by_size;
 use actuator::{Accuracy, Brake, Feedback, FeedbackSide, ScrewJoint};
-use catalogue::{Cell, Drive, SeriesData, Table};
+use catalogue::{Cell, Drive, ManualTable, SeriesData};
 use order_code::{Brake as BrakeOrdered, FeedbackKind, OrderCode, Series};
 use provenance::{Datum, Grade, Sourced};
 use quantities::{Angle, Measure};
@@ -40,14 +40,14 @@ pub(crate) fn brake(drive: &Drive, code: &OrderCode) -> Brake {
 /// Returns a cell that holds at every ratio, from the tables of a feedback or of the encoder at the output.
 pub(crate) fn feedback_cell(series: Series, name: &str, symbol: &str) -> Option<&'static Cell> {
     let data = SeriesData::of(series);
-    let is_of_feedback = |table: &&Table| {
+    let is_of_feedback = |table: &&ManualTable| {
         table.id == data.output_encoder
             || (table.source == data.manual && SeriesData::begins(data.feedback, table.section))
     };
     catalogue::tables()
         .iter()
         .filter(is_of_feedback)
-        .flat_map(Table::cells)
+        .flat_map(ManualTable::cells)
         .find(|cell| cell.feedback == name && cell.place.symbol == symbol && cell.place.ratio.is_empty())
 }
 

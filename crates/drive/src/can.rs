@@ -88,7 +88,7 @@ struct Sent {
 
 /// A drive on a CAN bus.
 #[derive(Clone, Debug)]
-pub struct Node<'a> {
+pub struct CanNode<'a> {
     drive: Drive<'a>,
     id: u8,
     nmt: Nmt,
@@ -103,7 +103,7 @@ pub struct Node<'a> {
     steps_with_sync: bool,
 }
 
-impl<'a> Node<'a> {
+impl<'a> CanNode<'a> {
     /// Creates a node that sends its boot-up message. With `steps_with_sync` each SYNC message advances time by the
     /// period of 60C2h.
     #[must_use]

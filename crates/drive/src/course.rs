@@ -5,7 +5,7 @@ pub(crate) type Wanted = [f64; 3];
 
 /// Limits of a move: speed [rad/s], acceleration and deceleration [rad/s²], all positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Bounds {
+pub(crate) struct MoveLimits {
     pub(crate) speed: f64,
     pub(crate) acceleration: f64,
     pub(crate) deceleration: f64,
@@ -32,7 +32,7 @@ pub(crate) struct Move {
 impl Move {
     /// Creates the fastest move with trapezoidal speed; it first slows down to the limits, or to rest if the target
     /// lies behind.
-    pub(crate) fn new(from: f64, speed: f64, to: f64, bounds: &Bounds) -> Self {
+    pub(crate) fn new(from: f64, speed: f64, to: f64, bounds: &MoveLimits) -> Self {
         let mut made = Self { parts: [Part::default(); 5], end: to, time_s: 0.0 };
         let mut places = made.parts.iter_mut();
         let (mut at, mut now) = (from, speed);
@@ -95,7 +95,7 @@ impl Move {
 }
 
 /// Returns the speed after one step of a ramp from `now` to `wanted`.
-pub(crate) fn ramped(now: f64, wanted: f64, bounds: &Bounds, step_s: f64) -> f64 {
+pub(crate) fn ramped(now: f64, wanted: f64, bounds: &MoveLimits, step_s: f64) -> f64 {
     let faster = wanted.abs() > now.abs() && wanted * now >= 0.0;
     let most = step_s * if faster { bounds.acceleration } else { bounds.deceleration };
     if (wanted - now).abs() <= most { wanted } else { now + most.copysign(wanted - now) }
@@ -103,7 +103,7 @@ pub(crate) fn ramped(now: f64, wanted: f64, bounds: &Bounds, step_s: f64) -> f64
 
 /// Linear interpolation from the present position to a setpoint, over one period.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Line {
+pub(crate) struct SetpointLine {
     from: f64,
     to: f64,
     speed_before: f64,
@@ -111,7 +111,7 @@ pub(crate) struct Line {
     time_s: f64,
 }
 
-impl Line {
+impl SetpointLine {
     pub(crate) const fn new(from: f64, speed_before: f64, to: f64, period_s: f64) -> Self {
         Self { from, to, speed_before, period_s, time_s: 0.0 }
     }
@@ -135,7 +135,7 @@ impl Line {
 mod tests {
     use super::*;
 
-    const BOUNDS: Bounds = Bounds { speed: 2.0, acceleration: 4.0, deceleration: 8.0 };
+    const BOUNDS: MoveLimits = MoveLimits { speed: 2.0, acceleration: 4.0, deceleration: 8.0 };
 
     /// Follows a move to its end and returns its duration \[s\]: position and speed are continuous, limits are kept,
     /// and the axis ends at rest at the target.
@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn a_line_ends_at_its_set_point_and_stands() {
-        let mut line = Line::new(1.0, 0.0, 2.0, 0.01);
+        let mut line = SetpointLine::new(1.0, 0.0, 2.0, 0.01);
         assert_eq!(line.step(0.005), ([1.5, 100.0, 10_000.0], false));
         assert!(!line.step(0.005).1);
         assert_eq!(line.step(0.005), ([2.0, 0.0, 0.0], true));

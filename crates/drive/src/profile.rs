@@ -1,7 +1,7 @@
 //! Modes of operation and the setpoints generated in each.
 
-use crate::course::{Bounds, Move, ramped};
-use crate::drive::{Course, Drive, HALF_MS_S};
+use crate::course::{Move, MoveLimits, ramped};
+use crate::drive::{Drive, HALF_MS_S, SetpointCourse};
 use crate::state::State;
 
 /// Mode of operation.
@@ -51,8 +51,8 @@ impl Drive<'_> {
     }
 
     /// Returns the limits of a move.
-    fn bounds(&self) -> Bounds {
-        Bounds {
+    fn bounds(&self) -> MoveLimits {
+        MoveLimits {
             speed: self.fastest(self.scale.plain_rad(self.dictionary.number(0x6081, 0))).max(1e-9),
             acceleration: self.rate(0x6083),
             deceleration: self.rate(0x6084),
@@ -98,7 +98,7 @@ impl Drive<'_> {
     /// Begins a move from the present setpoint.
     pub(crate) fn begin_move(&mut self, target: f64) {
         let [from, speed, _] = self.demand;
-        self.course = Course::Move(Move::new(from, speed, target, &self.bounds()));
+        self.course = SetpointCourse::Move(Move::new(from, speed, target, &self.bounds()));
         self.within_s = 0.0;
     }
 
@@ -134,8 +134,8 @@ impl Drive<'_> {
         }
         if std::mem::take(&mut self.was_halted) {
             match self.course {
-                Course::Move(course) => self.begin_move(course.end),
-                Course::Line(_) | Course::Hold => self.course = Course::Hold,
+                SetpointCourse::Move(course) => self.begin_move(course.end),
+                SetpointCourse::Line(_) | SetpointCourse::Hold => self.course = SetpointCourse::Hold,
             }
         }
         None
@@ -144,7 +144,7 @@ impl Drive<'_> {
     /// Reduces the speed of the setpoint at a deceleration [rad/s²].
     fn brake_along(&mut self, rate: f64) {
         let [position, speed, _] = self.demand;
-        let bounds = Bounds { speed: 0.0, acceleration: rate, deceleration: rate };
+        let bounds = MoveLimits { speed: 0.0, acceleration: rate, deceleration: rate };
         let next = ramped(speed, 0.0, &bounds, HALF_MS_S);
         self.demand = [
             position + 0.5 * (speed + next) * HALF_MS_S,
@@ -163,25 +163,25 @@ impl Drive<'_> {
                 let next = ramped(speed, wanted, &self.bounds(), HALF_MS_S);
                 self.demand = [position, next, (next - speed) / HALF_MS_S];
             }
-            (_, Course::Move(course)) => {
+            (_, SetpointCourse::Move(course)) => {
                 let (wanted, is_over) = course.step(HALF_MS_S);
                 self.demand = wanted;
                 if is_over {
-                    self.course = Course::Hold;
+                    self.course = SetpointCourse::Hold;
                     if let Some(target) = self.waiting.take() {
                         self.begin_move(target);
                         self.acknowledged = self.control & 1 << 4 != 0;
                     }
                 }
             }
-            (_, Course::Line(line)) => {
+            (_, SetpointCourse::Line(line)) => {
                 let (wanted, is_over) = line.step(HALF_MS_S);
                 self.demand = wanted;
                 if is_over {
-                    self.course = Course::Hold;
+                    self.course = SetpointCourse::Hold;
                 }
             }
-            (_, Course::Hold) => {
+            (_, SetpointCourse::Hold) => {
                 let rate = self.rate(0x6084);
                 self.brake_along(rate);
             }
@@ -208,7 +208,7 @@ impl Drive<'_> {
                 Mode::None | Mode::CyclicPosition => (false, 0),
                 Mode::ProfilePosition => {
                     let window = self.scale.plain_rad(number(0x6067));
-                    let rests = matches!(self.course, Course::Hold);
+                    let rests = matches!(self.course, SetpointCourse::Hold);
                     let off = (self.target_rad - reading.position_rad).abs();
                     (rests && off <= window, number(0x6068))
                 }

@@ -2,7 +2,7 @@
 
 use crate::endat::{self, ErrorBits, Frame, Mode, Timing};
 use crate::square::{HIGH, Window, phase};
-use crate::ssi::{self, Format, Position, monoflop};
+use crate::ssi::{self, Position, SsiFormat, monoflop};
 use crate::trace::{Clocked, EDGES_MOST, Edge, Line, TooManyEdges, Trace};
 use crate::{CommutationPhases, Deviation, Resolver, Shaft, SinePair, SquareTracks, Word};
 use quantities::{Angle, ElectricPotential, Measure, Time, identified};
@@ -54,7 +54,7 @@ pub struct Absolute {
     /// Protocol of transmission.
     pub protocol: Protocol,
     /// Number of bits of turns and angle.
-    pub format: Format,
+    pub format: SsiFormat,
 }
 
 identified! {

@@ -348,7 +348,7 @@ fn apart(one: f64, other: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ssi::Format;
+    use crate::ssi::SsiFormat;
     use crate::{Resolver, SinePair};
     use quantities::{EffectiveVoltage, Frequency};
 
@@ -356,7 +356,8 @@ mod tests {
     const PERIOD_S: f64 = 62.5e-6;
 
     fn sine(absolute: Option<(Protocol, u32, u32)>, periods: u32) -> Encoder {
-        let absolute = absolute.map(|(protocol, turns, steps)| Absolute { protocol, format: Format { turns, steps } });
+        let absolute =
+            absolute.map(|(protocol, turns, steps)| Absolute { protocol, format: SsiFormat { turns, steps } });
         let commutation = absolute.is_none().then_some(SinePair { periods: 1, level: None });
         let pair = SinePair { periods, level: None };
         Encoder { interface: Interface::Sine { pair, commutation, has_reference: true, absolute }, deviation: None }
@@ -478,7 +479,7 @@ mod tests {
     /// 4096 turns with zero in their middle: 2048 are lost; an encoder without turns loses none.
     #[test]
     fn a_lost_battery_leaves_a_valid_word() {
-        let of = |turns| Absolute { protocol: Protocol::Ssi, format: Format { turns, steps: 17 } };
+        let of = |turns| Absolute { protocol: Protocol::Ssi, format: SsiFormat { turns, steps: 17 } };
         assert_eq!(of(12).turns_lost(Angle::from_si(0.1)), Some(2048));
         assert_eq!(of(12).turns_lost(Angle::from_si(-0.1)), Some(2047));
         assert_eq!(of(0).turns_lost(Angle::from_si(0.1)), None);

@@ -5,7 +5,7 @@ use quantities::{Frequency, Measure, Time};
 
 /// Division of an SSI word into turns and angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Format {
+pub struct SsiFormat {
     /// Bits of the turns, transmitted first.
     pub turns: u32,
     /// Bits of the angle.
@@ -30,7 +30,7 @@ pub struct WrongLength {
     pub expected: u32,
 }
 
-impl Format {
+impl SsiFormat {
     /// Returns the number of bits of a word.
     #[must_use]
     pub const fn bits(self) -> u32 {
@@ -91,7 +91,7 @@ mod tests {
     use quantities::{Angle, AngularVelocity};
     use std::f64::consts::TAU;
 
-    const M128S: Format = Format { turns: 12, steps: 17 };
+    const M128S: SsiFormat = SsiFormat { turns: 12, steps: 17 };
 
     fn shaft(turns: i64, share: f64) -> Shaft {
         Shaft::new(turns, Angle::from_si(TAU * share), AngularVelocity::from_si(0.0))

@@ -5,7 +5,7 @@ use crate::drawing::{Chart, Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::labels::{amount, listed, percent, subject};
 use crate::utilisation::sign;
-use plot::{Axis, Bar, BarChart, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
+use plot::{Bar, BarChart, Dash, Label, Line, Panel, PlaneAxis, Reference, StackedChart, Tone};
 use project::Project;
 use quantities::unit::{NEWTON, NEWTON_METRE};
 use quantities::{Language, Measure, Unit};
@@ -27,9 +27,9 @@ pub fn bearing_load(
 ) -> Result<Drawing, NoFigure> {
     let window = window.and_then(|window| inside(window, project));
     let course = questions::flange_course(project, candidate).ok_or(NoFigure::NoFlangeLoads)?;
-    let kinds: [(Axis, &'static Unit, CheckId, &'static str, Load, &'static str); 3] = [
+    let kinds: [(PlaneAxis, &'static Unit, CheckId, &'static str, Load, &'static str); 3] = [
         (
-            Axis::new("F_r", NEWTON.symbol).name(pictures::radial_force(language)),
+            PlaneAxis::new("F_r", NEWTON.symbol).name(pictures::radial_force(language)),
             &NEWTON,
             CheckId::BearingRadial,
             "F_R,dyn(max)",
@@ -37,7 +37,7 @@ pub fn bearing_load(
             pictures::the_radial_force(language),
         ),
         (
-            Axis::new("F_a", NEWTON.symbol).name(pictures::axial_force(language)),
+            PlaneAxis::new("F_a", NEWTON.symbol).name(pictures::axial_force(language)),
             &NEWTON,
             CheckId::BearingAxial,
             "F_A,dyn(max)",
@@ -45,7 +45,7 @@ pub fn bearing_load(
             pictures::the_axial_force(language),
         ),
         (
-            Axis::new("M", NEWTON_METRE.symbol).name(pictures::tilting_moment(language)),
+            PlaneAxis::new("M", NEWTON_METRE.symbol).name(pictures::tilting_moment(language)),
             &NEWTON_METRE,
             CheckId::BearingTiltingMoment,
             "M_dyn(max)",
@@ -71,7 +71,7 @@ pub fn bearing_load(
     let about = pictures::bearing_load_caption(language);
     if loads.iter().all(Found::is_constant) {
         let constant = pictures::each_load_is_constant(language);
-        let axis = Axis::new("", "%").name(pictures::utilisation_of_the_limit(language));
+        let axis = PlaneAxis::new("", "%").name(pictures::utilisation_of_the_limit(language));
         let chart = loads.iter().fold(BarChart::new(axis), |chart, load| chart.bar(load.bar(language)));
         let texts = (format!("{constant} {about}"), description);
         return Ok(Drawing::new(Figure::BearingLoad, &of, (165.0, 55.0), texts, Chart::Bars(chart), language));
@@ -89,7 +89,7 @@ pub fn bearing_load(
 
 /// One load over the cycle, with its check.
 struct Found<'a> {
-    axis: Axis,
+    axis: PlaneAxis,
     unit: &'static Unit,
     check: &'a Check,
     symbol: &'static str,

@@ -3,7 +3,7 @@
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, subject};
 use crate::thin::thinned;
-use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
+use plot::{Dash, Label, Line, Panel, PlaneAxis, Reference, StackedChart, Tone};
 use project::Project;
 use quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, NEWTON_METRE, PERCENT,
@@ -66,23 +66,23 @@ pub fn cycle(
     let signals = [
         is_in(&[Motion]).then(|| match along {
             Some(factor) => {
-                let axis = Axis::new("x", MILLIMETRE.symbol).name(pictures::position_along_the_line(language));
+                let axis = PlaneAxis::new("x", MILLIMETRE.symbol).name(pictures::position_along_the_line(language));
                 signal(&course, axis, &MILLIMETRE, |sample| Some(factor * sample.position_rad))
             }
             None => {
-                let axis = Axis::new("φ", "°").name(pictures::angle_at_the_output(language));
+                let axis = PlaneAxis::new("φ", "°").name(pictures::angle_at_the_output(language));
                 signal(&course, axis, &DEGREE, |sample| Some(sample.position_rad))
             }
         }),
         along.filter(|_| is_in(&[Motion])).map(|factor| {
-            let axis = Axis::new("v", METRE_PER_SECOND.symbol).name(pictures::speed_along_the_line(language));
+            let axis = PlaneAxis::new("v", METRE_PER_SECOND.symbol).name(pictures::speed_along_the_line(language));
             signal(&course, axis, &METRE_PER_SECOND, |sample| Some(factor * sample.speed_rad_s))
         }),
         is_in(&[Motion, Energy]).then(|| {
             limited(
                 signal(
                     &course,
-                    Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(language)),
+                    PlaneAxis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(language)),
                     &REVOLUTION_PER_MINUTE,
                     |sample| Some(sample.speed_rad_s),
                 ),
@@ -94,12 +94,12 @@ pub fn cycle(
         is_in(&[Motion]).then(|| match along {
             Some(factor) => {
                 let name = pictures::acceleration_along_the_line(language);
-                let axis = Axis::new("a", METRE_PER_SECOND_SQUARED.symbol).name(name);
+                let axis = PlaneAxis::new("a", METRE_PER_SECOND_SQUARED.symbol).name(name);
                 signal(&course, axis, &METRE_PER_SECOND_SQUARED, |sample| Some(factor * sample.acceleration_rad_s2))
             }
             None => {
                 let name = pictures::acceleration_at_the_output(language);
-                let axis = Axis::new("α", RADIAN_PER_SECOND_SQUARED.symbol).name(name);
+                let axis = PlaneAxis::new("α", RADIAN_PER_SECOND_SQUARED.symbol).name(name);
                 signal(&course, axis, &RADIAN_PER_SECOND_SQUARED, |sample| Some(sample.acceleration_rad_s2))
             }
         }),
@@ -107,7 +107,7 @@ pub fn cycle(
             limited(
                 signal(
                     &course,
-                    Axis::new("T", NEWTON_METRE.symbol).name(pictures::output_torque(language)),
+                    PlaneAxis::new("T", NEWTON_METRE.symbol).name(pictures::output_torque(language)),
                     &NEWTON_METRE,
                     |sample| Some(sample.torque_nm),
                 ),
@@ -120,7 +120,7 @@ pub fn cycle(
             limited(
                 signal(
                     &course,
-                    Axis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(language)),
+                    PlaneAxis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(language)),
                     &AMPERE,
                     |sample| sample.current_a,
                 ),
@@ -132,14 +132,14 @@ pub fn cycle(
         is_in(&[Energy]).then(|| {
             signal(
                 &course,
-                Axis::new("P", WATT.symbol).name(pictures::power_at_the_motor_terminals(language)),
+                PlaneAxis::new("P", WATT.symbol).name(pictures::power_at_the_motor_terminals(language)),
                 &WATT,
                 |sample| sample.power_w,
             )
         }),
     ];
     let overload = limited(
-        signal(&course, Axis::new("I²t", PERCENT.symbol).name(pictures::overload(language)), &PERCENT, |sample| {
+        signal(&course, PlaneAxis::new("I²t", PERCENT.symbol).name(pictures::overload(language)), &PERCENT, |sample| {
             sample.overload
         }),
         limit_of(candidate, CheckId::OverloadI2t),
@@ -176,8 +176,8 @@ pub(crate) fn inside((from, until): (f64, f64), project: &Project) -> Option<(f6
 }
 
 /// Returns the time axis of a window or of the whole cycle.
-pub(crate) fn time_axis(window: Option<(f64, f64)>, language: Language) -> Axis {
-    let axis = Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(language))).minor_ticks();
+pub(crate) fn time_axis(window: Option<(f64, f64)>, language: Language) -> PlaneAxis {
+    let axis = PlaneAxis::new("t", SECOND.symbol).name(&capitalised(terms::time(language))).minor_ticks();
     match window {
         Some((from, until)) => axis.range(from, until),
         None => axis,
@@ -194,7 +194,7 @@ fn cut(course: Course, (from, until): (f64, f64)) -> Course {
 
 /// A quantity over the cycle.
 struct Signal {
-    axis: Axis,
+    axis: PlaneAxis,
     unit: &'static Unit,
     line: Line,
     /// Extremes in SI.
@@ -215,7 +215,12 @@ impl Signal {
     }
 }
 
-fn signal(course: &Course, axis: Axis, unit: &'static Unit, of: impl Fn(&Sample) -> Option<f64>) -> Option<Signal> {
+fn signal(
+    course: &Course,
+    axis: PlaneAxis,
+    unit: &'static Unit,
+    of: impl Fn(&Sample) -> Option<f64>,
+) -> Option<Signal> {
     let (low, high) = extremes(course, &of)?;
     let points = course.samples.iter().filter_map(|sample| Some((sample.time_s, unit.from_si(of(sample)?))));
     let line = Line::new(points).tone(Tone::Trace);
@@ -278,7 +283,7 @@ fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) 
         let points = course.samples.iter();
         Line::new(points.filter_map(move |sample| Some((sample.time_s, DEGREE_CELSIUS.from_si(of(sample)?)))))
     };
-    let mut axis = Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(pictures::temperature(language)).without_zero();
+    let mut axis = PlaneAxis::new("ϑ", DEGREE_CELSIUS.symbol).name(pictures::temperature(language)).without_zero();
     let (coldest, _) = extremes(course, |sample| sample.housing_k.or(sample.winding_k))?;
     let (_, warmest) = extremes(course, |sample| sample.winding_k)?;
     if let Some(limit) = limit_of(candidate, CheckId::Thermal) {

@@ -158,7 +158,7 @@ impl Drawing {
             Chart::Stacked(chart) => chart.lines(),
             Chart::Bars(_) | Chart::Face(_) => return String::new(),
         };
-        let head = |axis: &plot::Axis, label: &str| {
+        let head = |axis: &plot::PlaneAxis, label: &str| {
             let (symbol, unit) = axis.sign();
             let name = if label.is_empty() { symbol.to_owned() } else { format!("{symbol} {label}") };
             if unit.is_empty() { name } else { format!("{name} [{unit}]") }
@@ -169,7 +169,8 @@ impl Drawing {
         let places = |line: &plot::Line| line.points().iter().map(|point| point.0.to_bits()).collect::<Vec<_>>();
         let shared = lines.iter().all(|(_, line)| places(line) == places(first));
         let mut out = String::new();
-        let blocks: Vec<&[(&plot::Axis, &plot::Line)]> = if shared { vec![&lines] } else { lines.chunks(1).collect() };
+        let blocks: Vec<&[(&plot::PlaneAxis, &plot::Line)]> =
+            if shared { vec![&lines] } else { lines.chunks(1).collect() };
         for block in blocks {
             let heads = block.iter().map(|(y, line)| head(y, &line.label_text()));
             out += &[head(x, "")].into_iter().chain(heads).collect::<Vec<_>>().join("\t");

@@ -2,7 +2,7 @@
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, percent};
-use plot::{Axis, Dash, Markers, Note, Reference, Shape, Tone, XyChart};
+use plot::{Dash, Markers, Note, PlaneAxis, Reference, Shape, Tone, XyChart};
 use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, Unit};
 use questions::{Candidate, CandidateId, Fit, Sizing};
@@ -104,10 +104,10 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
         found.collect::<Vec<_>>()
     };
     let axis = match by {
-        By::Mass => Axis::new("m", "kg").name(&capitalised(terms::mass(language))),
-        By::Length => Axis::new("L", "mm").name(pictures::length(language)),
+        By::Mass => PlaneAxis::new("m", "kg").name(&capitalised(terms::mass(language))),
+        By::Length => PlaneAxis::new("L", "mm").name(pictures::length(language)),
     };
-    let mut chart = XyChart::map(axis, Axis::new("", "%").name(pictures::margin_to_the_tightest_limit(language)))
+    let mut chart = XyChart::map(axis, PlaneAxis::new("", "%").name(pictures::margin_to_the_tightest_limit(language)))
         .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
         .nothing(pictures::no_candidate_can_be_shown(&all.len(), &percent(MARGIN_MIN, language), language));
     // Fitting candidates are drawn last, on top of the others.

@@ -3,7 +3,7 @@
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent, subject};
 use order_code::OrderCode;
-use plot::{Area, Axis, Dash, Hatch, Item, Label, Line, Markers, Note, Reference, Shape, Tone, Width, XyChart};
+use plot::{Area, Dash, Hatch, Item, Label, Line, Markers, Note, PlaneAxis, Reference, Shape, Tone, Width, XyChart};
 use project::Project;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
 use quantities::{AngularVelocity, Language, Measure, Torque, Unit, format_number, format_significant};
@@ -93,8 +93,8 @@ pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
 
 fn empty(language: Language) -> XyChart {
     XyChart::new(
-        Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(language)).minor_ticks(),
-        Axis::new("T", NEWTON_METRE.symbol).name(pictures::output_torque(language)).minor_ticks(),
+        PlaneAxis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(language)).minor_ticks(),
+        PlaneAxis::new("T", NEWTON_METRE.symbol).name(pictures::output_torque(language)).minor_ticks(),
     )
     .four_quadrant()
 }

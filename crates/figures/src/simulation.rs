@@ -2,7 +2,7 @@
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::subject;
-use plot::{Axis, Dash, Line, Panel, Reference, StackedChart, Tone};
+use plot::{Dash, Line, Panel, PlaneAxis, Reference, StackedChart, Tone};
 use quantities::unit::{AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
 use quantities::{Language, Unit, format_significant};
 use questions::{Simulated, TwinSample};
@@ -36,7 +36,7 @@ pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Lan
     let last = run.course.partition_point(|sample| sample.time_s <= until);
     // A window outside the run, or between two of its samples, shows the whole run.
     let course = run.course.get(first..last).filter(|course| course.len() > 1).unwrap_or(&run.course);
-    let of = |axis: Axis, unit: &'static Unit, curves: &[Curve<'_>]| {
+    let of = |axis: PlaneAxis, unit: &'static Unit, curves: &[Curve<'_>]| {
         curves.iter().fold(Panel::new(axis), |panel, (tone, dash, label, value)| {
             let points = course.iter().map(|sample| (sample.time_s, unit.from_si(value(sample))));
             let line = Line::new(points).tone(*tone);
@@ -51,12 +51,12 @@ pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Lan
     let [wanted, load, motor] = [simulation::wanted(l), simulation::of_the_load(l), simulation::of_the_motor(l)];
     let mut panels = vec![
         of(
-            Axis::new("φ", DEGREE.symbol).name(pictures::angle_at_the_output(l)),
+            PlaneAxis::new("φ", DEGREE.symbol).name(pictures::angle_at_the_output(l)),
             &DEGREE,
             &[(first, None, load, |s| s.position_rad), (Tone::Trace, Some(Dash::Dotted), wanted, |s| s.wanted_rad)],
         ),
         of(
-            Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(l)),
+            PlaneAxis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(l)),
             &REVOLUTION_PER_MINUTE,
             &[
                 (second, None, motor, |s| s.motor_rad_s),
@@ -65,33 +65,33 @@ pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Lan
             ],
         ),
         of(
-            Axis::new("T", NEWTON_METRE.symbol).name(pictures::torque_on_the_gear(l)),
+            PlaneAxis::new("T", NEWTON_METRE.symbol).name(pictures::torque_on_the_gear(l)),
             &NEWTON_METRE,
             &[(Tone::Trace, None, "", |s| s.torque_nm)],
         ),
         of(
-            Axis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(l)),
+            PlaneAxis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(l)),
             &AMPERE,
             &[(Tone::Trace, None, "", |s| s.current_q_a / SQRT_2)],
         ),
         of(
-            Axis::new("Δφ", "arcmin").name(simulation::following_error(l)),
+            PlaneAxis::new("Δφ", "arcmin").name(simulation::following_error(l)),
             &ARCMINUTE,
             &[(Tone::Trace, None, "", |s| s.following_rad)],
         ),
         of(
-            Axis::new("U_DC", VOLT.symbol).name(simulation::dc_link(l)),
+            PlaneAxis::new("U_DC", VOLT.symbol).name(simulation::dc_link(l)),
             &VOLT,
             &[(Tone::Trace, None, "", |s| s.link_v)],
         ),
     ];
     let (winding, housing) = (terms::winding(l), terms::housing(l));
     panels.push(of(
-        Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(simulation::temperatures(l)),
+        PlaneAxis::new("ϑ", DEGREE_CELSIUS.symbol).name(simulation::temperatures(l)),
         &DEGREE_CELSIUS,
         &[(first, None, winding, |s| s.winding_k), (second, None, housing, |s| s.housing_k)],
     ));
-    let time = Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(l))).minor_ticks();
+    let time = PlaneAxis::new("t", SECOND.symbol).name(&capitalised(terms::time(l))).minor_ticks();
     let mut chart = StackedChart::new(time);
     let mut height = FRAME_MM;
     for panel in panels {
@@ -122,10 +122,10 @@ pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Lan
 #[must_use]
 pub fn control_loops(run: &Simulated<'_>, language: Language) -> Drawing {
     let l = language;
-    let frequency = Axis::new("lg f", "Hz").name(simulation::logarithm_of_frequency(l)).minor_ticks();
+    let frequency = PlaneAxis::new("lg f", "Hz").name(simulation::logarithm_of_frequency(l)).minor_ticks();
     let decibel = |size: f64| 20.0 * size.max(1e-6).log10();
-    let mut magnitude = Panel::new(Axis::new("|F|", "dB").name(simulation::magnitude(l)));
-    let mut phase = Panel::new(Axis::new("φ", "°").name(simulation::phase(l)));
+    let mut magnitude = Panel::new(PlaneAxis::new("|F|", "dB").name(simulation::magnitude(l)));
+    let mut phase = Panel::new(PlaneAxis::new("φ", "°").name(simulation::phase(l)));
     for (tone, each) in (0_u8..).zip(&run.loops) {
         let tone = Tone::Series(tone);
         let label = simulation::loop_title(each.of, l);

@@ -3,7 +3,7 @@
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::labels::{amount, subject};
-use plot::{Axis, Dash, Label, Line, Markers, Reference, Tone, Width, XyChart};
+use plot::{Dash, Label, Line, Markers, PlaneAxis, Reference, Tone, Width, XyChart};
 use project::Project;
 use quantities::unit::{ARCMINUTE, NEWTON_METRE};
 use quantities::{Language, Measure, Torque};
@@ -49,8 +49,8 @@ fn drawn(about: &str, found: &TorsionCurve, point: Point, language: Language) ->
         |torque: Torque, symbol: &str| Reference::vertical(nm(torque)).dash(Dash::Dotted).label(Label::symbol(symbol));
     let name = pictures::working_point(language);
     let chart = XyChart::new(
-        Axis::new("T", NEWTON_METRE.symbol).name(pictures::torque_on_the_gear(language)),
-        Axis::new("φ", "arcmin").name(pictures::torsion(language)),
+        PlaneAxis::new("T", NEWTON_METRE.symbol).name(pictures::torque_on_the_gear(language)),
+        PlaneAxis::new("φ", "arcmin").name(pictures::torsion(language)),
     )
     .four_quadrant()
     .with(border(found.curve.torque_1, "T_1"))

@@ -2,7 +2,7 @@
 
 use crate::drawing::{Chart, Drawing, Figure};
 use answers::{EncoderSignal, EncoderState, SignalForm};
-use plot::{Axis, Dash, Line, Panel, Reference, StackedChart, Tone};
+use plot::{Dash, Line, Panel, PlaneAxis, Reference, StackedChart, Tone};
 use quantities::unit::MICROSECOND;
 use quantities::{Language, format_significant};
 use words::{capitalised, encoder, terms};
@@ -40,7 +40,7 @@ fn tracks(
 ) -> Drawing {
     let l = language;
     let number = |value: f64| format_significant(value, 4, l);
-    let angle = Axis::new("φ − φ_0", "°").name(&capitalised(encoder::angle_from_the_shaft(l))).minor_ticks();
+    let angle = PlaneAxis::new("φ − φ_0", "°").name(&capitalised(encoder::angle_from_the_shaft(l))).minor_ticks();
     let mut chart = StackedChart::new(angle);
     let mut height = FRAME_MM;
     let mut described = vec![encoder::tracks_described(&number(state.shaft.angle_deg.0), &number(2.0 * range), l)];
@@ -56,7 +56,7 @@ fn tracks(
             points.push((offset.0, value.0));
         }
         let unit = if signal.unit == "1" { "" } else { signal.unit };
-        let panel = Panel::new(Axis::new(name, unit)).with(Line::new(points).tone(Tone::Series(tone % 4)));
+        let panel = Panel::new(PlaneAxis::new(name, unit)).with(Line::new(points).tone(Tone::Series(tone % 4)));
         chart = chart.panel(panel.with(Reference::vertical(0.0).dash(Dash::Dashed)));
         height += PANEL_MM;
         if let Some(value) = signal.value {
@@ -71,12 +71,12 @@ fn tracks(
 fn carrier(code: &str, state: &EncoderState, language: Language) -> Option<Drawing> {
     let l = language;
     let found = state.carrier.as_ref()?;
-    let time = Axis::new("t", MICROSECOND.symbol).name(&capitalised(terms::time(l))).minor_ticks();
+    let time = PlaneAxis::new("t", MICROSECOND.symbol).name(&capitalised(terms::time(l))).minor_ticks();
     let line = |volts: &[answers::Number], tone: u8, label: &str| {
         let points = found.time_us.iter().zip(volts).map(|(time, volts)| (time.0, volts.0));
         Line::new(points).tone(Tone::Series(tone)).label(label)
     };
-    let panel = Panel::new(Axis::new("U", "V"))
+    let panel = Panel::new(PlaneAxis::new("U", "V"))
         .with(line(&found.excitation_v, 2, encoder::excitation(l)))
         .with(line(&found.sine_v, 0, encoder::sine_winding(l)))
         .with(line(&found.cosine_v, 1, encoder::cosine_winding(l)));

@@ -2,7 +2,7 @@
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent};
-use plot::{Axis, Bar, BarChart, Label};
+use plot::{Bar, BarChart, Label, PlaneAxis};
 use quantities::Language;
 use questions::texts::{by_importance, checked_text, counts_text, margin_share, verdict_text};
 use questions::{Candidate, Check, CheckId, Direction, Objection, Unmet, Verdict};
@@ -15,7 +15,7 @@ use words::{
 #[must_use]
 pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     let checks = by_importance(&candidate.judgement.checks);
-    let mut chart = BarChart::new(Axis::new("", "%").name(pictures::utilisation_of_the_limit(language)));
+    let mut chart = BarChart::new(PlaneAxis::new("", "%").name(pictures::utilisation_of_the_limit(language)));
     for objection in &candidate.objections {
         chart = chart.bar(objection_bar(candidate, objection, language));
     }

@@ -4,7 +4,7 @@ use crate::commission::encoder::{EncoderSide, rows};
 use crate::wiring::{CodeWiring, Pin, Role, SignalMeaning};
 use actuator::Feedback;
 use catalogue::{Cell, Value};
-use feedback::ssi::Format;
+use feedback::ssi::SsiFormat;
 use feedback::{
     Absolute, CommutationPhases, Encoder, Interface, Protocol, Resolver, Shaft, Signal, SinePair, Span, SquareTracks,
 };
@@ -229,7 +229,7 @@ impl Rows<'_> {
         let absolute = match self.cell("protocol", "") {
             Some(cell) => Some(Absolute {
                 protocol: if cell.corrected.starts_with("SSI") { Protocol::Ssi } else { Protocol::EnDat },
-                format: Format { turns: self.bits("turns").unwrap_or(0), steps: self.bits("positions_per_turn")? },
+                format: SsiFormat { turns: self.bits("turns").unwrap_or(0), steps: self.bits("positions_per_turn")? },
             }),
             None => None,
         };

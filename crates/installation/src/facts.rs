@@ -1,7 +1,7 @@
 //! Facts of the manual that concern an ordering code, and their order.
 
 use actuator::Parameters;
-use catalogue::{Fact, Step, Topic};
+use catalogue::{Fact, LifeStep, Topic};
 use configurator::Uncovered;
 use order_code::OrderCode;
 use provenance::Datum;
@@ -36,7 +36,7 @@ pub fn facts_about(topic: Topic, code: &OrderCode, order: Order) -> Vec<&'static
         Order::Data => {}
         Order::Gravest => facts.sort_by_key(|fact| (fact.signal.is_none(), fact.signal, fact.step)),
         Order::Life => facts.sort_by_key(|fact| {
-            let weight = (fact.step != Some(Step::Shutdown)).then_some((fact.signal.is_none(), fact.signal));
+            let weight = (fact.step != Some(LifeStep::Shutdown)).then_some((fact.signal.is_none(), fact.signal));
             (fact.step.is_none(), fact.step, weight)
         }),
     }

@@ -50,7 +50,7 @@ identified! {
 
 /// A pilot with the bore on it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fit {
+pub struct PilotFit {
     /// Side of the pilot.
     pub side: Side,
     /// Nominal diameter from the manual.
@@ -237,7 +237,7 @@ pub fn fit_kind(clearance_min: Length, clearance_max: Length) -> FitKind {
 /// # Source
 /// cha-manual table 77.1
 #[must_use]
-pub fn fit(code: &OrderCode, side: Side, bore: Option<Bore>) -> Option<Fit> {
+pub fn fit(code: &OrderCode, side: Side, bore: Option<Bore>) -> Option<PilotFit> {
     let (symbol, zone_symbol) = match side {
         Side::Load => ("fit_inner_ring", "fit_inner_ring_zone"),
         Side::Housing => ("fit_housing", "fit_housing_zone"),
@@ -258,7 +258,7 @@ pub fn fit(code: &OrderCode, side: Side, bore: Option<Bore>) -> Option<Fit> {
         Bore::Limits(limits) => (limits, None),
     };
     let (clearance_min, clearance_max) = clearance(&bore_deviations, &pilot.value);
-    Some(Fit {
+    Some(PilotFit {
         side,
         nominal,
         pilot_zone,

@@ -1,7 +1,7 @@
 //! Mounting of an actuator: fits, tolerances, dimensions, screws, and requirements of the manual.
 
 use crate::facts::{Order, facts_about, mass_of, needs_hoist};
-use crate::fit::{Bore, Fit, Side, fit};
+use crate::fit::{Bore, PilotFit, Side, fit};
 use crate::joint::{AxisLoads, BoltedJoint, joint};
 use catalogue::{Cell, Fact, Topic};
 use configurator::{Uncovered, uncovered};
@@ -28,7 +28,7 @@ pub struct Mount {
     /// Properties of the code that the tables do not cover.
     pub uncovered: Vec<Uncovered>,
     /// Pilots with the bores on them, load first.
-    pub fits: Vec<Fit>,
+    pub fits: Vec<PilotFit>,
     /// Tolerances of the output flange, by symbol.
     pub runouts: Vec<(&'static str, Datum<Length>)>,
     /// Overall length; not stated for designs that differ from the standard version.

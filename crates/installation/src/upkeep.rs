@@ -4,7 +4,7 @@
 use crate::calendar::Interval;
 use crate::facts::{Order, facts_about};
 use actuator::{BatteryFault, BatteryLife};
-use catalogue::{Fact, Step, Topic};
+use catalogue::{Fact, LifeStep, Topic};
 use chrono::{Days, NaiveDate};
 use order_code::OrderCode;
 use provenance::{Datum, Grade, Source};
@@ -230,14 +230,14 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
     // Lines with the same date keep the order of the tasks.
     plan.lines.sort_by_key(|line| line.next);
     let facts = facts_about(Topic::Upkeep, code, Order::Life);
-    let of = |steps: &[Step]| -> Vec<&'static Fact> {
+    let of = |steps: &[LifeStep]| -> Vec<&'static Fact> {
         let wanted = |fact: &&&Fact| fact.step.is_some_and(|step| steps.contains(&step)) && fact.id != ISOLATE.0;
         facts.iter().filter(wanted).copied().collect()
     };
-    let mut shutdown = of(&[Step::Shutdown]);
+    let mut shutdown = of(&[LifeStep::Shutdown]);
     let place = shutdown.iter().position(|fact| fact.id == ISOLATE.1).unwrap_or(shutdown.len());
     shutdown.splice(place..place, facts.iter().find(|fact| fact.id == ISOLATE.0).copied());
-    let [storage, disposal] = [Step::Transport, Step::Disposal].map(|step| of(&[step]));
+    let [storage, disposal] = [LifeStep::Transport, LifeStep::Disposal].map(|step| of(&[step]));
     let elsewhere = [&storage, &shutdown, &disposal];
     let mut service: Vec<&'static Fact> = facts
         .iter()

@@ -10,9 +10,9 @@ pub use cables::{Cable, CableFor, CableLength, CableRole};
 pub use comparison::{PinComparison, PinDifference, PinFinding, Severity, compare};
 pub use drop::{Circuit, DropVerdict, VoltageDrop, voltage_drops};
 pub use pin_list::{LISTED_BYTES_MAX, ListFault, ListedPin, PinColumn, PinList, read_pin_list};
-pub use signal::{Polarity, Protocol, Signal, SignalGroup, SignalMeaning, TrackForm};
+pub use signal::{Polarity, Protocol, SignalGroup, SignalMeaning, TrackForm, WiringSignal};
 
-use catalogue::{Cell, SeriesData, Table};
+use catalogue::{Cell, ManualTable, SeriesData};
 use order_code::{Brake, OrderCode};
 use quantities::identified;
 
@@ -70,7 +70,7 @@ pub struct Connector {
     /// Mounting at a cable or in the housing; `None` if table 11.3 does not state it.
     pub exit: Option<Exit>,
     /// Table of the pins.
-    pub table: &'static Table,
+    pub table: &'static ManualTable,
     /// Pins in order; empty if the table applies to other sizes only.
     pub pins: Vec<Pin>,
     /// Colours shared by several wires.
@@ -104,7 +104,7 @@ pub struct Pin {
     /// Signal stated in the manual; `None` if the field is empty.
     pub signal: Option<&'static Cell>,
     /// Signal on the pin; `None` if it is not connected.
-    pub carries: Option<Signal>,
+    pub carries: Option<WiringSignal>,
     /// Colour of the wire; `None` if the manual states none.
     pub colour: Option<&'static Cell>,
 }
@@ -254,7 +254,7 @@ fn exit_of(role: Role, code: &OrderCode) -> Option<Exit> {
 }
 
 /// Returns the pins of a connector: those listed in the table, and the remaining poles with empty fields.
-fn pins_of(role: Role, table: &'static Table, poles: u8, code: &OrderCode) -> Vec<Pin> {
+fn pins_of(role: Role, table: &'static ManualTable, poles: u8, code: &OrderCode) -> Vec<Pin> {
     let mut pins: Vec<Pin> = Vec::new();
     for cell in table.cells().iter().filter(|cell| holds(cell, role, code)) {
         let Some((_, head)) = cell.place.condition.rsplit_once("pin ") else { continue };
@@ -270,7 +270,7 @@ fn pins_of(role: Role, table: &'static Table, poles: u8, code: &OrderCode) -> Ve
             "wire_colour" if cell.corrected != "-" => pin.colour = Some(cell),
             "signal" | "motor_phase" => {
                 pin.signal = Some(cell);
-                pin.carries = Signal::of_print(cell.corrected, role, code.feedback);
+                pin.carries = WiringSignal::of_print(cell.corrected, role, code.feedback);
             }
             _ => {}
         }

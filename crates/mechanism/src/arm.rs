@@ -1,6 +1,6 @@
 //! `[mechanism.arm]`: an unbalanced arm; the equations are those of a [`crate::Rotor`].
 
-use crate::drawing::{Course, Drawing, Figures, Look, Placement, polar};
+use crate::drawing::{Drawing, GroupAngles, Look, MechanismValues, Placement, polar};
 use std::f64::consts::FRAC_PI_2;
 
 /// The longer of both distances on the sheet.
@@ -9,7 +9,7 @@ const REACH: f64 = 215.0;
 /// Angle of the drawn arm if no angle is stated \[rad\].
 const NEUTRAL_RAD: f64 = 0.27;
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let axis = [92.0, 112.0];
     let start = figures.start_rad();
     let lean = figures.of("start_angle").unwrap_or(NEUTRAL_RAD);
@@ -42,7 +42,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     if share > 0.05 {
         // The weight moves with the centre of mass and always points downwards.
         drawing = drawing.moves(
-            &Course::round(start),
+            &GroupAngles::round(start),
             weight,
             |angle| {
                 let [x, y] = polar(axis, centre, lean + angle - start);
@@ -63,7 +63,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
 }
 
 /// Returns the distances of centre of mass and payload on the sheet, to scale.
-fn distances(figures: &Figures) -> [f64; 2] {
+fn distances(figures: &MechanismValues) -> [f64; 2] {
     let (centre, payload) = (figures.of("centre_distance"), figures.length("payload_distance"));
     let longest = centre.unwrap_or(0.0).max(payload.unwrap_or(0.0));
     let on_sheet = |metres: f64| (REACH * metres / longest).max(0.0);

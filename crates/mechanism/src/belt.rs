@@ -1,8 +1,8 @@
 //! `[mechanism.belt]`: a belt or a rack with a slide; the equations are those of a [`crate::Linear`] drive.
 
-use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
+use crate::drawing::{Drawing, GroupAngles, Look, MechanismValues, Placement, Step};
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let start = figures.start_rad();
     let radius = figures.length("pulley_diameter").map_or(0.03, |diameter| 0.5 * diameter);
     let (scale, x) = figures.along(radius, 30.0 / radius, [88.0, 218.0], 155.0);
@@ -21,7 +21,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     drawing = turning(drawing, [306.0, 112.0]);
     drawing
         .moves(
-            &Course::even(start),
+            &GroupAngles::even(start),
             [x, 112.0],
             |angle| Placement::shifted([radius * scale * (angle - start), 0.0]),
             |it| {

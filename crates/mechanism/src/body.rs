@@ -21,7 +21,7 @@ pub enum Orientation {
 /// Shape of a homogeneous body. The moments of inertia refer to the axis through the centre of mass parallel to the
 /// axis of rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shape {
+pub enum SolidShape {
     /// Solid cylinder; a disc is a short one.
     Cylinder {
         /// d: diameter.
@@ -76,7 +76,7 @@ pub enum Shape {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
     /// Shape of the body.
-    pub shape: Shape,
+    pub shape: SolidShape,
     /// m: mass of one piece; either this or the density is stated.
     pub mass: Option<Mass>,
     /// ρ: density; either this or the mass is stated.
@@ -231,7 +231,7 @@ impl Body {
             .filter(|(field, value)| !(above_zero(value.si()) || *field == "inner" && value.si() == 0.0))
             .map(|(field, value)| BodyError::DimensionOutOfRange { field, value })
             .collect();
-        if let Shape::Tube { outer, inner, .. } = self.shape
+        if let SolidShape::Tube { outer, inner, .. } = self.shape
             && above_zero(outer.si())
             && above_zero(inner.si())
             && inner.si() >= outer.si()
@@ -241,7 +241,7 @@ impl Body {
         match (self.mass, self.density) {
             (None, None) => faults.push(BodyError::NoMass),
             (Some(mass), Some(density)) => faults.push(BodyError::MassAndDensity { mass, density }),
-            (None, Some(_)) if matches!(self.shape, Shape::PointMass | Shape::Rod { .. }) => {
+            (None, Some(_)) if matches!(self.shape, SolidShape::PointMass | SolidShape::Rod { .. }) => {
                 faults.push(BodyError::NoVolume);
             }
             _ => {}
@@ -262,7 +262,7 @@ impl Body {
     }
 }
 
-impl Shape {
+impl SolidShape {
     /// Returns the dimensions of the shape with their names.
     fn dimensions(&self) -> [Option<(&'static str, Length)>; 3] {
         match *self {

@@ -1,8 +1,8 @@
 //! `[mechanism.conveyor]`: a conveyor or a roller; the equations are those of a [`crate::Linear`] drive.
 
-use crate::drawing::{Course, Drawing, Figures, Look, Placement};
+use crate::drawing::{Drawing, GroupAngles, Look, MechanismValues, Placement};
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let (start, roller, apart) = (figures.start_rad(), 22.0, 75.0);
     let rollers = [60.0, 125.0, 190.0, 255.0, 320.0];
     let mut drawing =
@@ -15,7 +15,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     }
     drawing
         .moves(
-            &Course::anew(start, apart / roller),
+            &GroupAngles::anew(start, apart / roller),
             [60.0, 92.0],
             |angle| Placement::shifted([roller * (angle - start), 0.0]),
             |it| {

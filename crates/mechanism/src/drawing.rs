@@ -8,14 +8,14 @@ mod svg;
 #[cfg(test)]
 mod tests;
 
-pub use figures::Figures;
-pub(crate) use moving::Course;
+pub use figures::MechanismValues;
+pub(crate) use moving::GroupAngles;
 pub use moving::{Beyond, Moving, Placement};
 
 use std::f64::consts::FRAC_PI_2;
 
 /// A point of the sheet.
-pub type Point = [f64; 2];
+pub type SheetPoint = [f64; 2];
 
 /// Line style and fill of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,42 +44,42 @@ pub enum Look {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
     /// Beginning of a new subpath.
-    Move(Point),
+    Move(SheetPoint),
     /// Straight line to a point.
-    Line(Point),
+    Line(SheetPoint),
     /// Arc of a radius to a point, turning right if `true`, the shorter way.
-    Arc(f64, bool, Point),
+    Arc(f64, bool, SheetPoint),
     /// Cubic curve with two control points to a point.
-    Curve(Point, Point, Point),
+    Curve(SheetPoint, SheetPoint, SheetPoint),
     /// Line back to the beginning of the subpath.
     Close,
 }
 
 /// A part of a drawing.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Part {
+pub enum DrawingPart {
     /// Circle with centre and radius.
-    Circle(Look, Point, f64),
+    Circle(Look, SheetPoint, f64),
     /// Path of lines and arcs.
     Path(Look, Vec<Step>),
     /// Symbol for a centre of mass.
-    Centre(Point),
+    Centre(SheetPoint),
     /// Symbol without a key, at its centre.
-    Symbol(&'static str, Point),
+    Symbol(&'static str, SheetPoint),
     /// Parts that move together, with the index of their group in [`Drawing::moving`].
-    Group(usize, Vec<Part>),
+    Group(usize, Vec<DrawingPart>),
 }
 
 impl Step {
     /// Returns the end of the step.
-    const fn end(self) -> Option<Point> {
+    const fn end(self) -> Option<SheetPoint> {
         match self {
             Self::Move(to) | Self::Line(to) | Self::Arc(_, _, to) | Self::Curve(_, _, to) => Some(to),
             Self::Close => None,
         }
     }
 
-    fn map(&mut self, change: impl Fn(Point) -> Point) {
+    fn map(&mut self, change: impl Fn(SheetPoint) -> SheetPoint) {
         match self {
             Self::Move(to) | Self::Line(to) | Self::Arc(_, _, to) => *to = change(*to),
             Self::Curve(a, b, to) => (*a, *b, *to) = (change(*a), change(*b), change(*to)),
@@ -88,8 +88,8 @@ impl Step {
     }
 }
 
-impl Part {
-    fn map(&mut self, change: impl Fn(Point) -> Point + Copy) {
+impl DrawingPart {
+    fn map(&mut self, change: impl Fn(SheetPoint) -> SheetPoint + Copy) {
         match self {
             Self::Circle(_, at, _) | Self::Centre(at) | Self::Symbol(_, at) => *at = change(*at),
             Self::Path(_, steps) => steps.iter_mut().for_each(|step| step.map(change)),
@@ -98,7 +98,7 @@ impl Part {
     }
 
     /// Passes the extreme points of the part to `take`.
-    fn corners(&self, take: &mut impl FnMut(Point)) {
+    fn corners(&self, take: &mut impl FnMut(SheetPoint)) {
         match self {
             Self::Circle(_, [x, y], radius) => {
                 for (dx, dy) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
@@ -117,12 +117,12 @@ impl Part {
 }
 
 /// Returns the point at a distance and an angle from another one, counter-clockwise from the right.
-pub(crate) fn polar([x, y]: Point, radius: f64, angle_rad: f64) -> Point {
+pub(crate) fn polar([x, y]: SheetPoint, radius: f64, angle_rad: f64) -> SheetPoint {
     [x + radius * angle_rad.cos(), y - radius * angle_rad.sin()]
 }
 
 /// Iterates over straight lines from point to point.
-pub(crate) fn polyline(points: &[Point]) -> impl Iterator<Item = Step> {
+pub(crate) fn polyline(points: &[SheetPoint]) -> impl Iterator<Item = Step> {
     points.iter().enumerate().map(|(k, at)| if k == 0 { Step::Move(*at) } else { Step::Line(*at) })
 }
 
@@ -136,9 +136,9 @@ pub struct CallOut {
     /// Symbol of the key; the part after `_` is a subscript.
     pub symbol: &'static str,
     /// End of the leader.
-    pub at: Point,
+    pub at: SheetPoint,
     /// Centre of the symbol.
-    pub label: Point,
+    pub label: SheetPoint,
     /// Moving group to which the leader points, if any.
     pub group: Option<usize>,
 }
@@ -147,9 +147,9 @@ pub struct CallOut {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
     /// Width and height of the sheet.
-    pub size: Point,
+    pub size: SheetPoint,
     /// Parts from back to front.
-    pub parts: Vec<Part>,
+    pub parts: Vec<DrawingPart>,
     /// Call-outs of the keys.
     pub call_outs: Vec<CallOut>,
     /// Moving groups.
@@ -159,7 +159,7 @@ pub struct Drawing {
 }
 
 /// Space required by a symbol on either side of its centre.
-const LABEL: Point = [11.0, 8.0];
+const LABEL: SheetPoint = [11.0, 8.0];
 
 /// Margin of a sheet adapted to its content.
 const EDGE: f64 = 6.0;
@@ -178,15 +178,15 @@ impl Drawing {
     }
 
     /// Sets the rotation of the whole drawing to the inclination of a line along which something moves to the right.
-    pub(crate) fn along_a_line(self, figures: &Figures) -> Self {
+    pub(crate) fn along_a_line(self, figures: &MechanismValues) -> Self {
         self.leaning(figures.of("inclination").unwrap_or(0.0))
     }
 
     /// Adds a moving group, with the call-outs that point to it.
     pub(crate) fn moves(
         mut self,
-        course: &Course,
-        about: Point,
+        course: &GroupAngles,
+        about: SheetPoint,
         place: impl Fn(f64) -> Placement,
         draw: impl FnOnce(Self) -> Self,
     ) -> Self {
@@ -195,7 +195,7 @@ impl Drawing {
         self.moving.push(Moving::of(course, about, place));
         self = draw(self);
         let own = std::mem::replace(&mut self.parts, around);
-        self.parts.push(Part::Group(group, own));
+        self.parts.push(DrawingPart::Group(group, own));
         for call_out in self.call_outs.iter_mut().skip(calls) {
             call_out.group = Some(group);
         }
@@ -203,16 +203,16 @@ impl Drawing {
     }
 
     /// Adds a group that turns with the output, counter-clockwise for a positive rate.
-    pub(crate) fn turns(self, start_rad: f64, about: Point, rate: f64, draw: impl FnOnce(Self) -> Self) -> Self {
-        self.moves(&Course::even(start_rad), about, |angle| Placement::turned(rate * (angle - start_rad)), draw)
+    pub(crate) fn turns(self, start_rad: f64, about: SheetPoint, rate: f64, draw: impl FnOnce(Self) -> Self) -> Self {
+        self.moves(&GroupAngles::even(start_rad), about, |angle| Placement::turned(rate * (angle - start_rad)), draw)
     }
 
     /// Returns the drawing as shown: rotated, with the overhang if stated, on a sheet that includes the motion.
-    pub(crate) fn finished(mut self, figures: &Figures) -> Self {
+    pub(crate) fn finished(mut self, figures: &MechanismValues) -> Self {
         let lean = self.lean_rad;
         if lean != 0.0 {
             let (sine, cosine) = lean.sin_cos();
-            let vector = |[x, y]: Point| [cosine * x + sine * y, cosine * y - sine * x];
+            let vector = |[x, y]: SheetPoint| [cosine * x + sine * y, cosine * y - sine * x];
             self.map(vector);
             for moving in &mut self.moving {
                 for (_, placement) in &mut moving.rows {
@@ -232,7 +232,7 @@ impl Drawing {
     }
 
     /// Moves all points.
-    fn map(&mut self, change: impl Fn(Point) -> Point + Copy) {
+    fn map(&mut self, change: impl Fn(SheetPoint) -> SheetPoint + Copy) {
         for part in &mut self.parts {
             part.map(change);
         }
@@ -245,17 +245,17 @@ impl Drawing {
     }
 
     /// Adapts the sheet to its content over the whole motion; unless `to_size`, it is only enlarged.
-    fn cut(&mut self, figures: &Figures, to_size: bool) {
+    fn cut(&mut self, figures: &MechanismValues, to_size: bool) {
         let [width, height] = self.size;
         let start = if to_size { [[f64::MAX; 2], [f64::MIN; 2]] } else { [[EDGE; 2], [width - EDGE, height - EDGE]] };
         let mut bounds = start;
-        let mut take = |[x, y]: Point| {
+        let mut take = |[x, y]: SheetPoint| {
             let [[left, top], [right, bottom]] = bounds;
             bounds = [[left.min(x), top.min(y)], [right.max(x), bottom.max(y)]];
         };
         for part in &self.parts {
             part.corners(&mut take);
-            let Part::Group(group, _) = part else { continue };
+            let DrawingPart::Group(group, _) = part else { continue };
             let (Some(moving), Some([from, to])) = (self.moving.get(*group), figures.motion_rad()) else { continue };
             for step in 0..=60 {
                 let placement = moving.at(from + f64::from(step) / 60.0 * (to - from));
@@ -342,43 +342,43 @@ impl Drawing {
         }
     }
 
-    fn with(mut self, part: Part) -> Self {
+    fn with(mut self, part: DrawingPart) -> Self {
         self.parts.push(part);
         self
     }
 
     pub(crate) fn path(self, look: Look, steps: impl IntoIterator<Item = Step>) -> Self {
-        self.with(Part::Path(look, steps.into_iter().collect()))
+        self.with(DrawingPart::Path(look, steps.into_iter().collect()))
     }
 
-    pub(crate) fn line(self, look: Look, from: Point, to: Point) -> Self {
+    pub(crate) fn line(self, look: Look, from: SheetPoint, to: SheetPoint) -> Self {
         self.path(look, [Step::Move(from), Step::Line(to)])
     }
 
     /// Adds a closed outline.
-    pub(crate) fn outline(self, look: Look, points: &[Point]) -> Self {
+    pub(crate) fn outline(self, look: Look, points: &[SheetPoint]) -> Self {
         self.path(look, polyline(points).chain([Step::Close]))
     }
 
-    pub(crate) fn rect(self, look: Look, [x, y]: Point, [w, h]: Point) -> Self {
+    pub(crate) fn rect(self, look: Look, [x, y]: SheetPoint, [w, h]: SheetPoint) -> Self {
         self.outline(look, &[[x, y], [x + w, y], [x + w, y + h], [x, y + h]])
     }
 
-    pub(crate) fn circle(self, look: Look, at: Point, radius: f64) -> Self {
-        self.with(Part::Circle(look, at, radius))
+    pub(crate) fn circle(self, look: Look, at: SheetPoint, radius: f64) -> Self {
+        self.with(DrawingPart::Circle(look, at, radius))
     }
 
-    pub(crate) fn arrow(self, from: Point, to: Point) -> Self {
+    pub(crate) fn arrow(self, from: SheetPoint, to: SheetPoint) -> Self {
         self.line(Look::Arrow, from, to)
     }
 
     /// Adds an arrow along a circle, turning right if `right`.
-    pub(crate) fn turning(self, from: Point, radius: f64, right: bool, to: Point) -> Self {
+    pub(crate) fn turning(self, from: SheetPoint, radius: f64, right: bool, to: SheetPoint) -> Self {
         self.path(Look::Arrow, [Step::Move(from), Step::Arc(radius, right, to)])
     }
 
     /// Adds an arrow along a circle from one angle to another \[rad\], in the direction of the difference.
-    pub(crate) fn sweep(self, look: Look, at: Point, radius: f64, [from, to]: [f64; 2]) -> Self {
+    pub(crate) fn sweep(self, look: Look, at: SheetPoint, radius: f64, [from, to]: [f64; 2]) -> Self {
         let pieces = [1.0, 2.0, 3.0, 4.0].into_iter().find(|pieces| (to - from).abs() <= FRAC_PI_2 * pieces);
         let pieces = pieces.unwrap_or(4.0);
         let ends = [1.0, 2.0, 3.0, 4.0].into_iter().take_while(|piece| *piece <= pieces);
@@ -386,20 +386,20 @@ impl Drawing {
         self.path(look, [Step::Move(polar(at, radius, from))].into_iter().chain(ends.map(arc)))
     }
 
-    pub(crate) fn dimension(self, from: Point, to: Point) -> Self {
+    pub(crate) fn dimension(self, from: SheetPoint, to: SheetPoint) -> Self {
         self.line(Look::Dimension, from, to)
     }
 
-    pub(crate) fn centre(self, at: Point) -> Self {
-        self.with(Part::Centre(at))
+    pub(crate) fn centre(self, at: SheetPoint) -> Self {
+        self.with(DrawingPart::Centre(at))
     }
 
-    pub(crate) fn symbol(self, text: &'static str, at: Point) -> Self {
-        self.with(Part::Symbol(text, at))
+    pub(crate) fn symbol(self, text: &'static str, at: SheetPoint) -> Self {
+        self.with(DrawingPart::Symbol(text, at))
     }
 
     /// Adds a bar with round ends between two pins.
-    pub(crate) fn bar(self, [ax, ay]: Point, [bx, by]: Point, half: f64) -> Self {
+    pub(crate) fn bar(self, [ax, ay]: SheetPoint, [bx, by]: SheetPoint, half: f64) -> Self {
         let (dx, dy) = (bx - ax, by - ay);
         let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
         let (nx, ny) = (-dy / length * half, dx / length * half);
@@ -414,13 +414,13 @@ impl Drawing {
     }
 
     /// Adds a rectangle about its centre, rotated counter-clockwise.
-    pub(crate) fn leaning_rect(self, look: Look, middle: Point, [w, h]: Point, lean_rad: f64) -> Self {
+    pub(crate) fn leaning_rect(self, look: Look, middle: SheetPoint, [w, h]: SheetPoint, lean_rad: f64) -> Self {
         let corner = |x: f64, y: f64| polar(polar(middle, 0.5 * x * w, lean_rad), 0.5 * y * h, lean_rad + FRAC_PI_2);
         self.outline(look, &[corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)])
     }
 
     /// Adds holes around an axis, which make a rotation visible.
-    pub(crate) fn holes(mut self, at: Point, around: f64, radius: f64) -> Self {
+    pub(crate) fn holes(mut self, at: SheetPoint, around: f64, radius: f64) -> Self {
         for hole in 0..3 {
             self = self.circle(Look::Hole, polar(at, around, f64::from(hole) * FRAC_PI_2 * 4.0 / 3.0 + 0.4), radius);
         }
@@ -428,7 +428,7 @@ impl Drawing {
     }
 
     /// Adds a support: a line to the right with hatching below.
-    pub(crate) fn ground(mut self, [x, y]: Point, width: f64) -> Self {
+    pub(crate) fn ground(mut self, [x, y]: SheetPoint, width: f64) -> Self {
         self = self.line(Look::Line, [x, y], [x + width, y]);
         let mut hatching = Vec::new();
         let mut at = x + 6.0;
@@ -440,7 +440,7 @@ impl Drawing {
     }
 
     /// Adds an overhead support: a line to the right with hatching above.
-    pub(crate) fn ground_above(mut self, [x, y]: Point, width: f64) -> Self {
+    pub(crate) fn ground_above(mut self, [x, y]: SheetPoint, width: f64) -> Self {
         self = self.line(Look::Line, [x, y], [x + width, y]);
         let mut hatching = Vec::new();
         let mut at = x;
@@ -452,7 +452,7 @@ impl Drawing {
     }
 
     /// Adds turns of a rope on a drum, from the upper left, with height and inclination of the strokes.
-    pub(crate) fn rope(mut self, [x, y]: Point, [height, lean]: Point) -> Self {
+    pub(crate) fn rope(mut self, [x, y]: SheetPoint, [height, lean]: SheetPoint) -> Self {
         for turn in 0..6 {
             let at = x + 5.0 * f64::from(turn);
             self = self.line(Look::Thin, [at, y], [at + lean, y + height]);
@@ -461,13 +461,13 @@ impl Drawing {
     }
 
     /// Adds a fixed pivot: a triangle on a support.
-    pub(crate) fn pivot(self, [x, y]: Point) -> Self {
+    pub(crate) fn pivot(self, [x, y]: SheetPoint) -> Self {
         self.outline(Look::Housing, &[[x, y], [x + 12.0, y + 20.0], [x - 12.0, y + 20.0]])
             .ground([x - 18.0, y + 20.0], 36.0)
     }
 
     /// Adds the actuator from the side, its flange 78 to the right of `x` and its axis at `y`.
-    pub(crate) fn actuator(mut self, [x, y]: Point) -> Self {
+    pub(crate) fn actuator(mut self, [x, y]: SheetPoint) -> Self {
         self = self
             .rect(Look::Housing, [x, y - 36.0], [58.0, 72.0])
             .rect(Look::Housing, [x + 58.0, y - 44.0], [10.0, 88.0])
@@ -479,7 +479,7 @@ impl Drawing {
     }
 
     /// Adds the actuator seen along its axis.
-    pub(crate) fn face(self, at: Point, radius: f64) -> Self {
+    pub(crate) fn face(self, at: SheetPoint, radius: f64) -> Self {
         self.circle(Look::Housing, at, radius).circle(Look::Hidden, at, radius * 0.72).circle(
             Look::Hole,
             at,
@@ -488,11 +488,11 @@ impl Drawing {
     }
 
     /// Adds a slide with its centre of mass.
-    pub(crate) fn slide(self, [x, y]: Point) -> Self {
+    pub(crate) fn slide(self, [x, y]: SheetPoint) -> Self {
         self.rect(Look::Body, [x, y], [84.0, 36.0]).centre([x + 42.0, y + 18.0])
     }
 
-    pub(crate) fn calls(mut self, key: &'static str, symbol: &'static str, at: Point, label: Point) -> Self {
+    pub(crate) fn calls(mut self, key: &'static str, symbol: &'static str, at: SheetPoint, label: SheetPoint) -> Self {
         self.call_outs.push(CallOut { key, is_of_bearing: false, symbol, at, label, group: None });
         self
     }

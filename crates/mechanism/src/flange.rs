@@ -124,7 +124,7 @@ impl FlangeForces {
 
 /// Data required for the forces of a mechanism on the flange.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Missing {
+pub(crate) enum FlangeDatum {
     /// Share of a thrust that the flange bears.
     FlangeShare,
     /// Transmission of force by the wheel.
@@ -167,7 +167,7 @@ impl Recurrence {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct OnFlange {
     /// Data required for the forces.
-    pub(crate) missing: Option<Missing>,
+    pub(crate) missing: Option<FlangeDatum>,
     /// Distances required in addition for the tilting moment.
     pub(crate) overhang: Overhang,
     /// Dependence of the loads on the position.
@@ -250,8 +250,8 @@ impl Mechanism {
             };
         }
         match self.kind.equations().on_flange()?.missing? {
-            Missing::FlangeShare => mounting.share.is_none().then_some("bearing.flange_share"),
-            Missing::BeltTension => mounting.contact.is_none().then_some("bearing.belt_tension"),
+            FlangeDatum::FlangeShare => mounting.share.is_none().then_some("bearing.flange_share"),
+            FlangeDatum::BeltTension => mounting.contact.is_none().then_some("bearing.belt_tension"),
         }
     }
 

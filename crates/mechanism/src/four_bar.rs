@@ -1,6 +1,6 @@
 //! `[mechanism.four_bar]`: crank, coupler and rocker on a fixed link.
 
-use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar as on_sheet};
+use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement, polar as on_sheet};
 use crate::equations::{Equations, Reduced, TWELFTH_RAD, beside};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
@@ -255,7 +255,7 @@ const NEUTRAL_RAD: f64 = 1.107;
 const NEUTRAL: [f64; 4] = [198.0, 49.2, 165.0, 93.0];
 
 /// Returns the linkage for drawing, scaled so that a full revolution fits the sheet.
-fn drawn(figures: &Figures) -> FourBar {
+fn drawn(figures: &MechanismValues) -> FourBar {
     let is_crossed = figures.of("crossed") == Some(1.0);
     let of = |[ground, crank, coupler, rocker]: [f64; 4]| FourBar {
         ground: Length::from_si(ground),
@@ -280,7 +280,7 @@ fn drawn(figures: &Figures) -> FourBar {
     of([g, r, c, l].map(|length| length * scale))
 }
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let linkage = drawn(figures);
     let [g, r, _, l] = linkage.lengths();
     let (start, lean) = (figures.start_rad(), figures.of("start_angle").unwrap_or(NEUTRAL_RAD));

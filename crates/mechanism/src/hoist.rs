@@ -1,6 +1,6 @@
 //! `[mechanism.hoist]`: a drum that lifts a load by a rope with several falls.
 
-use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
+use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement};
 use crate::equations::{Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::stage::with_losses;
@@ -225,7 +225,7 @@ const FALLS_MOST: u32 = 6;
 /// Longest and shortest suspended rope on the sheet.
 const HANGING: [f64; 2] = [96.0, 18.0];
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let falls = figures.count("falls", 2, FALLS_MOST);
     let diameter = figures.length("drum_diameter").unwrap_or(0.32);
     let hoist_travel = diameter / (2.0 * figures.of("falls").unwrap_or(2.0).max(1.0));

@@ -1,6 +1,6 @@
 //! A joint whose torque is recorded together with its motion.
 
-use crate::drawing::{Drawing, Figures, Look, Step};
+use crate::drawing::{Drawing, Look, MechanismValues, Step};
 use crate::equations::{Equations, Reduced};
 use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
@@ -56,7 +56,7 @@ impl Equations for Joint {
     }
 }
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let (start, axis) = (figures.start_rad(), [106.0, 110.0]);
     let gripper = [
         Step::Move([320.0, 95.0]),

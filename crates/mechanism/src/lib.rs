@@ -31,7 +31,7 @@ mod table;
 mod turntable;
 mod winder;
 
-pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
+pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, SolidShape, inertia};
 pub use extremes::Extremes;
 pub use flange::{Aligned, Contact, FlangeForces, Mounting, Recurrence};
 pub use four_bar::FourBar;
@@ -39,7 +39,7 @@ pub use friction::Friction;
 pub use hoist::{Hoist, reeving_efficiency};
 pub use joint::Joint;
 pub use linear::{Linear, LinearKind};
-pub use loading::{Load, Loading};
+pub use loading::{LoadTorque, Loading};
 pub use rope::Rope;
 pub use rotor::{Rotor, RotorKind};
 pub use scissor_lift::ScissorLift;
@@ -48,7 +48,7 @@ pub use stage::{Stage, StageKind};
 pub use table::{Table, TableFault, TablePoint};
 pub use winder::{Winder, Winding};
 
-use drawing::{Drawing, Figures};
+use drawing::{Drawing, MechanismValues};
 use equations::{Equations, Reduced};
 use quantities::unit::STANDARD_GRAVITY;
 use quantities::{Force, Mass, Measure, MomentOfInertia, Torque};
@@ -121,7 +121,7 @@ macro_rules! mechanisms {
 
             /// Returns the drawing, to the scale of the known values, with a call-out for each key visible in it.
             #[must_use]
-            pub fn drawing(self, figures: &Figures) -> Drawing {
+            pub fn drawing(self, figures: &MechanismValues) -> Drawing {
                 let described = match self { $(Self::$variant => crate::$module::drawing(figures),)* };
                 described.finished(figures)
             }
@@ -406,7 +406,7 @@ impl Mechanism {
         self.efficiency_driving != 1.0 || self.efficiency_driven != 1.0 || self.has_lossy_sheaves()
     }
 
-    /// Returns `true` if the ropes of a hoist run over sheaves with losses; then [`Load::ropes_nm`] changes its sign
+    /// Returns `true` if the ropes of a hoist run over sheaves with losses; then [`LoadTorque::ropes_nm`] changes its sign
     /// where the torque has a kink.
     #[must_use]
     pub const fn has_lossy_sheaves(&self) -> bool {

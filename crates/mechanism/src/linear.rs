@@ -1,7 +1,7 @@
 //! A mass moved along a line in proportion to the angle: screw, belt, rack, conveyor.
 
 use crate::equations::{Equations, Reduced};
-use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, Recurrence, sine, wheel_forces};
+use crate::flange::{FlangeDatum, FlangeForces, Instant, OnFlange, Overhang, Recurrence, sine, wheel_forces};
 use crate::{Endless, Extra, MechanismId, Rope, gravity_m_s2};
 use quantities::{Angle, Force, Mass, Measure, MomentOfInertia};
 
@@ -109,8 +109,8 @@ impl Equations for Linear {
 
     fn on_flange(&self) -> Option<OnFlange> {
         let missing = match self.kind {
-            LinearKind::Screw => Missing::FlangeShare,
-            LinearKind::Belt | LinearKind::Conveyor => Missing::BeltTension,
+            LinearKind::Screw => FlangeDatum::FlangeShare,
+            LinearKind::Belt | LinearKind::Conveyor => FlangeDatum::BeltTension,
         };
         // The thrust of a screw acts along the axis.
         let overhang = Overhang { of_mechanism: self.kind != LinearKind::Screw, of_payload: false };

@@ -1,8 +1,8 @@
 //! `[load]`: a load at the output, given by its inertia; the equations are those of a [`crate::Rotor`].
 
-use crate::drawing::{Drawing, Figures, Look};
+use crate::drawing::{Drawing, Look, MechanismValues};
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let (start, middle) = (figures.start_rad(), [269.0, 95.0]);
     Drawing::new()
         .line(Look::Axis, [10.0, 95.0], [150.0, 95.0])

@@ -6,7 +6,7 @@ use crate::{Extra, Mechanism, MechanismKind, Output};
 
 /// Torque of a mechanism at one state of the output.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Load {
+pub struct LoadTorque {
     /// Torque required by the load beyond the transmission, see [`Mechanism::useful_torque`] \[Nm\].
     pub useful_nm: f64,
     /// Torque of ropes over sheaves with losses, see [`Mechanism::has_lossy_sheaves`]; zero for others \[Nm\].
@@ -38,13 +38,13 @@ impl Mechanism {
 impl Loading<'_> {
     /// Returns the torque at a state of the output.
     #[must_use]
-    pub fn at(&self, output: &Output) -> Load {
+    pub fn at(&self, output: &Output) -> LoadTorque {
         let (mechanism, stage) = (self.mechanism, self.mechanism.gearing());
         let behind = stage.map_or(*output, |stage| stage.behind(output));
         let reduced = self.reduced(behind.position_rad);
         let (useful, ropes) = mechanism.useful(&reduced, &behind, self.extra);
         let own = mechanism.passed(useful, &behind);
-        Load {
+        LoadTorque {
             useful_nm: useful,
             ropes_nm: ropes,
             torque_nm: stage.map_or(own, |stage| stage.torque(own, &behind, output)),

@@ -1,8 +1,8 @@
 //! `[mechanism.scissor_lift]`: a platform on crossed arms that a screw draws together.
 
-use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement};
+use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement};
 use crate::equations::{Equations, Reduced, beside};
-use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, Recurrence};
+use crate::flange::{FlangeDatum, FlangeForces, Instant, OnFlange, Overhang, Recurrence};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::unit::DEGREE;
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
@@ -146,7 +146,7 @@ impl Equations for ScissorLift {
     fn on_flange(&self) -> Option<OnFlange> {
         // The thrust of the screw acts along the axis.
         let overhang = Overhang { of_mechanism: false, of_payload: false };
-        Some(OnFlange { missing: Some(Missing::FlangeShare), overhang, recurrence: Recurrence::Never })
+        Some(OnFlange { missing: Some(FlangeDatum::FlangeShare), overhang, recurrence: Recurrence::Never })
     }
 
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
@@ -161,7 +161,7 @@ impl Equations for ScissorLift {
 /// Largest number of stages drawn, from the bottom.
 const STAGES_MOST: u32 = 4;
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let stages = figures.count("stages", 2, STAGES_MOST);
     let n = f64::from(stages);
     let arm = figures.length("arm_length").unwrap_or(1.2);

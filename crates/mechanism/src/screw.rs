@@ -1,12 +1,12 @@
 //! `[mechanism.screw]`: a screw with its slide; the equations are those of a [`crate::Linear`] drive.
 
-use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
+use crate::drawing::{Drawing, GroupAngles, Look, MechanismValues, Placement, Step};
 use std::f64::consts::TAU;
 
 /// Scale at which a lead of 10 mm is drawn if the motion fits [sheet/m].
 const SCALE: f64 = 1600.0;
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let start = figures.start_rad();
     let lead = figures.length("lead").unwrap_or(0.01);
     let (scale, x) = figures.along(lead / TAU, SCALE, [136.0, 262.0], 184.0);
@@ -19,7 +19,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
         .rect(Look::Housing, [350.0, 88.0], [12.0, 28.0])
         .ground([112.0, 140.0], 250.0)
         .moves(
-            &Course::even(start),
+            &GroupAngles::even(start),
             [x, 102.0],
             |angle| Placement::shifted([lead / TAU * scale * (angle - start), 0.0]),
             |it| {
@@ -58,7 +58,7 @@ impl Drawing {
         let hidden = [Step::Move([x, y - 6.0]), Step::Line([x, y + 6.0])];
         self.rect(Look::Hole, [x, y - 6.0], [length, 12.0])
             .moves(
-                &Course::anew(start_rad, TAU),
+                &GroupAngles::anew(start_rad, TAU),
                 [x, y],
                 |angle| Placement::shifted([pitch * (angle - start_rad) / TAU, 0.0]),
                 |it| it.path(Look::Thin, thread).calls("lead", "P", [x + 32.0, y + 14.0], [x + 32.0, y + 60.0]),

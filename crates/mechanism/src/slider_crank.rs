@@ -1,6 +1,6 @@
 //! `[mechanism.slider_crank]`: crank, rod and slider.
 
-use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
+use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement, polar};
 use crate::equations::{Equations, Reduced, TWELFTH_RAD, beside};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, MechanismId, Output, gravity_m_s2};
@@ -128,7 +128,7 @@ const NEUTRAL_RAD: f64 = 0.936;
 /// Longest drawn rod relative to the crank, so that the crank stays visible.
 const LONGEST_ROD: f64 = 8.0;
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let axis = [88.0, 112.0];
     let ratio = figures.length("rod").zip(figures.length("crank")).map_or(3.46, |(rod, crank)| rod / crank);
     let ratio = ratio.clamp(1.05, LONGEST_ROD);

@@ -1,6 +1,6 @@
 //! `[mechanism.table]`: inertia and torque as a function of position, point by point.
 
-use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step, polyline};
+use crate::drawing::{Drawing, GroupAngles, Look, MechanismValues, Placement, Step, polyline};
 use crate::equations::{Equations, Reduced, TWELFTH_RAD};
 use crate::flange::OnFlange;
 use crate::{Endless, Extra, MechanismId};
@@ -112,7 +112,7 @@ impl Equations for Table {
     }
 }
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let start = figures.start_rad();
     let points = [[56.0, 132.0], [104.0, 77.0], [158.0, 70.0], [212.0, 108.0], [270.0, 112.0], [330.0, 62.0]];
     let mut drawing = Drawing::new()
@@ -133,7 +133,7 @@ pub(crate) fn drawing(figures: &Figures) -> Drawing {
     // One revolution is the width of the table.
     drawing
         .moves(
-            &Course::anew(start, std::f64::consts::TAU),
+            &GroupAngles::anew(start, std::f64::consts::TAU),
             [56.0, 160.0],
             |angle| Placement::shifted([274.0 * (angle - start) / std::f64::consts::TAU, 0.0]),
             |it| it.line(Look::Axis, [56.0, 166.0], [56.0, 24.0]),

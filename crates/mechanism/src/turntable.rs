@@ -1,14 +1,14 @@
 //! `[mechanism.turntable]`: bodies on a turning plate; the equations are those of a [`crate::Rotor`].
 
-use crate::drawing::{Course, Drawing, Figures, Look, Placement, Step};
+use crate::drawing::{Drawing, GroupAngles, Look, MechanismValues, Placement, Step};
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let start = figures.start_rad();
     // Seen from the side, a body on the plate moves to and fro with the cosine of the angle.
     let body = |it: Drawing, [x, y]: [f64; 2], [w, h]: [f64; 2]| {
         let radius = x + 0.5 * w - 190.0;
         it.moves(
-            &Course::round(start),
+            &GroupAngles::round(start),
             [190.0, 96.0],
             |angle| Placement::shifted([radius * ((angle - start).cos() - 1.0), 0.0]),
             |it| {

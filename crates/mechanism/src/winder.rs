@@ -1,6 +1,6 @@
 //! `[mechanism.winder]`: a web that is wound up or off, so that the diameter changes with every turn.
 
-use crate::drawing::{Course as Way, Drawing, Figures, Look, Placement, polar};
+use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement, polar};
 use crate::equations::{Equations, Reduced};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
@@ -136,7 +136,7 @@ impl Equations for Winder {
 /// Radius of the full roll on the sheet.
 const FULL: f64 = 74.0;
 
-pub(crate) fn drawing(figures: &Figures) -> Drawing {
+pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
     let middle = [145.0, 96.0];
     let full = figures.length("full_diameter").unwrap_or(2.0 * FULL);
     let stated = |key: &str, neutral: f64, [least, most]: [f64; 2]| {

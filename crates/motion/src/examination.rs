@@ -116,7 +116,7 @@ fn share(time_s: &[f64], even: &Even, signal: &[f64]) -> Option<[f64; 2]> {
 
 /// A column whose values are held over several rows, with one value for each update.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Held {
+pub struct HeldSignal {
     /// Period at which the values are updated \[s\].
     pub period_s: f64,
     /// Values at the rows; between two updates their slope is straight.
@@ -125,7 +125,7 @@ pub struct Held {
     pub updated: Vec<f64>,
 }
 
-impl Held {
+impl HeldSignal {
     /// Returns the updates of a column; `None` if its values are not held over rows.
     #[must_use]
     pub fn of(time_s: &[f64], values: &[f64]) -> Option<Self> {

@@ -106,13 +106,13 @@ fn a_held_column_has_one_value_for_each_update() {
     let [time, position, _] = forth_and_back(0.001, 0.3, 1.5);
     for rows in [2, 4, 10] {
         let values: Vec<f64> = (0..time.len()).map(|k| position[k / rows * rows]).collect();
-        let held = Held::of(&time, &values).unwrap();
+        let held = HeldSignal::of(&time, &values).unwrap();
         assert!((held.period_s / (rows as f64 * 0.001) - 1.0).abs() < 0.01, "{rows}: {}", held.period_s);
         // Updates count half a row before the row of their change.
         let off = |(k, value): (usize, &f64)| (value - position[(k + 1).min(time.len() - 1)]).abs();
         let most = held.values.iter().enumerate().map(off).fold(0.0, f64::max);
         assert!(most < 2e-3, "{rows}: {most}");
         assert!(held.updated.len() < 2 * time.len() / rows, "{}", held.updated.len());
-        assert_eq!(Held::of(&time, &position), None);
+        assert_eq!(HeldSignal::of(&time, &position), None);
     }
 }

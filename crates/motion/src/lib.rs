@@ -25,7 +25,7 @@ mod threshold;
 mod timing;
 
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch, Unread};
-pub use examination::{EvenRows, Held, Stamps};
+pub use examination::{EvenRows, HeldSignal, Stamps};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};
 pub use piece::{Piece, Runs, State};

@@ -3,7 +3,7 @@
 use crate::error::{CodeError, CodeErrors};
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
 use crate::grammar::Series;
-use crate::scan::{Form, scan};
+use crate::scan::{ScannedText, scan};
 use std::ops::Range;
 
 /// Parses an ordering code in the grammar of the series whose word it begins with.
@@ -17,7 +17,7 @@ use std::ops::Range;
 /// the next word that fits, so that one fault may hide another.
 pub fn parse(text: &str) -> Result<Parsed, CodeErrors> {
     let series = Series::of_text(text);
-    let (tokens, departures) = scan(text, series, Form::Code)?;
+    let (tokens, departures) = scan(text, series, ScannedText::Code)?;
     let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
     let missing = |field| CodeErrors::from(CodeError::Missing { field, at: text.len(), series });
     let code = OrderCode {

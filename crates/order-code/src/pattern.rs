@@ -4,7 +4,7 @@ use crate::error::CodeErrors;
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
 use crate::grammar::Series;
 use crate::parse::Spans;
-use crate::scan::{Form, scan};
+use crate::scan::{ScannedText, scan};
 
 /// Condition on one field of a partial code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl Pattern {
     /// See [`Pattern::parse`].
     pub fn parse_with_spans(text: &str) -> Result<(Self, Spans), CodeErrors> {
         let series = Series::of_text(text);
-        let (tokens, _) = scan(text, series, Form::Pattern)?;
+        let (tokens, _) = scan(text, series, ScannedText::Pattern)?;
         let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
         let named = tokens.iter().filter(|found| found.token.is_some());
         Ok((Self::of(series, token), named.map(|found| (found.field, found.span.clone())).collect()))

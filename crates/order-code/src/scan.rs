@@ -4,7 +4,7 @@ use crate::error::{CodeError, CodeErrors, Expected, nearest_token};
 use crate::field::Field;
 use crate::grammar::{FieldWords, Series};
 use crate::parse::Departure;
-use crate::tokens::{Found, Step, complete_readings, in_any_order, readings};
+use crate::tokens::{FoundWord, Step, complete_readings, in_any_order, readings};
 use std::cell::OnceCell;
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ const LENGTH_WORD_MAX: usize = 7;
 
 /// Kind of text that is scanned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum ScannedText {
     /// A code with all mandatory fields.
     Code,
     /// A partial code that may contain wildcards and end after any field.
@@ -25,12 +25,16 @@ pub(crate) enum Form {
 }
 
 /// Returns the words of a text in the order of the fields, with its departures, or all faults.
-pub(crate) fn scan(text: &str, series: Series, form: Form) -> Result<(Vec<Found>, Vec<Departure>), CodeErrors> {
+pub(crate) fn scan(
+    text: &str,
+    series: Series,
+    form: ScannedText,
+) -> Result<(Vec<FoundWord>, Vec<Departure>), CodeErrors> {
     if let Some((at, _)) = text.char_indices().nth(LENGTH_MAX) {
         return Err(CodeError::TooLong { span: at..text.len(), most: LENGTH_MAX }.into());
     }
     let Parts { parts, departures, faults, trailing } = split(text, series);
-    if parts.is_empty() && form == Form::Code && faults.is_empty() {
+    if parts.is_empty() && form == ScannedText::Code && faults.is_empty() {
         return Err(CodeError::Empty.into());
     }
     let only_hyphens = parts.is_empty() && !faults.is_empty();
@@ -152,12 +156,12 @@ struct Reader<'a> {
     text: &'a str,
     series: Series,
     fields: &'static [FieldWords],
-    form: Form,
+    form: ScannedText,
     /// Index of the first field that may follow.
     next: usize,
     /// Fields named so far, including those in a wrong position.
     seen: Vec<Field>,
-    tokens: Vec<Found>,
+    tokens: Vec<FoundWord>,
     departures: Vec<Departure>,
     faults: Vec<CodeError>,
     /// An unknown text was long enough to hold a missing word.
@@ -167,11 +171,11 @@ struct Reader<'a> {
 impl Reader<'_> {
     /// Reads one part; `ahead` are the remaining parts.
     fn read(&mut self, part: &Part, ahead: &[Part]) {
-        if self.form == Form::Pattern
+        if self.form == ScannedText::Pattern
             && part.capitals == "*"
             && let Some(known) = self.open().first()
         {
-            self.tokens.push(Found { field: known.field, token: None, span: part.span.clone() });
+            self.tokens.push(FoundWord { field: known.field, token: None, span: part.span.clone() });
             self.next += 1;
             return;
         }
@@ -237,12 +241,12 @@ impl Reader<'_> {
                 self.departures.push(Departure::MissingHyphen { at: begin });
             }
             let later = Ahead { steps: steps.get(index + 1..).unwrap_or_default(), parts: ahead };
-            self.place(Found { field: *field, token: Some(token), span: begin..begin + token.len() }, &later);
+            self.place(FoundWord { field: *field, token: Some(token), span: begin..begin + token.len() }, &later);
         }
     }
 
     /// Places a known word, or records why it is not allowed here.
-    fn place(&mut self, word: Found, ahead: &Ahead<'_>) {
+    fn place(&mut self, word: FoundWord, ahead: &Ahead<'_>) {
         let (field, span, place) = (word.field, word.span.clone(), self.position(word.field));
         let found = self.written(&span);
         if self.seen.contains(&field) {
@@ -311,8 +315,8 @@ impl Reader<'_> {
         self.faults.push(CodeError::UnknownToken { field, span, found, expected });
     }
 
-    fn finish(mut self, end: usize) -> Result<(Vec<Found>, Vec<Departure>), CodeErrors> {
-        if self.form == Form::Code && !self.swallowed {
+    fn finish(mut self, end: usize) -> Result<(Vec<FoundWord>, Vec<Departure>), CodeErrors> {
+        if self.form == ScannedText::Code && !self.swallowed {
             let (missing, series) = (self.needed(self.open()), self.series);
             self.faults.extend(missing.into_iter().map(|field| CodeError::Missing { field, at: end, series }));
         }

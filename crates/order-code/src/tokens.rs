@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// A word found in the text; the wildcard of a pattern has no token.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Found {
+pub(crate) struct FoundWord {
     pub(crate) field: Field,
     pub(crate) token: Option<&'static str>,
     pub(crate) span: Range<usize>,

@@ -3,7 +3,7 @@
 use crate::checks::verdict_class;
 use crate::form::vals;
 use crate::frame::chosen;
-use crate::state::{Held, State};
+use crate::state::{PageState, ReadProject};
 use maud::{Markup, html};
 use project::Project;
 use quantities::unit::{KILOGRAM, WATT};
@@ -30,7 +30,7 @@ struct Row {
 ///
 /// # Errors
 /// When the work was cancelled or ran out of time.
-pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Result<Markup, Refusal> {
+pub(crate) fn together(state: &PageState, held: &ReadProject, patience: &Patience) -> Result<Markup, Refusal> {
     let l = state.language;
     let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();
     for project in &held.projects {
@@ -88,7 +88,7 @@ pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Resul
     })
 }
 
-fn row(state: &State, project: &Project, candidate: &Candidate<'_>) -> Row {
+fn row(state: &PageState, project: &Project, candidate: &Candidate<'_>) -> Row {
     let l = state.language;
     let verdict = match (candidate.fit(), candidate.open_questions()) {
         (Fit::DoesNotFit, _) => Verdict::Fail,

@@ -3,7 +3,7 @@
 use crate::call::Shell;
 use crate::form::vals;
 use crate::parts::part;
-use crate::state::{State, View};
+use crate::state::{PageState, View};
 use crate::{overlay, tolerances};
 use figures::{CyclePanels, Drawing, NoFigure, Size, Style};
 use maud::{Markup, PreEscaped, html};
@@ -17,7 +17,7 @@ use words::{capitalised, page};
 
 /// Returns the pane of a candidate judged with every check.
 pub(crate) fn column(
-    state: &State,
+    state: &PageState,
     project: &Project,
     candidate: Option<&Candidate<'_>>,
     is_old: bool,
@@ -54,7 +54,7 @@ pub(crate) fn stopped(what: &Markup) -> Markup {
 }
 
 /// Returns the tabs of the pane.
-fn views(state: &State, project: &Project, candidate: Option<&Candidate<'_>>) -> Markup {
+fn views(state: &PageState, project: &Project, candidate: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let title = |view: View| match view {
         View::Cycle => page::view_cycle(l),
@@ -129,7 +129,7 @@ fn is_long(project: &Project) -> bool {
 }
 
 /// Returns the placeholder of a picture: the old picture stays until the new one, requested at once, has arrived.
-fn later(state: &State, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
+fn later(state: &PageState, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
     let about = format!(
         "{}\n{}\n{}\n{}\n{:?}\n{:?}",
         state.good,
@@ -150,7 +150,7 @@ fn later(state: &State, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup 
 
 /// Returns the content below the tabs.
 pub(crate) fn view(
-    state: &State,
+    state: &PageState,
     project: &Project,
     candidate: &Candidate<'_>,
     is_old: bool,
@@ -190,7 +190,7 @@ pub(crate) fn view(
 /// # Errors
 /// [`NoFigure`] if there is nothing to draw.
 pub(crate) fn drawing(
-    state: &State,
+    state: &PageState,
     project: &Project,
     candidate: &Candidate<'_>,
     patience: &Patience,
@@ -224,7 +224,7 @@ fn power(project: &Project, candidate: &Candidate<'_>, language: Language) -> Ma
 
 /// Returns a picture that fills the pane, with the content above and over it; or the reason why there is no picture.
 pub(crate) fn picture(
-    state: &State,
+    state: &PageState,
     name: &str,
     drawing: Result<Drawing, NoFigure>,
     above: &Markup,

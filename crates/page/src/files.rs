@@ -5,7 +5,7 @@ use crate::frame;
 use crate::head::USUAL_NAME;
 use crate::names::project_name;
 use crate::start::BEGINS;
-use crate::state::State;
+use crate::state::PageState;
 use maud::{Markup, html};
 use quantities::Language;
 use questions::Patience;
@@ -75,7 +75,7 @@ fn with_record(call: &Call<'_>, name: &str, shell: &dyn Shell, patience: &Patien
 /// Saves the text in the folder. A file that has changed since it was opened is left unchanged; a deleted one is
 /// written again.
 pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
-    let state = State::of(call);
+    let state = PageState::of(call);
     let l = state.language;
     let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
     let name = project_name(&state.file);

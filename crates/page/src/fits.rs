@@ -4,7 +4,7 @@
 use crate::checks;
 use crate::form::vals;
 use crate::parts::part;
-use crate::state::{Filter, List, MARKED_MOST, Sort, State};
+use crate::state::{Filter, List, MARKED_MOST, PageState, Sort};
 use crate::verdict::Outcome;
 use figures::{By, Size, Style, candidate_map};
 use maud::{Markup, PreEscaped, html};
@@ -25,7 +25,7 @@ const REST: &str = "ranking-rest";
 const REJECTED_SHOWN: usize = 40;
 
 /// Returns the pane.
-pub(crate) fn column(state: &State, found: &Outcome<'_, '_>, is_old: bool) -> Markup {
+pub(crate) fn column(state: &PageState, found: &Outcome<'_, '_>, is_old: bool) -> Markup {
     let l = state.language;
     html! {
         section id="fits" class=(if is_old { "pane old" } else { "pane" }) aria-labelledby="fits-title" {
@@ -43,7 +43,7 @@ pub(crate) fn column(state: &State, found: &Outcome<'_, '_>, is_old: bool) -> Ma
 }
 
 /// Returns the tabs of the pane.
-fn lists(state: &State, sizing: &Sizing<'_>) -> Markup {
+fn lists(state: &PageState, sizing: &Sizing<'_>) -> Markup {
     let l = state.language;
     let fitting = sizing.fitting().len();
     let title = |list: List| match list {
@@ -61,7 +61,7 @@ fn lists(state: &State, sizing: &Sizing<'_>) -> Markup {
     }
 }
 
-fn filters(state: &State, sizing: &Sizing<'_>) -> Markup {
+fn filters(state: &PageState, sizing: &Sizing<'_>) -> Markup {
     let l = state.language;
     let (mut sizes, mut feedbacks) = (BTreeSet::new(), BTreeSet::new());
     for each in &sizing.candidates {
@@ -145,7 +145,7 @@ fn sizes_of(candidate: &Candidate<'_>) -> [Option<f64>; 3] {
 }
 
 /// Sorts the ranking by the selected column.
-fn sorted<'s, 'p>(state: &State, mut found: Vec<(usize, &'s Candidate<'p>)>) -> Vec<(usize, &'s Candidate<'p>)> {
+fn sorted<'s, 'p>(state: &PageState, mut found: Vec<(usize, &'s Candidate<'p>)>) -> Vec<(usize, &'s Candidate<'p>)> {
     let by: fn(&Candidate<'_>) -> Option<f64> = match state.sort {
         Sort::Rank => return found,
         Sort::Utilisation => |each| Some(each.standing.utilisation),
@@ -159,7 +159,7 @@ fn sorted<'s, 'p>(state: &State, mut found: Vec<(usize, &'s Candidate<'p>)>) -> 
     found
 }
 
-fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
+fn ranking(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let fitting = sizing.fitting();
     let shown = fitting.iter().enumerate().filter(|(_, each)| state.filter.holds(each));
@@ -215,7 +215,7 @@ fn fold(name: &str, unfolded: bool, language: Language) -> Markup {
     }
 }
 
-fn heads(state: &State) -> Markup {
+fn heads(state: &PageState) -> Markup {
     let l = state.language;
     let head = |sort: Sort, title: &str, unit: &str| {
         let is_it = state.sort == sort;
@@ -241,7 +241,7 @@ fn heads(state: &State) -> Markup {
     }
 }
 
-fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
+fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let name = candidate.id.to_string();
     let share = candidate.standing.utilisation;
@@ -289,7 +289,7 @@ fn row(state: &State, rank: Option<usize>, candidate: &Candidate<'_>, looked_at:
 
 /// Returns the rejected actuators by rising excess, each with its failed check; the checks of the selected one below
 /// it.
-fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
+fn rejected(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let all = sizing.rejected();
     let found: Vec<&Candidate<'_>> = all.iter().filter(|each| state.filter.holds(each)).collect();
@@ -320,7 +320,7 @@ fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>
     }
 }
 
-fn map(state: &State, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) -> Markup {
+fn map(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) -> Markup {
     let drawing = candidate_map(sizing, By::Mass, looked_at, state.language);
     let (width, height) = drawing.size_mm;
     let size = Size::pixels(460.0, 460.0 * height / width);

@@ -3,7 +3,7 @@
 
 use crate::call::Shell;
 use crate::parts::part;
-use crate::state::{Held, State};
+use crate::state::{PageState, ReadProject};
 use crate::{laws, recorded, sketch, value};
 use maud::{Markup, PreEscaped, html};
 use project::{Files, Key, Kind, Project, SegmentLaw, Variants, drawn_figures, key_at};
@@ -15,8 +15,8 @@ use words::{
 };
 
 /// Data for drawing a row.
-pub(crate) struct Form<'f> {
-    held: &'f Held,
+pub(crate) struct RowContent<'f> {
+    held: &'f ReadProject,
     pub(crate) language: Language,
     /// `axis[2].` if the project has several axes, else empty.
     prefix: &'f str,
@@ -45,9 +45,14 @@ pub(crate) struct Followed {
 }
 
 /// Returns the column.
-pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_>>, shell: &dyn Shell) -> Markup {
+pub(crate) fn column(
+    state: &PageState,
+    held: &ReadProject,
+    candidate: Option<&Candidate<'_>>,
+    shell: &dyn Shell,
+) -> Markup {
     let (language, prefix, solved) = (state.language, state.prefix.as_str(), solved(state, held));
-    let form = Form {
+    let form = RowContent {
         held,
         language,
         prefix,
@@ -81,7 +86,7 @@ pub(crate) fn column(state: &State, held: &Held, candidate: Option<&Candidate<'_
 }
 
 /// Returns the editor of the text of the project file.
-fn text(state: &State) -> Markup {
+fn text(state: &PageState) -> Markup {
     let l = state.language;
     html! {
         label.small for="text" { (page::text_about(l)) }
@@ -97,7 +102,7 @@ pub(crate) fn kept(text: &str) -> Markup {
 }
 
 /// Returns the assumptions about values that the project does not state.
-fn assumptions(state: &State, held: &Held) -> Markup {
+fn assumptions(state: &PageState, held: &ReadProject) -> Markup {
     let l = state.language;
     let found = held.projects.get(state.axis).map(|project| project.assumptions.as_slice()).unwrap_or_default();
     html! {
@@ -147,7 +152,7 @@ pub(crate) fn id(path: &str) -> String {
 }
 
 /// Returns the computed values of each segment of the motion.
-fn solved(state: &State, held: &Held) -> Vec<Followed> {
+fn solved(state: &PageState, held: &ReadProject) -> Vec<Followed> {
     let Some(project) = held.projects.get(state.axis) else { return Vec::new() };
     if held.is_old {
         return Vec::new();
@@ -173,7 +178,7 @@ fn solved(state: &State, held: &Held) -> Vec<Followed> {
 /// Trigger of a field: sent after each key press, unless another follows at once.
 pub(crate) const AT_ONCE: &str = "input changed delay:15ms, change";
 
-impl Form<'_> {
+impl RowContent<'_> {
     pub(crate) fn value(&self, path: &str) -> Option<&str> {
         self.held.written.iter().find(|key| key.path == path)?.value.as_deref()
     }
@@ -245,7 +250,7 @@ impl Form<'_> {
                     }
                 }
                 (self.load_faults(&path, &load, chosen.map(|kind| format!("{path}.{}", kind.name)).as_deref()))
-                (part(html! { figure.sketch id="sketch" { (sketch::shown(&sketch::Shown {
+                (part(html! { figure.sketch id="sketch" { (sketch::shown(&sketch::SketchContent {
                     mechanism: chosen.map(|kind| kind.name),
                     figures: drawn_figures(self.held.written.iter().filter_map(|key| Some((key.path.as_str(), key.value.as_deref()?))), &of),
                     of: &of,

@@ -2,8 +2,8 @@
 
 use crate::call::{Call, Reply, Shell};
 use crate::head::{self, USUAL_NAME};
-use crate::parts::Parts;
-use crate::state::{ALL_AXES, Held, List, State};
+use crate::parts::ShownParts;
+use crate::state::{ALL_AXES, List, PageState, ReadProject};
 use crate::verdict::{self, Outcome};
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
 use figures::Theme;
@@ -50,7 +50,7 @@ fn scripts() -> Markup {
 
 /// Returns the page with a project, or the start page.
 pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
-    let mut state = State::of(call);
+    let mut state = PageState::of(call);
     if let Some(kind) = call.field("new").filter(|_| state.text.is_empty())
         && let Some(found) = template(&kind, USUAL_NAME, state.language)
     {
@@ -81,10 +81,10 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
 /// Answers a change with all parts of the page that it may affect. If the work was stopped, the last result stays on
 /// the page with a message.
 pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
-    let mut state = State::of(call);
+    let mut state = PageState::of(call);
     let l = state.language;
     let (held, why) = match work(&mut state, shell, patience) {
-        Ok(page) => return Reply::of(200, crate::HTML, Parts::of(call).left_out(&page.into_string())),
+        Ok(page) => return Reply::of(200, crate::HTML, ShownParts::of(call).left_out(&page.into_string())),
         Err(unfinished) => unfinished,
     };
     let parts = html! {
@@ -99,7 +99,7 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
 ///
 /// # Errors
 /// The part of the project that could be read, and the reason, if the work was stopped or not begun.
-fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Markup, (Box<Held>, Refusal)> {
+fn work(state: &mut PageState, shell: &dyn Shell, patience: &Patience) -> Result<Markup, (Box<ReadProject>, Refusal)> {
     if state.text.is_empty() && state.good.is_empty() {
         return Ok(start(state, shell));
     }
@@ -158,7 +158,7 @@ fn panes(moves: &Markup, demands: &Markup, fits: &Markup, language: Language) ->
     }
 }
 
-fn page_of(state: &State, held: &Held, shell: &dyn Shell, bar: &Markup, main: &Markup) -> Markup {
+fn page_of(state: &PageState, held: &ReadProject, shell: &dyn Shell, bar: &Markup, main: &Markup) -> Markup {
     html! {
         div id="work" {
             (head::of_project(state, held, shell))
@@ -171,7 +171,7 @@ fn page_of(state: &State, held: &Held, shell: &dyn Shell, bar: &Markup, main: &M
 }
 
 /// Returns the page about a project whose first result took too long.
-fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patience: &Patience) -> Markup {
+fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Markup, patience: &Patience) -> Markup {
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
     let bar = verdict::bar(state, held, &none, &moves.0, shell, patience);
@@ -182,7 +182,7 @@ fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup, patie
 /// Returns the selected actuator with every check: the requested one, else that of the project, else the best. `best`
 /// has been judged with every check if it fits.
 pub(crate) fn looked_at<'p>(
-    state: &State,
+    state: &PageState,
     project: &'p Project,
     best: Option<&Candidate<'p>>,
 ) -> Option<Candidate<'p>> {
@@ -201,7 +201,11 @@ pub(crate) fn looked_at<'p>(
 
 /// Returns the selected actuator for a page that shows nothing else: the catalogue is judged only if the selection
 /// depends on it.
-pub(crate) fn looked_at_alone<'p>(state: &State, project: &'p Project, patience: &Patience) -> Option<Candidate<'p>> {
+pub(crate) fn looked_at_alone<'p>(
+    state: &PageState,
+    project: &'p Project,
+    patience: &Patience,
+) -> Option<Candidate<'p>> {
     let is_sought = state.code.is_none() && project.actuator.is_none();
     let sizing = if is_sought { sized(project, 1, Rejected::Nearest, patience).ok() } else { None };
     looked_at(state, project, sizing.as_ref().and_then(Sizing::named))
@@ -219,7 +223,7 @@ pub(crate) fn chosen<'p>(project: &'p Project, best: Option<&Candidate<'_>>) -> 
 }
 
 /// Returns the form with the state that every request carries.
-fn state_of(state: &State) -> Markup {
+fn state_of(state: &PageState) -> Markup {
     let code = state.code.map(|code| code.to_string()).unwrap_or_default();
     html! {
         form id="state" hidden {
@@ -242,7 +246,7 @@ fn state_of(state: &State) -> Markup {
 }
 
 /// Returns the start page: what is to be moved, an example, a file.
-fn start(state: &State, shell: &dyn Shell) -> Markup {
+fn start(state: &PageState, shell: &dyn Shell) -> Markup {
     let l = state.language;
     html! {
         div id="work" {
@@ -300,7 +304,7 @@ fn example(kind: &str, found: &Template, language: Language) -> Markup {
 
 /// Returns the picture of a long recording, requested after its numbers, and the reserve of the actuator.
 pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
-    let mut state = State::of(call);
+    let mut state = PageState::of(call);
     let held = state.hold(shell.files(), patience);
     let Some(project) = held.projects.get(state.axis) else { return Reply::text(204, "") };
     let Some(candidate) = looked_at_alone(&state, project, patience) else { return Reply::text(204, "") };
@@ -318,7 +322,7 @@ fn partial(target: &str, inside: Markup) -> Markup {
 
 /// Returns the curves of the picture as a table.
 pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
-    let mut state = State::of(call);
+    let mut state = PageState::of(call);
     let held = state.hold(shell.files(), patience);
     let Some(project) = held.projects.get(state.axis) else {
         return Reply::text(404, page::no_result_yet(state.language));
@@ -334,7 +338,7 @@ pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
 
 /// Returns the derivation of a check for the selected actuator.
 pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
-    let mut state = State::of(call);
+    let mut state = PageState::of(call);
     let wanted = call.field("check").unwrap_or_default();
     let held = state.hold(shell.files(), patience);
     if let Some(refusal) = &held.refused {
@@ -359,7 +363,7 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
 
 /// Returns the comparison of the marked actuators.
 pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
-    let mut state = State::of(call);
+    let mut state = PageState::of(call);
     let held = state.hold(shell.files(), patience);
     let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked, patience).ok());
     html! { @if let Some(found) = found { (detail::compared(&found, state.language)) } }

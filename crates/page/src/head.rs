@@ -2,7 +2,7 @@
 
 use crate::call::Shell;
 use crate::form::vals;
-use crate::state::{ALL_AXES, Held, State};
+use crate::state::{ALL_AXES, PageState, ReadProject};
 use figures::Theme;
 use maud::{Markup, html};
 use quantities::Language;
@@ -13,7 +13,7 @@ use words::{capitalised, page, terms};
 pub(crate) const USUAL_NAME: &str = "axis.toml";
 
 /// Returns the row of a project.
-pub(crate) fn of_project(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
+pub(crate) fn of_project(state: &PageState, held: &ReadProject, shell: &dyn Shell) -> Markup {
     let l = state.language;
     let file = if state.file.is_empty() { USUAL_NAME } else { &state.file };
     html! {
@@ -40,7 +40,7 @@ pub(crate) fn of_project(state: &State, held: &Held, shell: &dyn Shell) -> Marku
 }
 
 /// Returns the row of the start page.
-pub(crate) fn of_start(state: &State) -> Markup {
+pub(crate) fn of_start(state: &PageState) -> Markup {
     html! {
         header id="head" {
             (brand(state.language))
@@ -73,7 +73,7 @@ fn tools(language: Language) -> Markup {
     html! { button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (page::tools(language)) } }
 }
 
-fn language(state: &State) -> Markup {
+fn language(state: &PageState) -> Markup {
     let other = Language::ALL.into_iter().find(|other| *other != state.language).unwrap_or(state.language);
     html! {
         button type="button" id="language" hx-post="/" hx-target="body" hx-swap="outerMorph" hx-vals=(vals(&[("lang", other.id())]))
@@ -81,7 +81,7 @@ fn language(state: &State) -> Markup {
     }
 }
 
-fn theme(state: &State) -> Markup {
+fn theme(state: &PageState) -> Markup {
     let dark = state.theme == Theme::Dark;
     html! {
         button.icon type="button" id="theme" aria-pressed=(dark) aria-label=(page::dark(state.language)) title=(page::dark(state.language))
@@ -155,7 +155,7 @@ fn label(field: &Argument, language: Language) -> &'static str {
 }
 
 /// Returns the tabs of the axes of a project with several.
-fn axes(state: &State, held: &Held) -> Markup {
+fn axes(state: &PageState, held: &ReadProject) -> Markup {
     let l = state.language;
     html! {
         @if held.projects.len() > 1 {

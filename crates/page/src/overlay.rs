@@ -2,7 +2,7 @@
 //! each by the numbers that it gets from here.
 
 use crate::checks::verdict_class;
-use crate::state::State;
+use crate::state::PageState;
 use maud::{Markup, html};
 use project::Project;
 use quantities::{Language, Measure, format_significant};
@@ -81,7 +81,7 @@ pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
 }
 
 /// Returns the ends of the segments in the picture of the position, moved by pointer or arrow keys.
-pub(crate) fn grips(state: &State, project: &Project) -> Markup {
+pub(crate) fn grips(state: &PageState, project: &Project) -> Markup {
     let l = state.language;
     let found = questions::grips(project);
     let prefix = &state.prefix;

@@ -34,9 +34,9 @@ fn head(text: &str) -> Option<(&str, &str)> {
 }
 
 /// Digests of the parts that a browser shows, by identifier.
-pub(crate) struct Parts(BTreeMap<String, String>);
+pub(crate) struct ShownParts(BTreeMap<String, String>);
 
-impl Parts {
+impl ShownParts {
     /// Reads the digests of a request: `id=digest` separated by blanks.
     pub(crate) fn of(call: &Call<'_>) -> Self {
         Self::read(&call.field("parts").unwrap_or_default())
@@ -107,13 +107,13 @@ mod tests {
     }
 
     /// Collects the digests as the script does.
-    fn shown(page: &Markup) -> Parts {
+    fn shown(page: &Markup) -> ShownParts {
         let of = |rest: &str| {
             let digest = rest.split('"').next().unwrap_or_default();
             let id = rest.split("id=\"").nth(1).and_then(|id| id.split('"').next()).unwrap_or_default();
             format!("{id}={digest} ")
         };
-        Parts::read(&page.0.split(MARK).skip(1).map(of).collect::<String>())
+        ShownParts::read(&page.0.split(MARK).skip(1).map(of).collect::<String>())
     }
 
     #[test]
@@ -125,7 +125,7 @@ mod tests {
         // Of a changed part, only the unchanged parts within it are left out.
         let other = parts.left_out(&page("8").0);
         assert!(other.contains(">8<") && other.contains("<div id=\"f-2\" data-same></div></div><p>behind"), "{other}");
-        assert_eq!(Parts::read("").left_out(&page("8").0), page("8").0);
+        assert_eq!(ShownParts::read("").left_out(&page("8").0), page("8").0);
     }
 
     #[test]
@@ -137,7 +137,7 @@ mod tests {
 
     #[test]
     fn what_is_no_whole_element_stays() {
-        let parts = Parts::read("a=1 = x");
+        let parts = ShownParts::read("a=1 = x");
         for page in [
             "<p data-part=\"1\" id=\"a\">",
             "x data-part=\"1\"",

@@ -1,7 +1,7 @@
 //! A recording in the form: role and unit of each column, and the first rows of the file.
 
 use crate::call::{Call, Shell};
-use crate::form::{Followed, Form, id, vals};
+use crate::form::{Followed, RowContent, id, vals};
 use maud::{Markup, html};
 use quantities::Language;
 use questions::{ColumnRole, Preview, recording_preview, recording_roles};
@@ -56,7 +56,7 @@ fn rows(preview: &Preview, language: Language) -> Markup {
 }
 
 /// Returns the recognised columns with their alternatives, and the first rows of the file below them.
-pub(crate) fn columns(form: &Form<'_>, path: &str, solved: Option<&Followed>) -> Markup {
+pub(crate) fn columns(form: &RowContent<'_>, path: &str, solved: Option<&Followed>) -> Markup {
     let file = form.value(&format!("{path}.file")).unwrap_or_default();
     let preview = recording_preview(file, form.files);
     let headings = preview.as_ref().map(|found| found.headings.as_slice()).unwrap_or_default();
@@ -73,7 +73,7 @@ pub(crate) fn columns(form: &Form<'_>, path: &str, solved: Option<&Followed>) ->
 }
 
 fn role_row(
-    form: &Form<'_>,
+    form: &RowContent<'_>,
     path: &str,
     (name, role): (&str, ColumnRole),
     headings: &[String],
@@ -115,7 +115,7 @@ fn role_row(
     }
 }
 
-fn first_rows(path: &str, preview: &Preview, form: &Form<'_>) -> Markup {
+fn first_rows(path: &str, preview: &Preview, form: &RowContent<'_>) -> Markup {
     let l = form.language;
     html! {
         details id={ (id(path)) "-rows" } {

@@ -2,7 +2,7 @@
 
 use crate::chapters::laid_out;
 use crate::demand::picture;
-use crate::state::State;
+use crate::state::PageState;
 use crate::{form, overlay};
 use maud::{Markup, html};
 use project::{Project, key_at};
@@ -16,7 +16,7 @@ use words::{about_text, capitalised, page, short_label, simulation, verdict_word
 /// # Errors
 /// The reason in one sentence, if it is not run.
 pub(crate) fn run<'p>(
-    state: &State,
+    state: &PageState,
     project: &'p Project,
     candidate: &Candidate<'_>,
     patience: &Patience,
@@ -28,12 +28,12 @@ pub(crate) fn run<'p>(
     of_scenario(project, code, chosen(state, project), patience, state.language)
 }
 
-fn chosen(state: &State, project: &Project) -> ScenarioId {
+fn chosen(state: &PageState, project: &Project) -> ScenarioId {
     state.scenario.unwrap_or(project.twin.scenario.id)
 }
 
 /// Returns the simulation as HTML.
-pub(crate) fn view(state: &State, project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Markup {
+pub(crate) fn view(state: &PageState, project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Markup {
     let l = state.language;
     let none = html! {};
     let found = run(state, project, candidate, patience);
@@ -73,7 +73,7 @@ fn exceeded(record: &answers::Simulation, language: Language) -> Markup {
 }
 
 /// Returns the gains in use, each with a link to its field: another gain starts a new run, and the instant stays.
-fn gains(state: &State, record: &answers::Simulation, language: Language) -> Markup {
+fn gains(state: &PageState, record: &answers::Simulation, language: Language) -> Markup {
     let l = language;
     let stated = record.gains.0.iter().filter_map(|gain| {
         let path = format!("{}twin.{}", state.prefix, gain.id);

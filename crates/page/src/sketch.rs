@@ -5,15 +5,15 @@ use crate::form::id;
 use maud::{Markup, PreEscaped, html};
 use project::Project;
 use quantities::{Language, Measure};
-use questions::{Drawing, Figures, MechanismId, moves};
+use questions::{Drawing, MechanismId, MechanismValues, moves};
 use words::page;
 
 /// Content of a drawing.
-pub(crate) struct Shown<'s> {
+pub(crate) struct SketchContent<'s> {
     /// Key of the mechanism; `None` for a load at the output.
     pub(crate) mechanism: Option<&'s str>,
     /// Stated values of the mechanism.
-    pub(crate) figures: Figures,
+    pub(crate) figures: MechanismValues,
     /// Path of its table.
     pub(crate) of: &'s str,
     /// Title.
@@ -28,12 +28,12 @@ fn id_of(mechanism: Option<&str>) -> MechanismId {
 
 /// Returns the drawing alone, as the picture of an option.
 pub(crate) fn still(mechanism: Option<&str>) -> Markup {
-    let drawing = id_of(mechanism).drawing(&Figures::none());
+    let drawing = id_of(mechanism).drawing(&MechanismValues::none());
     html! { svg viewBox=(drawing.view_box()) { (PreEscaped(drawing.svg())) } }
 }
 
 /// Returns the drawing of a mechanism to the scale of the stated values, with its symbols.
-pub(crate) fn shown(it: &Shown<'_>, language: Language) -> Markup {
+pub(crate) fn shown(it: &SketchContent<'_>, language: Language) -> Markup {
     let l = language;
     let mechanism = id_of(it.mechanism);
     // The motion of an older text may belong to another mechanism.
@@ -86,8 +86,9 @@ mod tests {
 
     /// Returns the drawing with an inclination, as text.
     fn drawn_of(mechanism: Option<&str>, inclination: Option<f64>, of: &str, language: Language) -> String {
-        let figures = inclination.map_or_else(Figures::none, |angle| Figures::none().with("inclination", angle));
-        shown(&Shown { mechanism, figures, of, title: "t", project: None }, language).into_string()
+        let figures =
+            inclination.map_or_else(MechanismValues::none, |angle| MechanismValues::none().with("inclination", angle));
+        shown(&SketchContent { mechanism, figures, of, title: "t", project: None }, language).into_string()
     }
 
     fn keys_of(name: &str) -> &'static [Key] {
@@ -136,12 +137,12 @@ mod tests {
         for (table, row) in
             [("mechanism.hoist", "#f-bearing-overhang"), ("axis[2].mechanism.hoist", "#f-axis-2--bearing-overhang")]
         {
-            let with = |figures: Figures| {
-                let it = Shown { mechanism: Some("hoist"), figures, of: table, title: "t", project: None };
+            let with = |figures: MechanismValues| {
+                let it = SketchContent { mechanism: Some("hoist"), figures, of: table, title: "t", project: None };
                 shown(&it, Language::De).into_string()
             };
-            assert!(with(Figures::none().with("overhang", 0.1)).contains(&format!("href=\"{row}\"")));
-            assert!(!with(Figures::none()).contains("overhang"));
+            assert!(with(MechanismValues::none().with("overhang", 0.1)).contains(&format!("href=\"{row}\"")));
+            assert!(!with(MechanismValues::none()).contains("overhang"));
         }
     }
 
@@ -152,9 +153,9 @@ mod tests {
         let id = MechanismId::Screw;
         let projects = questions::read_all(id.example(), &project::NoFiles).unwrap_or_default();
         let project = projects.first();
-        let it = |mechanism| Shown {
+        let it = |mechanism| SketchContent {
             mechanism: Some(mechanism),
-            figures: Figures::none().with("lead", 0.01),
+            figures: MechanismValues::none().with("lead", 0.01),
             of: "mechanism.screw",
             title: "t",
             project,

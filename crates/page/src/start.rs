@@ -167,7 +167,7 @@ fn drawing(begin: &Begin, text: &str, language: Language) -> Markup {
     let stated = written(text).unwrap_or_default();
     let figures = stated.iter().filter_map(|key| Some((key.path.as_str(), key.value.as_deref()?)));
     let project = questions::read(text).ok();
-    let it = sketch::Shown {
+    let it = sketch::SketchContent {
         mechanism: begin.mechanism,
         figures: project::drawn_figures(figures, &of),
         of: &of,

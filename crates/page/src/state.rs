@@ -15,7 +15,7 @@ use std::borrow::Cow;
 use words::{Worded, worded};
 
 /// State as a request carries it, with the changes of that request.
-pub(crate) struct State {
+pub(crate) struct PageState {
     /// Text of the project.
     pub(crate) text: String,
     /// Last text without faults; empty before the first one.
@@ -180,7 +180,7 @@ pub(crate) struct Filter {
 }
 
 /// The project as far as it could be read.
-pub(crate) struct Held {
+pub(crate) struct ReadProject {
     /// Axes; those of the last good text if the text has faults.
     pub(crate) projects: Vec<Project>,
     /// Faults of the text, each with the path at which it is shown.
@@ -195,7 +195,7 @@ pub(crate) struct Held {
     pub(crate) refused: Option<Refusal>,
 }
 
-impl State {
+impl PageState {
     /// Reads the state of a request.
     pub(crate) fn of(call: &Call<'_>) -> Self {
         let field = |name: &str| call.field(name).map(Cow::into_owned).unwrap_or_default();
@@ -311,7 +311,7 @@ impl State {
     }
 
     /// Reads the project; a text with faults leaves the last good one.
-    pub(crate) fn hold(&mut self, files: &dyn Files, patience: &Patience) -> Held {
+    pub(crate) fn hold(&mut self, files: &dyn Files, patience: &Patience) -> ReadProject {
         let held = self.read(files, patience);
         self.axis = self.axis.min(held.projects.len().saturating_sub(1));
         if held.written.iter().any(|key| key.path == "axis[1]") {
@@ -320,16 +320,16 @@ impl State {
         held
     }
 
-    fn read(&mut self, files: &dyn Files, patience: &Patience) -> Held {
+    fn read(&mut self, files: &dyn Files, patience: &Patience) -> ReadProject {
         let keys = written(&self.text);
         let has_places = keys.is_some();
         match read_all_watched(&self.text, files, patience) {
             Ok(projects) => {
                 self.good.clone_from(&self.text);
                 let written = keys.unwrap_or_default();
-                Held { projects, faults: Vec::new(), is_old: false, written, has_places, refused: None }
+                ReadProject { projects, faults: Vec::new(), is_old: false, written, has_places, refused: None }
             }
-            Err(Unread::Refused(refusal)) => Held {
+            Err(Unread::Refused(refusal)) => ReadProject {
                 projects: Vec::new(),
                 faults: Vec::new(),
                 is_old: true,
@@ -346,7 +346,7 @@ impl State {
                     Err(Unread::Refused(refusal)) => (Vec::new(), Some(refusal)),
                     Err(Unread::Faults(_)) => (Vec::new(), None),
                 };
-                Held { projects, faults, is_old: true, written, has_places, refused }
+                ReadProject { projects, faults, is_old: true, written, has_places, refused }
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::call::{Call, Shell};
 use crate::form::vals;
 use crate::frame::looked_at_alone;
-use crate::state::State;
+use crate::state::PageState;
 use crate::waiting;
 use maud::{Markup, html};
 use project::Project;
@@ -16,7 +16,7 @@ use words::{capitalised, page};
 
 /// Returns the place of the tolerances; empty if the project has none. It identifies text, axis and actuator, so that a
 /// script requests each result once.
-pub(crate) fn place(state: &State, project: &Project, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
+pub(crate) fn place(state: &PageState, project: &Project, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
     if project.tolerances.is_empty() {
         return html! {};
     }
@@ -40,7 +40,7 @@ pub(crate) fn place(state: &State, project: &Project, candidate: &Candidate<'_>,
 
 /// Returns the judged tolerances.
 pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
-    let mut state = State::of(call);
+    let mut state = PageState::of(call);
     let l = state.language;
     let stopped =
         |refusal: &Refusal| html! { p.advice { (waiting::stopped(refusal, false, None, shell, patience, l)) } };

@@ -11,7 +11,7 @@ use crate::api::asked::put;
 use crate::api::method;
 use crate::call::{Call, Shell, query};
 use crate::form::vals;
-use field::{Field, Trouble};
+use field::{ToolField, Trouble};
 use figures::Theme;
 use maud::{Markup, html};
 use quantities::Language;
@@ -216,7 +216,7 @@ struct Question<'q> {
     first: &'q [(&'q str, &'q str)],
     show: Show,
     /// Field of the page that the interface does not have.
-    own: Option<Field>,
+    own: Option<ToolField>,
     body: &'q [u8],
 }
 
@@ -226,7 +226,7 @@ const UNDER_PROJECT: &str = "project";
 /// Returns the mounting; without a project, or without its loads, under the limits of the manual.
 fn mounted(scene: &Scene<'_>) -> Markup {
     let text = scene.call.field("text").unwrap_or_default();
-    let own = || Field::new(UNDER_PROJECT, page::under_project(scene.language), field::FieldEntry::Mark);
+    let own = || ToolField::new(UNDER_PROJECT, page::under_project(scene.language), field::FieldEntry::Mark);
     let is_under = scene.typed(UNDER_PROJECT).is_some_and(|value| value == "true") && !text.is_empty();
     let (entry, show): (&Entry, Show) = if is_under {
         (&list::mount_project::ENTRY, calculators::mount_in_project)
@@ -242,7 +242,8 @@ fn mounted(scene: &Scene<'_>) -> Markup {
 fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
     let l = scene.language;
     let Question { entry, first, show, own, body } = question;
-    let mut fields: Vec<Field> = entry.arguments.iter().filter_map(|each| Field::of_argument(each, l)).collect();
+    let mut fields: Vec<ToolField> =
+        entry.arguments.iter().filter_map(|each| ToolField::of_argument(each, l)).collect();
     fields.extend(own.clone());
     for field in &mut fields {
         let usual = || first.iter().find(|(name, _)| *name == field.name).map(|(_, value)| (*value).to_owned());
@@ -289,12 +290,12 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
 /// Last question that had an answer.
 const GOOD: &str = "good";
 
-fn fields_of(fields: &[Field], language: Language) -> Markup {
+fn fields_of(fields: &[ToolField], language: Language) -> Markup {
     html! { div.rows { @for field in fields { (field.shown(language)) } } }
 }
 
 /// Returns the question as the query that a client of the interface sends.
-fn query_of(said: &[(&str, Option<&str>)], fields: &[Field], language: Language) -> String {
+fn query_of(said: &[(&str, Option<&str>)], fields: &[ToolField], language: Language) -> String {
     let said = said.iter().filter_map(|(name, value)| Some((*name, (*value)?)));
     let asked = fields.iter().filter(|field| field.name != UNDER_PROJECT);
     let typed = asked.flat_map(|field| field.values().map(|value| (field.name.as_str(), value)));

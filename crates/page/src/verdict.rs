@@ -2,7 +2,7 @@
 
 use crate::call::{Call, Shell};
 use crate::form::{self, vals};
-use crate::state::{Held, List, State};
+use crate::state::{List, PageState, ReadProject};
 use maud::{Markup, html};
 use project::{Project, key_at};
 use quantities::Language;
@@ -35,8 +35,8 @@ pub(crate) fn class(candidate: &Candidate<'_>) -> &'static str {
 
 /// Returns the bar.
 pub(crate) fn bar(
-    state: &State,
-    held: &Held,
+    state: &PageState,
+    held: &ReadProject,
     found: &Outcome<'_, '_>,
     fields: &str,
     shell: &dyn Shell,
@@ -120,7 +120,7 @@ fn below(
 /// Returns other gearings with which an actuator fits; requested after the page is shown, because it needs several
 /// judgements of the catalogue.
 pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
-    let mut state = State::of(call);
+    let mut state = PageState::of(call);
     let l = state.language;
     let held = state.hold(shell.files(), patience);
     let found = held.projects.get(state.axis).and_then(|project| mends(project, patience).ok()).unwrap_or_default();
@@ -141,7 +141,7 @@ pub(crate) fn worded(message: &str, hint: Option<&str>) -> Markup {
 }
 
 /// Returns the faults of the text, each with a link to its field, to its axis, or to its line in the text.
-fn faults(state: &State, held: &Held, fields: &str, language: Language) -> Markup {
+fn faults(state: &PageState, held: &ReadProject, fields: &str, language: Language) -> Markup {
     let prefix = state.prefix.as_str();
     let has = |id: &str| fields.contains(&format!("id=\"{id}\""));
     // The field; for a value without a field, the enclosing table.

@@ -6,7 +6,7 @@ use crate::geometry::{Point, Rect};
 use crate::item::{Tags, tagged};
 use crate::label::Label;
 use crate::picture::Picture;
-use crate::plane::{Axis, EDGE, TICK, X_BELOW, X_LABELS, X_TITLE};
+use crate::plane::{EDGE, PlaneAxis, TICK, X_BELOW, X_LABELS, X_TITLE};
 use crate::style::{Colour, Style};
 use crate::ticks::Ticks;
 use crate::titled::titled;
@@ -15,7 +15,7 @@ use crate::xy::{title, title_height};
 /// Bars against a limit of 100 %, one row for each check.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BarChart {
-    axis: Axis,
+    axis: PlaneAxis,
     title: Label,
     description: String,
     rows: Vec<Bar>,
@@ -73,7 +73,7 @@ impl Bar {
 impl BarChart {
     /// Creates a chart without rows; the axis is that of the utilisation in percent.
     #[must_use]
-    pub fn new(axis: Axis) -> Self {
+    pub fn new(axis: PlaneAxis) -> Self {
         Self { axis, title: Label::default(), description: String::new(), rows: Vec::new(), legend: Vec::new() }
     }
 

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use crate::font::{ASCENT, DESCENT, FONT_FAMILY};
 use crate::geometry::Rect;
 use crate::item::Tags;
-use crate::label::{Label, Run, RunKind, is_drawable};
+use crate::label::{Label, RunKind, TextRun, is_drawable};
 use crate::picture::{Picture, TextBox};
 use crate::style::{Colour, Style, Theme};
 
@@ -364,7 +364,7 @@ const SHORT: usize = 3;
 
 /// Returns the attribute that fixes the width of a run at that of the layout for any font: the picture does not contain
 /// the font.
-fn length(run: &Run, setting: Setting) -> String {
+fn length(run: &TextRun, setting: Setting) -> String {
     if run.text.chars().count() <= SHORT {
         return String::new();
     }

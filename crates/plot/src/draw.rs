@@ -6,7 +6,7 @@ use crate::geometry::{Point, Rect};
 use crate::item::{Area, At, Item, Line, Markers, Note, Reference, Tags, is_data, pieces};
 use crate::label::Label;
 use crate::legend::{MARKER, draw_marker, fill, rule, stroke};
-use crate::place::{Field, Near};
+use crate::place::{Near, OccupiedPlane};
 use crate::plane::Plane;
 use crate::reduce::{line_path, outline_path, reduced, without_repeats};
 use crate::stacked::lines_of;
@@ -46,7 +46,7 @@ pub(crate) fn lines(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
 }
 
 /// Writes notes and names of points where there is room.
-pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], field: &mut Field) {
+pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], field: &mut OccupiedPlane) {
     for item in items {
         if let Item::Note(note) = item {
             draw_note(canvas, plane, note, field);
@@ -64,7 +64,7 @@ pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], fiel
 }
 
 /// Marks the drawn items in the field.
-pub(crate) fn stamp(field: &mut Field, plane: &Plane, items: &[Item]) {
+pub(crate) fn stamp(field: &mut OccupiedPlane, plane: &Plane, items: &[Item]) {
     for item in items {
         match item {
             Item::Line(line) => {
@@ -207,7 +207,7 @@ pub(crate) fn reference_places(
     plane: &Plane,
     items: &[Item],
     labelled: Labelled,
-    field: &mut Field,
+    field: &mut OccupiedPlane,
 ) -> Vec<Option<(Rect, Label)>> {
     labelled.of(items).map(|reference| reference_place(plane, reference, field)).collect()
 }
@@ -219,7 +219,7 @@ fn references(items: &[Item]) -> impl Iterator<Item = &Reference> {
     })
 }
 
-fn reference_place(plane: &Plane, reference: &Reference, field: &mut Field) -> Option<(Rect, Label)> {
+fn reference_place(plane: &Plane, reference: &Reference, field: &mut OccupiedPlane) -> Option<(Rect, Label)> {
     let [from, to] = ends(plane, reference);
     if reference.label.is_empty() || plane.area.cut(from, to).is_none() || !from.0.is_finite() || !from.1.is_finite() {
         return None;
@@ -264,7 +264,7 @@ pub(crate) fn reference_labels(
     }
 }
 
-fn draw_note(canvas: &mut Canvas<'_>, plane: &Plane, note: &Note, field: &mut Field) {
+fn draw_note(canvas: &mut Canvas<'_>, plane: &Plane, note: &Note, field: &mut OccupiedPlane) {
     canvas.open_item("note", &note.tags, &note.label, usize::from(!is_data(note.at)));
     if is_data(note.at) {
         near(canvas, plane, note.at, &note.label, field, NOTE, Colour::Tone(note.tone));
@@ -278,7 +278,7 @@ fn near(
     plane: &Plane,
     point: Point,
     label: &Label,
-    field: &mut Field,
+    field: &mut OccupiedPlane,
     near: Near,
     colour: Colour,
 ) {

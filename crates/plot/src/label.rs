@@ -18,11 +18,11 @@ const SUBSCRIPT_SCALE: f64 = 0.78;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Label {
-    pub(crate) runs: Vec<Run>,
+    pub(crate) runs: Vec<TextRun>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Run {
+pub(crate) struct TextRun {
     pub(crate) text: String,
     pub(crate) kind: RunKind,
 }
@@ -79,7 +79,7 @@ impl Label {
         // A line of text cannot contain line breaks or control characters; XML does not allow the latter.
         let text: String = text.chars().map(|c| if is_drawable(c) { c } else { ' ' }).collect();
         if !text.is_empty() {
-            self.runs.push(Run { text, kind });
+            self.runs.push(TextRun { text, kind });
         }
         self
     }
@@ -248,7 +248,7 @@ impl From<String> for Label {
     }
 }
 
-impl Run {
+impl TextRun {
     pub(crate) fn size(&self, size: f64) -> f64 {
         if self.kind == RunKind::Index { (size * SUBSCRIPT_SCALE).max(SIZE_MIN) } else { size }
     }

@@ -9,11 +9,11 @@ use crate::style::Colour;
 
 pub(crate) struct LegendEntry {
     pub(crate) label: Label,
-    pub(crate) sample: Sample,
+    pub(crate) sample: LegendSample,
 }
 
 #[derive(Clone, Debug)]
-pub(crate) enum Sample {
+pub(crate) enum LegendSample {
     Line(Stroke),
     Patch(Fill, Stroke),
     Marker(Shape, Colour, bool),
@@ -33,12 +33,12 @@ pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<LegendEntr
     let mut entries: Vec<LegendEntry> = Vec::new();
     for item in items {
         let (label, sample) = match item {
-            Item::Line(line) => (&line.label, Sample::Line(stroke(line))),
+            Item::Line(line) => (&line.label, LegendSample::Line(stroke(line))),
             Item::Area(area) => {
-                (&area.label, Sample::Patch(fill(canvas, area), Stroke::solid(Colour::Tone(area.tone), HAIR)))
+                (&area.label, LegendSample::Patch(fill(canvas, area), Stroke::solid(Colour::Tone(area.tone), HAIR)))
             }
             Item::Markers(markers) => {
-                let sample = Sample::Marker(markers.shape, Colour::Tone(markers.tone), markers.hollow);
+                let sample = LegendSample::Marker(markers.shape, Colour::Tone(markers.tone), markers.hollow);
                 (&markers.label, sample)
             }
             Item::Reference(_) | Item::Note(_) => continue,
@@ -58,7 +58,7 @@ pub(crate) fn limits(items: &[Item]) -> impl Iterator<Item = LegendEntry> {
         Item::Line(_) | Item::Area(_) | Item::Markers(_) | Item::Note(_) => None,
     });
     let named = references.filter(|reference| matches!(reference.at, At::Y(_)) && !reference.label.is_empty());
-    named.map(|reference| LegendEntry { label: reference.label.clone(), sample: Sample::Line(rule(reference)) })
+    named.map(|reference| LegendEntry { label: reference.label.clone(), sample: LegendSample::Line(rule(reference)) })
 }
 
 /// Returns the stroke of a reference.
@@ -96,11 +96,11 @@ pub(crate) fn column(canvas: &mut Canvas<'_>, entries: &[LegendEntry], area: &Re
 }
 
 /// A row of a legend: several entries, or one whose label takes several lines.
-pub(crate) struct Row<'a> {
+pub(crate) struct LegendRow<'a> {
     entries: Vec<(&'a LegendEntry, f64, Vec<Label>)>,
 }
 
-impl Row<'_> {
+impl LegendRow<'_> {
     pub(crate) fn height(&self) -> f64 {
         self.entries.iter().map(|(.., lines)| lines.iter().map(|_| ROW).sum::<f64>()).fold(ROW, f64::max)
     }
@@ -111,8 +111,8 @@ impl Row<'_> {
 }
 
 /// Arranges the entries in rows of a width; a label too long for one line is broken, never shortened.
-pub(crate) fn rows(entries: &[LegendEntry], width: f64) -> Vec<Row<'_>> {
-    let mut rows: Vec<Row<'_>> = Vec::new();
+pub(crate) fn rows(entries: &[LegendEntry], width: f64) -> Vec<LegendRow<'_>> {
+    let mut rows: Vec<LegendRow<'_>> = Vec::new();
     let mut taken = f64::INFINITY;
     for entry in entries {
         let room = width - SAMPLE - SAMPLE_GAP + ROUNDING;
@@ -120,7 +120,7 @@ pub(crate) fn rows(entries: &[LegendEntry], width: f64) -> Vec<Row<'_>> {
         let widest = lines.iter().map(|line| line.width(TEXT, false)).fold(0.0, f64::max);
         let wide = SAMPLE + SAMPLE_GAP + widest;
         if taken + COLUMN_GAP + wide > width {
-            rows.push(Row { entries: Vec::new() });
+            rows.push(LegendRow { entries: Vec::new() });
             taken = wide;
         } else {
             taken += COLUMN_GAP + wide;
@@ -133,12 +133,12 @@ pub(crate) fn rows(entries: &[LegendEntry], width: f64) -> Vec<Row<'_>> {
 }
 
 /// Returns the height of the rows.
-pub(crate) fn rows_height(rows: &[Row<'_>]) -> f64 {
-    rows.iter().map(Row::height).sum()
+pub(crate) fn rows_height(rows: &[LegendRow<'_>]) -> f64 {
+    rows.iter().map(LegendRow::height).sum()
 }
 
 /// Draws rows from a left end and an upper end downwards.
-pub(crate) fn draw_rows(canvas: &mut Canvas<'_>, rows: &[Row<'_>], (left, top): Point) {
+pub(crate) fn draw_rows(canvas: &mut Canvas<'_>, rows: &[LegendRow<'_>], (left, top): Point) {
     canvas.open("legend");
     let mut y = top + ROW / 2.0;
     for row in rows {
@@ -155,12 +155,14 @@ pub(crate) fn draw_rows(canvas: &mut Canvas<'_>, rows: &[Row<'_>], (left, top): 
 /// Draws one entry with the middle of its first line at a height.
 fn draw(canvas: &mut Canvas<'_>, entry: &LegendEntry, (x, y): Point, lines: &[Label]) {
     match &entry.sample {
-        Sample::Line(stroke) => canvas.line((x, y), (x + SAMPLE, y), stroke),
-        Sample::Patch(fill, stroke) => {
+        LegendSample::Line(stroke) => canvas.line((x, y), (x + SAMPLE, y), stroke),
+        LegendSample::Patch(fill, stroke) => {
             let area = Rect { left: x, right: x + SAMPLE, top: y - 5.0, bottom: y + 5.0 };
             canvas.rect(&area, 0.0, fill, Some(stroke));
         }
-        Sample::Marker(shape, colour, hollow) => draw_marker(canvas, *shape, (x + SAMPLE / 2.0, y), *colour, *hollow),
+        LegendSample::Marker(shape, colour, hollow) => {
+            draw_marker(canvas, *shape, (x + SAMPLE / 2.0, y), *colour, *hollow)
+        }
     }
     let mut base = TEXT.mul_add(CAP_HEIGHT / 2.0, y);
     for line in lines {

@@ -29,7 +29,7 @@ pub use geometry::Rect;
 pub use item::{Area, Dash, Item, Line, Markers, Note, Reference, Shape, Width};
 pub use label::Label;
 pub use picture::{Picture, TextBox};
-pub use plane::Axis;
+pub use plane::PlaneAxis;
 pub use stacked::{Panel, StackedChart};
 pub use style::{Size, Style, Theme, Tone};
 pub use xy::XyChart;

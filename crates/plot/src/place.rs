@@ -10,7 +10,7 @@ const CELL: f64 = 3.0;
 const CELLS_MAX: f64 = 600.0;
 
 /// A plane with the occupied areas in it.
-pub(crate) struct Field {
+pub(crate) struct OccupiedPlane {
     area: Rect,
     cell: f64,
     columns: usize,
@@ -40,7 +40,7 @@ pub(crate) struct Near {
     pub(crate) worst: f64,
 }
 
-impl Field {
+impl OccupiedPlane {
     pub(crate) fn new(area: Rect) -> Self {
         let cell = CELL.max(area.width().max(area.height()) / CELLS_MAX);
         let (columns, rows) = (whole(area.width() / cell) + 1, whole(area.height() / cell) + 1);
@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn texts_near_one_point_do_not_overlap() {
-        let mut field = Field::new(AREA);
+        let mut field = OccupiedPlane::new(AREA);
         let places: Vec<Rect> =
             (0..12).filter_map(|_| field.near((150.0, 100.0), (40.0, 12.0), NEAR)).map(|place| place.area).collect();
         assert!(places.len() >= 8, "{}", places.len());
@@ -250,7 +250,7 @@ mod tests {
 
     #[test]
     fn a_text_avoids_a_line() {
-        let mut field = Field::new(AREA);
+        let mut field = OccupiedPlane::new(AREA);
         field.line(&[(0.0, 200.0), (300.0, 0.0)]);
         let place = field.near((150.0, 100.0), (50.0, 12.0), NEAR).unwrap();
         assert!(field.taken.iter().filter(|taken| **taken).count() > 60);

@@ -3,7 +3,7 @@
 use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, number};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::{Point, Rect};
-use crate::label::{Label, Run, RunKind, SIZE_MIN};
+use crate::label::{Label, RunKind, SIZE_MIN, TextRun};
 use crate::style::Colour;
 use crate::ticks::{LARGEST, Ticks};
 
@@ -11,7 +11,7 @@ use crate::ticks::{LARGEST, Ticks};
 ///
 /// Written according to DIN 461: name, symbol in italics, a slash, the unit: "torque *T* / Nm".
 #[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
+pub struct PlaneAxis {
     name: Label,
     symbol: String,
     unit: String,
@@ -21,7 +21,7 @@ pub struct Axis {
     minor: bool,
 }
 
-impl Axis {
+impl PlaneAxis {
     /// Creates an axis of a quantity by its symbol (index after an underscore) and unit, either of which may be empty.
     #[must_use]
     pub fn new(symbol: &str, unit: &str) -> Self {
@@ -118,7 +118,7 @@ impl Axis {
         if whole.width(least, false) <= room {
             return (whole, least);
         }
-        let symbol: Vec<Run> = self.name.runs.iter().filter(|run| run.kind != RunKind::Plain).cloned().collect();
+        let symbol: Vec<TextRun> = self.name.runs.iter().filter(|run| run.kind != RunKind::Plain).cloned().collect();
         if symbol.is_empty() {
             return (whole, least);
         }
@@ -232,7 +232,7 @@ impl Plane {
     }
 
     /// Draws the y axis: line, ticks, numbers.
-    pub(crate) fn y_axis(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
+    pub(crate) fn y_axis(&self, canvas: &mut Canvas<'_>, axis: &PlaneAxis) {
         canvas.open("axis y");
         let left = self.area.left;
         let rule = Stroke::solid(Colour::Ink, RULE);
@@ -262,7 +262,7 @@ impl Plane {
     }
 
     /// Draws the x axis: line, ticks, numbers.
-    pub(crate) fn x_axis(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
+    pub(crate) fn x_axis(&self, canvas: &mut Canvas<'_>, axis: &PlaneAxis) {
         canvas.open("axis x");
         let bottom = self.area.bottom;
         let rule = Stroke::solid(Colour::Ink, RULE);
@@ -290,13 +290,13 @@ impl Plane {
     }
 
     /// Writes the title of the y axis, horizontal above its numbers, on a base line.
-    pub(crate) fn y_title(&self, canvas: &mut Canvas<'_>, axis: &Axis, room: f64, at: f64) {
+    pub(crate) fn y_title(&self, canvas: &mut Canvas<'_>, axis: &PlaneAxis, room: f64, at: f64) {
         let (title, size) = axis.title_within(self.y.exponent, room);
         canvas.text((EDGE, at), &title, Setting::new(size, Colour::Ink, Anchor::Start));
     }
 
     /// Writes the title of the x axis below its end.
-    pub(crate) fn x_title(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
+    pub(crate) fn x_title(&self, canvas: &mut Canvas<'_>, axis: &PlaneAxis) {
         let (title, size) = axis.title_within(self.x.exponent, self.area.right - EDGE);
         canvas.text(
             (self.area.right, self.area.bottom + X_TITLE),
@@ -388,18 +388,18 @@ mod tests {
 
     #[test]
     fn titles_follow_the_standard() {
-        assert_eq!(Axis::new("T", "Nm").title(0).plain(), "T / Nm");
-        assert_eq!(Axis::new("n", "min⁻¹").name("Speed").title(3).plain(), "Speed n / 10³ min⁻¹");
-        assert_eq!(Axis::new("K", "Nm/rad").title(0).plain(), "K / (Nm/rad)");
-        assert_eq!(Axis::new("K", "Nm/rad").title(-6).plain(), "K / (10⁻⁶ Nm/rad)");
-        assert_eq!(Axis::new("", "%").title(0).plain(), "%");
-        assert_eq!(Axis::new("", "").name("Rank").title(0).plain(), "Rank");
-        assert_eq!(Axis::new("i", "").title(6).plain(), "i / 10⁶");
+        assert_eq!(PlaneAxis::new("T", "Nm").title(0).plain(), "T / Nm");
+        assert_eq!(PlaneAxis::new("n", "min⁻¹").name("Speed").title(3).plain(), "Speed n / 10³ min⁻¹");
+        assert_eq!(PlaneAxis::new("K", "Nm/rad").title(0).plain(), "K / (Nm/rad)");
+        assert_eq!(PlaneAxis::new("K", "Nm/rad").title(-6).plain(), "K / (10⁻⁶ Nm/rad)");
+        assert_eq!(PlaneAxis::new("", "%").title(0).plain(), "%");
+        assert_eq!(PlaneAxis::new("", "").name("Rank").title(0).plain(), "Rank");
+        assert_eq!(PlaneAxis::new("i", "").title(6).plain(), "i / 10⁶");
     }
 
     #[test]
     fn a_title_without_room_keeps_symbol_and_unit() {
-        let axis = Axis::new("T_rms", "Nm").name("Torque at the output");
+        let axis = PlaneAxis::new("T_rms", "Nm").name("Torque at the output");
         let whole = axis.title(0).width(AXIS, false);
         assert_eq!(axis.title_within(0, whole + 1.0), (axis.title(0), AXIS));
         assert_eq!(axis.title_within(0, whole * 0.8), (axis.title(0), SIZE_MIN));
@@ -409,13 +409,13 @@ mod tests {
 
     #[test]
     fn zero_is_shown_unless_it_is_waived() {
-        assert_eq!(Axis::new("T", "Nm").span(&[5.0, 10.0], false).0, 0.0);
+        assert_eq!(PlaneAxis::new("T", "Nm").span(&[5.0, 10.0], false).0, 0.0);
         // A return move that ends a rounding error below its start needs no negative half.
-        assert!(Axis::new("φ", "°").span(&[-3e-13, 763.9], false).0 > -1e-6);
-        assert!(Axis::new("φ", "°").span(&[-763.9, 3e-13], false).1 < 1e-6);
-        assert!(Axis::new("T", "Nm").without_zero().span(&[5.0, 10.0], false).0 > 4.0);
-        let (lo, hi, _) = Axis::new("T", "Nm").span(&[5.0, 10.0], true);
+        assert!(PlaneAxis::new("φ", "°").span(&[-3e-13, 763.9], false).0 > -1e-6);
+        assert!(PlaneAxis::new("φ", "°").span(&[-763.9, 3e-13], false).1 < 1e-6);
+        assert!(PlaneAxis::new("T", "Nm").without_zero().span(&[5.0, 10.0], false).0 > 4.0);
+        let (lo, hi, _) = PlaneAxis::new("T", "Nm").span(&[5.0, 10.0], true);
         assert!(lo < 0.0 && hi > 10.0);
-        assert_eq!(Axis::new("T", "Nm").range(8.0, 2.0).span(&[5.0], false), (2.0, 8.0, false));
+        assert_eq!(PlaneAxis::new("T", "Nm").range(8.0, 2.0).span(&[5.0], false), (2.0, 8.0, false));
     }
 }

@@ -5,10 +5,10 @@ use crate::draw::{self, Labelled};
 use crate::geometry::Rect;
 use crate::item::{Item, Tags};
 use crate::label::Label;
-use crate::legend::{self, LegendEntry, Row};
+use crate::legend::{self, LegendEntry, LegendRow};
 use crate::picture::Picture;
-use crate::place::Field;
-use crate::plane::{Axis, EDGE, Plane, X_BELOW, x_ticks, y_margin, y_ticks};
+use crate::place::OccupiedPlane;
+use crate::plane::{EDGE, Plane, PlaneAxis, X_BELOW, x_ticks, y_margin, y_ticks};
 use crate::style::{Colour, Style};
 use crate::ticks::Ticks;
 use crate::titled::titled;
@@ -17,7 +17,7 @@ use crate::xy::{title, title_height};
 /// Panels with one shared axis, and the borders of segments drawn through all of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackedChart {
-    x: Axis,
+    x: PlaneAxis,
     title: Label,
     description: String,
     segments: Vec<(f64, f64, Label)>,
@@ -27,7 +27,7 @@ pub struct StackedChart {
 impl StackedChart {
     /// Returns the shared axis of all panels, and every line with the axis of its panel, from top to bottom.
     #[must_use]
-    pub fn lines(&self) -> (&Axis, Vec<(&Axis, &crate::Line)>) {
+    pub fn lines(&self) -> (&PlaneAxis, Vec<(&PlaneAxis, &crate::Line)>) {
         let lines = self.panels.iter().flat_map(|panel| lines_of(&panel.items).map(|line| (&panel.y, line)));
         (&self.x, lines.collect())
     }
@@ -44,7 +44,7 @@ pub(crate) fn lines_of(items: &[Item]) -> impl Iterator<Item = &crate::Line> {
 /// One panel: a y axis and its items. A limit is a [`Reference`](crate::Reference).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    y: Axis,
+    y: PlaneAxis,
     items: Vec<Item>,
     weight: f64,
 }
@@ -52,7 +52,7 @@ pub struct Panel {
 impl Panel {
     /// Creates an empty panel.
     #[must_use]
-    pub const fn new(y: Axis) -> Self {
+    pub const fn new(y: PlaneAxis) -> Self {
         Self { y, items: Vec::new(), weight: 1.0 }
     }
 
@@ -102,7 +102,7 @@ impl Head {
         Self { entries, beside }
     }
 
-    fn rows(&self, style: &Style) -> Vec<Row<'_>> {
+    fn rows(&self, style: &Style) -> Vec<LegendRow<'_>> {
         let room = if self.beside { f64::MAX } else { style.size.width - 2.0 * EDGE };
         legend::rows(&self.entries, room)
     }
@@ -121,7 +121,7 @@ impl Head {
 impl StackedChart {
     /// Creates a chart without panels. The shared axis ends with data and segments.
     #[must_use]
-    pub fn new(x: Axis) -> Self {
+    pub fn new(x: PlaneAxis) -> Self {
         Self {
             x: x.tight(),
             title: Label::default(),
@@ -159,7 +159,7 @@ impl StackedChart {
         self.draw_segments(&mut canvas, &laid);
         for (index, part) in laid.iter().enumerate() {
             let Laid { plane, panel, head } = part;
-            let mut field = Field::new(plane.area);
+            let mut field = OccupiedPlane::new(plane.area);
             draw::stamp(&mut field, plane, &panel.items);
             for x in self.borders_in(plane) {
                 field.line(&[(x, plane.area.top), (x, plane.area.bottom)]);
@@ -185,7 +185,7 @@ impl StackedChart {
             plane.y_title(&mut canvas, &panel.y, head.title_room(style), plane.area.top - 8.0 - below);
             let rows = head.rows(style);
             if head.beside {
-                let left = plane.area.right - rows.iter().map(Row::width).fold(0.0, f64::max);
+                let left = plane.area.right - rows.iter().map(LegendRow::width).fold(0.0, f64::max);
                 legend::draw_rows(&mut canvas, &rows, (left, plane.area.top - legend::ROW - 4.0));
             } else if !rows.is_empty() {
                 legend::draw_rows(&mut canvas, &rows, (EDGE, plane.area.top - below - 4.0));

@@ -7,8 +7,8 @@ use crate::item::{Item, Markers, Shape};
 use crate::label::Label;
 use crate::legend::{self, LegendEntry};
 use crate::picture::Picture;
-use crate::place::Field;
-use crate::plane::{Axis, EDGE, Plane, X_BELOW, Y_ABOVE, x_ticks, y_margin, y_ticks};
+use crate::place::OccupiedPlane;
+use crate::plane::{EDGE, Plane, PlaneAxis, X_BELOW, Y_ABOVE, x_ticks, y_margin, y_ticks};
 use crate::style::{Colour, Style, Tone};
 use crate::titled::titled;
 
@@ -25,8 +25,8 @@ use crate::titled::titled;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct XyChart {
-    pub(crate) x: Axis,
-    pub(crate) y: Axis,
+    pub(crate) x: PlaneAxis,
+    pub(crate) y: PlaneAxis,
     pub(crate) title: Label,
     pub(crate) description: String,
     pub(crate) four_quadrant: bool,
@@ -39,13 +39,13 @@ pub struct XyChart {
 impl XyChart {
     /// Returns both axes, and every line with the axis of its values.
     #[must_use]
-    pub fn lines(&self) -> (&Axis, Vec<(&Axis, &crate::Line)>) {
+    pub fn lines(&self) -> (&PlaneAxis, Vec<(&PlaneAxis, &crate::Line)>) {
         (&self.x, crate::stacked::lines_of(&self.items).map(|line| (&self.y, line)).collect())
     }
 
     /// Creates an empty chart.
     #[must_use]
-    pub fn new(x: Axis, y: Axis) -> Self {
+    pub fn new(x: PlaneAxis, y: PlaneAxis) -> Self {
         Self {
             x,
             y,
@@ -63,7 +63,7 @@ impl XyChart {
     /// A name is drawn if there is room, earlier classes and points first; all names are tooltips, and
     /// [`Picture::hidden_labels`] has those that are not drawn.
     #[must_use]
-    pub fn map(x: Axis, y: Axis) -> Self {
+    pub fn map(x: PlaneAxis, y: PlaneAxis) -> Self {
         Self { kind: "map", ..Self::new(x, y) }
     }
 
@@ -217,8 +217,8 @@ impl XyChart {
     }
 
     /// Returns the field with the drawn items, so that text can avoid them.
-    fn field(&self, plane: &Plane) -> Field {
-        let mut field = Field::new(plane.area);
+    fn field(&self, plane: &Plane) -> OccupiedPlane {
+        let mut field = OccupiedPlane::new(plane.area);
         draw::stamp(&mut field, plane, &self.items);
         if self.four_quadrant {
             let (x, y) = (plane.x_at(0.0), plane.y_at(0.0));
@@ -245,7 +245,7 @@ fn below(canvas: &Canvas<'_>, entries: &[LegendEntry]) -> f64 {
 const PLANE_MIN: f64 = 60.0;
 
 /// Returns a corner, or else the middle of the upper or lower edge, into which a legend fits without covering anything.
-fn legend_corner(field: &Field, area: &Rect, entries: &[LegendEntry]) -> Option<Rect> {
+fn legend_corner(field: &OccupiedPlane, area: &Rect, entries: &[LegendEntry]) -> Option<Rect> {
     let (width, height) = legend::column_size(entries);
     if width > area.width() * 0.6 || height > area.height() * 0.6 {
         return None;

@@ -4,7 +4,7 @@
 
 use arbtest::arbitrary::{Result, Unstructured};
 use plot::{
-    Area, Axis, Bar, BarChart, Dash, Hatch, Label, Line, Markers, Note, Panel, Picture, Reference, Shape, Size,
+    Area, Bar, BarChart, Dash, Hatch, Label, Line, Markers, Note, Panel, Picture, PlaneAxis, Reference, Shape, Size,
     StackedChart, Style, Theme, Tone, Verdict, Width, XyChart,
 };
 use quantities::Language;
@@ -60,8 +60,8 @@ fn tone(u: &mut Unstructured<'_>) -> Result<Tone> {
     Ok(*u.choose(&[Tone::Continuous, Tone::ShortTime, Tone::Trace, Tone::Muted, Tone::Series(1), Tone::Series(250)])?)
 }
 
-fn axis(u: &mut Unstructured<'_>) -> Result<Axis> {
-    let mut axis = Axis::new(&text(u)?, &text(u)?).name(&text(u)?);
+fn axis(u: &mut Unstructured<'_>) -> Result<PlaneAxis> {
+    let mut axis = PlaneAxis::new(&text(u)?, &text(u)?).name(&text(u)?);
     if u.arbitrary()? {
         axis = axis.without_zero();
     }
@@ -235,8 +235,8 @@ fn data_at_the_edges_of_numbers_are_drawn() {
     ];
     for points in series {
         for (x, y) in [
-            (Axis::new("x", "m"), Axis::new("y", "m")),
-            (Axis::new("x", "m").without_zero(), Axis::new("y", "m").without_zero()),
+            (PlaneAxis::new("x", "m"), PlaneAxis::new("y", "m")),
+            (PlaneAxis::new("x", "m").without_zero(), PlaneAxis::new("y", "m").without_zero()),
         ] {
             let picture = XyChart::new(x, y).with(Line::new(points.iter().copied())).render(&style);
             holds(&picture);
@@ -249,7 +249,7 @@ fn data_at_the_edges_of_numbers_are_drawn() {
 #[test]
 fn points_that_are_no_numbers_are_counted_and_leave_a_gap() {
     let points = [(0.0, 1.0), (1.0, f64::NAN), (2.0, 3.0), (3.0, 4.0), (f64::INFINITY, 1.0)];
-    let picture = XyChart::new(Axis::new("t", "s"), Axis::new("T", "Nm"))
+    let picture = XyChart::new(PlaneAxis::new("t", "s"), PlaneAxis::new("T", "Nm"))
         .with(Line::new(points).label("x"))
         .render(&Style::new(Size::pixels(400.0, 300.0)));
     assert_eq!(picture.dropped(), 2);
@@ -259,7 +259,7 @@ fn points_that_are_no_numbers_are_counted_and_leave_a_gap() {
 
 #[test]
 fn a_title_of_the_caller_is_text_and_nothing_else() {
-    let picture = XyChart::new(Axis::new("<b>", "\"&"), Axis::new("y", "m/s"))
+    let picture = XyChart::new(PlaneAxis::new("<b>", "\"&"), PlaneAxis::new("y", "m/s"))
         .title("</title><script>alert(1)</script>")
         .with(Markers::new([(1.0, 2.0)]).class("a\" onload=\"x").data("on click", "\"><x>").label("<i>"))
         .render(&Style::new(Size::pixels(400.0, 300.0)));
@@ -273,7 +273,7 @@ fn a_title_of_the_caller_is_text_and_nothing_else() {
 #[test]
 fn a_million_points_are_a_small_picture_with_every_peak() {
     let points = (0..1_000_000_u32).map(|i| (f64::from(i), if i == 777_777 { 50.0 } else { f64::from(i % 7) }));
-    let picture = XyChart::new(Axis::new("t", "s"), Axis::new("T", "Nm").range(0.0, 100.0))
+    let picture = XyChart::new(PlaneAxis::new("t", "s"), PlaneAxis::new("T", "Nm").range(0.0, 100.0))
         .with(Line::new(points))
         .render(&Style::new(Size::pixels(600.0, 400.0)));
     assert!(picture.svg().len() < 120_000, "{}", picture.svg().len());
@@ -291,7 +291,7 @@ fn a_million_points_are_a_small_picture_with_every_peak() {
 #[cfg(feature = "png")]
 #[test]
 fn pixels_have_the_size_asked_for() {
-    let picture = XyChart::new(Axis::new("t", "s"), Axis::new("T", "Nm"))
+    let picture = XyChart::new(PlaneAxis::new("t", "s"), PlaneAxis::new("T", "Nm"))
         .with(Line::new([(0.0, 1.0), (2.0, 3.0)]))
         .render(&Style::new(Size::pixels(400.0, 300.0)));
     let png = picture.png(2.0).unwrap();

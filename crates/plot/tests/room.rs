@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail loudly too")]
 
 use plot::{
-    Axis, Bar, BarChart, Line, Markers, Panel, Picture, Reference, Shape, Size, StackedChart, Style, Tone, Verdict,
-    XyChart,
+    Bar, BarChart, Line, Markers, Panel, Picture, PlaneAxis, Reference, Shape, Size, StackedChart, Style, Tone,
+    Verdict, XyChart,
 };
 
 fn narrow() -> Style {
@@ -29,7 +29,7 @@ fn borders(picture: &Picture) -> Vec<(f64, f64, f64)> {
 
 fn many_segments(title: &str) -> StackedChart {
     let segments = (0..40_u8).map(f64::from);
-    segments.fold(StackedChart::new(Axis::new("t", "s")).title(title), |chart, at| {
+    segments.fold(StackedChart::new(PlaneAxis::new("t", "s")).title(title), |chart, at| {
         chart.segment(at, at + 1.0, format!("{at}"))
     })
 }
@@ -40,7 +40,7 @@ fn no_border_of_a_segment_crosses_the_label_of_an_event() {
     for event in [3.5, 9.5] {
         let course = Line::new([(0.0, 0.0), (20.0, 8.0), (40.0, 1.0)]);
         chart = chart.panel(
-            Panel::new(Axis::new("T", "Nm"))
+            Panel::new(PlaneAxis::new("T", "Nm"))
                 .with(course)
                 .with(Reference::vertical(event).label(format!("stop after {event} s"))),
         );
@@ -68,7 +68,7 @@ fn the_label_of_a_limit_stands_above_the_panel() {
         let chart = limits.into_iter().fold(many_segments("Cycle"), |chart, limit| {
             let course = Line::new([(0.0, -8.0), (20.0, 8.0), (40.0, -8.0)]);
             let reference = Reference::horizontal(limit).label(format!("T_max = {limit} Nm"));
-            chart.panel(Panel::new(Axis::new("T", "Nm")).with(course).with(reference))
+            chart.panel(Panel::new(PlaneAxis::new("T", "Nm")).with(course).with(reference))
         });
         let picture = chart.render(&Style::new(Size::millimetres(120.0, height)));
         assert!(picture.hidden_labels().iter().all(|label| !label.contains("T_max")), "{:?}", picture.hidden_labels());
@@ -91,10 +91,11 @@ fn the_label_of_a_limit_stands_above_the_panel() {
 fn every_scale_has_two_numbers_however_low_its_panel() {
     for (low, high) in [(-20.2, 20.2), (-190.4, 190.4), (30.2, 81.7), (-0.1, 120.7), (-21_600.0, 0.0), (0.4, 1.46)] {
         for height in [30.0, 60.0, 120.0] {
-            let fixed = Panel::new(Axis::new("T", "Nm").range(low, high)).with(Line::new([(0.0, low), (9.0, high)]));
-            let free = Panel::new(Axis::new("T", "Nm")).with(Line::new([(0.0, low), (9.0, high)]));
+            let fixed =
+                Panel::new(PlaneAxis::new("T", "Nm").range(low, high)).with(Line::new([(0.0, low), (9.0, high)]));
+            let free = Panel::new(PlaneAxis::new("T", "Nm")).with(Line::new([(0.0, low), (9.0, high)]));
             for panel in [fixed, free] {
-                let picture = StackedChart::new(Axis::new("t", "s"))
+                let picture = StackedChart::new(PlaneAxis::new("t", "s"))
                     .panel(panel)
                     .render(&Style::new(Size::millimetres(120.0, height)));
                 let document = roxmltree::Document::parse(picture.svg()).unwrap();
@@ -110,8 +111,8 @@ fn every_scale_has_two_numbers_however_low_its_panel() {
 #[test]
 fn a_low_panel_is_filled_by_its_curve() {
     for high in [0.536, 5.1, 21_600.0, 2300.0, 11.0] {
-        let panel = Panel::new(Axis::new("φ", "°")).with(Line::new([(0.0, 0.0), (9.0, high)]));
-        let chart = StackedChart::new(Axis::new("t", "s")).panel(panel);
+        let panel = Panel::new(PlaneAxis::new("φ", "°")).with(Line::new([(0.0, 0.0), (9.0, high)]));
+        let chart = StackedChart::new(PlaneAxis::new("t", "s")).panel(panel);
         let picture = chart.render(&Style::new(Size::millimetres(120.0, 30.0)));
         let document = roxmltree::Document::parse(picture.svg()).unwrap();
         let top = document.descendants().find_map(|node| node.attribute("data-y-max")?.parse::<f64>().ok());
@@ -123,10 +124,10 @@ fn a_low_panel_is_filled_by_its_curve() {
 #[test]
 fn a_narrow_stack_keeps_titles_and_every_entry_of_its_legend() {
     let line = |label: &str| Line::new([(0.0, 1.0), (1.0, 2.0)]).label(label);
-    let chart = StackedChart::new(Axis::new("t", "s").name("Time since the beginning of the cycle"))
+    let chart = StackedChart::new(PlaneAxis::new("t", "s").name("Time since the beginning of the cycle"))
         .title("A title that is longer than one line of the picture has room for")
         .panel(
-            Panel::new(Axis::new("ϑ", "°C").name("Temperature of the parts of the motor"))
+            Panel::new(PlaneAxis::new("ϑ", "°C").name("Temperature of the parts of the motor"))
                 .with(line("winding"))
                 .with(line("housing"))
                 .with(line("a mounting plate with a long name")),
@@ -142,7 +143,7 @@ fn a_narrow_stack_keeps_titles_and_every_entry_of_its_legend() {
 
 #[test]
 fn a_narrow_plane_breaks_its_legend_and_cuts_nothing() {
-    let picture = XyChart::new(Axis::new("n", "min⁻¹").name("Speed at the output"), Axis::new("T", "Nm"))
+    let picture = XyChart::new(PlaneAxis::new("n", "min⁻¹").name("Speed at the output"), PlaneAxis::new("T", "Nm"))
         .with(Markers::new([(1.0, 2.0)]).label("mean: n_av = 12.34 min⁻¹, T_rms = 123.4 Nm, of the whole cycle"))
         .render(&narrow());
     let all = texts(&picture).join(" ");
@@ -153,7 +154,7 @@ fn a_narrow_plane_breaks_its_legend_and_cuts_nothing() {
 #[test]
 fn narrow_bars_have_whole_labels_and_numbers() {
     let bar = |name: &str| Bar::new(name, Verdict::Fail).percent(130.0).text("130.0 % · 39.03 / ≤ 30.02 min⁻¹");
-    let picture = BarChart::new(Axis::new("", "%").name("Utilisation"))
+    let picture = BarChart::new(PlaneAxis::new("", "%").name("Utilisation"))
         .bar(bar("Mean input speed of the gear"))
         .bar(bar("A check whose name alone is longer than the picture is wide, which is rare"))
         .explain(Verdict::Fail, "not met")
@@ -165,7 +166,7 @@ fn narrow_bars_have_whole_labels_and_numbers() {
 
 #[test]
 fn a_text_is_as_wide_as_laid_out_whatever_face_draws_it() {
-    let picture = XyChart::new(Axis::new("n", "min⁻¹").name("Speed"), Axis::new("T_rms", "Nm"))
+    let picture = XyChart::new(PlaneAxis::new("n", "min⁻¹").name("Speed"), PlaneAxis::new("T_rms", "Nm"))
         .title("Limits")
         .with(Line::new([(0.0, 1.0), (1.0, 2.0)]).label("continuous limit"))
         .render(&Style::new(Size::millimetres(120.0, 80.0)));
@@ -184,7 +185,7 @@ fn a_text_is_as_wide_as_laid_out_whatever_face_draws_it() {
 
 #[test]
 fn a_map_without_a_point_says_so() {
-    let map = XyChart::map(Axis::new("m", "kg"), Axis::new("", "%"))
+    let map = XyChart::map(PlaneAxis::new("m", "kg"), PlaneAxis::new("", "%"))
         .class("fits", Tone::Series(2), Vec::<(f64, f64, &str)>::new())
         .with(Reference::horizontal(0.0))
         .nothing("No candidate can be shown.");
@@ -197,7 +198,7 @@ fn a_map_without_a_point_says_so() {
 
 #[test]
 fn a_ring_leaves_the_marker_within_to_be_seen() {
-    let picture = XyChart::new(Axis::new("m", "kg"), Axis::new("", "%"))
+    let picture = XyChart::new(PlaneAxis::new("m", "kg"), PlaneAxis::new("", "%"))
         .with(Markers::new([(1.0, 1.0)]).shape(Shape::Ring).class("ring"))
         .render(&narrow());
     let document = roxmltree::Document::parse(picture.svg()).unwrap();

@@ -10,11 +10,11 @@ use crate::Diagnostic;
 use crate::about::About;
 use crate::key::{Kind, Variants};
 use crate::section::{Fields, OfKinds, Section, names, section};
-use crate::stated::{Field, Head};
+use crate::stated::{SectionHead, StatedField};
 use crate::value::choices;
 use faults::Faults;
 use line::{Keyed, Line};
-use mechanism::{Body, BodyInertia, Inertia, Orientation, Shape};
+use mechanism::{Body, BodyInertia, Inertia, Orientation, SolidShape};
 use quantities::{Angle, HalfWidth, Length, Mass, MassDensity, Reading};
 
 section! {
@@ -224,7 +224,7 @@ impl BodySection {
     /// Returns the body that a table describes; `None` if a required key was refused or is missing.
     pub(crate) fn body(&self) -> Option<Body> {
         let shape = self.shape()?;
-        let has = |name: &&str| self.field(name).is_some_and(Field::is_given);
+        let has = |name: &&str| self.field(name).is_some_and(StatedField::is_given);
         (self.is_whole() && shape.dimensions.iter().all(has)).then(|| self.body_of(shape.kind))
     }
 
@@ -240,19 +240,19 @@ impl BodySection {
         }
     }
 
-    fn shape_of(&self, kind: BodyKind) -> Shape {
+    fn shape_of(&self, kind: BodyKind) -> SolidShape {
         let orientation = self.axis.value().unwrap_or_default();
         let (diameter, length, height) = (self.diameter.or_zero(), self.length.or_zero(), self.height.or_zero());
         match kind {
             BodyKind::Tube => {
-                Shape::Tube { outer: self.outer.or_zero(), inner: self.inner.or_zero(), length, orientation }
+                SolidShape::Tube { outer: self.outer.or_zero(), inner: self.inner.or_zero(), length, orientation }
             }
-            BodyKind::Box => Shape::Box { a: self.a.or_zero(), b: self.b.or_zero(), height },
-            BodyKind::Cone => Shape::Cone { diameter, height },
-            BodyKind::Sphere => Shape::Sphere { diameter },
-            BodyKind::Point => Shape::PointMass,
-            BodyKind::Rod => Shape::Rod { length },
-            BodyKind::Cylinder | BodyKind::Disc => Shape::Cylinder { diameter, length, orientation },
+            BodyKind::Box => SolidShape::Box { a: self.a.or_zero(), b: self.b.or_zero(), height },
+            BodyKind::Cone => SolidShape::Cone { diameter, height },
+            BodyKind::Sphere => SolidShape::Sphere { diameter },
+            BodyKind::Point => SolidShape::PointMass,
+            BodyKind::Rod => SolidShape::Rod { length },
+            BodyKind::Cylinder | BodyKind::Disc => SolidShape::Cylinder { diameter, length, orientation },
         }
     }
 }
@@ -275,7 +275,7 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
     if let Some(stray) = &line.stray {
         faults.stray(stray);
     }
-    let mut section = BodySection::absent(&Head::new("", line.span.clone()));
+    let mut section = BodySection::absent(&SectionHead::new("", line.span.clone()));
     let by = BodySection::VARIANTS.by;
     let all: Vec<&str> = BodySection::KEYS.iter().map(|key| key.name).filter(|name| *name != by).collect();
     let valid = known.map_or(all, BodyShape::keys);
@@ -314,8 +314,8 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
     for error in body.faults() {
         // A value that could not be read has been reported already.
         let fields = faults::fields(&error, &section);
-        let unread = |field: &&dyn Field| shape.dimensions.contains(&field.name()) && !field.is_given();
-        let damaged = |field: &dyn Field| written(field.name()) && !field.is_given();
+        let unread = |field: &&dyn StatedField| shape.dimensions.contains(&field.name()) && !field.is_given();
+        let damaged = |field: &dyn StatedField| written(field.name()) && !field.is_given();
         let lost_mass = fields.is_empty() && (damaged(&section.mass) || damaged(&section.density));
         if !fields.iter().any(unread) && !lost_mass {
             let place = fields.first().and_then(|field| line.value_of(field.name()));
@@ -328,7 +328,7 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::value::Choice;
+    use crate::value::WordChoice;
 
     #[test]
     fn every_word_of_a_shape_has_its_entry() {

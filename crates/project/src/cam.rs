@@ -2,11 +2,11 @@
 
 use crate::Fault;
 use crate::flange::needs;
-use crate::key::Column;
+use crate::key::ColumnDimensions;
 use crate::motion::Segment;
 use crate::read::Reader;
-use crate::stated::Field;
-use crate::value::{Cell, Row, Written, choices};
+use crate::stated::StatedField;
+use crate::value::{QuantityRow, ValueCell, Written, choices};
 use ::motion::Spline;
 use quantities::Dimension;
 
@@ -21,16 +21,17 @@ pub(crate) enum CamEnds {
 
 /// A point of a cam table: a time or an angle of the master, and the position there.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct CamPoint([Cell; 2]);
+pub(crate) struct CamPoint([ValueCell; 2]);
 
-impl Row for CamPoint {
-    const COLUMNS: &'static [Column] = &[&[Dimension::Time, Dimension::Angle], &[Dimension::Angle, Dimension::Length]];
+impl QuantityRow for CamPoint {
+    const COLUMNS: &'static [ColumnDimensions] =
+        &[&[Dimension::Time, Dimension::Angle], &[Dimension::Angle, Dimension::Length]];
 
-    fn of(cells: &[Cell]) -> Option<Self> {
+    fn of(cells: &[ValueCell]) -> Option<Self> {
         cells.try_into().ok().map(Self)
     }
 
-    fn cells(&self) -> Vec<Cell> {
+    fn cells(&self) -> Vec<ValueCell> {
         self.0.to_vec()
     }
 
@@ -59,7 +60,7 @@ impl Segment {
     /// Reports speeds and accelerations at the ends that are missing or that spline and ends do not use.
     pub(crate) fn end_keys(&self, spline: Option<Spline>, ends: Option<CamEnds>, reader: &mut Reader<'_>) {
         let Some(ends) = ends else { return };
-        let fields: [(&dyn Field, bool); 4] = [
+        let fields: [(&dyn StatedField, bool); 4] = [
             (&self.start_speed, true),
             (&self.end_speed, true),
             (&self.start_acceleration, spline != Some(Spline::Cubic)),

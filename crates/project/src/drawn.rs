@@ -1,6 +1,6 @@
 //! Values for the drawing of a mechanism, as far as they can be read from a project file.
 
-use mechanism::drawing::Figures;
+use mechanism::drawing::MechanismValues;
 use quantities::{Unit, without_tolerance};
 
 /// Returns the values of a mechanism among those of a file, by path and text: those of the mechanism's own table, and
@@ -8,9 +8,9 @@ use quantities::{Unit, without_tolerance};
 ///
 /// A value that cannot be read, e.g. while it is being typed, is unknown.
 #[must_use]
-pub fn drawn_figures<'t>(values: impl IntoIterator<Item = (&'t str, &'t str)>, table: &str) -> Figures {
+pub fn drawn_figures<'t>(values: impl IntoIterator<Item = (&'t str, &'t str)>, table: &str) -> MechanismValues {
     let axis = table.find("].").map_or("", |end| table.get(..end + 2).unwrap_or_default());
-    values.into_iter().fold(Figures::none(), |known, (path, text)| {
+    values.into_iter().fold(MechanismValues::none(), |known, (path, text)| {
         let own = path.strip_prefix(table).and_then(|rest| rest.strip_prefix('.'));
         let key = own.filter(|key| !key.contains(['.', '['])).or_else(|| {
             let outside = path.strip_prefix(axis)?.strip_prefix("bearing.")?;

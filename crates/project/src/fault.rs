@@ -1,6 +1,6 @@
 //! Faults of the input, and hints: identifiers with their arguments, independent of language.
 
-use crate::{Column, TabularFault, ids};
+use crate::{ColumnDimensions, TabularFault, ids};
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, PointsFault, RecordedFault};
@@ -157,7 +157,7 @@ pub enum Fault {
         /// Path of the key.
         path: String,
         /// Dimensions of the columns.
-        columns: &'static [Column],
+        columns: &'static [ColumnDimensions],
     },
     /// A list of ratios that is empty or too long.
     RatioCount {

@@ -5,7 +5,7 @@ use crate::mechanism::OnFlange;
 use crate::read::Reader;
 use crate::root::AxisSection;
 use crate::section::{Section, section};
-use crate::stated::Field;
+use crate::stated::StatedField;
 use crate::value::choices;
 use crate::{Assumption, Fault, Hint};
 use actuator::FlangeLoad;
@@ -63,8 +63,8 @@ choices! {
 
 impl FlangeLoads {
     /// Returns the first stated load.
-    fn first(&self) -> Option<&dyn Field> {
-        let forces: [&dyn Field; 2] = [&self.radial_force, &self.axial_force];
+    fn first(&self) -> Option<&dyn StatedField> {
+        let forces: [&dyn StatedField; 2] = [&self.radial_force, &self.axial_force];
         forces.into_iter().find(|field| field.is_given())
     }
 
@@ -84,7 +84,7 @@ impl FlangeLoads {
 
     /// Reports a force without its distance, and the reverse.
     fn pairs(&self, reader: &mut Reader<'_>) {
-        let pairs: [[&dyn Field; 2]; 2] =
+        let pairs: [[&dyn StatedField; 2]; 2] =
             [[&self.radial_force, &self.radial_distance], [&self.axial_force, &self.axial_distance]];
         for [force, distance] in pairs {
             needs(force, distance, reader);
@@ -94,7 +94,7 @@ impl FlangeLoads {
 }
 
 /// Reports a key that is stated without another one that it needs.
-pub(crate) fn needs(given: &dyn Field, needed: &dyn Field, reader: &mut Reader<'_>) {
+pub(crate) fn needs(given: &dyn StatedField, needed: &dyn StatedField, reader: &mut Reader<'_>) {
     if given.is_given() && !needed.is_written() {
         reader.fault(given.span(), Fault::MissingKey { path: needed.path(), list: false }, None);
     }
@@ -102,7 +102,7 @@ pub(crate) fn needs(given: &dyn Field, needed: &dyn Field, reader: &mut Reader<'
 
 impl Bearing {
     /// Returns the keys of the geometry from which loads follow.
-    fn geometry(&self) -> [&dyn Field; 8] {
+    fn geometry(&self) -> [&dyn StatedField; 8] {
         [
             &self.overhang,
             &self.payload_overhang,
@@ -116,14 +116,14 @@ impl Bearing {
     }
 
     /// Returns the keys that have an effect on the loads of a stage.
-    fn of_stage(&self, kind: StageKind) -> Vec<&dyn Field> {
-        let mut fields: Vec<&dyn Field> = vec![&self.overhang, &self.flange_share];
+    fn of_stage(&self, kind: StageKind) -> Vec<&dyn StatedField> {
+        let mut fields: Vec<&dyn StatedField> = vec![&self.overhang, &self.flange_share];
         match kind {
             StageKind::Belt => fields.push(&self.belt_tension),
-            StageKind::Gear => fields.extend([&self.pressure_angle as &dyn Field, &self.helix_angle]),
+            StageKind::Gear => fields.extend([&self.pressure_angle as &dyn StatedField, &self.helix_angle]),
             StageKind::Coupling => {}
         }
-        fields.extend([&self.wheel_mass as &dyn Field, &self.axis_tilt]);
+        fields.extend([&self.wheel_mass as &dyn StatedField, &self.axis_tilt]);
         fields
     }
 }
@@ -143,7 +143,7 @@ fn loads_flange(axis: &AxisSection) -> bool {
 }
 
 /// Returns the first stated load on the flange.
-fn states_loads(axis: &AxisSection) -> Option<&dyn Field> {
+fn states_loads(axis: &AxisSection) -> Option<&dyn StatedField> {
     let common = axis.parts.bearing.get().map(|section| &section.loads);
     let of_segments = axis.segments().iter().filter_map(|segment| segment.bearing.get());
     common.into_iter().chain(of_segments).find_map(FlangeLoads::first)
@@ -211,17 +211,17 @@ fn mounting(
         reader.fault(section.mechanism.span(), Fault::NoFlangeLoads, Some(Hint::MechanismsWithLoads));
         return None;
     }
-    let valid: Vec<&dyn Field> = match &mechanism.stage {
+    let valid: Vec<&dyn StatedField> = match &mechanism.stage {
         Some(stage) => section.of_stage(stage.kind),
         None => axis.driven().map(|driven| driven.flange_keys(section)).unwrap_or_default(),
     };
     let names: Vec<&str> = valid.iter().map(|field| field.name()).collect();
-    let has_effect = |field: &dyn Field| names.contains(&field.name());
+    let has_effect = |field: &dyn StatedField| names.contains(&field.name());
     for field in section.geometry().into_iter().filter(|field| field.is_given() && !has_effect(*field)) {
         reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(Hint::valid(&names)));
     }
     if how == Derived::Replace {
-        let forces: [&dyn Field; 2] = [&section.loads.radial_force, &section.loads.axial_force];
+        let forces: [&dyn StatedField; 2] = [&section.loads.radial_force, &section.loads.axial_force];
         for field in forces.into_iter().filter(|field| field.is_given()) {
             reader.fault(field.span(), Fault::ReplacesEverything { key: field.name() }, None);
         }
@@ -236,7 +236,7 @@ fn mounting(
     if tension.is_some() && pressure.is_some() {
         reader.fault(section.pressure_angle.span(), Fault::BeltOrTeeth, None);
     }
-    let pairs: [[&dyn Field; 2]; 3] = [
+    let pairs: [[&dyn StatedField; 2]; 3] = [
         [&section.helix_angle, &section.pressure_angle],
         [&section.wheel_mass, &section.axis_tilt],
         [&section.axis_tilt, &section.wheel_mass],

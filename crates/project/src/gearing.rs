@@ -2,7 +2,7 @@
 
 use crate::mechanism::Driven;
 use crate::read::Reader;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use crate::{Project, finish, prepare};
 use mechanism::{Stage, StageKind};
 use quantities::unit::{MILLIMETRE, ONE};
@@ -23,7 +23,7 @@ impl Project {
     /// Returns the stated keys: lead, diameter of a pulley, roller or drum, radius of a crank, ratio of a stage.
     #[must_use]
     pub fn gearings(&self) -> Vec<Gearing> {
-        let of = |field: &dyn Field, unit| Some(Gearing { path: field.path(), si: field.si()?, unit });
+        let of = |field: &dyn StatedField, unit| Some(Gearing { path: field.path(), si: field.si()?, unit });
         let lever = self.root.driven().and_then(Driven::gearing).and_then(|field| of(field, &MILLIMETRE));
         // Of several ratios the best has been chosen already.
         let stage = self.root.parts.stage.get().filter(|stage| stage.ratios().is_empty());

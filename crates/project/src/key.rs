@@ -6,7 +6,7 @@ use crate::{Assumption, Expected, Range};
 use quantities::Dimension;
 
 /// Permissible dimensions of a column of rows, the default first.
-pub type Column = &'static [Dimension];
+pub type ColumnDimensions = &'static [Dimension];
 
 /// Permissible values of a key.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ pub enum Kind {
     /// A list of these words.
     ListOf(&'static [&'static str]),
     /// Rows of quantities, `[["0 1/min", "32 N m"], …]`.
-    Rows(&'static [Column]),
+    Rows(&'static [ColumnDimensions]),
     /// A table.
     Table(&'static [Key]),
     /// A table, or an array of tables with additional keys.

@@ -4,7 +4,7 @@ use crate::motion::Segment;
 use crate::read::{Reader, shortened};
 use crate::recorded::{Gaps, TimeStamps};
 use crate::section::Section;
-use crate::stated::{Field, Stated};
+use crate::stated::{Stated, StatedField};
 use crate::{Fault, Hint};
 use quantities::Unit;
 use recording::{ColumnSpec, Layout, Role};
@@ -49,9 +49,9 @@ pub(crate) fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
 
 /// Returns `true` if no value of the layout of a recording was refused.
 pub(crate) fn has_layout(segment: &Segment) -> bool {
-    let window: [&dyn Field; 4] = [&segment.from, &segment.to, &segment.gaps, &segment.time_stamps];
-    let tables: [&dyn Field; 2] = [&segment.columns, &segment.units];
-    let is_whole = |field: &dyn Field| field.is_given() || !field.is_written();
+    let window: [&dyn StatedField; 4] = [&segment.from, &segment.to, &segment.gaps, &segment.time_stamps];
+    let tables: [&dyn StatedField; 2] = [&segment.columns, &segment.units];
+    let is_whole = |field: &dyn StatedField| field.is_given() || !field.is_written();
     window.into_iter().chain(tables).all(is_whole)
         && segment.columns.get().is_none_or(Section::is_whole)
         && segment.units.get().is_none_or(Section::is_whole)

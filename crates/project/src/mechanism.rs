@@ -8,7 +8,7 @@ use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::root::Parts;
 use crate::section::{Fields, group, section};
-use crate::stated::{Field, Stated};
+use crate::stated::{Stated, StatedField};
 use crate::{Assumption, Fault, Hint};
 use mechanism::{Geometry, Mechanism, MechanismKind, Rotor};
 use parts::{Friction, Guide, Losses, ProcessForce, StartAngle};
@@ -87,7 +87,7 @@ pub(crate) trait Driven: Fields {
     fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind>;
 
     /// Returns the keys from which its inertia follows.
-    fn inertia(&self) -> Vec<&dyn Field> {
+    fn inertia(&self) -> Vec<&dyn StatedField> {
         self.field("inertia").into_iter().collect()
     }
 
@@ -122,12 +122,12 @@ pub(crate) trait Driven: Fields {
     }
 
     /// Returns the key from which the linear travel per turn follows, if that is constant.
-    fn travel(&self) -> Option<&dyn Field> {
+    fn travel(&self) -> Option<&dyn StatedField> {
         None
     }
 
     /// Returns the key from which the travel of the load per turn follows, if it is a single one.
-    fn gearing(&self) -> Option<&dyn Field> {
+    fn gearing(&self) -> Option<&dyn StatedField> {
         self.travel()
     }
 
@@ -147,7 +147,7 @@ pub(crate) trait Driven: Fields {
     }
 
     /// Returns the keys of `[bearing]` from which its loads on the flange follow.
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn StatedField> {
         match self.on_flange() {
             Some(OnFlange::Bodies(_)) => vec![&bearing.overhang, &bearing.payload_overhang, &bearing.flange_share],
             Some(OnFlange::Wheel | OnFlange::Shaft) => {
@@ -176,7 +176,7 @@ impl Driven for DirectLoad {
 fn sound(section: &impl Fields, faults: Vec<Geometry>, reader: &mut Reader<'_>) -> Option<()> {
     let is_sound = faults.is_empty();
     for fault in faults {
-        let span = section.field(fault.key()).map_or_else(|| section.head().span.clone(), Field::span);
+        let span = section.field(fault.key()).map_or_else(|| section.head().span.clone(), StatedField::span);
         reader.fault(span, Fault::Geometry(fault), None);
     }
     is_sound.then_some(())
@@ -243,7 +243,7 @@ fn build(driven: &dyn Driven, reader: &mut Reader<'_>) -> Option<Load> {
 /// Adds the defaults about the load that the file leaves open.
 pub(crate) fn assumptions(driven: &dyn Driven, found: &mut Vec<Assumption>) {
     if let Some(friction) = driven.friction() {
-        let mut fields: Vec<&dyn Field> = vec![&friction.friction_torque, &friction.viscous_friction];
+        let mut fields: Vec<&dyn StatedField> = vec![&friction.friction_torque, &friction.viscous_friction];
         fields.extend(group(driven).into_iter().flat_map(|guide: &Guide| guide.fields()));
         if !fields.iter().any(|field| field.is_given()) {
             found.extend(friction.friction_torque.note());
@@ -254,7 +254,7 @@ pub(crate) fn assumptions(driven: &dyn Driven, found: &mut Vec<Assumption>) {
     }
     // Those of friction and losses depend on each other and are listed above.
     let apart = [Assumption::NoFriction, Assumption::NoLosses, Assumption::LossesDoNotHelp];
-    for default in driven.fields().into_iter().filter_map(Field::note) {
+    for default in driven.fields().into_iter().filter_map(StatedField::note) {
         if !apart.contains(&default) && !found.contains(&default) && !driven.is_without_effect(default) {
             found.push(default);
         }

@@ -9,8 +9,8 @@ use crate::read::Reader;
 use crate::recorded::{Columns, File, Gaps, HeldValues, Ratios, TimeStamps, Units};
 use crate::root::AxisSection;
 use crate::section::{Fields, OfKinds, Section, names, section};
-use crate::stated::{Field, Stated};
-use crate::value::{Along, Choice, Rows, Turning, choice, choices, choices_by_id};
+use crate::stated::{Stated, StatedField};
+use crate::value::{Along, Rows, Turning, WordChoice, choice, choices, choices_by_id};
 use crate::{Assumption, Fault, Hint, Project};
 use ::motion::{
     Closing, EndState, Ends, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, Points, PointsFault,
@@ -199,7 +199,7 @@ impl Project {
     }
 }
 
-impl Choice for SegmentLaw {
+impl WordChoice for SegmentLaw {
     #[allow(clippy::indexing_slicing, reason = "read while compiling: an index out of bounds does not compile")]
     const WORDS: &'static [&'static str] = &{
         let mut words = [""; LAWS.len()];
@@ -227,14 +227,14 @@ choices! {
 impl Segment {
     /// Returns `true` if it is a trapezoid that two quantities determine.
     fn has_thirds(&self) -> bool {
-        let stated: [&dyn Field; 4] = [&self.distance, &self.time, &self.speed, &self.acceleration];
+        let stated: [&dyn StatedField; 4] = [&self.distance, &self.time, &self.speed, &self.acceleration];
         let is_trapezoid = self.law.value() == Some(SegmentLaw::Law(Law::Trapezoid));
         is_trapezoid && stated.iter().filter(|field| field.is_given()).count() == 2
     }
 
     /// Returns `true` if no value of its motion was refused; its loads do not count.
     pub(crate) fn states_its_motion(&self) -> bool {
-        let is_of_motion = |field: &&dyn Field| !Self::VARIANTS.shared.contains(&field.name());
+        let is_of_motion = |field: &&dyn StatedField| !Self::VARIANTS.shared.contains(&field.name());
         self.fields().into_iter().filter(is_of_motion).all(|field| field.is_given() || !field.is_written())
     }
 
@@ -250,8 +250,8 @@ impl Segment {
 
     /// Returns the fields that decide the largest speed of a move by a law, depending on whether it reaches its stated
     /// speed.
-    pub(crate) fn speed_follows_from(&self, reaches_its_speed: bool) -> Vec<&dyn Field> {
-        let all: Vec<&dyn Field> = match self.law.value() {
+    pub(crate) fn speed_follows_from(&self, reaches_its_speed: bool) -> Vec<&dyn StatedField> {
+        let all: Vec<&dyn StatedField> = match self.law.value() {
             Some(SegmentLaw::Recorded) => vec![&self.file],
             Some(SegmentLaw::Points) => vec![&self.points, &self.master_speed],
             Some(SegmentLaw::Manual) => vec![&self.speed],
@@ -557,7 +557,7 @@ fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
 fn without_effect(segment: &Segment, driven: &dyn Driven, reader: &mut Reader<'_>) {
     let (carries, turns, has_line) = (driven.carries(), !driven.torque_is_recorded(), driven.process_force().is_some());
     let of_payload: &[&str] = if turns { &["payload_inertia", "payload_distance"] } else { &["process_torque"] };
-    let fields: [(&dyn Field, bool, &[&str]); 3] = [
+    let fields: [(&dyn StatedField, bool, &[&str]); 3] = [
         (&segment.payload, carries, of_payload),
         (&segment.payload_inertia, turns, &["process_torque"]),
         (&segment.process_force, has_line, &["process_torque"]),

@@ -2,7 +2,7 @@
 
 use crate::Fault;
 use crate::key::Kind;
-use crate::read::{Found, Reader};
+use crate::read::{FoundValue, Reader};
 use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::DeValue;
@@ -29,7 +29,7 @@ impl Reader<'_> {
     }
 
     /// Returns plain numbers within bounds.
-    pub(crate) fn numbers(&mut self, found: &Found<'_, '_>) -> Option<Vec<f64>> {
+    pub(crate) fn numbers(&mut self, found: &FoundValue<'_, '_>) -> Option<Vec<f64>> {
         let (Kind::Numbers(low, high, most), DeValue::Array(items)) = (found.key.kind, found.value) else {
             return self.wrong_type(found);
         };

@@ -4,7 +4,7 @@ use crate::about::About;
 use crate::curves::{CURVE, curve};
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::{Field, Stated};
+use crate::stated::{Stated, StatedField};
 use crate::value::Rows;
 use actuator::{CurvePoint, Parameters};
 use provenance::{Datum, Grade, Source, Sourced};
@@ -112,14 +112,14 @@ impl ActuatorSection {
 }
 
 /// Returns a value of the user with its source: graded as published, since it is taken from a document of the user.
-pub(crate) fn sourced<T>(field: &dyn Field, value: T) -> Sourced<T> {
+pub(crate) fn sourced<T>(field: &dyn StatedField, value: T) -> Sourced<T> {
     Sourced { value, source: Source::Project { key: field.path().into() }, grade: Grade::Published, errata: &[] }
 }
 
-fn known<T>(field: &dyn Field, value: T) -> Datum<T> {
+fn known<T>(field: &dyn StatedField, value: T) -> Datum<T> {
     Datum::Known(sourced(field, value))
 }
 
-fn own<T: crate::value::Value + Copy>(field: &Stated<T>) -> Datum<T> {
+fn own<T: crate::value::KeyValue + Copy>(field: &Stated<T>) -> Datum<T> {
     field.value().map_or(Datum::NotPrinted, |value| known(field, value))
 }

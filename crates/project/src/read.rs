@@ -5,9 +5,9 @@ use crate::inputs::Input;
 use crate::key::{Key, Kind, Variants, example};
 use crate::nearest::{in_another_table, meant, nearest};
 use crate::section::{Fields, Section};
-use crate::stated::Head;
+use crate::stated::SectionHead;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
-use crate::value::{Cell, Choice, Row};
+use crate::value::{QuantityRow, ValueCell, WordChoice};
 use crate::{Diagnostic, Expected, Fault, Hint, PROJECT_MAX_BYTES, Range};
 use quantities::{Dimension, HalfWidth, QuantityError, Reading, is_unseen};
 use std::ops::Range as Span;
@@ -27,7 +27,7 @@ pub(crate) const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 const LIST_MAX: usize = 10_000;
 
 /// A value of the file with its key.
-pub(crate) struct Found<'v, 'd> {
+pub(crate) struct FoundValue<'v, 'd> {
     pub(crate) value: &'v DeValue<'d>,
     /// Place in the file, in bytes.
     pub(crate) span: Span<usize>,
@@ -109,7 +109,7 @@ impl<'t> Reader<'t> {
     }
 
     fn section<S: Section>(&mut self, table: &DeTable<'_>, span: Span<usize>, path: &str) -> S {
-        let mut section = S::absent(&Head::new(path, span.clone()));
+        let mut section = S::absent(&SectionHead::new(path, span.clone()));
         self.fill(&mut section, table, S::KEYS, path);
         self.missing(table, &span, S::KEYS, path);
         section
@@ -128,7 +128,7 @@ impl<'t> Reader<'t> {
             };
             let path = joined(path, key.name);
             if let Some(field) = section.field_mut(key.name) {
-                field.read(&Found { value: value.get_ref(), span: value.span(), key, path: &path }, self);
+                field.read(&FoundValue { value: value.get_ref(), span: value.span(), key, path: &path }, self);
             }
         }
     }
@@ -170,7 +170,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reports a value of another type than its key has.
-    pub(crate) fn wrong_type<T>(&mut self, found: &Found<'_, '_>) -> Option<T> {
+    pub(crate) fn wrong_type<T>(&mut self, found: &FoundValue<'_, '_>) -> Option<T> {
         let (expected, written) = (found.key.kind.expected(), found.value.type_str());
         let fault = Fault::WrongType { path: found.path.to_owned(), expected, found: written };
         self.fault(found.span.clone(), fault, example(found.key).map(Hint::Example));
@@ -183,7 +183,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns a quantity in SI, rotational or linear if its key allows both.
-    pub(crate) fn quantity_of(&mut self, found: &Found<'_, '_>) -> Option<Cell> {
+    pub(crate) fn quantity_of(&mut self, found: &FoundValue<'_, '_>) -> Option<ValueCell> {
         let (dimensions, range): (&[Dimension], Range) = match found.key.kind {
             Kind::Quantity(dimension, range) => (&[dimension], range),
             Kind::Along(turning, line, range) => (&[turning, line], range),
@@ -204,7 +204,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns a plain number within bounds.
-    pub(crate) fn number(&mut self, found: &Found<'_, '_>) -> Option<f64> {
+    pub(crate) fn number(&mut self, found: &FoundValue<'_, '_>) -> Option<f64> {
         let (Kind::Number(low, high), DeValue::Integer(_) | DeValue::Float(_)) = (found.key.kind, found.value) else {
             return self.wrong_type(found);
         };
@@ -212,7 +212,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns a whole number within bounds.
-    pub(crate) fn integer(&mut self, found: &Found<'_, '_>) -> Option<u32> {
+    pub(crate) fn integer(&mut self, found: &FoundValue<'_, '_>) -> Option<u32> {
         let (Kind::Integer(low, high), DeValue::Integer(number)) = (found.key.kind, found.value) else {
             return self.wrong_type(found);
         };
@@ -227,7 +227,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns free text of bounded length.
-    pub(crate) fn free_text(&mut self, found: &Found<'_, '_>) -> Option<String> {
+    pub(crate) fn free_text(&mut self, found: &FoundValue<'_, '_>) -> Option<String> {
         let DeValue::String(text) = found.value else { return self.wrong_type(found) };
         if text.chars().count() > TEXT_MAX {
             let fault = Fault::TextTooLong { path: found.path.to_owned(), most: TEXT_MAX };
@@ -240,12 +240,12 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns one of a fixed set of words.
-    pub(crate) fn choice<W: Choice>(&mut self, found: &Found<'_, '_>) -> Option<W> {
+    pub(crate) fn choice<W: WordChoice>(&mut self, found: &FoundValue<'_, '_>) -> Option<W> {
         let DeValue::String(text) = found.value else { return self.wrong_type(found) };
         self.word(text, found.span.clone(), found.path)
     }
 
-    fn word<W: Choice>(&mut self, text: &str, span: Span<usize>, path: &str) -> Option<W> {
+    fn word<W: WordChoice>(&mut self, text: &str, span: Span<usize>, path: &str) -> Option<W> {
         let choice = W::of_word(text);
         if choice.is_none() {
             let hint = self.nearest(text, W::WORDS);
@@ -256,7 +256,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns several words of a fixed set; other words are reported and left out.
-    pub(crate) fn choices<W: Choice>(&mut self, found: &Found<'_, '_>) -> Option<Vec<W>> {
+    pub(crate) fn choices<W: WordChoice>(&mut self, found: &FoundValue<'_, '_>) -> Option<Vec<W>> {
         let DeValue::Array(items) = found.value else { return self.wrong_type(found) };
         let mut list = Vec::new();
         for item in items.iter() {
@@ -274,7 +274,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads a table.
-    pub(crate) fn table<S: Section>(&mut self, found: &Found<'_, '_>) -> Option<S> {
+    pub(crate) fn table<S: Section>(&mut self, found: &FoundValue<'_, '_>) -> Option<S> {
         match found.value {
             DeValue::Table(table) => Some(self.section(table, found.span.clone(), found.path)),
             _ => self.wrong_type(found),
@@ -288,7 +288,7 @@ impl<'t> Reader<'t> {
         (text, span): (&str, Span<usize>),
         (dimensions, range): (&[Dimension], Range),
         (path, place): (&str, &str),
-    ) -> Option<Cell> {
+    ) -> Option<ValueCell> {
         let dimension = one_of(dimensions, text)?;
         match quantities::parse_toleranced(dimension, text) {
             Err(error) => {
@@ -382,7 +382,7 @@ impl<'t> Reader<'t> {
     /// Reads an array of tables; with `variants` each is of one of several kinds.
     pub(crate) fn tables<S: Section>(
         &mut self,
-        found: &Found<'_, '_>,
+        found: &FoundValue<'_, '_>,
         variants: Option<&'static Variants>,
     ) -> Option<Vec<S>> {
         let items = self.items(found)?;
@@ -403,7 +403,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns the entries of a list, if there are not too many.
-    fn items<'v, 'd>(&mut self, found: &Found<'v, 'd>) -> Option<&'v DeArray<'d>> {
+    fn items<'v, 'd>(&mut self, found: &FoundValue<'v, 'd>) -> Option<&'v DeArray<'d>> {
         let DeValue::Array(items) = found.value else { return self.wrong_type(found) };
         if items.len() > LIST_MAX {
             let fault = Fault::TooManyEntries { path: found.path.to_owned(), most: LIST_MAX };
@@ -413,7 +413,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads solid bodies, one text each; a fault is reported at its text.
-    pub(crate) fn bodies(&mut self, found: &Found<'_, '_>) -> Option<Vec<BodySection>> {
+    pub(crate) fn bodies(&mut self, found: &FoundValue<'_, '_>) -> Option<Vec<BodySection>> {
         let (items, path, span) = (self.items(found)?, found.path, &found.span);
         let mut lines: Vec<(&str, Span<usize>)> = Vec::new();
         for item in items.iter() {
@@ -486,7 +486,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads rows of quantities.
-    pub(crate) fn rows<P: Row>(&mut self, found: &Found<'_, '_>) -> Option<Vec<(P, Span<usize>)>> {
+    pub(crate) fn rows<P: QuantityRow>(&mut self, found: &FoundValue<'_, '_>) -> Option<Vec<(P, Span<usize>)>> {
         let (items, path, columns) = (self.items(found)?, found.path, P::COLUMNS);
         let mut rows = Vec::new();
         for (index, item) in items.iter().enumerate() {
@@ -500,14 +500,14 @@ impl<'t> Reader<'t> {
                 self.fault(item.span(), Fault::NotARow { path: path.to_owned(), columns }, None);
                 continue;
             };
-            let row: Vec<Option<Cell>> = (1..)
+            let row: Vec<Option<ValueCell>> = (1..)
                 .zip(parts.into_iter().zip(columns))
                 .map(|(number, (part, column))| {
                     let place = format!("{path}[{}][{number}]", index + 1);
                     self.quantity(part, (column, Range::Any), (path, &place))
                 })
                 .collect();
-            let row = row.into_iter().collect::<Option<Vec<Cell>>>().and_then(|row| P::of(&row));
+            let row = row.into_iter().collect::<Option<Vec<ValueCell>>>().and_then(|row| P::of(&row));
             rows.extend(row.map(|row| (row, item.span())));
         }
         Some(rows)

@@ -5,10 +5,10 @@ use crate::about::About;
 use crate::key::Kind;
 use crate::layout::{depends_on_layout, has_layout, layout};
 use crate::motion::{Segment, SegmentLaw};
-use crate::read::{Found, Reader};
+use crate::read::{FoundValue, Reader};
 use crate::section::section;
-use crate::stated::Field;
-use crate::value::{Value, choices};
+use crate::stated::StatedField;
+use crate::value::{KeyValue, choices};
 use ::motion::{Recorded, RecordedFault, Samples, Treatment};
 use quantities::Unit;
 use recording::{Along, Bytes, Content, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording, Role, Series};
@@ -81,10 +81,10 @@ pub(crate) struct File {
     read: Option<RecordingRead>,
 }
 
-impl Value for File {
+impl KeyValue for File {
     const KIND: Kind = Kind::Text;
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.free_text(found).map(|name| Self { name, read: None })
     }
 

@@ -4,8 +4,8 @@ use crate::about::About;
 use crate::key::example;
 use crate::read::Reader;
 use crate::section::{Section, section};
-use crate::stated::Field;
-use crate::value::{Choice, Choices, choice, choices};
+use crate::stated::StatedField;
+use crate::value::{Choices, WordChoice, choice, choices};
 use crate::{Assumption, Fault, Hint};
 use actuator::{BatteryFault, Protection};
 use configurator::Requirements;
@@ -94,7 +94,7 @@ impl DriveSection {
 /// Words of a field of the ordering code, each of the first series that has it.
 macro_rules! words_of_the_code {
     ($($Choice:ident of $WORDS:ident),+) => {$(
-        impl Choice for $Choice {
+        impl WordChoice for $Choice {
             const WORDS: &'static [&'static str] = order_code::$WORDS;
 
             fn of_word(word: &str) -> Option<Self> {
@@ -106,7 +106,7 @@ macro_rules! words_of_the_code {
 
 words_of_the_code!(Feedback of FEEDBACKS, Option1 of OPTIONS_1, Option2 of OPTIONS_2);
 /// Degrees of protection of rotating machines by EN 60034-5, and those of immersion and of jets at high pressure by EN 60529.
-impl Choice for Protection {
+impl WordChoice for Protection {
     const WORDS: &'static [&'static str] = &[
         "IP00", "IP10", "IP12", "IP13", "IP20", "IP21", "IP22", "IP23", "IP43", "IP44", "IP54", "IP55", "IP56", "IP64",
         "IP65", "IP66", "IP67", "IP68", "IP69",
@@ -212,7 +212,7 @@ impl RequirementsSection {
         {
             reader.fault(self.humidity_min.span(), Fault::HumidityOrder, None);
         }
-        let pairs: [(&dyn Field, &dyn Field); 6] = [
+        let pairs: [(&dyn StatedField, &dyn StatedField); 6] = [
             (&self.deviation_max, &self.lever_arm),
             (&self.altitude_derating, &self.altitude),
             (&self.collision_time, &self.collision_torque),

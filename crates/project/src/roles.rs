@@ -7,7 +7,7 @@ use crate::Project;
 use crate::mechanism::Driven;
 use crate::motion::Segment;
 use crate::section::Fields;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use ::motion::{Hold, Solved};
 use quantities::{Measure, Time};
 
@@ -28,7 +28,7 @@ impl Project {
     #[must_use]
     pub fn stated_at(&self, role: &str, si: Option<f64>, within: Within) -> Option<String> {
         let root = &self.root;
-        let of_segment = |field: fn(&Segment) -> &dyn Field| {
+        let of_segment = |field: fn(&Segment) -> &dyn StatedField| {
             self.segment(within).map_or_else(|| root.path(role), |segment| field(segment).path())
         };
         Some(match role {
@@ -106,7 +106,7 @@ impl Project {
 
     /// Returns the keys that convert a motion stated at the load to the output: travel per turn, and the ratio of a
     /// stage.
-    fn gearing(&self, stated: &[&dyn Field]) -> Vec<String> {
+    fn gearing(&self, stated: &[&dyn StatedField]) -> Vec<String> {
         let along = stated.iter().any(|field| field.is_of_a_line());
         let travel = self.root.driven().filter(|_| along).and_then(Driven::travel).map(|field| field.path());
         #[allow(clippy::float_cmp, reason = "a ratio that is written as one, or none")]
@@ -128,13 +128,13 @@ impl Project {
         let common = self.root.parts.bearing.get();
         let common = common.filter(|_| segments.iter().any(|segment| !segment.bearing.is_given()));
         let own = segments.iter().filter_map(|segment| segment.bearing.get()).filter_map(|loads| loads.field(name));
-        let stating: Vec<&dyn Field> = common
+        let stating: Vec<&dyn StatedField> = common
             .and_then(|bearing| bearing.field(name))
             .into_iter()
             .chain(own)
             .filter(|each| each.is_given())
             .collect();
-        let has = |field: &&&dyn Field| si.is_some_and(|si| field.si() == Some(si));
+        let has = |field: &&&dyn StatedField| si.is_some_and(|si| field.si() == Some(si));
         let mut equal = stating.iter().filter(has).peekable();
         if equal.peek().is_some() {
             return listed(equal.map(|field| field.path()));

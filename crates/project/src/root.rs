@@ -10,7 +10,7 @@ use crate::read::joined;
 use crate::requirements::{DriveSection, RequirementsSection};
 use crate::section::{Fields, Section, section, set};
 use crate::stage::StageSection;
-use crate::stated::{Field, Head};
+use crate::stated::{SectionHead, StatedField};
 use crate::twin::TwinSection;
 use crate::value::{OneOrMany, Tables};
 
@@ -86,7 +86,7 @@ impl AxisSection {
         Self { name: axis.name.get().cloned(), single_move, parts: axis.parts }
     }
 
-    pub(crate) fn head(&self) -> &Head {
+    pub(crate) fn head(&self) -> &SectionHead {
         self.parts.head()
     }
 

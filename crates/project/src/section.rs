@@ -2,21 +2,21 @@
 //! description.
 
 use crate::key::{Key, Variants};
-use crate::stated::{Field, Head};
+use crate::stated::{SectionHead, StatedField};
 use std::any::Any;
 
 /// Fields of a section.
 pub(crate) trait Fields {
-    fn head(&self) -> &Head;
-    fn head_mut(&mut self) -> &mut Head;
+    fn head(&self) -> &SectionHead;
+    fn head_mut(&mut self) -> &mut SectionHead;
     /// Returns the fields in their order.
-    fn fields(&self) -> Vec<&dyn Field>;
-    fn field_mut(&mut self, name: &str) -> Option<&mut dyn Field>;
+    fn fields(&self) -> Vec<&dyn StatedField>;
+    fn field_mut(&mut self, name: &str) -> Option<&mut dyn StatedField>;
     /// Returns the sections whose keys it includes.
     fn groups(&self) -> Vec<&dyn Any>;
 
     /// Returns the field of a key.
-    fn field(&self, name: &str) -> Option<&dyn Field> {
+    fn field(&self, name: &str) -> Option<&dyn StatedField> {
         self.fields().into_iter().find(|field| field.name() == name)
     }
 }
@@ -31,7 +31,7 @@ pub(crate) trait Section: Fields + Sized {
     const KEYS: &'static [Key];
 
     /// Creates an empty section.
-    fn absent(head: &Head) -> Self;
+    fn absent(head: &SectionHead) -> Self;
 
     /// Returns `true` if no value was refused.
     fn is_whole(&self) -> bool {
@@ -83,7 +83,7 @@ macro_rules! section {
         $(#[$doc])*
         #[derive(Clone, Debug)]
         pub(crate) struct $Section {
-            head: $crate::stated::Head,
+            head: $crate::stated::SectionHead,
             $(pub(crate) $field: $crate::stated::Stated<$Type>,)*
             $(pub(crate) $group: $Group, $(pub(crate) $more: $crate::stated::Stated<$More>,)*)*
         }
@@ -111,17 +111,17 @@ macro_rules! section {
         }
 
         impl $crate::section::Fields for $Section {
-            fn head(&self) -> &$crate::stated::Head {
+            fn head(&self) -> &$crate::stated::SectionHead {
                 &self.head
             }
 
-            fn head_mut(&mut self) -> &mut $crate::stated::Head {
+            fn head_mut(&mut self) -> &mut $crate::stated::SectionHead {
                 &mut self.head
             }
 
-            fn fields(&self) -> Vec<&dyn $crate::stated::Field> {
+            fn fields(&self) -> Vec<&dyn $crate::stated::StatedField> {
                 #[allow(unused_mut, reason = "a section without groups")]
-                let mut all: Vec<&dyn $crate::stated::Field> = vec![$(&self.$field,)*];
+                let mut all: Vec<&dyn $crate::stated::StatedField> = vec![$(&self.$field,)*];
                 $(
                     all.extend($crate::section::Fields::fields(&self.$group));
                     $(all.push(&self.$more);)*
@@ -133,7 +133,7 @@ macro_rules! section {
                 vec![$(&self.$group),*]
             }
 
-            fn field_mut(&mut self, name: &str) -> Option<&mut dyn $crate::stated::Field> {
+            fn field_mut(&mut self, name: &str) -> Option<&mut dyn $crate::stated::StatedField> {
                 match name {
                     $(stringify!($field) => return Some(&mut self.$field),)*
                     $($(stringify!($more) => return Some(&mut self.$more),)*)*
@@ -166,7 +166,7 @@ macro_rules! section {
                 &ALL
             };
 
-            fn absent(head: &$crate::stated::Head) -> Self {
+            fn absent(head: &$crate::stated::SectionHead) -> Self {
                 Self {
                     $($field: $crate::stated::Stated::absent(head, &const { $crate::section::key! {
                         $Name::$field: $field: $Type $(= $default)? $(=> $($has $(($($of)*))?),+)?
@@ -182,10 +182,10 @@ macro_rules! section {
             }
         }
 
-        impl $crate::value::Value for $Section {
+        impl $crate::value::KeyValue for $Section {
             const KIND: $crate::key::Kind = $crate::key::Kind::Table(<Self as $crate::section::Section>::KEYS);
 
-            fn read(found: &$crate::read::Found<'_, '_>, reader: &mut $crate::read::Reader<'_>) -> Option<Self> {
+            fn read(found: &$crate::read::FoundValue<'_, '_>, reader: &mut $crate::read::Reader<'_>) -> Option<Self> {
                 reader.table(found)
             }
 
@@ -202,7 +202,7 @@ macro_rules! key {
         $Name:ident::$variant:ident: $field:ident: $Type:ty
         $(= $default:expr)? $(=> $($has:ident $(($($of:tt)*))?),+)?
     ) => {
-        $crate::key::Key::new(stringify!($field), <$Type as $crate::value::Value>::KIND, $Name::$variant.about())
+        $crate::key::Key::new(stringify!($field), <$Type as $crate::value::KeyValue>::KIND, $Name::$variant.about())
             $(.or(|| $crate::value::Written::written(&$default)))?
             $($(.$has($($($of)*)?))+)?
     };

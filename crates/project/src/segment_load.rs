@@ -9,7 +9,7 @@ use quantities::{Measure, Unit};
 
 /// A load that a segment may state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SegmentLoad {
+pub enum SegmentLoadKey {
     /// Mass in addition to those of the mechanism.
     Payload,
     /// Moment of inertia in addition to that of the mechanism.
@@ -21,7 +21,7 @@ pub enum SegmentLoad {
     ExternalTorque,
 }
 
-impl SegmentLoad {
+impl SegmentLoadKey {
     /// The loads in the order of their keys.
     pub const ALL: [Self; 4] = [Self::Payload, Self::PayloadInertia, Self::ProcessForce, Self::ExternalTorque];
 
@@ -70,16 +70,16 @@ impl SegmentLoad {
 impl Project {
     /// Returns the loads that at least one segment states, in the order of their keys.
     #[must_use]
-    pub fn segment_loads(&self) -> Vec<SegmentLoad> {
-        let states = |load: SegmentLoad| {
+    pub fn segment_loads(&self) -> Vec<SegmentLoadKey> {
+        let states = |load: SegmentLoadKey| {
             move |segment: &Segment| segment.field(load.key()).is_some_and(|field| field.is_given())
         };
-        SegmentLoad::ALL.into_iter().filter(|load| self.root.segments().iter().any(states(*load))).collect()
+        SegmentLoadKey::ALL.into_iter().filter(|load| self.root.segments().iter().any(states(*load))).collect()
     }
 
     /// Returns the value of a load that acts in a segment, counted from zero, in SI.
     #[must_use]
-    pub fn acting_load(&self, load: SegmentLoad, segment: usize) -> Option<f64> {
+    pub fn acting_load(&self, load: SegmentLoadKey, segment: usize) -> Option<f64> {
         let external_nm = self.axis.mechanism.friction.external.si();
         self.axis.extras.get(segment).map(|extra| load.acting(extra, external_nm))
     }

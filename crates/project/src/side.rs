@@ -3,7 +3,7 @@
 use crate::motion::Segment;
 use crate::read::{Reader, shortened};
 use crate::recorded::Ratios;
-use crate::stated::{Field, Stated};
+use crate::stated::{Stated, StatedField};
 use crate::{Assumption, Fault};
 use recording::{Along, Recording, Role, Series};
 
@@ -83,7 +83,7 @@ pub(crate) fn ratios(segment: &Segment, reader: &mut Reader<'_>) -> Side {
         let column = |role: Role| read.recording.columns.iter().find(|column| column.role == role);
         let unstated = |role: Role| {
             let heading = &column(role).filter(|_| turns(&read.recording, role))?.name;
-            let is_stated = stated(role).is_some_and(Field::is_given);
+            let is_stated = stated(role).is_some_and(StatedField::is_given);
             (!is_stated && recording::is_of_motor(heading)).then(|| shortened(heading, HEADING_SHOWN))
         };
         let headings: Vec<String> = SIDED.into_iter().filter_map(|(role, _)| unstated(role)).collect();

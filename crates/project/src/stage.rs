@@ -3,7 +3,7 @@
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::{Fields, section};
-use crate::stated::Field;
+use crate::stated::StatedField;
 use crate::value::{Numbers, choices};
 use crate::{Assumption, Fault, Hint};
 use mechanism::{Stage, StageKind};
@@ -60,8 +60,8 @@ impl StageSection {
         }
         if kind == StageKind::Coupling {
             let unit = self.ratio.value() == Some(1.0);
-            let ratio: Option<&dyn Field> = (!unit).then_some(&self.ratio);
-            let others: [&dyn Field; 2] = [&self.ratios, &self.pitch_diameter];
+            let ratio: Option<&dyn StatedField> = (!unit).then_some(&self.ratio);
+            let others: [&dyn StatedField; 2] = [&self.ratios, &self.pitch_diameter];
             for field in ratio.into_iter().chain(others).filter(|field| field.is_given()) {
                 reader.fault(field.span(), Fault::NoRatioInACoupling { key: field.name() }, None);
             }

@@ -2,22 +2,22 @@
 
 use crate::Assumption;
 use crate::key::Key;
-use crate::read::{Found, Reader, joined};
-use crate::value::Value;
+use crate::read::{FoundValue, Reader, joined};
+use crate::value::KeyValue;
 use quantities::Measure;
 use std::ops::Range as Span;
 use std::sync::Arc;
 
 /// Start of a section of the file, and its path: `motion[2]`, `axis[1].load`; empty for the root.
 #[derive(Clone, Debug)]
-pub(crate) struct Head {
+pub(crate) struct SectionHead {
     pub(crate) path: Arc<str>,
     pub(crate) span: Span<usize>,
     /// The section contains keys that it does not have.
     pub(crate) has_strays: bool,
 }
 
-impl Head {
+impl SectionHead {
     pub(crate) fn new(path: &str, span: Span<usize>) -> Self {
         Self { path: path.into(), span, has_strays: false }
     }
@@ -48,7 +48,7 @@ enum State<T> {
 }
 
 impl<T> Stated<T> {
-    pub(crate) fn absent(head: &Head, key: &'static Key) -> Self {
+    pub(crate) fn absent(head: &SectionHead, key: &'static Key) -> Self {
         Self { section: Arc::clone(&head.path), key, span: head.span.clone(), state: State::Absent }
     }
 
@@ -95,7 +95,7 @@ impl<Q: Measure> Stated<Q> {
 }
 
 /// A field without the type of its value.
-pub(crate) trait Field {
+pub(crate) trait StatedField {
     fn name(&self) -> &'static str;
     /// Returns the assumption that replaces a missing value, if the key has one.
     fn note(&self) -> Option<Assumption>;
@@ -106,7 +106,7 @@ pub(crate) trait Field {
     fn is_given(&self) -> bool;
     /// Returns `true` if the key is present, with a valid value or not.
     fn is_written(&self) -> bool;
-    fn read(&mut self, found: &Found<'_, '_>, reader: &mut Reader<'_>);
+    fn read(&mut self, found: &FoundValue<'_, '_>, reader: &mut Reader<'_>);
     /// Returns `true` if its value is stated along the line of a mechanism.
     fn is_of_a_line(&self) -> bool;
     /// Returns the value of a quantity in SI.
@@ -118,7 +118,7 @@ pub(crate) trait Field {
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()>;
 }
 
-impl<T: Value> Field for Stated<T> {
+impl<T: KeyValue> StatedField for Stated<T> {
     fn name(&self) -> &'static str {
         self.key.name
     }
@@ -143,7 +143,7 @@ impl<T: Value> Field for Stated<T> {
         !matches!(self.state, State::Absent)
     }
 
-    fn read(&mut self, found: &Found<'_, '_>, reader: &mut Reader<'_>) {
+    fn read(&mut self, found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) {
         match T::read(found, reader) {
             Some(value) => {
                 if let Some(number) = value.noted() {

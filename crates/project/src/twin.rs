@@ -3,7 +3,7 @@
 use crate::about::About;
 use crate::own::sourced;
 use crate::section::{Fields, section};
-use crate::stated::Field;
+use crate::stated::StatedField;
 use crate::value::choices_by_id;
 use ::feedback::Failure;
 use ::twin::{Gains, Limits, Reaction, Scenario, ScenarioId, Switches};
@@ -135,7 +135,7 @@ section! {
 impl MeasuredSection {
     /// Returns the stated values in SI, by key.
     fn stated(&self) -> Vec<(&'static str, Sourced<f64>)> {
-        let value = |field: &dyn Field| Some((field.name(), sourced(field, field.si()?)));
+        let value = |field: &dyn StatedField| Some((field.name(), sourced(field, field.si()?)));
         self.fields().into_iter().filter_map(value).collect()
     }
 }

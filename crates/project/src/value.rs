@@ -2,8 +2,8 @@
 
 use crate::Range;
 use crate::bodies::BodySection;
-use crate::key::{Column, Kind};
-use crate::read::{Found, Reader};
+use crate::key::{ColumnDimensions, Kind};
+use crate::read::{FoundValue, Reader};
 use crate::section::{Fields, OfKinds, Section, set};
 use actuator::CurvePoint;
 use mechanism::TablePoint;
@@ -22,12 +22,12 @@ use toml::de::DeValue;
 type Amount = Option<(f64, &'static Unit)>;
 
 /// Value of a key.
-pub(crate) trait Value: Sized {
+pub(crate) trait KeyValue: Sized {
     /// Kind of the value, unless its key is more specific.
     const KIND: Kind;
 
     /// Reads the value; faults are reported to the reader.
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self>;
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self>;
 
     /// Returns the quantity with this value in SI; `None` for other types.
     fn of_si(_si: f64) -> Option<Self> {
@@ -82,10 +82,10 @@ impl Written for bool {
 
 macro_rules! quantities {
     ($($Quantity:ty)*) => {$(
-        impl Value for $Quantity {
+        impl KeyValue for $Quantity {
             const KIND: Kind = Kind::Quantity(<Self as Measure>::DIMENSION, Range::Any);
 
-            fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+            fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
                 reader.quantity_of(found).map(|(_, si)| Self::from_si(si))
             }
 
@@ -138,10 +138,10 @@ pub(crate) struct Along<Q> {
     turning: PhantomData<Q>,
 }
 
-impl<Q: Turning> Value for Along<Q> {
+impl<Q: Turning> KeyValue for Along<Q> {
     const KIND: Kind = Kind::Along(Q::DIMENSION, <Q::Line as Measure>::DIMENSION, Range::Any);
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         let (dimension, si) = reader.quantity_of(found)?;
         Some(Self { is_of_a_line: dimension == <Q::Line as Measure>::DIMENSION, si, turning: PhantomData })
     }
@@ -156,10 +156,10 @@ impl<Q: Turning> Value for Along<Q> {
     }
 }
 
-impl Value for f64 {
+impl KeyValue for f64 {
     const KIND: Kind = Kind::Number(Self::MIN, Self::MAX);
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.number(found)
     }
 
@@ -176,10 +176,10 @@ impl Value for f64 {
     }
 }
 
-impl Value for u32 {
+impl KeyValue for u32 {
     const KIND: Kind = Kind::Integer(0, Self::MAX as i64);
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.integer(found)
     }
 
@@ -188,10 +188,10 @@ impl Value for u32 {
     }
 }
 
-impl Value for bool {
+impl KeyValue for bool {
     const KIND: Kind = Kind::Bool;
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         match found.value {
             DeValue::Boolean(value) => Some(*value),
             _ => reader.wrong_type(found),
@@ -203,10 +203,10 @@ impl Value for bool {
     }
 }
 
-impl Value for String {
+impl KeyValue for String {
     const KIND: Kind = Kind::Text;
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.free_text(found)
     }
 
@@ -219,10 +219,10 @@ impl Value for String {
 #[derive(Clone, Debug)]
 pub(crate) struct Numbers(pub(crate) Vec<f64>);
 
-impl Value for Numbers {
+impl KeyValue for Numbers {
     const KIND: Kind = Kind::Numbers(f64::MIN, f64::MAX, usize::MAX);
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.numbers(found).map(Self)
     }
 
@@ -232,7 +232,7 @@ impl Value for Numbers {
 }
 
 /// One of a fixed set of words.
-pub(crate) trait Choice: Sized {
+pub(crate) trait WordChoice: Sized {
     const WORDS: &'static [&'static str];
 
     /// Returns the meaning of a word.
@@ -242,7 +242,7 @@ pub(crate) trait Choice: Sized {
 /// Maps the words of a choice to their values. A missing variant is a compile error.
 macro_rules! choices {
     ($($Choice:ty { $($Variant:ident = $word:literal),+ $(,)? })+) => {$(
-        impl $crate::value::Choice for $Choice {
+        impl $crate::value::WordChoice for $Choice {
             const WORDS: &'static [&'static str] = &[$($word),+];
 
             fn of_word(word: &str) -> Option<Self> {
@@ -266,7 +266,7 @@ macro_rules! choices {
 /// Implements choices whose words are the identifiers of their values.
 macro_rules! choices_by_id {
     ($($Choice:ty),+) => {$(
-        impl $crate::value::Choice for $Choice {
+        impl $crate::value::WordChoice for $Choice {
             const WORDS: &'static [&'static str] = Self::IDS;
 
             fn of_word(word: &str) -> Option<Self> {
@@ -287,10 +287,10 @@ macro_rules! choices_by_id {
 /// Implements [`Value`] for a [`Choice`].
 macro_rules! choice {
     ($Choice:ty) => {
-        impl $crate::value::Value for $Choice {
-            const KIND: $crate::key::Kind = $crate::key::Kind::OneOf(<Self as $crate::value::Choice>::WORDS);
+        impl $crate::value::KeyValue for $Choice {
+            const KIND: $crate::key::Kind = $crate::key::Kind::OneOf(<Self as $crate::value::WordChoice>::WORDS);
 
-            fn read(found: &$crate::read::Found<'_, '_>, reader: &mut $crate::read::Reader<'_>) -> Option<Self> {
+            fn read(found: &$crate::read::FoundValue<'_, '_>, reader: &mut $crate::read::Reader<'_>) -> Option<Self> {
                 reader.choice(found)
             }
 
@@ -307,10 +307,10 @@ pub(crate) use {choice, choices, choices_by_id};
 #[derive(Clone, Debug)]
 pub(crate) struct Choices<W>(pub(crate) Vec<W>);
 
-impl<W: Choice> Value for Choices<W> {
+impl<W: WordChoice> KeyValue for Choices<W> {
     const KIND: Kind = Kind::ListOf(W::WORDS);
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.choices(found).map(Self)
     }
 
@@ -320,14 +320,14 @@ impl<W: Choice> Value for Choices<W> {
 }
 
 /// A row of quantities.
-pub(crate) trait Row: Copy {
-    const COLUMNS: &'static [Column];
+pub(crate) trait QuantityRow: Copy {
+    const COLUMNS: &'static [ColumnDimensions];
 
     /// Creates the row from the cells of its columns.
-    fn of(cells: &[Cell]) -> Option<Self>;
+    fn of(cells: &[ValueCell]) -> Option<Self>;
 
     /// Returns the cells of its columns.
-    fn cells(&self) -> Vec<Cell>;
+    fn cells(&self) -> Vec<ValueCell>;
 
     /// Returns `true` if it states a linear quantity.
     fn is_of_a_line(&self) -> bool {
@@ -336,13 +336,14 @@ pub(crate) trait Row: Copy {
 }
 
 /// Dimension of a cell of a row, and its value in SI.
-pub(crate) type Cell = (Dimension, f64);
+pub(crate) type ValueCell = (Dimension, f64);
 
-impl Row for TablePoint {
-    const COLUMNS: &'static [Column] = &[&[Dimension::Angle], &[Dimension::MomentOfInertia], &[Dimension::Torque]];
+impl QuantityRow for TablePoint {
+    const COLUMNS: &'static [ColumnDimensions] =
+        &[&[Dimension::Angle], &[Dimension::MomentOfInertia], &[Dimension::Torque]];
 
-    fn of(cells: &[Cell]) -> Option<Self> {
-        let [(_, position), (_, inertia), (_, torque)] = *<&[Cell; 3]>::try_from(cells).ok()?;
+    fn of(cells: &[ValueCell]) -> Option<Self> {
+        let [(_, position), (_, inertia), (_, torque)] = *<&[ValueCell; 3]>::try_from(cells).ok()?;
         Some(Self {
             position: Angle::from_si(position),
             inertia: MomentOfInertia::from_si(inertia),
@@ -350,25 +351,25 @@ impl Row for TablePoint {
         })
     }
 
-    fn cells(&self) -> Vec<Cell> {
+    fn cells(&self) -> Vec<ValueCell> {
         vec![cell(self.position), cell(self.inertia), cell(self.torque)]
     }
 }
 
-impl Row for CurvePoint {
-    const COLUMNS: &'static [Column] = &[&[Dimension::AngularVelocity], &[Dimension::Torque]];
+impl QuantityRow for CurvePoint {
+    const COLUMNS: &'static [ColumnDimensions] = &[&[Dimension::AngularVelocity], &[Dimension::Torque]];
 
-    fn of(cells: &[Cell]) -> Option<Self> {
-        let [(_, speed), (_, torque)] = *<&[Cell; 2]>::try_from(cells).ok()?;
+    fn of(cells: &[ValueCell]) -> Option<Self> {
+        let [(_, speed), (_, torque)] = *<&[ValueCell; 2]>::try_from(cells).ok()?;
         Some(Self { speed: AngularVelocity::from_si(speed), torque: Torque::from_si(torque) })
     }
 
-    fn cells(&self) -> Vec<Cell> {
+    fn cells(&self) -> Vec<ValueCell> {
         vec![cell(self.speed), cell(self.torque)]
     }
 }
 
-fn cell<Q: Measure>(quantity: Q) -> Cell {
+fn cell<Q: Measure>(quantity: Q) -> ValueCell {
     (Q::DIMENSION, quantity.si())
 }
 
@@ -382,10 +383,10 @@ impl<P: Copy> Rows<P> {
     }
 }
 
-impl<P: Row> Value for Rows<P> {
+impl<P: QuantityRow> KeyValue for Rows<P> {
     const KIND: Kind = Kind::Rows(P::COLUMNS);
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.rows(found).map(Self)
     }
 
@@ -407,10 +408,10 @@ impl<P: Row> Value for Rows<P> {
 #[derive(Clone, Debug)]
 pub(crate) struct BodyLines(pub(crate) Vec<BodySection>);
 
-impl Value for BodyLines {
+impl KeyValue for BodyLines {
     const KIND: Kind = Kind::Bodies;
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.bodies(found).map(Self)
     }
 
@@ -423,10 +424,10 @@ impl Value for BodyLines {
 #[derive(Clone, Debug)]
 pub(crate) struct Tables<S>(pub(crate) Vec<S>);
 
-impl<S: OfKinds> Value for Tables<S> {
+impl<S: OfKinds> KeyValue for Tables<S> {
     const KIND: Kind = Kind::Variants(S::VARIANTS);
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         reader.tables(found, Some(S::VARIANTS)).map(Self)
     }
 
@@ -442,10 +443,10 @@ pub(crate) enum OneOrMany<A, B> {
     Many(Vec<B>),
 }
 
-impl<A: Section, B: Section> Value for OneOrMany<A, B> {
+impl<A: Section, B: Section> KeyValue for OneOrMany<A, B> {
     const KIND: Kind = Kind::OneOrMany(A::KEYS, B::KEYS);
 
-    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
         match found.value {
             DeValue::Array(_) => reader.tables(found, None).map(Self::Many),
             _ => reader.table(found).map(Self::One),

@@ -3,7 +3,7 @@
 use crate::motion::Segment;
 use crate::read::Reader;
 use crate::section::Fields;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use crate::{Fault, Hint};
 use mechanism::MechanismKind;
 use quantities::Measure;

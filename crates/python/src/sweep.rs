@@ -7,7 +7,7 @@ use quantities::Language;
 use questions::list::sweep::{Args, ENTRY};
 use questions::list::{Argument, Given, Unanswered};
 use std::borrow::Cow;
-use sweep_io::{Head, Sweep, TableFaults};
+use sweep_io::{BatchHead, BatchSweep, TableFaults};
 
 /// Argument that is passed as a value and not by name.
 const TABLE: &str = "table";
@@ -39,7 +39,7 @@ impl SweepCall {
     ///
     /// # Errors
     /// Every fault of the options; else every fault of the project, of the headings and of the cells.
-    pub fn prepared(&self, table: &Schema, batches: &[RecordBatch]) -> Result<Sweep, Unanswered> {
+    pub fn prepared(&self, table: &Schema, batches: &[RecordBatch]) -> Result<BatchSweep, Unanswered> {
         let pairs = self.pairs.iter().map(|(name, value)| (Cow::Borrowed(name.as_str()), value.as_str().into()));
         let arguments = ENTRY.arguments.iter().copied().filter(|argument| argument.name != TABLE);
         let given = Given::of(&arguments.collect::<Vec<Argument>>(), pairs, self.language)?;
@@ -48,7 +48,7 @@ impl SweepCall {
         let source = file.source();
         let text = source.text(self.language)?;
         let files = Box::new(file.beside().clone());
-        let mut head = Head::of((&source.name, text), &*files, table, options);
+        let mut head = BatchHead::of((&source.name, text), &*files, table, options);
         numbered(batches).for_each(|(batch, first_row)| head.check(batch, first_row));
         head.ready(TABLE, files)
     }
@@ -67,7 +67,7 @@ fn numbered(batches: &[RecordBatch]) -> impl Iterator<Item = (&RecordBatch, u64)
 ///
 /// # Errors
 /// Every fault of the cells.
-pub fn checked(sweep: &Sweep, batches: &[RecordBatch]) -> Result<(), Unanswered> {
+pub fn checked(sweep: &BatchSweep, batches: &[RecordBatch]) -> Result<(), Unanswered> {
     let mut faults = TableFaults::default();
     numbered(batches).for_each(|(batch, first_row)| sweep.check(batch, first_row, &mut faults));
     if faults.is_empty() { Ok(()) } else { Err(Unanswered::Table { name: TABLE.into(), faults }) }

@@ -20,12 +20,12 @@ pub use wiring::wiring;
 
 use crate::answer::document;
 use answers::{Block, Chapter, CitedErratum, Column, Document, Fact, Hazard, Id, Number};
-use catalogue::Signal;
+use catalogue::SignalWord;
 use quantities::{Language, Unit, format_significant};
 use words::{ERRATUM_MARK, signal_word};
 
 /// Creates a hazard or a rule with its signal word.
-fn hazard(signal: Option<Id<Signal>>, text: &str, source: String, language: Language) -> Hazard {
+fn hazard(signal: Option<Id<SignalWord>>, text: &str, source: String, language: Language) -> Hazard {
     Hazard {
         level: signal.map_or("", |signal| signal.id()),
         word: signal.map_or("", |signal| signal_word(*signal, language)),
@@ -77,7 +77,8 @@ pub fn state_each_once(chapters: &mut [Chapter]) {
 #[must_use]
 pub fn documents(chapters: &[Chapter], language: Language) -> Vec<Document> {
     let texts: Vec<&str> = chapters.iter().flat_map(Chapter::texts).collect();
-    let cited = |found: &&catalogue::Document| texts.iter().any(|text| names(text, words::short(found, language)));
+    let cited =
+        |found: &&catalogue::SourceDocument| texts.iter().any(|text| names(text, words::short(found, language)));
     catalogue::documents().iter().filter(cited).map(|found| document(found, language)).collect()
 }
 
@@ -143,7 +144,7 @@ mod tests {
         for language in Language::ALL {
             for found in catalogue::documents() {
                 let short = words::short(found, language);
-                let within = |other: &&catalogue::Document| names(words::short(other, language), short);
+                let within = |other: &&catalogue::SourceDocument| names(words::short(other, language), short);
                 let ids: Vec<&str> = catalogue::documents().iter().filter(within).map(|other| other.id).collect();
                 assert_eq!(ids, [found.id], "{short}");
             }

@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 use twin::Setup;
 use words::simulation;
 
-pub use drive::can::{Frame, Node};
+pub use drive::can::{CanNode, Frame};
 pub use drive::line::{self, Time};
 pub use drive::{self as room, HALF_MS_S, socketcand};
 

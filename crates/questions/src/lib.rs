@@ -71,7 +71,7 @@ pub use flange::flange_course;
 pub use grips::grips;
 pub use law_shape::law_shape;
 pub use mechanism::MechanismId;
-pub use mechanism::drawing::{Drawing, Figures};
+pub use mechanism::drawing::{Drawing, MechanismValues};
 pub use mends::{GEARING_INSTANTS_MOST, Mend};
 pub use moves::{Move, Moves, moves};
 pub use plane::{Plane, curve_rows, plane, plane_of};

@@ -54,8 +54,8 @@ pub mod wiring;
 pub mod wiring_check;
 
 pub use answers::Record;
-pub use argument::{AXIS, Argument, ArgumentKind, CODE, FILE, Form, LANG};
-pub use asked::{Answer, Asked, Axis, Source, media};
+pub use argument::{AXIS, Argument, ArgumentForm, ArgumentKind, CODE, FILE, LANG};
+pub use asked::{Answer, Asked, PlacedAxis, ReferencedText, media};
 pub use cost::Cost;
 pub use given::{Given, Hinted, bounded};
 pub use unanswered::Unanswered;

@@ -1,6 +1,6 @@
 //! The solved motion: every segment with stated and derived values.
 
-use project::{Project, RecordingRead, SegmentLaw, SegmentLoad};
+use project::{Project, RecordingRead, SegmentLaw, SegmentLoadKey};
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
 };
@@ -33,7 +33,7 @@ pub struct Moves<'p> {
     /// Quantity along the line, or after a stage, per quantity at the output, both in SI.
     pub per_output: f64,
     /// Loads that at least one segment states.
-    pub loads: Vec<SegmentLoad>,
+    pub loads: Vec<SegmentLoadKey>,
     /// The segments in the order of the motion.
     pub moves: Vec<Move<'p>>,
 }

@@ -50,7 +50,7 @@ pub struct SheetRow {
 #[derive(Clone, Debug)]
 pub struct SheetSection {
     /// The table.
-    pub table: &'static catalogue::Table,
+    pub table: &'static catalogue::ManualTable,
     /// Values for this code.
     pub rows: Vec<SheetRow>,
     /// Remarks on the table as a whole.
@@ -82,7 +82,7 @@ pub fn sheet(code: &OrderCode) -> Option<Sheet> {
     if code.has_output_encoder() {
         let series = catalogue::SeriesData::of(code.series());
         let tables = [series.output_encoder].into_iter().chain(series.output_wiring.first().copied());
-        cells.extend(tables.filter_map(catalogue::table).flat_map(catalogue::Table::cells));
+        cells.extend(tables.filter_map(catalogue::table).flat_map(catalogue::ManualTable::cells));
     }
     let mut sections: Vec<SheetSection> = Vec::new();
     for cell in cells {
@@ -101,7 +101,7 @@ pub fn sheet(code: &OrderCode) -> Option<Sheet> {
     Some(Sheet { code: *code, uncovered, sections })
 }
 
-fn row(table: &'static catalogue::Table, cell: &'static Cell, uncovered: &[Uncovered]) -> SheetRow {
+fn row(table: &'static catalogue::ManualTable, cell: &'static Cell, uncovered: &[Uncovered]) -> SheetRow {
     let symbol = cell.place.symbol;
     let printed = table.notes_on(cell).map(SheetNote::Table);
     let open = uncovered.iter().filter(|each| each.concerns().contains(&symbol)).copied().map(SheetNote::Uncovered);
@@ -221,7 +221,7 @@ mod tests {
     #[test]
     fn every_note_of_the_tables_on_the_sheets_is_shown_somewhere() {
         let mut shown: Vec<SheetNote> = Vec::new();
-        let mut tables: Vec<&catalogue::Table> = Vec::new();
+        let mut tables: Vec<&catalogue::ManualTable> = Vec::new();
         let hundred = configurator::all().iter().filter(|(code, _)| code.ratio.value() == 100);
         for (code, _) in hundred {
             for section in sheet(code).iter().flat_map(|sheet| &sheet.sections) {

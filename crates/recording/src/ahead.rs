@@ -1,6 +1,6 @@
 //! Search for the heading of a CSV, which may follow lines about the file.
 
-use crate::cells::{Cells, DELIMITERS};
+use crate::cells::{CellSplitter, DELIMITERS};
 use crate::clock::is_clock;
 use crate::encoding;
 use crate::faults::Fault;
@@ -33,7 +33,7 @@ pub(crate) struct Ahead<R> {
 
 /// Position of the heading and the delimiter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Found {
+pub(crate) struct HeadingPlace {
     /// Delimiter of the cells.
     pub(crate) delimiter: u8,
     /// The file has no heading: its first line holds numbers.
@@ -53,7 +53,7 @@ impl<R: Read> Ahead<R> {
     /// The heading is the line above the first of two rows with the same number of cells, most of them numbers; a row
     /// of units may stand in between. Without such rows it is the first line. A first line with numbers in all columns
     /// that `numbered` lists by their indices is a row, whatever the others hold.
-    pub(crate) fn heading(&mut self, numbered: &[usize]) -> Result<Option<Found>, Fault> {
+    pub(crate) fn heading(&mut self, numbered: &[usize]) -> Result<Option<HeadingPlace>, Fault> {
         let mut seen: Vec<(u64, Vec<u8>)> = Vec::new();
         let (mut stated, mut bytes) = (None, 0);
         let mut found = None;
@@ -93,13 +93,13 @@ impl<R: Read> Ahead<R> {
                 && headers.are_over()
                 && let Some(delimiter) = delimiter_of_rows(&seen, numbered, stated)
             {
-                found = Some((0, Found { delimiter, is_missing: true, notes: None }));
+                found = Some((0, HeadingPlace { delimiter, is_missing: true, notes: None }));
                 break;
             }
             // A row counts once the next one confirms it or the file ends.
             if let Some((row, number, headings, delimiter)) = headers.scope(&seen) {
                 self.queue = std::iter::once((number, headings)).chain(seen.drain(row..)).collect();
-                return Ok(Some(Found { delimiter, is_missing: false, notes: None }));
+                return Ok(Some(HeadingPlace { delimiter, is_missing: false, notes: None }));
             }
             let row = if is_end { seen.len().checked_sub(1) } else { seen.len().checked_sub(2) };
             let row = row.filter(|_| is_end || headers.are_over());
@@ -112,7 +112,7 @@ impl<R: Read> Ahead<R> {
         });
         let Some((_, first)) = seen.first() else { return Ok(None) };
         let (start, mut answer) = found.unwrap_or_else(|| {
-            (0, Found { delimiter: stated.unwrap_or_else(|| delimiter(first)), is_missing: false, notes: None })
+            (0, HeadingPlace { delimiter: stated.unwrap_or_else(|| delimiter(first)), is_missing: false, notes: None })
         });
         // `# t [s],q [deg]` of np.savetxt.
         let names = comment.filter(|(_, line)| answer.is_missing && is_heading_of(line, first, answer.delimiter));
@@ -271,13 +271,13 @@ fn is_heading_of(comment: &[u8], row: &[u8], delimiter: u8) -> bool {
 
 thread_local! {
     /// Splitters for the search for a heading, which splits the same lines at every delimiter.
-    static SPLITTERS: RefCell<[Cells; 4]> = RefCell::new(DELIMITERS.map(Cells::new));
+    static SPLITTERS: RefCell<[CellSplitter; 4]> = RefCell::new(DELIMITERS.map(CellSplitter::new));
 }
 
 pub(crate) fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
     let cells = SPLITTERS.with_borrow_mut(|all| {
         let known = all.iter_mut().find(|cells| cells.delimiter == delimiter);
-        known.map_or_else(|| Cells::new(delimiter).try_all(line), |cells| cells.try_all(line))
+        known.map_or_else(|| CellSplitter::new(delimiter).try_all(line), |cells| cells.try_all(line))
     })?;
     Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
 }
@@ -323,7 +323,11 @@ fn delimiter_of_rows(lines: &[(u64, Vec<u8>)], numbered: &[usize], stated: Optio
 type IsRow = fn(&[String]) -> bool;
 
 /// Returns the index of the line that heads a row, and its properties, if the row has a heading.
-fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<u8>, IsRow)) -> Option<(usize, Found)> {
+fn heading_above(
+    seen: &[(u64, Vec<u8>)],
+    row: usize,
+    (stated, is_row): (Option<u8>, IsRow),
+) -> Option<(usize, HeadingPlace)> {
     let line = |place: usize| seen.get(place).map(|(_, line)| line.as_slice());
     let above = row.checked_sub(1).and_then(line);
     let signs = possible_delimiters(stated, above.map_or(b';', delimiter));
@@ -335,11 +339,11 @@ fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<
         }
         let Some(head) = row.checked_sub(1) else {
             let (values, filled) = values(&cells);
-            return (values == filled).then_some((0, Found { delimiter, is_missing: true, notes: None }));
+            return (values == filled).then_some((0, HeadingPlace { delimiter, is_missing: true, notes: None }));
         };
         // A row with one number is a faulty row, or a line about the file.
         let heading = alike(head).filter(|cells| values(cells).0 == 0)?;
-        let at = |place| Some((place, Found { delimiter, is_missing: false, notes: None }));
+        let at = |place| Some((place, HeadingPlace { delimiter, is_missing: false, notes: None }));
         let Some((higher, names)) = head.checked_sub(1).and_then(|place| Some((place, alike(place)?))) else {
             return at(head);
         };
@@ -352,7 +356,7 @@ fn heading_above(seen: &[(u64, Vec<u8>)], row: usize, (stated, is_row): (Option<
             && let Some(top) = higher.checked_sub(1)
             && alike(top).is_some_and(|cells| values(&cells).0 == 0)
         {
-            return Some((top, Found { delimiter, is_missing: false, notes: Some(head - top) }));
+            return Some((top, HeadingPlace { delimiter, is_missing: false, notes: Some(head - top) }));
         }
         let usual = |cells: &[String]| cells.iter().filter(|cell| is_usual_name(cell)).count();
         let (own, above) = (usual(&heading), usual(&names));

@@ -1,6 +1,6 @@
 //! Cells of a line of a CSV.
 
-use crate::faults::{Fault, Faults};
+use crate::faults::{Fault, FaultCollector};
 use csv_core::{ReadRecordResult, ReaderBuilder};
 use memchr::{memchr, memchr2_iter};
 use std::ops::Range;
@@ -9,7 +9,7 @@ use std::ops::Range;
 pub(crate) const DELIMITERS: [u8; 4] = [b';', b'\t', b',', b'|'];
 
 /// Splitter of lines into cells.
-pub(crate) struct Cells {
+pub(crate) struct CellSplitter {
     pub(crate) delimiter: u8,
     /// Reader of lines with quotes, built at the first of them: that takes far longer than splitting a line.
     quoted: Option<csv_core::Reader>,
@@ -21,7 +21,7 @@ pub(crate) struct Cells {
     in_text: bool,
 }
 
-impl Cells {
+impl CellSplitter {
     pub(crate) fn new(delimiter: u8) -> Self {
         Self { delimiter, quoted: None, text: Vec::new(), ends: Vec::new(), found: Vec::new(), in_text: false }
     }
@@ -63,7 +63,7 @@ impl Cells {
     }
 
     /// Returns every cell of a line; reports an open quote.
-    pub(crate) fn all(&mut self, line: &[u8], number: u64, faults: &mut Faults) -> Option<Vec<Vec<u8>>> {
+    pub(crate) fn all(&mut self, line: &[u8], number: u64, faults: &mut FaultCollector) -> Option<Vec<Vec<u8>>> {
         let cells = self.try_all(line);
         if cells.is_none() {
             faults.push(Fault::QuoteOpen { line: number });

@@ -15,7 +15,7 @@ pub(crate) type FaultKind = (Discriminant<Fault>, Option<String>);
 
 /// Faults of a file, in the order found.
 #[derive(Debug, Default)]
-pub(crate) struct Faults {
+pub(crate) struct FaultCollector {
     listed: Vec<Fault>,
     /// Kinds of repeatable faults, with the number of occurrences.
     kinds: Vec<(FaultKind, u64)>,
@@ -29,7 +29,7 @@ pub(crate) struct Faults {
     order: [Option<Remedy>; 2],
 }
 
-impl Faults {
+impl FaultCollector {
     pub(crate) fn push(&mut self, fault: Fault) {
         if let Some(kind) = fault.kind() {
             match self.kinds.iter_mut().find(|(known, _)| *known == kind) {

@@ -1,6 +1,6 @@
 //! Assignment of columns to roles, and their units.
 
-use crate::faults::{Fault, Faults, NearColumn, excerpt};
+use crate::faults::{Fault, FaultCollector, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
 use crate::names::{Named, Sureness, before_nanoseconds, before_seconds};
@@ -75,7 +75,7 @@ pub(crate) struct MoreTime {
 }
 
 /// Finds the column of every role; reports missing and ambiguous ones.
-pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -> (Picks, MoreTime) {
+pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultCollector) -> (Picks, MoreTime) {
     let mut picks: Picks = [const { None }; 4];
     let mut more = MoreTime::default();
     let mut failed = [false; 4];
@@ -313,7 +313,7 @@ pub(crate) fn decide(
     role: Role,
     heading: &Heading,
     said: impl IntoIterator<Item = (KnownBy, Said)>,
-    faults: &mut Faults,
+    faults: &mut FaultCollector,
 ) -> Option<ColumnRead> {
     let column = excerpt(&heading.written);
     let mut decided: Option<(&'static Unit, KnownBy)> = None;
@@ -375,7 +375,7 @@ fn nearest_unit(role: Role, text: &str) -> Option<&'static Unit> {
 }
 
 /// Reports position and speed of different kinds, one rotary and one linear.
-pub(crate) fn check_course(columns: &[ColumnRead], faults: &mut Faults) {
+pub(crate) fn check_course(columns: &[ColumnRead], faults: &mut FaultCollector) {
     let of = |role: Role| columns.iter().find(|column| column.role == role).map(|column| column.unit);
     if let (Some(position), Some(speed)) = (of(Role::Position), of(Role::Speed))
         && Along::of(position) != Along::of(speed)

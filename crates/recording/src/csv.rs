@@ -1,18 +1,18 @@
 //! CSV reader for recordings.
 
 use crate::ahead::{Ahead, is_spaced_row};
-use crate::cells::{Cells, ends_empty};
+use crate::cells::{CellSplitter, ends_empty};
 use crate::clock::{Clock, is_clock, is_clock_of_unknown_form};
 use crate::columns::{Heading, Pick, Picks, Said, decide, pick, units_alone, unused};
 use crate::csv_faults::{cell_fault, ragged};
 use crate::encoding;
-use crate::faults::{Fault, Faults, excerpt};
-use crate::gather::{Gather, Sample, check_window};
+use crate::faults::{Fault, FaultCollector, excerpt};
+use crate::gather::{Gather, SampleUse, check_window};
 use crate::layout::{Layout, Role};
 use crate::limits::{COLUMNS_MAX, FILE_BYTES_MAX, Limit, Memory};
 use crate::lines::Lines;
 use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
-use crate::plain::{Rows, Written, plain_time};
+use crate::plain::{PlainRows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
 use crate::thousands::Thousands;
 use memchr::memchr;
@@ -44,18 +44,18 @@ pub fn read_csv(source: impl Read, layout: &Layout) -> Result<Recording, Vec<Fau
 /// # Errors
 /// All faults of the file.
 pub fn read_csv_within(source: impl Read, layout: &Layout, memory: &mut Memory) -> Result<Recording, Vec<Fault>> {
-    let mut faults = Faults::default();
+    let mut faults = FaultCollector::default();
     // Reading one byte beyond the limit shows that the file is larger.
     let mut source = source.take(FILE_BYTES_MAX + 1);
     let recording = read(&mut source, layout, memory, &mut faults);
     if source.limit() == 0 {
-        faults = Faults::default();
+        faults = FaultCollector::default();
         faults.push(Fault::Beyond { limit: Limit::FileBytes, found: FILE_BYTES_MAX + 1, most: FILE_BYTES_MAX });
     }
     faults.outcome(recording)
 }
 
-fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Faults) -> Option<Recording> {
+fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut FaultCollector) -> Option<Recording> {
     check_window(layout, faults);
     let mut lines = Ahead::new(source);
     let Some(found) = lines.heading(&layout.numbered()).map_err(|fault| faults.push(fault)).ok()? else {
@@ -63,7 +63,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         return None;
     };
     let mut more = advance(&mut lines, faults)?;
-    let mut cells = Cells::new(found.delimiter);
+    let mut cells = CellSplitter::new(found.delimiter);
     let mut header = cells.all(lines.line(), lines.number(), faults)?;
     if found.is_missing {
         // Without names, columns are identified by their numbers only.
@@ -120,7 +120,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     }
     // Text of a file that is no table is not quoted in faults: it may be a note or a key.
     if !is_table && !faults.none() {
-        *faults = Faults::default();
+        *faults = FaultCollector::default();
         faults.push(if is_spaced_row(lines.line()) { Fault::SpacesOnly } else { Fault::NoTable });
         return None;
     }
@@ -215,7 +215,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         && let Some(found) = wanted.thousands.mixed().next()
     {
         // Numbers that may be a thousand times larger make every other fault of a cell doubtful.
-        *faults = Faults::default();
+        *faults = FaultCollector::default();
         let column = wanted.names.get(found.column).cloned().unwrap_or_default();
         faults.push(Fault::ThousandsPossible { line: found.place, column, text: found.text.clone() });
         return None;
@@ -232,16 +232,16 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
 fn read_rows(
     lines: &mut Ahead<impl Read>,
     wanted: &mut Wanted,
-    cells: &mut Cells,
+    cells: &mut CellSplitter,
     decimals: &mut Decimals,
     gather: &mut Gather<'_>,
-    faults: &mut Faults,
+    faults: &mut FaultCollector,
 ) -> Option<()> {
-    let mut rows = <[Rows; 2]>::default();
+    let mut rows = <[PlainRows; 2]>::default();
     let mut more = true;
     while more {
         if let Err(fault) = gather.go_on() {
-            *faults = Faults::default();
+            *faults = FaultCollector::default();
             faults.push(fault);
             wanted.thousands = Thousands::default();
             return None;
@@ -265,7 +265,7 @@ fn read_rows(
 }
 
 /// Advances to the next line; reports a read error.
-pub(crate) fn advance(lines: &mut Ahead<impl Read>, faults: &mut Faults) -> Option<bool> {
+pub(crate) fn advance(lines: &mut Ahead<impl Read>, faults: &mut FaultCollector) -> Option<bool> {
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
 
@@ -358,7 +358,7 @@ enum TimeForm {
 
 impl Wanted {
     /// Adds the fault of a line that is no row; lines behind the end of the window do not matter.
-    fn no_row(&mut self, fault: Fault, gather: &mut Gather<'_>, faults: &mut Faults) {
+    fn no_row(&mut self, fault: Fault, gather: &mut Gather<'_>, faults: &mut FaultCollector) {
         // Longer footers are not known.
         const LINES_MOST: usize = 100;
         if gather.is_over() {
@@ -372,12 +372,12 @@ impl Wanted {
     }
 
     /// Reports the lines that are no rows, as further rows follow.
-    fn follow(&mut self, faults: &mut Faults) {
+    fn follow(&mut self, faults: &mut FaultCollector) {
         self.no_rows.drain(..).for_each(|fault| faults.push(fault));
     }
 
     /// Reports the lines that are no rows at the end of the file.
-    fn end(&mut self, gather: &Gather<'_>, faults: &mut Faults) {
+    fn end(&mut self, gather: &Gather<'_>, faults: &mut FaultCollector) {
         let count = self.no_rows.len() as u64;
         if let Some(last) = gather.last_time()
             && let Some(first) = self.no_rows.first_mut()
@@ -431,10 +431,10 @@ fn plain_rows(
     lines: &mut Lines<impl Read>,
     sign: u8,
     wanted: &Wanted,
-    cells: &mut Cells,
-    rows: &mut [Rows; 2],
+    cells: &mut CellSplitter,
+    rows: &mut [PlainRows; 2],
     gather: &mut Gather<'_>,
-    faults: &mut Faults,
+    faults: &mut FaultCollector,
 ) -> Option<()> {
     let mut most = BYTES_FIRST;
     loop {
@@ -451,10 +451,10 @@ fn plain_rows(
             count += 1;
             let mut line = None;
             match gather.sample(number, Tick::of_float(*time), faults) {
-                Sample::Kept => {}
-                Sample::Dropped if faults.enough() => return None,
-                Sample::Dropped => continue,
-                Sample::Full => return None,
+                SampleUse::Kept => {}
+                SampleUse::Dropped if faults.enough() => return None,
+                SampleUse::Dropped => continue,
+                SampleUse::Full => return None,
             }
             for (channel, value) in values.iter().enumerate() {
                 if let Err(bad) = gather.value(channel, *value) {
@@ -487,10 +487,10 @@ fn row(
     line: &[u8],
     number: u64,
     wanted: &mut Wanted,
-    cells: &mut Cells,
+    cells: &mut CellSplitter,
     decimals: &mut Decimals,
     gather: &mut Gather<'_>,
-    faults: &mut Faults,
+    faults: &mut FaultCollector,
 ) -> bool {
     let Some(count) = cells.split(line, &wanted.indices) else {
         wanted.no_row(Fault::QuoteOpen { line: number }, gather, faults);
@@ -561,9 +561,9 @@ fn row(
             return true;
         }
         Ok(tick) => match gather.sample(number, tick, faults) {
-            Sample::Kept => {}
-            Sample::Dropped => return true,
-            Sample::Full => return false,
+            SampleUse::Kept => {}
+            SampleUse::Dropped => return true,
+            SampleUse::Full => return false,
         },
     }
     for (channel, (name, cell)) in read.take(wanted.channels).enumerate() {

@@ -1,6 +1,6 @@
 //! Reasons why a file cannot be read as a recording.
 
-pub(crate) use crate::collected::{FaultKind, Faults};
+pub(crate) use crate::collected::{FaultCollector, FaultKind};
 pub use crate::damage::Damage;
 use crate::layout::Role;
 use crate::limits::{Limit, SAMPLES_MAX};

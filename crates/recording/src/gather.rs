@@ -2,14 +2,14 @@
 
 use crate::GAP_FACTOR;
 use crate::columns::check_course;
-use crate::faults::{Fault, Faults, FileRow, Remedy, Stamp, excerpt};
+use crate::faults::{Fault, FaultCollector, FileRow, Remedy, Stamp, excerpt};
 use crate::lacking::Lacking;
 use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
 use crate::modulo::{first_jump, unwrap_revolutions};
 use crate::number::{Bad, Tick};
 use crate::order::Order;
-use crate::series::{Along, ColumnRead, Course, Recording, Series};
+use crate::series::{Along, ColumnRead, RecordedCourse, Recording, Series};
 use quantities::{Angle, Measure, Time, Unit};
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 /// Treatment of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sample {
+pub(crate) enum SampleUse {
     /// The sample is kept; its values follow.
     Kept,
     /// It lies outside the window, or its time is faulty.
@@ -70,7 +70,7 @@ fn short(value: f64) -> f64 {
 }
 
 /// Checks the window of the layout.
-pub(crate) fn check_window(layout: &Layout, faults: &mut Faults) {
+pub(crate) fn check_window(layout: &Layout, faults: &mut FaultCollector) {
     if let (Some(from), Some(to)) = (layout.from, layout.to)
         && from.si().partial_cmp(&to.si()) != Some(Ordering::Less)
     {
@@ -85,7 +85,7 @@ impl<'m> Gather<'m> {
         layout: &Layout,
         rows: bool,
         memory: &'m mut Memory,
-        faults: &mut Faults,
+        faults: &mut FaultCollector,
     ) -> Option<Self> {
         check_course(&columns, faults);
         let unit = columns.iter().find(|column| column.role == Role::Time)?.unit;
@@ -143,7 +143,7 @@ impl<'m> Gather<'m> {
     }
 
     /// Adds the reasons for a wrong order of the rows to the faults.
-    pub(crate) fn advise_order(&self, faults: &mut Faults) {
+    pub(crate) fn advise_order(&self, faults: &mut FaultCollector) {
         faults.advise_order(self.order.of_backwards(|number| self.place(number)), self.order.of_same());
     }
 
@@ -212,7 +212,7 @@ impl<'m> Gather<'m> {
 
     /// Starts a sample: checks its time against the one before. If the sample is kept, a value for every channel must
     /// follow.
-    pub(crate) fn sample(&mut self, number: u64, tick: Tick, faults: &mut Faults) -> Sample {
+    pub(crate) fn sample(&mut self, number: u64, tick: Tick, faults: &mut FaultCollector) -> SampleUse {
         self.first.get_or_insert(tick);
         self.order.note(number, tick);
         let before = self.last.replace((tick, number));
@@ -227,7 +227,7 @@ impl<'m> Gather<'m> {
             if step < STEP_MIN_S {
                 self.sound = false;
                 faults.push(Fault::TooClose { at: self.place(number), length: Time::from_si(step) });
-                return Sample::Dropped;
+                return SampleUse::Dropped;
             }
         }
         let si = self.unit.to_si(tick.value());
@@ -236,19 +236,19 @@ impl<'m> Gather<'m> {
         }
         if si < self.from_si {
             self.before += 1;
-            return Sample::Dropped;
+            return SampleUse::Dropped;
         }
         if si > self.to_si {
             self.after += 1;
-            return Sample::Dropped;
+            return SampleUse::Dropped;
         }
         if self.time_s.len() >= SAMPLES_MAX {
             faults.push(Fault::too_many_samples());
-            return Sample::Full;
+            return SampleUse::Full;
         }
         if let Err(fault) = self.make_room() {
             faults.push(fault);
-            return Sample::Full;
+            return SampleUse::Full;
         }
         let first = *self.first_kept.get_or_insert(tick);
         let time = self.unit.to_si(tick.since(first));
@@ -265,7 +265,7 @@ impl<'m> Gather<'m> {
             self.places.push((index, number));
         }
         self.time_s.push(time);
-        Sample::Kept
+        SampleUse::Kept
     }
 
     fn out_of_order(
@@ -274,8 +274,8 @@ impl<'m> Gather<'m> {
         tick: Tick,
         (last, at): (Tick, u64),
         same: bool,
-        faults: &mut Faults,
-    ) -> Sample {
+        faults: &mut FaultCollector,
+    ) -> SampleUse {
         self.sound = false;
         let (at, first) = (self.place(number), self.place(at));
         faults.push(if same {
@@ -283,16 +283,16 @@ impl<'m> Gather<'m> {
         } else {
             Fault::Backwards { at, time: self.stamp(tick), before: self.stamp(last) }
         });
-        Sample::Dropped
+        SampleUse::Dropped
     }
 
     /// Reports a time that is out of range.
-    fn out_of_range(&mut self, number: u64, tick: Tick, faults: &mut Faults) -> Sample {
+    fn out_of_range(&mut self, number: u64, tick: Tick, faults: &mut FaultCollector) -> SampleUse {
         self.sound = false;
         let time = self.columns.iter().find(|column| column.role == Role::Time);
         let column = time.map_or_else(String::new, |column| excerpt(&column.name));
         faults.push(Fault::ValueImplausible { at: self.place(number), column, text: format!("{:e}", tick.value()) });
-        Sample::Dropped
+        SampleUse::Dropped
     }
 
     /// Records that a time could not be read, so that the intervals around it are not checked.
@@ -313,7 +313,7 @@ impl<'m> Gather<'m> {
     }
 
     /// Builds the recording after the last sample.
-    pub(crate) fn finish(mut self, faults: &mut Faults) -> Option<Recording> {
+    pub(crate) fn finish(mut self, faults: &mut FaultCollector) -> Option<Recording> {
         if self.sound && self.time_s.len() < SAMPLES_MIN && faults.none() {
             faults.push(Fault::TooFewSamples {
                 found: self.time_s.len(),
@@ -343,7 +343,7 @@ impl<'m> Gather<'m> {
             values.shrink_to_fit();
             Some(Series { along: Along::of(channel.unit), values: Arc::new(values) })
         };
-        let course = Course { position: series(Role::Position), speed: series(Role::Speed) };
+        let course = RecordedCourse { position: series(Role::Position), speed: series(Role::Speed) };
         let torque = series(Role::Torque);
         self.memory.give_back(self.bytes_of(self.room).saturating_sub(kept));
         self.room = 0;
@@ -363,7 +363,7 @@ impl<'m> Gather<'m> {
         })
     }
 
-    fn check_gaps(&self, faults: &mut Faults) {
+    fn check_gaps(&self, faults: &mut FaultCollector) {
         let steps = || self.time_s.iter().zip(self.time_s.iter().skip(1)).map(|(before, after)| after - before);
         let (least, most) =
             steps().fold((f64::INFINITY, 0.0_f64), |(least, most), step| (least.min(step), most.max(step)));
@@ -396,7 +396,7 @@ impl<'m> Gather<'m> {
     }
 
     /// Reports jumps of a position against the motion: a modulo axis whose jumps were not removed.
-    fn check_jumps(&self, faults: &mut Faults) {
+    fn check_jumps(&self, faults: &mut FaultCollector) {
         let of = |role: Role| self.channels.iter().find(|channel| channel.role == role);
         let Some(position) = of(Role::Position) else { return };
         let Some((index, size, count)) = first_jump(&position.values) else { return };
@@ -408,7 +408,7 @@ impl<'m> Gather<'m> {
 
     /// Reports a position that begins anew after a full turn, as that of an axis that counts from 0° to 360°: a jump of a turn, but for
     /// a step as between its neighbours.
-    fn check_turns(&self, faults: &mut Faults) {
+    fn check_turns(&self, faults: &mut FaultCollector) {
         const STEP_MOST: f64 = TAU / 12.0;
         let of = |role: Role| self.channels.iter().find(|channel| channel.role == role);
         let Some(position) = of(Role::Position).filter(|channel| Along::of(channel.unit) == Along::Turning) else {
@@ -450,12 +450,12 @@ mod tests {
     #[test]
     fn no_more_samples_are_kept_than_the_bound() {
         let time = ColumnRead { role: Role::Time, name: String::from("t"), unit: &SECOND, known_by: KnownBy::Header };
-        let mut faults = Faults::default();
+        let mut faults = FaultCollector::default();
         let mut memory = Memory::default();
         let mut gather = Gather::new(vec![time], &Layout::default(), false, &mut memory, &mut faults).unwrap();
         gather.time_s = vec![-1.0; SAMPLES_MAX - 1];
-        assert_eq!(gather.sample(2, Tick::of_float(1.0), &mut faults), Sample::Kept);
-        assert_eq!(gather.sample(3, Tick::of_float(2.0), &mut faults), Sample::Full);
+        assert_eq!(gather.sample(2, Tick::of_float(1.0), &mut faults), SampleUse::Kept);
+        assert_eq!(gather.sample(3, Tick::of_float(2.0), &mut faults), SampleUse::Full);
         assert_eq!(faults.outcome(Some(())), Err(vec![Fault::TooManySamples { most: SAMPLES_MAX }]));
     }
 }

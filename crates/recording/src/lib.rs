@@ -62,7 +62,7 @@ pub use parquet::{
 };
 pub use preview::{Preview, preview_csv};
 pub use records::Records;
-pub use series::{Along, ColumnRead, Course, Encoding, KnownBy, Recording, Series};
+pub use series::{Along, ColumnRead, Encoding, KnownBy, RecordedCourse, Recording, Series};
 pub use side::is_of_motor;
 pub use thousands::{Possible, Thousands};
 

@@ -12,8 +12,8 @@ mod thrift;
 mod unpack;
 
 use crate::columns::{Heading, Pick, Said, decide, pick, unused};
-use crate::faults::{Damage, Fault, Faults, FileRow, Remedy, excerpt};
-use crate::gather::{Gather, Sample, check_window};
+use crate::faults::{Damage, Fault, FaultCollector, FileRow, Remedy, excerpt};
+use crate::gather::{Gather, SampleUse, check_window};
 use crate::lacking::is_spare;
 use crate::layout::{Layout, Role};
 use crate::limits::{Limit, Memory, ROWS_MAX, SAMPLES_MAX};
@@ -23,13 +23,13 @@ use crate::series::{KnownBy, Recording};
 use ::parquet::basic::{ConvertedType, Type};
 use ::parquet::errors::ParquetError;
 use bytes::Bytes;
-use footer::{Chunk, Column, Footer, Logical};
+use footer::{Chunk, Footer, Logical, ParquetColumn};
 use pages::Pages;
 use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND, SECOND};
 use quantities::{Dimension, Unit};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
-use streams::{Cell, Stream};
+use streams::{ParquetCell, Stream};
 pub use table::{Ranges, Table, TableColumn, TableValues, ValueKind};
 
 /// Number of rows read at a time.
@@ -53,7 +53,7 @@ pub fn read_parquet(file: Bytes, layout: &Layout) -> Result<Recording, Vec<Fault
 /// # Errors
 /// All faults of the file.
 pub fn read_parquet_within(file: Bytes, layout: &Layout, memory: &mut Memory) -> Result<Recording, Vec<Fault>> {
-    let mut faults = Faults::default();
+    let mut faults = FaultCollector::default();
     let recording = read(&file, layout, memory, &mut faults);
     faults.outcome(recording)
 }
@@ -80,12 +80,17 @@ pub fn row_count(file: &Bytes) -> Result<u64, Fault> {
 /// # Errors
 /// All faults of the file: columns that hold no numbers, values that are missing or not finite.
 pub fn read_columns(file: &Bytes, names: &[&str], memory: &mut Memory) -> Result<Vec<Option<Vec<f64>>>, Vec<Fault>> {
-    let mut faults = Faults::default();
+    let mut faults = FaultCollector::default();
     let found = columns_of(file, names, memory, &mut faults);
     faults.outcome(found)
 }
 
-fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Faults) -> Option<Vec<Option<Vec<f64>>>> {
+fn columns_of(
+    file: &Bytes,
+    names: &[&str],
+    memory: &mut Memory,
+    faults: &mut FaultCollector,
+) -> Option<Vec<Option<Vec<f64>>>> {
     let footer = Footer::read(file).map_err(|fault| faults.push(fault)).ok()?;
     let mut used: Vec<Used<'_>> = Vec::new();
     let mut places = Vec::new();
@@ -118,11 +123,11 @@ fn columns_of(file: &Bytes, names: &[&str], memory: &mut Memory, faults: &mut Fa
                 for (row, cell) in (number + 1..).zip(&stream.cells) {
                     let (at, column) = (FileRow::Row(row), stream.name.as_str());
                     match *cell {
-                        Cell::Null => faults.push(Fault::ValueMissing { at, column: column.to_owned() }),
-                        Cell::Float(value) if !value.is_finite() => faults.push(not_finite(at, column, value)),
-                        Cell::Float(value) => values.push(converted(value)),
-                        Cell::Integer(value) => values.push(converted(value as f64)),
-                        Cell::Text(_) | Cell::Truth(_) => {}
+                        ParquetCell::Null => faults.push(Fault::ValueMissing { at, column: column.to_owned() }),
+                        ParquetCell::Float(value) if !value.is_finite() => faults.push(not_finite(at, column, value)),
+                        ParquetCell::Float(value) => values.push(converted(value)),
+                        ParquetCell::Integer(value) => values.push(converted(value as f64)),
+                        ParquetCell::Text(_) | ParquetCell::Truth(_) => {}
                     }
                 }
             }
@@ -195,7 +200,7 @@ fn damaged(reason: Damage) -> Fault {
     Fault::ParquetUnreadable { reason }
 }
 
-fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults) -> Option<Recording> {
+fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut FaultCollector) -> Option<Recording> {
     check_window(layout, faults);
     let footer = Footer::read(file).map_err(|fault| faults.push(fault)).ok()?;
     let headings: Vec<Heading> = footer.columns.iter().map(|column| Heading::new(&column.path)).collect();
@@ -316,7 +321,7 @@ pub(crate) struct Holds {
 const DIGITS_MAX: i32 = 76;
 
 /// Returns the type of the values of a column; `None` if it holds no numbers.
-fn kind(column: &Column) -> Option<Holds> {
+fn kind(column: &ParquetColumn) -> Option<Holds> {
     if column.repeated {
         return None;
     }
@@ -358,7 +363,7 @@ fn kind(column: &Column) -> Option<Holds> {
     }
 }
 
-fn type_name(column: &Column) -> String {
+fn type_name(column: &ParquetColumn) -> String {
     let repeated = if column.repeated { "LIST of " } else { "" };
     match (column.converted, column.logical) {
         (ConvertedType::NONE, Logical::Duration(unit)) => format!("{repeated}DURATION ({})", unit.ascii),
@@ -378,7 +383,7 @@ struct Used<'f> {
     index: usize,
     name: String,
     kind: Holds,
-    column: &'f Column,
+    column: &'f ParquetColumn,
 }
 
 /// Passes the rows read on to the collector: a time, `channels` values, and nanoseconds of the time if a column
@@ -388,7 +393,7 @@ fn hand_on(
     channels: usize,
     number: &mut u64,
     gather: &mut Gather<'_>,
-    faults: &mut Faults,
+    faults: &mut FaultCollector,
 ) -> bool {
     let Some((time, rest)) = streams.split_first() else { return true };
     let (values, nanoseconds) = rest.split_at_checked(channels).unwrap_or((rest, &[]));
@@ -396,19 +401,19 @@ fn hand_on(
         *number += 1;
         let at = FileRow::Row(*number);
         let tick = match *cell {
-            Cell::Null | Cell::Text(_) | Cell::Truth(_) => {
+            ParquetCell::Null | ParquetCell::Text(_) | ParquetCell::Truth(_) => {
                 Err(Fault::ValueMissing { at, column: time.name.to_owned() })
             }
-            Cell::Float(value) if !value.is_finite() => Err(not_finite(at, &time.name, value)),
-            Cell::Float(value) => Ok(Tick::of_float(value)),
-            Cell::Integer(value) => Ok(Tick::of_integer(value)),
+            ParquetCell::Float(value) if !value.is_finite() => Err(not_finite(at, &time.name, value)),
+            ParquetCell::Float(value) => Ok(Tick::of_float(value)),
+            ParquetCell::Integer(value) => Ok(Tick::of_integer(value)),
         };
         let tick = nanoseconds.iter().fold(tick, |tick, more| {
             let missing = || Fault::ValueMissing { at, column: more.name.to_owned() };
             let part = match more.cells.get(row) {
-                None | Some(Cell::Null | Cell::Text(_) | Cell::Truth(_)) => Err(missing()),
-                Some(Cell::Float(value)) => Ok(*value),
-                Some(Cell::Integer(value)) => Ok(*value as f64),
+                None | Some(ParquetCell::Null | ParquetCell::Text(_) | ParquetCell::Truth(_)) => Err(missing()),
+                Some(ParquetCell::Float(value)) => Ok(*value),
+                Some(ParquetCell::Integer(value)) => Ok(*value as f64),
             };
             let part = part.and_then(|part| {
                 if (0.0..1e9).contains(&part) { Ok(part) } else { Err(not_finite(at, &more.name, part)) }
@@ -418,22 +423,22 @@ fn hand_on(
         let sample = tick.map(|tick| gather.sample(*number, tick, faults)).unwrap_or_else(|fault| {
             gather.time_failed();
             faults.push(fault);
-            Sample::Dropped
+            SampleUse::Dropped
         });
         match sample {
-            Sample::Dropped => continue,
-            Sample::Full => return false,
-            Sample::Kept => {}
+            SampleUse::Dropped => continue,
+            SampleUse::Full => return false,
+            SampleUse::Kept => {}
         }
         for (channel, stream) in values.iter().enumerate() {
             let value = match stream.cells.get(row) {
-                None | Some(Cell::Null | Cell::Text(_) | Cell::Truth(_)) => {
+                None | Some(ParquetCell::Null | ParquetCell::Text(_) | ParquetCell::Truth(_)) => {
                     faults.push(Fault::ValueMissing { at, column: stream.name.to_owned() });
                     gather.lacks(channel);
                     continue;
                 }
-                Some(Cell::Float(value)) => *value,
-                Some(Cell::Integer(value)) => *value as f64,
+                Some(ParquetCell::Float(value)) => *value,
+                Some(ParquetCell::Integer(value)) => *value as f64,
             };
             match gather.value(channel, value) {
                 Ok(()) => {}

@@ -28,7 +28,7 @@ pub(crate) struct Written<'a> {
 
 /// Rows that were read, one number for each cell in use.
 #[derive(Debug, Default)]
-pub(crate) struct Rows {
+pub(crate) struct PlainRows {
     pub(crate) numbers: Vec<f64>,
     /// Number of bytes of the rows.
     pub(crate) bytes: usize,
@@ -52,7 +52,7 @@ impl Written<'_> {
 
     /// Reads complete lines up to the first one that is no row of plain numbers, in two threads; replaces the previous
     /// content of `rows`.
-    pub(crate) fn read(&self, lines: &[u8], rows: &mut [Rows; 2]) {
+    pub(crate) fn read(&self, lines: &[u8], rows: &mut [PlainRows; 2]) {
         let [first, second] = rows;
         let middle = memrchr(self.end, lines.get(..lines.len() / 2).unwrap_or_default()).map_or(0, |at| at + 1);
         if lines.len() < SHARED_FROM || middle == 0 {
@@ -73,7 +73,7 @@ impl Written<'_> {
         }
     }
 
-    fn read_one(&self, lines: &[u8], rows: &mut Rows) {
+    fn read_one(&self, lines: &[u8], rows: &mut PlainRows) {
         rows.clear();
         let mut row = [0.0; Role::ALL.len()];
         let (mut line, mut cell, mut count, mut found) = (0, 0, 0, 0);
@@ -105,7 +105,7 @@ impl Written<'_> {
     }
 }
 
-impl Rows {
+impl PlainRows {
     fn clear(&mut self) {
         self.numbers.clear();
         self.bytes = 0;
@@ -118,7 +118,7 @@ mod tests {
 
     fn read(text: &str, wanted: &[usize]) -> (Vec<f64>, usize) {
         let written = Written { delimiter: b';', sign: b',', end: b'\n', fields: 3, wanted };
-        let mut rows = [Rows::default(), Rows::default()];
+        let mut rows = [PlainRows::default(), PlainRows::default()];
         written.read(text.as_bytes(), &mut rows);
         let [first, second] = rows;
         ([first.numbers, second.numbers].concat(), first.bytes + second.bytes)

@@ -1,10 +1,10 @@
 //! Beginning of a CSV for display.
 
 use crate::ahead::Ahead;
-use crate::cells::Cells;
+use crate::cells::CellSplitter;
 use crate::csv::advance;
 use crate::encoding;
-use crate::faults::{Faults, excerpt};
+use crate::faults::{FaultCollector, excerpt};
 use crate::number::Decimals;
 use std::io::Read;
 
@@ -23,12 +23,12 @@ const SHOWN_MOST: usize = 32;
 /// Returns the header of a CSV and up to `rows` rows below it; `None` if there is no number below its first line.
 pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
     let mut lines = Ahead::new(source);
-    let mut faults = Faults::default();
+    let mut faults = FaultCollector::default();
     let found = lines.heading(&[]).ok()??;
     if !advance(&mut lines, &mut faults)? {
         return None;
     }
-    let mut cells = Cells::new(found.delimiter);
+    let mut cells = CellSplitter::new(found.delimiter);
     let mut shown = |lines: &Ahead<_>| {
         let row = cells.all(lines.line(), lines.number(), &mut faults)?;
         Some(row.iter().take(SHOWN_MOST).map(|cell| excerpt(encoding::text(cell).trim())).collect::<Vec<_>>())

@@ -1,7 +1,7 @@
 //! Reader of CSV tables with any columns, in the dialects of recordings: every cell as written.
 
 use crate::ahead::Ahead;
-use crate::cells::{Cells, ends_empty};
+use crate::cells::{CellSplitter, ends_empty};
 use crate::csv_faults::ragged;
 use crate::encoding;
 use crate::faults::{Fault, excerpt};
@@ -18,7 +18,7 @@ use std::io::Read;
 /// Windows-1252. Cells without a heading at the end of the lines must be empty; empty rows at the end of the table are no rows.
 pub struct Records<R> {
     lines: Ahead<R>,
-    cells: Cells,
+    cells: CellSplitter,
     headings: Vec<String>,
     decimals: Decimals,
     thousands: Thousands,
@@ -46,7 +46,7 @@ impl<R: Read> Records<R> {
     pub fn open_below(source: R, is_known: impl Fn(&str) -> bool) -> Result<Self, Fault> {
         let mut records = Self {
             lines: Ahead::new(source),
-            cells: Cells::new(b','),
+            cells: CellSplitter::new(b','),
             headings: Vec::new(),
             decimals: Decimals::PointAlways,
             thousands: Thousands::default(),
@@ -62,7 +62,7 @@ impl<R: Read> Records<R> {
         if records.lines.line().iter().any(|byte| byte.is_ascii_control() && *byte != b'\t') {
             return Err(Fault::NotText);
         }
-        records.cells = Cells::new(sign);
+        records.cells = CellSplitter::new(sign);
         let mut headings = Vec::new();
         records.read(|heading| headings.push(heading.trim().to_owned()))?;
         Limit::Columns.hold(headings.len() as u64, TABLE_COLUMNS_MAX)?;

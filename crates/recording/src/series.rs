@@ -13,7 +13,7 @@ pub struct Recording {
     /// Time of the first kept sample, in the time of the file.
     pub first_time: Time,
     /// Position, speed or both.
-    pub course: Course,
+    pub course: RecordedCourse,
     /// Torque or force, if there is such a column.
     pub torque: Option<Series>,
     /// Columns that were read, in the order of [`Role::ALL`].
@@ -45,7 +45,7 @@ pub enum Encoding {
 
 /// Position and speed over time; at least one is present, and both are of the same kind.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Course {
+pub struct RecordedCourse {
     /// Position.
     pub position: Option<Series>,
     /// Speed.

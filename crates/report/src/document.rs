@@ -14,18 +14,18 @@ mod origins;
 mod shown;
 
 use crate::{Change, Content, Fault, Settings};
-use axis::Axis;
+use axis::AxisData;
 use serde::Serialize;
-use shown::Shown;
+use shown::Formatter;
 use std::collections::BTreeMap;
 
 /// Data of the report template.
 #[derive(Serialize)]
-pub(crate) struct Document {
+pub(crate) struct ReportDocument {
     lang: &'static str,
     full: bool,
     head: Head,
-    axes: Vec<Axis>,
+    axes: Vec<AxisData>,
     documents: Vec<answers::Document>,
     /// Grades that occur among the checks, the best first.
     grades: Vec<checks::GradeTold>,
@@ -67,9 +67,9 @@ pub(crate) fn figure_file(axis: usize, index: usize, size: usize) -> String {
     format!("figure-{axis}-{index}-{size}.svg")
 }
 
-impl Document {
+impl ReportDocument {
     pub(crate) fn build(content: &Content, settings: &Settings) -> Result<Self, Fault> {
-        let shown = Shown(content.language);
+        let shown = Formatter(content.language);
         let first = content.axes.first().ok_or(Fault::NoAxis)?;
         let date = settings.date.as_deref().map(read_date).transpose()?;
         let dossiers = || content.axes.iter().map(|axis| &axis.dossier);
@@ -106,7 +106,7 @@ impl Document {
                 .axes
                 .iter()
                 .enumerate()
-                .map(|(index, axis)| Axis::build(index, axis, settings.full, &shown))
+                .map(|(index, axis)| AxisData::build(index, axis, settings.full, &shown))
                 .collect(),
             documents,
         })
@@ -114,7 +114,7 @@ impl Document {
 }
 
 /// Returns a change with its day in the format of the language; a day that is no calendar date stays unchanged.
-fn shown_change(change: &Change, shown: &Shown) -> Change {
+fn shown_change(change: &Change, shown: &Formatter) -> Change {
     let date = read_date(&change.date)
         .map_or_else(|_| change.date.clone(), |date| shown.date(date.year, date.month, date.day));
     Change { date, ..change.clone() }

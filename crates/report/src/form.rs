@@ -33,7 +33,7 @@ pub(crate) enum FieldKind {
 
 /// A field of the form.
 #[derive(Clone, Debug)]
-pub(crate) struct Field {
+pub(crate) struct FormField {
     /// Name of the field, by which programs read it; the template marks its places with it. A full stop would split it.
     pub(crate) name: String,
     /// Kind of input.
@@ -49,7 +49,7 @@ pub(crate) struct Field {
 /// # Errors
 /// [`Fault::Export`] when the file is not built as the engine builds it or a field is marked nowhere, which is a
 /// defect.
-pub(crate) fn with_fields(file: Vec<u8>, fields: &[Field]) -> Result<Vec<u8>, Fault> {
+pub(crate) fn with_fields(file: Vec<u8>, fields: &[FormField]) -> Result<Vec<u8>, Fault> {
     let fault = |what: &str| Fault::Export { message: format!("form: {what}") };
     let pdf = Pdf::new(file.clone()).map_err(|_| fault("not read"))?;
     let mut places = marked(&pdf);
@@ -166,7 +166,7 @@ impl Update {
     }
 
     /// Writes a field with its widgets and returns its number: that of the widget if there is only one.
-    fn field(&mut self, field: &Field, widgets: &[Widget], looks: &Looks) -> Ref {
+    fn field(&mut self, field: &FormField, widgets: &[Widget], looks: &Looks) -> Ref {
         let about = |writer: &mut pdf_writer::writers::Field<'_>| {
             writer.partial_name(TextStr(&field.name)).alternate_name(TextStr(&field.tooltip));
             match field.kind {

@@ -36,7 +36,7 @@ use words::terminal;
 /// [`Fault::NoAxis`] and [`Fault::Date`]; [`Fault::Typesetting`] if the input is no JSON, which is a defect.
 #[cfg(feature = "document")]
 pub fn document(content: &Content, settings: &Settings) -> Result<serde_json::Value, Fault> {
-    let document = document::Document::build(content, settings)?;
+    let document = document::ReportDocument::build(content, settings)?;
     let value = serde_json::to_value(&document).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
     Ok(in_words(value, content.language))
 }

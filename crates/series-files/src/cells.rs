@@ -1,16 +1,16 @@
 //! Conversion of table files to flat cells, with errata applied and every rule of `data/README.md` checked.
 
 use crate::code::Code;
-use crate::read::{Data, Erratum, Row, Table};
+use crate::read::{Data, ErratumEntry, TableFile, TableRow};
 use provenance::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Keys of a cell, in the order of [`Cell::keys`].
+/// Keys of a cell, in the order of [`PlacedCell::keys`].
 pub const KEYS: [&str; 5] = ["drive", "feedback", "ratio", "symbol", "condition"];
 const MERGED: &str = "<<";
 
 /// One cell with everything that distinguishes it from the others.
-pub struct Cell<'a> {
+pub struct PlacedCell<'a> {
     /// Index of its table.
     pub table: usize,
     /// Row of the table, counted from zero.
@@ -68,18 +68,18 @@ pub fn value_of(text: &str) -> Value {
 }
 
 /// Splits a column heading into its keys: `CHA-14A | 30` with the keys drive and ratio.
-fn column_keys<'a>(table: &'a Table, column: &'a str) -> Vec<(&'a str, &'a str)> {
+fn column_keys<'a>(table: &'a TableFile, column: &'a str) -> Vec<(&'a str, &'a str)> {
     table.keys.iter().map(String::as_str).zip(column.split(" | ").map(str::trim)).collect()
 }
 
 /// Returns the entry for one key in a column heading.
-fn head_of(table: &Table, column: &str, key: &str) -> String {
+fn head_of(table: &TableFile, column: &str, key: &str) -> String {
     column_keys(table, column).into_iter().filter(|(k, _)| *k == key).map(|(_, v)| v).collect::<Vec<_>>().join(", ")
 }
 
 /// Returns the keys of a cell that covers the columns `from..to`: those of the table, overridden by the row, and by the
 /// column headings if they agree.
-fn cell_keys(table: &Table, row: &Row, columns: &[String]) -> [String; 5] {
+fn cell_keys(table: &TableFile, row: &TableRow, columns: &[String]) -> [String; 5] {
     let defaults = |key: &str| match key {
         "drive" => row.drive.as_deref().or(table.drive.as_deref()),
         "feedback" => row.feedback.as_deref().or(table.feedback.as_deref()),
@@ -106,7 +106,7 @@ fn cell_keys(table: &Table, row: &Row, columns: &[String]) -> [String; 5] {
     })
 }
 
-fn cells_of<'a>(index: usize, table: &'a Table, faults: &mut Vec<String>) -> Vec<Cell<'a>> {
+fn cells_of<'a>(index: usize, table: &'a TableFile, faults: &mut Vec<String>) -> Vec<PlacedCell<'a>> {
     let mut cells = Vec::new();
     let at = |row: usize| format!("table {}, row {}", table.table, row + 1);
     for key in &table.keys {
@@ -148,7 +148,7 @@ fn cells_of<'a>(index: usize, table: &'a Table, faults: &mut Vec<String>) -> Vec
             if keys.get(3).is_none_or(String::is_empty) {
                 faults.push(format!("{}: a row needs a symbol", at(row_index)));
             }
-            cells.push(Cell {
+            cells.push(PlacedCell {
                 table: index,
                 row: row_index,
                 column,
@@ -168,7 +168,7 @@ fn cells_of<'a>(index: usize, table: &'a Table, faults: &mut Vec<String>) -> Vec
 const CONCERNED: [&str; 3] = ["feedback", "winding", "size"];
 
 /// Reports words under `concerns` that occur in no code of the data.
-fn known_words(erratum: &Erratum, codes: &[Code], faults: &mut Vec<String>) {
+fn known_words(erratum: &ErratumEntry, codes: &[Code], faults: &mut Vec<String>) {
     let id = &erratum.id;
     for (field, words) in &erratum.concerns {
         if !CONCERNED.contains(&field.as_str()) {
@@ -181,7 +181,13 @@ fn known_words(erratum: &Erratum, codes: &[Code], faults: &mut Vec<String>) {
 }
 
 /// Finds the one cell named in an erratum and applies the erratum.
-fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut [Cell<'a>], faults: &mut Vec<String>) {
+fn apply<'a>(
+    number: usize,
+    erratum: &'a ErratumEntry,
+    tables: &[TableFile],
+    cells: &mut [PlacedCell<'a>],
+    faults: &mut Vec<String>,
+) {
     let id = &erratum.id;
     if !["recovery", "print_error", "contradiction", "rounding", "edition"].contains(&erratum.kind.as_str()) {
         faults.push(format!("erratum {id}: unknown kind `{}`", erratum.kind));
@@ -222,7 +228,7 @@ fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut 
             faults.push(format!("erratum {id}: unknown key `{key}`"));
         }
     }
-    let mut found: Vec<&mut Cell<'a>> = cells
+    let mut found: Vec<&mut PlacedCell<'a>> = cells
         .iter_mut()
         .filter(|cell| tables.get(cell.table).is_some_and(|t| t.table == table))
         .filter(|cell| {
@@ -250,16 +256,16 @@ fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut 
 }
 
 /// Cells of all tables, with the range of each table.
-pub struct Cells<'a> {
+pub struct AllCells<'a> {
     /// The cells, in the order of the tables, rows and columns.
-    pub cells: Vec<Cell<'a>>,
+    pub cells: Vec<PlacedCell<'a>>,
     /// Index of the first cell of each table, and one past its last.
     pub ranges: Vec<(usize, usize)>,
 }
 
 /// Returns the cells of the tables with their errata applied; reports every rule that the data violate.
-pub fn cells<'a>(data: &'a Data, faults: &mut Vec<String>) -> Cells<'a> {
-    let mut cells: Vec<Cell<'_>> = Vec::new();
+pub fn cells<'a>(data: &'a Data, faults: &mut Vec<String>) -> AllCells<'a> {
+    let mut cells: Vec<PlacedCell<'_>> = Vec::new();
     let mut ranges = Vec::new();
     for (index, table) in data.tables.iter().enumerate() {
         let first = cells.len();
@@ -279,7 +285,7 @@ pub fn cells<'a>(data: &'a Data, faults: &mut Vec<String>) -> Cells<'a> {
     notes(data, faults);
     texts(data, &cells, faults);
     roles(data, faults);
-    Cells { cells, ranges }
+    AllCells { cells, ranges }
 }
 
 /// Checks that every table named in a code exists.
@@ -309,7 +315,7 @@ fn roles(data: &Data, faults: &mut Vec<String>) {
     }
 }
 
-fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
+fn unique(data: &Data, cells: &[PlacedCell<'_>], faults: &mut Vec<String>) {
     let errata = data.errata.iter().map(|erratum| ("erratum", &erratum.id));
     let tables = data.tables.iter().map(|table| ("table", &table.table));
     let terms = data.glossary.iter().map(|term| ("glossary:", &term.symbol));
@@ -320,7 +326,7 @@ fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
             faults.push(format!("{what} {name} stands twice"));
         }
     }
-    let name_of = |cell: &Cell<'_>| data.tables.get(cell.table).map_or("", |table| table.table.as_str());
+    let name_of = |cell: &PlacedCell<'_>| data.tables.get(cell.table).map_or("", |table| table.table.as_str());
     let mut keys: BTreeMap<(usize, &[String; 5]), usize> = BTreeMap::new();
     for cell in cells {
         if let Some(row) = keys.insert((cell.table, &cell.keys), cell.row) {
@@ -366,7 +372,7 @@ fn notes(data: &Data, faults: &mut Vec<String>) {
 }
 
 /// Checks that every translated text occurs in a cell.
-fn texts(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
+fn texts(data: &Data, cells: &[PlacedCell<'_>], faults: &mut Vec<String>) {
     for text in &data.texts {
         if !cells.iter().any(|cell| cell.corrected == text.printed) {
             faults.push(format!("texts.toml: `{}` stands in no cell", text.printed));

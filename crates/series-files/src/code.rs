@@ -32,7 +32,7 @@ pub struct Code {
     pub manual: String,
     /// Fields in their order.
     #[serde(rename = "field")]
-    pub fields: Vec<Field>,
+    pub fields: Vec<CodeField>,
     /// Tables by their purpose.
     pub tables: Tables,
     /// Marks of the matrix.
@@ -46,7 +46,7 @@ pub struct Code {
     pub feedbacks: Vec<Feedback>,
     /// Drives that head tables.
     #[serde(rename = "drive")]
-    pub drives: Vec<Drive>,
+    pub drives: Vec<HeadingDrives>,
     /// Tables of connectors.
     #[serde(default, rename = "wiring")]
     pub wirings: Vec<Wiring>,
@@ -55,7 +55,7 @@ pub struct Code {
 /// One field.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Field {
+pub struct CodeField {
     /// Identifier of the field.
     pub id: String,
     /// Source of its words.
@@ -67,13 +67,13 @@ pub struct Field {
     pub words: Vec<String>,
     /// Meanings of the words; the first match applies.
     #[serde(default, rename = "meaning")]
-    pub meanings: Vec<Meaning>,
+    pub meanings: Vec<WordMeaning>,
 }
 
 /// Meaning of a word.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Meaning {
+pub struct WordMeaning {
     /// Word; absent for every word, and for the absence of one.
     pub word: Option<String>,
     /// Words of other fields, one of which must be in the code.
@@ -181,7 +181,7 @@ pub struct Feedback {
 /// Drives that head tables.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Drive {
+pub struct HeadingDrives {
     /// Headings, each with its size after the series.
     pub heads: Vec<String>,
     /// Windings that the headings apply to.

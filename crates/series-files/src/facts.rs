@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 /// One fact, as described in `data/README.md`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Fact {
+pub struct FactEntry {
     id: String,
     section: String,
     source: String,
@@ -61,7 +61,7 @@ struct Value {
 #[serde(deny_unknown_fields)]
 pub(crate) struct FactsFile {
     /// Facts of the file.
-    pub fact: Vec<Fact>,
+    pub fact: Vec<FactEntry>,
 }
 
 const GRADES: &[&str] = &["printed", "published", "assumed"];
@@ -154,7 +154,7 @@ pub fn embed(data: &Data, faults: &mut Vec<String>) -> String {
 }
 
 /// Returns one record as Rust source.
-fn record(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> String {
+fn record(fact: &FactEntry, data: &Data, at: &str, faults: &mut Vec<String>) -> String {
     let grade = variant("kind", fact.kind.as_deref().unwrap_or("printed"), GRADES, at, faults);
     let topics: Vec<String> =
         fact.topics.iter().map(|topic| format!("Topic::{}", variant("topic", topic, TOPICS, at, faults))).collect();
@@ -164,8 +164,8 @@ fn record(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> Strin
             |word| format!("Some({kind}::{})", variant(what, word, words, at, faults)),
         )
     };
-    let signal = optional("Signal", "signal word", &fact.signal, SIGNALS);
-    let step = optional("Step", "step", &fact.step, STEPS);
+    let signal = optional("SignalWord", "signal word", &fact.signal, SIGNALS);
+    let step = optional("LifeStep", "step", &fact.step, STEPS);
     let values = values(fact, at, faults);
     format!(
         "Fact {{ id: {:?}, section: {:?}, document: {:?}, grade: provenance::Grade::{grade}, topics: &[{}], \
@@ -180,7 +180,7 @@ fn record(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> Strin
     )
 }
 
-fn holds_for(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> String {
+fn holds_for(fact: &FactEntry, data: &Data, at: &str, faults: &mut Vec<String>) -> String {
     let codes = &fact.holds_for;
     let Some(code) = data.codes.get(fact.series) else { return String::new() };
     let series = format!("order_code::Series::at({})", fact.series);
@@ -208,7 +208,7 @@ fn holds_for(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> St
     )
 }
 
-fn values(fact: &Fact, at: &str, faults: &mut Vec<String>) -> String {
+fn values(fact: &FactEntry, at: &str, faults: &mut Vec<String>) -> String {
     if fact.value.is_some() && !fact.values.is_empty() {
         faults.push(format!("{at}: has `value` and `values`; several figures all stand in `values`"));
     }

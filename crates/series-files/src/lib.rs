@@ -9,10 +9,10 @@ mod code;
 mod facts;
 mod read;
 
-pub use cells::{Cell, Cells, KEYS, cells, value_of};
-pub use code::{Code, Drive, Feedback, Field, Mark, Meaning, Tables, Winding, Wiring, variant_of};
+pub use cells::{AllCells, KEYS, PlacedCell, cells, value_of};
+pub use code::{Code, CodeField, Feedback, HeadingDrives, Mark, Tables, Winding, Wiring, WordMeaning, variant_of};
 pub use facts::embed as facts;
-pub use read::{Data, Document, Erratum, Table, codes, read_all, read_one, series_folders};
+pub use read::{Data, ErratumEntry, SourceDocument, TableFile, codes, read_all, read_one, series_folders};
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -2,7 +2,7 @@
 #![allow(missing_docs, reason = "data/README.md describes every key")]
 
 use crate::code::Code;
-use crate::facts::{Fact, FactsFile};
+use crate::facts::{FactEntry, FactsFile};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ pub struct Footnote {
 /// One row of a table file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Row {
+pub struct TableRow {
     pub symbol: Option<String>,
     pub condition: Option<String>,
     pub drive: Option<String>,
@@ -43,7 +43,7 @@ pub struct Row {
 /// One table file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Table {
+pub struct TableFile {
     pub table: String,
     pub section: Option<String>,
     pub page: Option<u16>,
@@ -58,13 +58,13 @@ pub struct Table {
     #[serde(default, rename = "footnote")]
     pub footnotes: Vec<Footnote>,
     #[serde(rename = "row")]
-    pub rows: Vec<Row>,
+    pub rows: Vec<TableRow>,
 }
 
 /// One entry of `errata.toml`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Erratum {
+pub struct ErratumEntry {
     pub id: String,
     pub table: Option<String>,
     #[serde(default)]
@@ -92,7 +92,7 @@ pub struct Erratum {
 /// One entry of `sources.toml`; names and fields are those of the type in `catalogue`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Document {
+pub struct SourceDocument {
     pub id: String,
     pub short: String,
     #[serde(default)]
@@ -147,7 +147,7 @@ struct TextsFile {
 /// One word of the product in `glossary.toml`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Word {
+pub struct WordEntry {
     pub id: String,
     pub en: String,
     pub de: String,
@@ -160,32 +160,32 @@ pub struct Word {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ErrataFile {
-    erratum: Vec<Erratum>,
+    erratum: Vec<ErratumEntry>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SourcesFile {
-    source: Vec<Document>,
+    source: Vec<SourceDocument>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct GlossaryFile {
     term: Vec<Term>,
-    word: Vec<Word>,
+    word: Vec<WordEntry>,
 }
 
 /// Content of the files of `data/`.
 #[derive(Default)]
 pub struct Data {
-    pub tables: Vec<Table>,
-    pub errata: Vec<Erratum>,
-    pub sources: Vec<Document>,
+    pub tables: Vec<TableFile>,
+    pub errata: Vec<ErratumEntry>,
+    pub sources: Vec<SourceDocument>,
     pub glossary: Vec<Term>,
     pub texts: Vec<Text>,
-    pub words: Vec<Word>,
-    pub facts: Vec<Fact>,
+    pub words: Vec<WordEntry>,
+    pub facts: Vec<FactEntry>,
     pub codes: Vec<Code>,
 }
 
@@ -278,7 +278,7 @@ pub fn read_one(root: &Path, folder: &Path, faults: &mut Vec<String>) -> Data {
 
 fn read_tables(folder: &Path, data: &mut Data, faults: &mut Vec<String>) {
     for path in table_paths(folder, faults) {
-        let Some(table) = read_file::<Table>(&path, faults) else { continue };
+        let Some(table) = read_file::<TableFile>(&path, faults) else { continue };
         if path.file_stem().is_none_or(|stem| stem.to_string_lossy() != table.table) {
             faults.push(format!("{}: the file must be named after its table {}", path.display(), table.table));
         }
@@ -289,7 +289,7 @@ fn read_tables(folder: &Path, data: &mut Data, faults: &mut Vec<String>) {
 /// Reads the files of a series except its tables.
 fn read_series(folder: &Path, data: &mut Data, faults: &mut Vec<String>) {
     data.codes.extend(code(folder, faults));
-    data.tables.extend(read_file::<Table>(&folder.join("family.toml"), faults));
+    data.tables.extend(read_file::<TableFile>(&folder.join("family.toml"), faults));
     if let Some(file) = optional::<ErrataFile>(&folder.join("errata.toml"), faults) {
         data.errata.extend(file.erratum);
     }

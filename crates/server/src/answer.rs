@@ -1,10 +1,10 @@
 //! The way of a request: admitted, read, computed concurrently with others, answered.
 
-use crate::body::{Bodies, Held, NoBody, read};
+use crate::body::{Bodies, CountedBody, NoBody, read};
 use crate::folder::Workplace;
 use crate::gate::{Barred, admit, preferred};
 use crate::lanes::Lanes;
-use crate::limits::Limits;
+use crate::limits::RequestLimits;
 use crate::pack::{OpenFiles, sent, sent_open};
 use crate::serve::IdleSlot;
 use crate::token::Token;
@@ -33,7 +33,7 @@ pub(crate) struct Responder {
     pub(crate) address: SocketAddr,
     pub(crate) token: Option<Token>,
     pub(crate) language: Language,
-    pub(crate) limits: Limits,
+    pub(crate) limits: RequestLimits,
     pub(crate) respond: Respond,
     workplace: Arc<Workplace>,
     bodies: Bodies,
@@ -119,7 +119,7 @@ struct Question {
     path: String,
     /// Query without the token.
     query: String,
-    body: Held,
+    body: CountedBody,
     language: Language,
 }
 
@@ -128,7 +128,7 @@ impl Responder {
         address: SocketAddr,
         token: Option<Token>,
         language: Language,
-        limits: Limits,
+        limits: RequestLimits,
         workplace: Workplace,
         respond: Respond,
     ) -> Self {
@@ -230,7 +230,7 @@ impl Responder {
     }
 
     fn no_body(&self, why: NoBody, most: usize, language: Language) -> Reply {
-        let Limits { body_time, .. } = self.limits;
+        let RequestLimits { body_time, .. } = self.limits;
         let (status, message) = match why {
             NoBody::TooLarge => (413, requests::body_larger_than(&most, language)),
             NoBody::TooSlow => (408, requests::body_too_slow(&body_time.as_secs(), language)),

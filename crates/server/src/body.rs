@@ -1,6 +1,6 @@
 //! Body of a request, read within limits of size and time, and within the memory for all bodies.
 
-use crate::limits::Limits;
+use crate::limits::RequestLimits;
 use bytes::Bytes;
 use http_body_util::BodyExt;
 use hyper::body::{Body, Incoming};
@@ -13,12 +13,12 @@ pub(crate) struct Bodies(Arc<AtomicUsize>);
 
 /// A body, counted until it is dropped.
 #[derive(Debug)]
-pub(crate) struct Held {
+pub(crate) struct CountedBody {
     bytes: Vec<u8>,
     all: Bodies,
 }
 
-impl Held {
+impl CountedBody {
     pub(crate) fn bytes(&self) -> &[u8] {
         &self.bytes
     }
@@ -31,7 +31,7 @@ impl Held {
     }
 }
 
-impl Drop for Held {
+impl Drop for CountedBody {
     fn drop(&mut self) {
         self.all.0.fetch_sub(self.bytes.len(), Ordering::Relaxed);
     }
@@ -51,7 +51,12 @@ pub(crate) enum NoBody {
 }
 
 /// Reads a body of at most `most` bytes to its end; with 0 bytes none is awaited.
-pub(crate) async fn read(body: Incoming, most: usize, all: &Bodies, limits: &Limits) -> Result<Held, NoBody> {
+pub(crate) async fn read(
+    body: Incoming,
+    most: usize,
+    all: &Bodies,
+    limits: &RequestLimits,
+) -> Result<CountedBody, NoBody> {
     if body.size_hint().lower() > most as u64 || (most == 0 && !body.is_end_stream()) {
         return Err(NoBody::TooLarge);
     }
@@ -59,8 +64,8 @@ pub(crate) async fn read(body: Incoming, most: usize, all: &Bodies, limits: &Lim
     tokio::time::timeout(limits.body_time, whole).await.unwrap_or(Err(NoBody::TooSlow))
 }
 
-async fn pieces(mut body: Incoming, all: &Bodies, most: usize, most_of_all: usize) -> Result<Held, NoBody> {
-    let mut held = Held { bytes: Vec::new(), all: all.clone() };
+async fn pieces(mut body: Incoming, all: &Bodies, most: usize, most_of_all: usize) -> Result<CountedBody, NoBody> {
+    let mut held = CountedBody { bytes: Vec::new(), all: all.clone() };
     while let Some(frame) = body.frame().await {
         // Frames without data are trailers, which are ignored.
         let Ok(piece) = frame.map_err(|_| NoBody::Broken)?.into_data() else { continue };
@@ -82,7 +87,7 @@ mod tests {
     fn bodies_are_counted_as_long_as_they_live() {
         let all = Bodies::default();
         let held = |bytes: usize| {
-            let mut held = Held { bytes: Vec::new(), all: all.clone() };
+            let mut held = CountedBody { bytes: Vec::new(), all: all.clone() };
             let took = held.take(&Bytes::from(vec![0; bytes]), 100);
             (held, took)
         };

@@ -4,7 +4,7 @@ use crate::owner::Owners;
 use crate::serve::{Unserved, end_requested, listening};
 use questions::drive::line::{self, Answer, LINE_MOST};
 use questions::drive::room::Drive;
-use questions::drive::{Frame, HALF_MS_S, Node, Time, socketcand};
+use questions::drive::{CanNode, Frame, HALF_MS_S, Time, socketcand};
 use std::collections::{BTreeMap, VecDeque};
 use std::future::Future;
 use std::io::ErrorKind;
@@ -145,7 +145,7 @@ impl DriveServer {
 /// The drive behind its protocol.
 enum Device<'a> {
     Line(Box<Drive<'a>>),
-    Node(Box<Node<'a>>),
+    Node(Box<CanNode<'a>>),
 }
 
 /// A client.
@@ -204,7 +204,7 @@ impl<'a> Bench<'a> {
         drive.advance(2);
         let device = match protocol {
             DriveProtocol::Line => Device::Line(Box::new(drive)),
-            DriveProtocol::SocketCand => Device::Node(Box::new(Node::new(drive, node, time == Time::Stepped))),
+            DriveProtocol::SocketCand => Device::Node(Box::new(CanNode::new(drive, node, time == Time::Stepped))),
         };
         Self { device, time, clients: BTreeMap::new(), jobs: VecDeque::new(), begun: Instant::now(), steps: 0 }
     }

@@ -1,11 +1,11 @@
 //! Two lanes for answers, so that a long one does not keep short ones waiting.
 //!
 //! The duration of a work is unknown in advance, so every work begins as a short one. A work that has not ended after
-//! [`Limits::short_time`] is a long one: it leaves its turn to the next short one and continues in the second lane. If
+//! [`RequestLimits::short_time`] is a long one: it leaves its turn to the next short one and continues in the second lane. If
 //! that lane is full, the work is cancelled and begun again there when its turn has come, so that it never delays a
 //! short one; its partial result is lost.
 
-use crate::limits::Limits;
+use crate::limits::RequestLimits;
 use page::Reply;
 use questions::Patience;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -32,7 +32,7 @@ pub(crate) struct Lanes {
 type Turn = Arc<Mutex<Option<OwnedSemaphorePermit>>>;
 
 impl Lanes {
-    pub(crate) fn new(limits: &Limits) -> Self {
+    pub(crate) fn new(limits: &RequestLimits) -> Self {
         Self {
             short: Arc::new(Semaphore::new(limits.computed.max(1))),
             long: Arc::new(Semaphore::new(limits.long())),
@@ -43,7 +43,7 @@ impl Lanes {
     }
 
     /// Returns the largest number of threads that run works.
-    pub(crate) fn threads(limits: &Limits) -> usize {
+    pub(crate) fn threads(limits: &RequestLimits) -> usize {
         limits.computed.max(1) + limits.long()
     }
 

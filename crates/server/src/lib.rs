@@ -18,5 +18,5 @@ mod serve;
 mod token;
 
 pub use drive::{CLIENTS_MOST, DriveProtocol, DriveServer};
-pub use limits::Limits;
+pub use limits::RequestLimits;
 pub use serve::{Access, Options, Server, Unserved};

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 /// Limits of requests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
+pub struct RequestLimits {
     /// Number of simultaneous connections; further ones wait until one ends.
     pub connections: usize,
     /// Bytes of the request line and the headers.
@@ -38,14 +38,14 @@ pub struct Limits {
 /// cores: each may need the memory that is allowed for recordings.
 const COMPUTED_MOST: usize = 8;
 
-impl Limits {
+impl RequestLimits {
     /// Returns the number of long answers that are computed simultaneously.
     pub(crate) const fn long(&self) -> usize {
         if self.computed > 2 { self.computed - 1 } else { 1 }
     }
 }
 
-impl Default for Limits {
+impl Default for RequestLimits {
     fn default() -> Self {
         Self {
             connections: 512,

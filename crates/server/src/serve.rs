@@ -3,7 +3,7 @@
 use crate::answer::{Respond, Responder};
 use crate::folder::Workplace;
 use crate::lanes::Lanes;
-use crate::limits::Limits;
+use crate::limits::RequestLimits;
 use crate::token::{IN_QUERY, Token};
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
@@ -54,7 +54,7 @@ pub struct Options {
     /// Default language.
     pub language: Language,
     /// Limits of requests.
-    pub limits: Limits,
+    pub limits: RequestLimits,
     /// Writers of reports and forms; `None` without a typesetting engine.
     pub press: Option<page::Press>,
 }

@@ -2,7 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test fails loudly")]
 
 use quantities::Language;
-use server::{Access, Limits, Options, Server};
+use server::{Access, Options, RequestLimits, Server};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::path::Path;
@@ -23,7 +23,7 @@ struct Up {
 }
 
 impl Up {
-    fn new(limits: Limits) -> Self {
+    fn new(limits: RequestLimits) -> Self {
         let outer = tempfile::tempdir().unwrap();
         let folder = outer.path().join("work");
         std::fs::create_dir(&folder).unwrap();
@@ -108,7 +108,7 @@ fn turned_away(answer: &str, what: &str) {
 
 #[test]
 fn no_path_leads_anywhere() {
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     std::fs::write(up.folder.path().join("secret.toml"), "the secret").unwrap();
     let long = format!("/{}", "a".repeat(20_000));
     for path in [
@@ -141,7 +141,7 @@ fn no_path_leads_anywhere() {
 
 #[test]
 fn other_methods_are_named_and_not_answered() {
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     for method in ["PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "BREW", "PROPFIND", "get"] {
         let answer = up.ask(&format!("{method} /api/v1/size"), "", b"");
         assert_eq!(status(&answer), 405, "{method}: {answer}");
@@ -158,7 +158,7 @@ fn other_methods_are_named_and_not_answered() {
 
 #[test]
 fn heads_that_are_none_are_turned_away() {
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     let host = up.address;
     let large = format!("GET / HTTP/1.1\r\nhost: {host}\r\nx: {}\r\n\r\n", "y".repeat(200_000));
     let many = format!("GET / HTTP/1.1\r\nhost: {host}\r\n{}\r\n", "a: b\r\n".repeat(5_000));
@@ -185,7 +185,7 @@ fn heads_that_are_none_are_turned_away() {
 
 #[test]
 fn another_host_and_another_site_get_nothing() {
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     for host in ["evil.example", "evil.example:80", "127.0.0.1.evil.example", "", "169.254.169.254"] {
         let answer = up.raw(format!("GET / HTTP/1.1\r\nhost: {host}\r\nconnection: close\r\n\r\n").as_bytes());
         assert!(matches!(status(&answer), 400 | 421), "{host}: {answer}");
@@ -210,7 +210,7 @@ fn another_host_and_another_site_get_nothing() {
 
 #[test]
 fn bodies_that_are_too_large_are_not_read() {
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     let answer = up.ask("POST /api/v1/size", "", &vec![b' '; (1 << 20) + 1]);
     assert_eq!(status(&answer), 413, "{answer}");
     let head = format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\ncontent-length: 99999999999\r\n\r\n", up.address);
@@ -230,7 +230,11 @@ fn bodies_that_are_too_large_are_not_read() {
 /// Many idle clients do not block others, and are disconnected in time.
 #[test]
 fn slow_ones_keep_nobody_waiting() {
-    let limits = Limits { head_time: Duration::from_secs(4), body_time: Duration::from_secs(4), ..Limits::default() };
+    let limits = RequestLimits {
+        head_time: Duration::from_secs(4),
+        body_time: Duration::from_secs(4),
+        ..RequestLimits::default()
+    };
     let up = Up::new(limits);
     let mut slow: Vec<TcpStream> = (0..200).map(|_| up.connect()).collect();
     for (index, stream) in slow.iter_mut().enumerate() {
@@ -253,7 +257,7 @@ fn slow_ones_keep_nobody_waiting() {
 /// More half-sent requests than there are connections: a new client takes the place of the one that has waited longest.
 #[test]
 fn half_sent_requests_hold_no_place() {
-    let up = Up::new(Limits { connections: 64, ..Limits::default() });
+    let up = Up::new(RequestLimits { connections: 64, ..RequestLimits::default() });
     let head = format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\n", up.address);
     let mut halves = Vec::new();
     for index in 0..200 {
@@ -267,7 +271,7 @@ fn half_sent_requests_hold_no_place() {
     for _ in 0..3 {
         let begun = Instant::now();
         up.is_up();
-        assert!(begun.elapsed() < Limits::default().head_time / 2, "{:?}", begun.elapsed());
+        assert!(begun.elapsed() < RequestLimits::default().head_time / 2, "{:?}", begun.elapsed());
     }
 }
 
@@ -287,7 +291,7 @@ impl Chance {
 
 #[test]
 fn bodies_of_any_bytes_are_answered_or_refused_what_is_wrong() {
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     let mut chance = Chance(22);
     let paths = [
         "size?samples=10",
@@ -337,7 +341,7 @@ fn recorded_from(name: &str) -> String {
 #[test]
 fn a_project_opens_nothing_outside_of_the_folder() {
     use std::os::unix::fs::symlink;
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     let csv = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/robot-joint.csv");
     let (inside, outside) = (up.work(), up.folder.path());
     std::fs::copy(&csv, inside.join("robot-joint.csv")).unwrap();
@@ -415,7 +419,7 @@ fn next_status(reader: &mut BufReader<TcpStream>) -> u16 {
 
 #[test]
 fn ten_thousand_quick_requests_are_answered() {
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     std::thread::scope(|scope| {
         for _ in 0..4 {
             scope.spawn(|| {
@@ -438,7 +442,7 @@ fn ten_thousand_quick_requests_are_answered() {
 
 #[test]
 fn two_hundred_clients_at_once_are_answered_or_refused_to_come_again() {
-    let up = Up::new(Limits::default());
+    let up = Up::new(RequestLimits::default());
     let answers: Vec<u16> = std::thread::scope(|scope| {
         let asked: Vec<_> =
             (0..200).map(|_| scope.spawn(|| status(&up.ask("POST /api/v1/moves", "", PROJECT.as_bytes())))).collect();

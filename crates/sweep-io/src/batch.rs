@@ -12,18 +12,18 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A project and the headings of a table, ready for record batches.
-pub struct Sweep {
+pub struct BatchSweep {
     sweep: sweep::Sweep,
     schema: SchemaRef,
 }
 
-/// The head of a table before its cells are read: [`sweep::Head`] over record batches.
-pub struct Head {
+/// The head of a table before its cells are read: [`sweep::BatchHead`] over record batches.
+pub struct BatchHead {
     head: sweep::Head,
     schema: SchemaRef,
 }
 
-impl Head {
+impl BatchHead {
     /// Reads a project, by its name and text, and the headings of a table for it.
     #[must_use]
     pub fn of(project: (&str, &str), files: &dyn Files, table: &Schema, options: Options) -> Self {
@@ -63,12 +63,12 @@ impl Head {
     ///
     /// # Errors
     /// Every fault of the project, of the headings and of the checked cells; `table` is the name of the table.
-    pub fn ready(self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<Sweep, Unanswered> {
-        Ok(Sweep { sweep: self.head.ready(table, files)?, schema: self.schema })
+    pub fn ready(self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<BatchSweep, Unanswered> {
+        Ok(BatchSweep { sweep: self.head.ready(table, files)?, schema: self.schema })
     }
 }
 
-impl Sweep {
+impl BatchSweep {
     /// Returns the columns of the answer.
     #[must_use]
     pub fn schema(&self) -> SchemaRef {

@@ -86,14 +86,14 @@ impl Ranges for Pages {
 
 /// Reason why there is no batch.
 #[derive(Debug)]
-pub enum Unread {
+pub enum NoBatch {
     /// The line of a row is faulty; the next batch follows it.
     Line(TabularFault),
     /// The rest of the table cannot be read; the reason in a sentence.
     Table(String),
 }
 
-impl Unread {
+impl NoBatch {
     fn of(broken: Broken, language: Language) -> Self {
         match broken {
             Broken::Line(fault) => Self::Line(fault),
@@ -112,8 +112,8 @@ impl Unread {
 }
 
 /// Converts an error message of a library.
-fn trouble(error: impl std::fmt::Display) -> Unread {
-    Unread::Table(error.to_string())
+fn trouble(error: impl std::fmt::Display) -> NoBatch {
+    NoBatch::Table(error.to_string())
 }
 
 impl Batches {
@@ -121,8 +121,8 @@ impl Batches {
     ///
     /// # Errors
     /// The reason why it cannot be read.
-    pub fn open(mut file: File, skipped: u64, rows: usize, language: Language) -> Result<Self, Unread> {
-        let refused = |fault: Fault| Unread::Table(table_text(&fault, language));
+    pub fn open(mut file: File, skipped: u64, rows: usize, language: Language) -> Result<Self, NoBatch> {
+        let refused = |fault: Fault| NoBatch::Table(table_text(&fault, language));
         let mut mark = Vec::new();
         let _ = (&file).take(PARQUET.len() as u64).read_to_end(&mut mark).map_err(trouble)?;
         file.rewind().map_err(trouble)?;
@@ -145,7 +145,7 @@ impl Batches {
             }
             Content::Text | Content::Packed(_) => {}
         }
-        let broken = |broken| Unread::of(broken, language);
+        let broken = |broken| NoBatch::of(broken, language);
         let mut lines = Lines::open(source).map_err(broken)?;
         lines.skip(skipped).map_err(broken)?;
         let field = |name: &String| Field::new(name, DataType::Utf8, true);
@@ -179,10 +179,10 @@ impl Batches {
     ///
     /// # Errors
     /// The reason why they cannot be read.
-    pub fn next(&mut self, language: Language) -> Result<Option<RecordBatch>, Unread> {
+    pub fn next(&mut self, language: Language) -> Result<Option<RecordBatch>, NoBatch> {
         match &mut self.from {
             From::Parquet(table, rows) => {
-                let columns = table.next(*rows).map_err(|fault| Unread::Table(table_text(&fault, language)))?;
+                let columns = table.next(*rows).map_err(|fault| NoBatch::Table(table_text(&fault, language)))?;
                 let batch = |columns: Vec<TableValues>| {
                     let arrays = self.schema.fields().iter().zip(columns).map(|(field, values)| array(field, values));
                     RecordBatch::try_new(Arc::clone(&self.schema), arrays.collect())
@@ -190,7 +190,7 @@ impl Batches {
                 columns.map(batch).transpose().map_err(trouble)
             }
             From::Csv(lines, rows) => {
-                let columns = lines.rows(*rows).map_err(|broken| Unread::of(broken, language))?;
+                let columns = lines.rows(*rows).map_err(|broken| NoBatch::of(broken, language))?;
                 let array = |cells: Vec<Option<String>>| Arc::new(StringArray::from(cells)) as ArrayRef;
                 let batch =
                     |columns: Columns| RecordBatch::try_new(self.schema(), columns.into_iter().map(array).collect());

@@ -7,7 +7,7 @@ use arrow_array::{Array, ArrayRef, Float32Array, Float64Array, Int64Array, Recor
 use project::NoFiles;
 use questions::Patience;
 use std::sync::Arc;
-use sweep_io::{Head, Options, Sweep, TableFaults, Wanted};
+use sweep_io::{BatchHead, BatchSweep, Options, TableFaults, Wanted};
 
 const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\
     law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
@@ -16,9 +16,9 @@ fn batch(columns: Vec<(&str, ArrayRef)>) -> RecordBatch {
     RecordBatch::try_from_iter_with_nullable(columns.into_iter().map(|(name, cells)| (name, cells, true))).unwrap()
 }
 
-fn sweep(batch: &RecordBatch, wanted: Wanted) -> Sweep {
+fn sweep(batch: &RecordBatch, wanted: Wanted) -> BatchSweep {
     let options = Options { wanted, ..Options::default() };
-    Head::of(("axis.toml", MOVE), &NoFiles, &batch.schema(), options).ready("tasks", Box::new(NoFiles)).unwrap()
+    BatchHead::of(("axis.toml", MOVE), &NoFiles, &batch.schema(), options).ready("tasks", Box::new(NoFiles)).unwrap()
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn a_table_with_a_refused_heading_is_not_read_to_its_end() {
     for columns in [vec![("nonsense", cells())], vec![("nonsense", cells()), ("load.inertia [kg m^2]", cells())]] {
         let is_one_a_key = columns.len() > 1;
         let table = batch(columns);
-        let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+        let mut head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
         assert_eq!(head.is_enough(), !is_one_a_key);
         head.check(&table, 0);
         assert!(head.is_enough());
@@ -177,7 +177,7 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
         ("load.friction_torque", Arc::new(Float64Array::from(vec![1.0]))),
         ("motion[1].time [kg]", Arc::new(Float64Array::from(vec![1.0]))),
     ]);
-    let head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+    let head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
     let faults = head.ready("tasks", Box::new(NoFiles)).err().unwrap().faults(None, Options::default().language).errors;
     let ids: Vec<_> = faults.iter().filter_map(|fault| Some((fault.id?, fault.heading.clone()?))).collect();
     assert_eq!(
@@ -195,7 +195,7 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
         ("motion[1].time [s]", Arc::new(StringArray::from(vec![Some("0.5"), None]))),
         ("motion[1].law", Arc::new(StringArray::from(vec!["trapezoid", "trapezoyd"]))),
     ]);
-    let mut head = Head::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+    let mut head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
     head.check(&table, 7);
     let faults = head.ready("tasks", Box::new(NoFiles)).err().unwrap().faults(None, Options::default().language).errors;
     let found: Vec<_> = faults.iter().map(|fault| (fault.id.unwrap(), fault.row)).collect();

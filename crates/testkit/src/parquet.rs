@@ -77,7 +77,7 @@ impl Structure {
 
 /// A column of a file: its pages are stored one after the other.
 #[derive(Clone, Debug)]
-pub struct Column {
+pub struct FileColumn {
     /// Name of the column.
     pub name: &'static str,
     /// Type, as the number in the format: 1 INT32, 2 INT64, 4 FLOAT, 5 DOUBLE.
@@ -100,7 +100,7 @@ pub fn page(encoding: i64, values: i64, packed: &[u8], unpacked: i64) -> Vec<u8>
 
 /// Creates a file with one row group of these columns.
 #[must_use]
-pub fn file(rows: i64, columns: &[Column]) -> Vec<u8> {
+pub fn file(rows: i64, columns: &[FileColumn]) -> Vec<u8> {
     let mut bytes = b"PAR1".to_vec();
     let (mut schema, mut chunks) =
         (vec![Structure::default().text(4, "schema").integer(5, columns.len() as i64)], Vec::new());

@@ -1,6 +1,6 @@
 //! A series that is not embedded: read from its folder and added to the program of a test.
 
-use catalogue::{Further, Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables};
+use catalogue::{DriveHead, Further, Mark, MarkEntry, SeriesData, WindingData, WiringTables};
 use order_code::{Feedback, FeedbackKind, Field, FieldWords, Grammar, Meaning, Series, Size, Winding};
 use provenance::CellRef;
 use series_files::{Code, Data};
@@ -31,7 +31,7 @@ pub fn add(folder: &Path) {
     let place = u8::try_from(Series::all().count()).unwrap_or(u8::MAX);
     let added = order_code::extend(data.codes.iter().map(grammar).collect());
     assert!(added.is_ok(), "a series was added before");
-    let document = |source: &'static series_files::Document| catalogue::Document {
+    let document = |source: &'static series_files::SourceDocument| catalogue::SourceDocument {
         id: &source.id,
         short: &source.short,
         short_de: &source.short_de,
@@ -70,7 +70,7 @@ fn field_of(id: &str) -> Field {
     Field::ALL.iter().copied().find(|field| field.id() == id).unwrap_or(Field::Series)
 }
 
-fn field_words(code: &'static Code, field: &'static series_files::Field) -> FieldWords {
+fn field_words(code: &'static Code, field: &'static series_files::CodeField) -> FieldWords {
     let of = |word: &String| code.feedbacks.iter().find(|feedback| feedback.word == *word);
     let kind = |feedback: &series_files::Feedback| match feedback.kind.as_str() {
         "sine_incremental" => FeedbackKind::SineIncremental,
@@ -79,7 +79,7 @@ fn field_words(code: &'static Code, field: &'static series_files::Field) -> Fiel
         "square_incremental" => FeedbackKind::SquareIncremental,
         _ => FeedbackKind::SsiMultiturn,
     };
-    let meaning = |meaning: &'static series_files::Meaning| Meaning {
+    let meaning = |meaning: &'static series_files::WordMeaning| Meaning {
         word: meaning.word.as_deref(),
         when: leaked(meaning.when.iter().map(|(of, all)| (field_of(of), words(all)))),
         en: &meaning.en,
@@ -94,7 +94,7 @@ fn field_words(code: &'static Code, field: &'static series_files::Field) -> Fiel
     }
 }
 
-fn cell(data: &'static Data, cell: &series_files::Cell<'static>) -> catalogue::Cell {
+fn cell(data: &'static Data, cell: &series_files::PlacedCell<'static>) -> catalogue::Cell {
     let [drive, feedback, ratio, symbol, condition] = cell.keys.clone().map(|key| &*key.leak());
     let (document, table) = data.tables.get(cell.table).map_or(("", ""), |table| (&*table.source, &*table.table));
     catalogue::Cell {
@@ -111,8 +111,10 @@ fn cell(data: &'static Data, cell: &series_files::Cell<'static>) -> catalogue::C
     }
 }
 
-fn table((number, (table, (first, end))): (usize, (&'static series_files::Table, (usize, usize)))) -> catalogue::Table {
-    catalogue::Table {
+fn table(
+    (number, (table, (first, end))): (usize, (&'static series_files::TableFile, (usize, usize))),
+) -> catalogue::ManualTable {
+    catalogue::ManualTable {
         id: &table.table,
         section: table.section.as_deref().unwrap_or(""),
         page: table.page.unwrap_or(0),
@@ -146,10 +148,10 @@ impl Reader {
         let (code, tables) = (self.code, &self.code.tables);
         let winding = |word: &String| code.windings.iter().find(|each| each.words.contains(word));
         let feedback = |word: &String| code.feedbacks.iter().find(|each| each.word == *word);
-        let head = |drive: &'static series_files::Drive, name: &'static String| {
+        let head = |drive: &'static series_files::HeadingDrives, name: &'static String| {
             let size = Size::of(self.series, code.size_of(name)?)?;
             let (windings, feedbacks) = (self.windings(&drive.windings), self.feedbacks(&drive.feedbacks));
-            Some(Head { name, size, windings, feedbacks })
+            Some(DriveHead { name, size, windings, feedbacks })
         };
         SeriesData {
             manual: &code.manual,

@@ -6,7 +6,7 @@ use super::recording::Strip;
 use super::rule::rule;
 use super::short::Straight;
 use super::{BLOCK, Block, BlockPanels, Carried, Extent, GROUP, Gram, Group, Kept, Node, Run, Share, Trace};
-use mechanism::{Endless, Extra, Load, Loading, Mechanism, Output};
+use mechanism::{Endless, Extra, LoadTorque, Loading, Mechanism, Output};
 use motion::{Motion, Piece, Placed, Runs, State};
 use numeric::{lobatto, root_steps, roots_between};
 use quantities::{Angle, Measure};
@@ -311,7 +311,7 @@ impl<'a> Builder<'a> {
                 // All functions share the same search instants.
                 seen.clear();
                 seen.extend(root_steps(span).map(|t| looked(at(from + t))));
-                let mut search = |f: &dyn Fn(&(Output, Load)) -> f64| {
+                let mut search = |f: &dyn Fn(&(Output, LoadTorque)) -> f64| {
                     values.clear();
                     values.extend(seen.iter().map(f));
                     let found = roots_between(&values, |t| f(&looked(at(from + t))), span);

@@ -2,7 +2,7 @@
 
 use crate::texts::said;
 use crate::{document_short, pick};
-use catalogue::{Fact, Signal, Step};
+use catalogue::{Fact, LifeStep, SignalWord};
 use quantities::Language;
 
 /// Returns the text of a fact.
@@ -20,30 +20,30 @@ pub fn fact_source(fact: &Fact, language: Language) -> String {
 
 /// Returns the signal word according to ISO 3864-2 and ANSI Z535.6.
 #[must_use]
-pub const fn signal_word(signal: Signal, language: Language) -> &'static str {
+pub const fn signal_word(signal: SignalWord, language: Language) -> &'static str {
     let (en, de) = match signal {
-        Signal::Danger => ("DANGER", "GEFAHR"),
-        Signal::Warning => ("WARNING", "WARNUNG"),
-        Signal::Caution => ("CAUTION", "VORSICHT"),
-        Signal::Notice => ("NOTICE", "HINWEIS"),
-        Signal::Info => ("INFO", "INFO"),
+        SignalWord::Danger => ("DANGER", "GEFAHR"),
+        SignalWord::Warning => ("WARNING", "WARNUNG"),
+        SignalWord::Caution => ("CAUTION", "VORSICHT"),
+        SignalWord::Notice => ("NOTICE", "HINWEIS"),
+        SignalWord::Info => ("INFO", "INFO"),
     };
     pick(language, en, de)
 }
 
 /// Returns the step at which a fact matters, as the heading of a checklist.
 #[must_use]
-pub const fn step_title(step: Step, language: Language) -> &'static str {
+pub const fn step_title(step: LifeStep, language: Language) -> &'static str {
     let (en, de) = match step {
-        Step::Transport => ("transport and storage", "Transport und Lagerung"),
-        Step::Mounting => ("mounting", "Montage"),
-        Step::Wiring => ("wiring", "Verdrahtung"),
-        Step::BeforePower => ("before the power is switched on", "vor dem Einschalten"),
-        Step::FirstMotion => ("first motion", "erste Bewegung"),
-        Step::AfterADay => ("after one day of operation", "nach einem Betriebstag"),
-        Step::InService => ("in service", "im Betrieb"),
-        Step::Shutdown => ("shutting down and maintenance", "Stillsetzen und Wartung"),
-        Step::Disposal => ("taking out of service", "Außerbetriebnahme"),
+        LifeStep::Transport => ("transport and storage", "Transport und Lagerung"),
+        LifeStep::Mounting => ("mounting", "Montage"),
+        LifeStep::Wiring => ("wiring", "Verdrahtung"),
+        LifeStep::BeforePower => ("before the power is switched on", "vor dem Einschalten"),
+        LifeStep::FirstMotion => ("first motion", "erste Bewegung"),
+        LifeStep::AfterADay => ("after one day of operation", "nach einem Betriebstag"),
+        LifeStep::InService => ("in service", "im Betrieb"),
+        LifeStep::Shutdown => ("shutting down and maintenance", "Stillsetzen und Wartung"),
+        LifeStep::Disposal => ("taking out of service", "Außerbetriebnahme"),
     };
     pick(language, en, de)
 }

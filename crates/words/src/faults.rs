@@ -8,7 +8,7 @@ use crate::pick;
 use crate::texts::said;
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, TableFault};
-use project::{Column, Diagnostic, Expected, Fault, Hint, Range};
+use project::{ColumnDimensions, Diagnostic, Expected, Fault, Hint, Range};
 use quantities::unit::DEGREE;
 use quantities::{Language, Unit, format_number, format_significant};
 use std::ops::Range as Span;
@@ -170,7 +170,8 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         }
         Fault::NotARow { path, columns } => {
             let or = said!(language => " or " | " oder ");
-            let of = |column: &Column| column.iter().map(|each| each.name(language)).collect::<Vec<_>>().join(&or);
+            let of =
+                |column: &ColumnDimensions| column.iter().map(|each| each.name(language)).collect::<Vec<_>>().join(&or);
             let row: Vec<String> = columns.iter().map(|column| format!("\"{}\"", of(column))).collect();
             let row = row.join(", ");
             said!(language =>

@@ -3,7 +3,7 @@
 use crate::texts::said;
 use crate::{pick, terms};
 use motion::{Law, MoveFault, Needed, PointsFault, RecordedFault};
-use project::{SegmentLaw, SegmentLoad};
+use project::{SegmentLaw, SegmentLoadKey};
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
     SECOND,
@@ -16,12 +16,12 @@ fn shown(si: f64, unit: &Unit, language: Language) -> String {
 
 /// Returns the name of a load that acts in a segment.
 #[must_use]
-pub fn segment_load(load: SegmentLoad, language: Language) -> &'static str {
+pub fn segment_load(load: SegmentLoadKey, language: Language) -> &'static str {
     match load {
-        SegmentLoad::Payload => terms::payload(language),
-        SegmentLoad::PayloadInertia => terms::payload_inertia(language),
-        SegmentLoad::ProcessForce => terms::acting_process_force(language),
-        SegmentLoad::ExternalTorque => terms::acting_external_torque(language),
+        SegmentLoadKey::Payload => terms::payload(language),
+        SegmentLoadKey::PayloadInertia => terms::payload_inertia(language),
+        SegmentLoadKey::ProcessForce => terms::acting_process_force(language),
+        SegmentLoadKey::ExternalTorque => terms::acting_external_torque(language),
     }
 }
 

@@ -1,12 +1,12 @@
 //! Texts of the data that the data state in both languages.
 
 use crate::pick;
-use catalogue::{Cell, Document, Erratum, Footnote, Table, Term, Word};
+use catalogue::{Cell, Erratum, Footnote, ManualTable, ProductWord, SourceDocument, Term};
 use quantities::Language;
 
 /// Returns the title of a printed table.
 #[must_use]
-pub const fn table_title(table: &Table, language: Language) -> &'static str {
+pub const fn table_title(table: &ManualTable, language: Language) -> &'static str {
     pick(language, table.title_en, table.title_de)
 }
 
@@ -40,13 +40,13 @@ pub fn document_short(id: &'static str, language: Language) -> &'static str {
 
 /// Returns the short name of a document.
 #[must_use]
-pub const fn short(document: &Document, language: Language) -> &'static str {
+pub const fn short(document: &SourceDocument, language: Language) -> &'static str {
     in_german(document.short, document.short_de, language)
 }
 
 /// Returns the title of a document: in the language of the document, or in both if it is a document of antrieb.
 #[must_use]
-pub const fn document_title(document: &Document, language: Language) -> &'static str {
+pub const fn document_title(document: &SourceDocument, language: Language) -> &'static str {
     in_german(document.title, document.title_de, language)
 }
 
@@ -56,13 +56,13 @@ const fn in_german(text: &'static str, german: &'static str, language: Language)
 
 /// Returns the remark on a document, which exists in English only; empty in German.
 #[must_use]
-pub const fn document_note(document: &Document, language: Language) -> &'static str {
+pub const fn document_note(document: &SourceDocument, language: Language) -> &'static str {
     pick(language, document.note, "")
 }
 
 /// Returns the meaning of a word of the glossary.
 #[must_use]
-pub const fn word_meaning(word: &Word, language: Language) -> &'static str {
+pub const fn word_meaning(word: &ProductWord, language: Language) -> &'static str {
     pick(language, word.about_en, word.about_de)
 }
 

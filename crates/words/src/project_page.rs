@@ -3,7 +3,7 @@
 use super::key_text;
 use crate::pages;
 use crate::quantity::unpadded;
-use project::{Column, KEYS, Key, Kind, Range, Variants};
+use project::{ColumnDimensions, KEYS, Key, Kind, Range, Variants};
 use quantities::{Dimension, Language};
 
 /// Returns the page in a language.
@@ -109,7 +109,7 @@ fn value(key: &Key, language: Language) -> String {
         Kind::ListOf(words) => format!("{} {}", pages::list_of(language), names(words.iter().copied())),
         Kind::Rows(columns) => {
             let or = format!(" {} ", pages::or(language));
-            let of = |column: &Column| column.iter().map(|each| name(*each)).collect::<Vec<_>>().join(&or);
+            let of = |column: &ColumnDimensions| column.iter().map(|each| name(*each)).collect::<Vec<_>>().join(&or);
             format!("{} {}", pages::rows_of(language), columns.iter().map(of).collect::<Vec<_>>().join(", "))
         }
         Kind::Table(_) => pages::table(language).to_owned(),

@@ -8,8 +8,8 @@ use crate::pick;
 use crate::texts::{said, texts};
 use catalogue::Cell;
 use installation::wiring::{
-    Absent, CableFor, CableRole, Circuit, DropVerdict, Polarity, Protocol, Role, Severity, Signal, SignalMeaning,
-    TrackForm,
+    Absent, CableFor, CableRole, Circuit, DropVerdict, Polarity, Protocol, Role, Severity, SignalMeaning, TrackForm,
+    WiringSignal,
 };
 use quantities::Language;
 
@@ -110,7 +110,7 @@ pub const fn role_name(role: Role, language: Language) -> &'static str {
 
 /// Returns the meaning of a signal, with its end of the pair.
 #[must_use]
-pub fn signal_meaning(signal: Signal, language: Language) -> String {
+pub fn signal_meaning(signal: WiringSignal, language: Language) -> String {
     let named = |en: &str, de: &str, name: char| format!("{} {name}", pick(language, en, de));
     let serial = |protocol| match protocol {
         Protocol::EnDat => "EnDat",

@@ -1,12 +1,12 @@
 //! Requirements of a generated project, and its own actuator and curves.
 
 use super::page::{
-    ANGLE, CURRENT, INERTIA, LENGTH, LIFE, MASS, Page, SPEED, TEMPERATURE, TIME, TORQUE, Units, VOLTAGE,
+    ANGLE, CURRENT, INERTIA, LENGTH, LIFE, MASS, Page, SPEED, TEMPERATURE, TIME, TORQUE, UnitSpellings, VOLTAGE,
 };
 use arbitrary::Result;
 
 /// Keys with a quantity: name, lower and upper end of the usual range, units.
-const LIMITS: [(&str, f64, f64, Units); 18] = [
+const LIMITS: [(&str, f64, f64, UnitSpellings); 18] = [
     ("hollow_shaft_min", 5.0, 60.0, LENGTH),
     ("length_max", 80.0, 400.0, LENGTH),
     ("mass_max", 2.0, 60.0, MASS),
@@ -86,7 +86,7 @@ pub(super) fn requirements(page: &mut Page<'_, '_>) -> Result<()> {
 
 /// Writes a user's own actuator, with all its data or a part of them.
 pub(super) fn actuator(page: &mut Page<'_, '_>) -> Result<()> {
-    let data: [(&str, f64, f64, Units); 21] = [
+    let data: [(&str, f64, f64, UnitSpellings); 21] = [
         ("torque_max", 20.0, 900.0, TORQUE),
         ("speed_max", 20.0, 200.0, SPEED),
         ("speed_motor_max", 4000.0, 8500.0, SPEED),

@@ -1,8 +1,8 @@
 //! Motion of a generated project: moves that close the cycle, suited to the load.
 
 use super::page::{
-    ACCELERATION, ANGLE, INERTIA, JERK, LENGTH, MASS, Page, SPEED, TIME, TORQUE, Units, WAY_ACCELERATION, WAY_JERK,
-    WAY_SPEED,
+    ACCELERATION, ANGLE, INERTIA, JERK, LENGTH, MASS, Page, SPEED, TIME, TORQUE, UnitSpellings, WAY_ACCELERATION,
+    WAY_JERK, WAY_SPEED,
 };
 use super::{Load, forces};
 use arbitrary::Result;
@@ -10,10 +10,10 @@ use arbitrary::Result;
 /// Distance in rad or m, with the units in which it and its rates are written.
 struct Way {
     /// Units of a distance, and the number of them per rad or m.
-    distance: (Units, f64),
-    speed: (Units, f64),
-    acceleration: Units,
-    jerk: Units,
+    distance: (UnitSpellings, f64),
+    speed: (UnitSpellings, f64),
+    acceleration: UnitSpellings,
+    jerk: UnitSpellings,
     most: f64,
 }
 

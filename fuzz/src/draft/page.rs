@@ -4,25 +4,25 @@ use arbitrary::{Result, Unstructured};
 use std::fmt::Write as _;
 
 /// Spellings of the units of a dimension, each with the number of them per unit of the first.
-pub(super) type Units = &'static [(&'static str, f64)];
+pub(super) type UnitSpellings = &'static [(&'static str, f64)];
 
-pub(super) const ANGLE: Units = &[("deg", 1.0), ("rad", 0.017_453_292_519_943_295), ("arcmin", 60.0)];
-pub(super) const SPEED: Units = &[("1/min", 1.0), ("rad/s", 0.104_719_755), ("deg/s", 6.0)];
-pub(super) const ACCELERATION: Units = &[("rad/s^2", 1.0)];
-pub(super) const JERK: Units = &[("rad/s^3", 1.0)];
-pub(super) const LENGTH: Units = &[("mm", 1.0), ("m", 1e-3)];
-pub(super) const WAY_SPEED: Units = &[("m/s", 1.0)];
-pub(super) const WAY_ACCELERATION: Units = &[("m/s^2", 1.0)];
-pub(super) const WAY_JERK: Units = &[("m/s^3", 1.0)];
-pub(super) const TIME: Units = &[("s", 1.0), ("ms", 1e3)];
-pub(super) const LIFE: Units = &[("h", 1.0)];
-pub(super) const MASS: Units = &[("kg", 1.0), ("g", 1e3)];
-pub(super) const INERTIA: Units = &[("kg m^2", 1.0), ("kg cm^2", 1e4)];
-pub(super) const TORQUE: Units = &[("N m", 1.0)];
-pub(super) const FORCE: Units = &[("N", 1.0), ("kN", 1e-3)];
-pub(super) const VOLTAGE: Units = &[("V", 1.0)];
-pub(super) const CURRENT: Units = &[("A", 1.0)];
-pub(super) const TEMPERATURE: Units = &[("degC", 1.0)];
+pub(super) const ANGLE: UnitSpellings = &[("deg", 1.0), ("rad", 0.017_453_292_519_943_295), ("arcmin", 60.0)];
+pub(super) const SPEED: UnitSpellings = &[("1/min", 1.0), ("rad/s", 0.104_719_755), ("deg/s", 6.0)];
+pub(super) const ACCELERATION: UnitSpellings = &[("rad/s^2", 1.0)];
+pub(super) const JERK: UnitSpellings = &[("rad/s^3", 1.0)];
+pub(super) const LENGTH: UnitSpellings = &[("mm", 1.0), ("m", 1e-3)];
+pub(super) const WAY_SPEED: UnitSpellings = &[("m/s", 1.0)];
+pub(super) const WAY_ACCELERATION: UnitSpellings = &[("m/s^2", 1.0)];
+pub(super) const WAY_JERK: UnitSpellings = &[("m/s^3", 1.0)];
+pub(super) const TIME: UnitSpellings = &[("s", 1.0), ("ms", 1e3)];
+pub(super) const LIFE: UnitSpellings = &[("h", 1.0)];
+pub(super) const MASS: UnitSpellings = &[("kg", 1.0), ("g", 1e3)];
+pub(super) const INERTIA: UnitSpellings = &[("kg m^2", 1.0), ("kg cm^2", 1e4)];
+pub(super) const TORQUE: UnitSpellings = &[("N m", 1.0)];
+pub(super) const FORCE: UnitSpellings = &[("N", 1.0), ("kN", 1e-3)];
+pub(super) const VOLTAGE: UnitSpellings = &[("V", 1.0)];
+pub(super) const CURRENT: UnitSpellings = &[("A", 1.0)];
+pub(super) const TEMPERATURE: UnitSpellings = &[("degC", 1.0)];
 
 /// Numbers at the limits of real machines, of the file format and of a float.
 const EDGES: [&str; 12] =
@@ -76,7 +76,7 @@ impl Page<'_, '_> {
     }
 
     /// Returns a quantity of this size, in some cases with an extreme value or a tolerance.
-    pub(super) fn amount(&mut self, value: f64, units: Units) -> Result<String> {
+    pub(super) fn amount(&mut self, value: f64, units: UnitSpellings) -> Result<String> {
         let (unit, factor) = *self.u.choose(units)?;
         if self.edges && self.u.ratio(1, 24)? {
             return Ok(format!("{} {unit}", self.u.choose(&EDGES)?));
@@ -91,26 +91,26 @@ impl Page<'_, '_> {
     }
 
     /// Writes a key with a quantity of this size.
-    pub(super) fn exactly(&mut self, key: &str, value: f64, units: Units) -> Result<()> {
+    pub(super) fn exactly(&mut self, key: &str, value: f64, units: UnitSpellings) -> Result<()> {
         let amount = self.amount(value, units)?;
         self.word(key, &amount);
         Ok(())
     }
 
     /// Returns a quantity of this size without tolerance or extreme value, for values that others must agree with.
-    pub(super) fn literal(&mut self, value: f64, units: Units) -> Result<String> {
+    pub(super) fn literal(&mut self, value: f64, units: UnitSpellings) -> Result<String> {
         let (unit, factor) = *self.u.choose(units)?;
         Ok(format!("{} {unit}", rounded(value * factor)))
     }
 
     /// Writes a key with a quantity between two sizes.
-    pub(super) fn key(&mut self, key: &str, low: f64, high: f64, units: Units) -> Result<()> {
+    pub(super) fn key(&mut self, key: &str, low: f64, high: f64, units: UnitSpellings) -> Result<()> {
         let value = self.between(low, high)?;
         self.exactly(key, value, units)
     }
 
     /// Writes the key in a share of the cases.
-    pub(super) fn may(&mut self, key: &str, low: f64, high: f64, units: Units) -> Result<()> {
+    pub(super) fn may(&mut self, key: &str, low: f64, high: f64, units: UnitSpellings) -> Result<()> {
         if self.u.ratio(1, 3)? { self.key(key, low, high, units) } else { Ok(()) }
     }
 

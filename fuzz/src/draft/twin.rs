@@ -1,6 +1,6 @@
 //! `[twin]` of a generated project: scenario, switches, gains and measured values.
 
-use super::page::{ANGLE, CURRENT, INERTIA, Page, TIME, TORQUE, Units};
+use super::page::{ANGLE, CURRENT, INERTIA, Page, TIME, TORQUE, UnitSpellings};
 use arbitrary::Result;
 
 const SCENARIOS: [&str; 12] = [
@@ -27,11 +27,11 @@ const GAINS: [(&str, f64, f64); 3] =
 const TIMES: [(&str, f64, f64); 3] =
     [("speed_time", 1e-5, 1.0), ("speed_filter", 1e-6, 0.1), ("current_time", 1e-5, 1.0)];
 
-const STIFFNESS: Units = &[("N m/rad", 1.0)];
-const OHM: Units = &[("ohm", 1.0)];
+const STIFFNESS: UnitSpellings = &[("N m/rad", 1.0)];
+const OHM: UnitSpellings = &[("ohm", 1.0)];
 
 /// Measured values, with ranges from far below to far above the usual.
-const MEASURED: [(&str, f64, f64, Units); 22] = [
+const MEASURED: [(&str, f64, f64, UnitSpellings); 22] = [
     ("resistance_ll", 0.01, 100.0, OHM),
     ("inductance_ll", 0.01, 100.0, &[("mH", 1.0)]),
     ("torque_constant_out", 0.1, 1e3, &[("N m/A", 1.0)]),

@@ -5,10 +5,10 @@ use arbitrary::{Result, Unstructured};
 /// Samples of a motion that begins and ends at rest: (1 − cos) back and forth, with a torque.
 pub(crate) struct Columns {
     /// Columns with their values, time first.
-    pub(crate) columns: Vec<Column>,
+    pub(crate) columns: Vec<GeneratedColumn>,
 }
 
-pub(crate) struct Column {
+pub(crate) struct GeneratedColumn {
     pub(crate) name: &'static str,
     pub(crate) unit: &'static str,
     pub(crate) values: Vec<f64>,
@@ -28,24 +28,35 @@ impl Columns {
         let (time_unit, time_factor) = *u.choose(&[("s", 1.0), ("ms", 1e3), ("us", 1e6), ("ns", 1e9)])?;
         let scaled = |values: &[f64], factor: f64| values.iter().map(|value| value * factor).collect::<Vec<f64>>();
         let time = times.iter().map(|t| t * duration * time_factor).collect();
-        let mut columns =
-            vec![Column { name: u.choose(&["time", "t", "Zeit", "timestamp"])?, unit: time_unit, values: time }];
+        let mut columns = vec![GeneratedColumn {
+            name: u.choose(&["time", "t", "Zeit", "timestamp"])?,
+            unit: time_unit,
+            values: time,
+        }];
         if u.ratio(4, 5)? {
             let (unit, factor) =
                 *u.choose(&[("deg", 57.295_779_513), ("rad", 1.0), ("mm", 1e3), ("rev", 0.159_154_943)])?;
             let name = *u.choose(&["position", "q", "Winkel", "angle"])?;
-            columns.push(Column { name, unit, values: scaled(&position, factor) });
+            columns.push(GeneratedColumn { name, unit, values: scaled(&position, factor) });
         }
         if u.ratio(1, 2)? {
             let (unit, factor) = *u.choose(&[("1/min", 9.549_296_586), ("rad/s", 1.0), ("m/s", 1.0)])?;
-            columns.push(Column { name: u.choose(&["speed", "n", "Drehzahl"])?, unit, values: scaled(&speed, factor) });
+            columns.push(GeneratedColumn {
+                name: u.choose(&["speed", "n", "Drehzahl"])?,
+                unit,
+                values: scaled(&speed, factor),
+            });
         }
         if u.ratio(1, 2)? {
             let (unit, factor) = *u.choose(&[("Nm", 1.0), ("N m", 1.0), ("N", 1.0)])?;
-            columns.push(Column { name: u.choose(&["torque", "M", "Moment"])?, unit, values: scaled(&torque, factor) });
+            columns.push(GeneratedColumn {
+                name: u.choose(&["torque", "M", "Moment"])?,
+                unit,
+                values: scaled(&torque, factor),
+            });
         }
         if u.ratio(1, 4)? {
-            columns.push(Column { name: "note", unit: "", values: times });
+            columns.push(GeneratedColumn { name: "note", unit: "", values: times });
         }
         let mut found = Self { columns };
         found.spoil(u)?;
@@ -86,7 +97,7 @@ impl Columns {
         }
         let rows = self.columns.iter().map(|column| column.values.len()).min().unwrap_or(0);
         for row in 0..rows {
-            let number = |column: &Column| {
+            let number = |column: &GeneratedColumn| {
                 let value = column.values.get(row).copied().unwrap_or_default();
                 let text =
                     if digits > 9 { format!("{value:e}") } else { format!("{value:.*}", usize::from(digits) + 3) };

@@ -1,6 +1,6 @@
 //! Files of columns: Parquet in every encoding supported by its writer, CSV in other character encodings.
 
-use super::columns::{Column, Columns};
+use super::columns::{Columns, GeneratedColumn};
 use arbitrary::{Result, Unstructured};
 use parquet::basic::{Compression, Encoding, LogicalType, Repetition, TimeUnit, Type as Physical, ZstdLevel};
 use parquet::column::writer::ColumnWriter;
@@ -59,7 +59,7 @@ impl Stored<'_> {
 
 /// Properties of a single column.
 struct Stored<'c> {
-    column: &'c Column,
+    column: &'c GeneratedColumn,
     store: Store,
     repetition: Repetition,
     /// The column is in a group and thus has a longer path.

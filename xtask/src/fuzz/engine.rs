@@ -19,7 +19,7 @@ pub(super) enum EndCondition {
 
 /// Result of one or several runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Run {
+pub(super) struct EngineRuns {
     pub(super) cases: u64,
     /// Number of edges in the instrumented crates.
     pub(super) edges: u64,
@@ -34,7 +34,7 @@ pub(super) struct Run {
 /// as in `fuzz/src/lib.rs`.
 pub(super) const GATE: &str = "stat::past_the_gate:";
 
-impl Run {
+impl EngineRuns {
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             cases: self.cases + other.cases,
@@ -137,7 +137,7 @@ impl Engine {
     }
 
     /// Replays the corpus and the crashes, then tries new cases.
-    pub(super) fn explore(&self, target: &Target, stop: EndCondition, seed: u32) -> Result<Run, Error> {
+    pub(super) fn explore(&self, target: &Target, stop: EndCondition, seed: u32) -> Result<EngineRuns, Error> {
         let new = self.folder(target, "new")?;
         let mut command = self.command(target)?;
         command.arg(match stop {
@@ -176,14 +176,14 @@ impl Engine {
     }
 
     /// Runs the binary with its output in a log; prints the end of the log after a failing case.
-    fn run(&self, mut command: Command, target: &Target, log: &str) -> Result<Run, Error> {
+    fn run(&self, mut command: Command, target: &Target, log: &str) -> Result<EngineRuns, Error> {
         let log = self.folder(target, "logs")?.join(log);
         let failed = |source| Error::File { path: log.clone(), source };
         let not_started = |command: &Command, source| Error::NotStarted { command: spelled(command), source };
         let mut writer = fs::File::create(&log).map_err(failed)?;
         command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(|source| not_started(&command, source))?;
-        let mut run = Run::default();
+        let mut run = EngineRuns::default();
         let mut last: Vec<String> = Vec::new();
         if let Some(stream) = child.stderr.take() {
             for line in BufReader::new(stream).split(b'\n').map_while(Result::ok) {
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn what_the_engine_says_is_understood() {
-        let mut run = Run::default();
+        let mut run = EngineRuns::default();
         for line in [
             "INFO: Loaded 1 modules   (51234 inline 8-bit counters): 51234 [0x1, 0x2), ",
             "#2\tINITED cov: 412 ft: 413 corp: 1/1b exec/s: 0 rss: 40Mb",
@@ -238,6 +238,6 @@ mod tests {
         ] {
             run.hear(line);
         }
-        assert_eq!(run, Run { cases: 5000, edges: 51234, reached: 733, finds: 0, past: 2000 });
+        assert_eq!(run, EngineRuns { cases: 5000, edges: 51234, reached: 733, finds: 0, past: 2000 });
     }
 }

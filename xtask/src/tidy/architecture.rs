@@ -2,15 +2,15 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::Violation;
 use super::manifest::Members;
 use super::tree::Tree;
 
 const FILE: &str = "ARCHITECTURE.md";
 
-pub(super) fn rule(root: &Path) -> Vec<Finding> {
+pub(super) fn rule(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
-    let tell = |line, message| Finding { path: FILE.to_owned(), line, rule: "architecture", message };
+    let tell = |line, message| Violation { path: FILE.to_owned(), line, rule: "architecture", message };
     let Some(text) = tree.text(FILE) else {
         return vec![tell(1, String::from("no such file"))];
     };
@@ -61,7 +61,7 @@ mod tests {
             ("crates/motion/src/lib.rs", ""),
             (FILE, architecture),
         ]);
-        rule(scratch.root()).iter().map(Finding::to_string).collect()
+        rule(scratch.root()).iter().map(Violation::to_string).collect()
     }
 
     #[test]

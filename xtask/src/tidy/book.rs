@@ -2,24 +2,24 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::Violation;
 use super::tree::Tree;
 use crate::book::SUMMARY;
-use crate::markdown::{Document, leads_to};
+use crate::markdown::{MarkdownText, leads_to};
 
 /// Lists that name every page.
 const LISTS: [&str; 2] = [SUMMARY, "docs/README.md"];
 
-pub(super) fn rule(root: &Path) -> Vec<Finding> {
+pub(super) fn rule(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let mut findings = Vec::new();
     for list in LISTS {
-        let tell = |line, message| Finding { path: list.to_owned(), line, rule: "book", message };
+        let tell = |line, message| Violation { path: list.to_owned(), line, rule: "book", message };
         let Some(text) = tree.text(list) else {
             findings.push(tell(1, String::from("no such file")));
             continue;
         };
-        let links = Document::read(&text).links;
+        let links = MarkdownText::read(&text).links;
         let named: Vec<(usize, String)> =
             links.iter().filter_map(|link| Some((link.line, leads_to(list, &link.target)?))).collect();
         for page in tree.under("docs", ".md").filter(|page| !LISTS.contains(page)) {

@@ -2,16 +2,16 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::Violation;
 use super::tree::Tree;
 
-pub(super) fn rule(root: &Path) -> Vec<Finding> {
+pub(super) fn rule(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let mut findings = Vec::new();
     for file in tree.under("data", ".toml").chain(tree.under("examples", ".toml")) {
         let text = tree.text(file).unwrap_or_default();
         if let Some((line, message)) = objection(file, &text) {
-            findings.push(Finding { path: file.to_owned(), line, rule: "data", message });
+            findings.push(Violation { path: file.to_owned(), line, rule: "data", message });
         }
     }
     findings
@@ -61,7 +61,7 @@ mod tests {
             ("data/published/x.toml", "table = 7\n"),
             ("examples/table.toml", "format = 1\nname = \n"),
         ]);
-        let listed: Vec<String> = rule(scratch.root()).iter().map(Finding::to_string).collect();
+        let listed: Vec<String> = rule(scratch.root()).iter().map(Violation::to_string).collect();
         assert_eq!(listed.len(), 4, "{listed:?}");
         assert_eq!(listed[0], "data/cha/tables/26.2.toml:2: data: table \"26.3\" in a file named `26.2`");
         assert_eq!(listed[1], "data/cha/tables/26.3.toml:1: data: a table file without `table`");

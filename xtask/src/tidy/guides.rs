@@ -2,16 +2,16 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::Violation;
 use super::tree::Tree;
-use crate::markdown::{Code, Document, Section};
+use crate::markdown::{Code, MarkdownText, Section};
 
 const ENGLISH: &str = "docs/guide";
 const GERMAN: &str = "docs/anleitung";
 /// Additional argument of a command in the German guide.
 const IN_GERMAN: &str = " --lang de";
 
-pub(super) fn rule(root: &Path) -> Vec<Finding> {
+pub(super) fn rule(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let pages =
         |folder: &str| -> Vec<String> { tree.under(folder, ".md").map(|page| page.replacen(folder, "", 1)).collect() };
@@ -19,25 +19,25 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mut alone = |page: &String, here: &str, there: &str| {
         let message = format!("`{here}{page}` has no twin `{there}{page}`");
-        findings.push(Finding { path: format!("{here}{page}"), line: 1, rule: "guides", message });
+        findings.push(Violation { path: format!("{here}{page}"), line: 1, rule: "guides", message });
     };
     english.iter().filter(|page| !german.contains(page)).for_each(|page| alone(page, ENGLISH, GERMAN));
     german.iter().filter(|page| !english.contains(page)).for_each(|page| alone(page, GERMAN, ENGLISH));
     for page in english.iter().filter(|page| german.contains(page)) {
-        let read = |folder: &str| Document::read(&tree.text(&format!("{folder}{page}")).unwrap_or_default());
+        let read = |folder: &str| MarkdownText::read(&tree.text(&format!("{folder}{page}")).unwrap_or_default());
         let path = format!("{GERMAN}{page}");
-        let tell = |(line, message)| Finding { path: path.clone(), line, rule: "guides", message };
+        let tell = |(line, message)| Violation { path: path.clone(), line, rule: "guides", message };
         findings.extend(differences(&read(ENGLISH), &read(GERMAN)).into_iter().map(tell));
     }
     findings
 }
 
 /// Returns the differences of a German page from the English one, with their lines.
-fn differences(english: &Document, german: &Document) -> Vec<(usize, String)> {
+fn differences(english: &MarkdownText, german: &MarkdownText) -> Vec<(usize, String)> {
     let mut found = Vec::new();
-    let infos = |page: &Document| page.code.iter().map(|code| code.info.clone()).collect::<Vec<_>>();
-    let levels = |page: &Document| page.sections.iter().map(|section| section.level).collect::<Vec<_>>();
-    let pictures = |page: &Document| page.links.iter().filter(|link| link.is_picture).count();
+    let infos = |page: &MarkdownText| page.code.iter().map(|code| code.info.clone()).collect::<Vec<_>>();
+    let levels = |page: &MarkdownText| page.sections.iter().map(|section| section.level).collect::<Vec<_>>();
+    let pictures = |page: &MarkdownText| page.links.iter().filter(|link| link.is_picture).count();
     if infos(english) != infos(german) {
         found.push((1, format!("blocks of code {:?}, in English {:?}", infos(german), infos(english))));
     } else {

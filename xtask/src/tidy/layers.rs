@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cargo_metadata::{Dependency, DependencyKind};
 
-use super::Finding;
+use super::Violation;
 use super::manifest::Members;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -79,13 +79,13 @@ pub(crate) fn layer(name: &str) -> Option<u8> {
     }
 }
 
-pub(super) fn rule(root: &Path) -> Vec<Finding> {
+pub(super) fn rule(root: &Path) -> Vec<Violation> {
     let members = Members::read(root);
     let mut findings = members.findings;
     for member in &members.list {
         let name = member.package.name.as_str();
         let mut tell = |line, message| {
-            findings.push(Finding { path: member.manifest.clone(), line, rule: "layers", message });
+            findings.push(Violation { path: member.manifest.clone(), line, rule: "layers", message });
         };
         match room(name) {
             None => tell(1, format!("crate `{name}` has no layer: enter it in xtask/src/tidy/layers.rs")),
@@ -135,7 +135,7 @@ mod tests {
     fn findings_of(name: &str, rest: &str) -> Vec<String> {
         let manifest = format!("[package]\nname = \"{name}\"\n{rest}");
         let scratch = Scratch::new(&[("Cargo.toml", TOP), ("it/Cargo.toml", &manifest), ("it/src/lib.rs", "")]);
-        rule(scratch.root()).iter().map(Finding::to_string).collect()
+        rule(scratch.root()).iter().map(Violation::to_string).collect()
     }
 
     #[test]

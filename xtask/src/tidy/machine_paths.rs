@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::Violation;
 use super::tree::Tree;
 
 /// Folders that exist on personal machines only, without their first slash, so that this file satisfies the rule too.
 const FOLDERS: [&str; 4] = ["home/", "root/", "tmp/", "work/"];
 
-pub(super) fn rule(root: &Path) -> Vec<Finding> {
+pub(super) fn rule(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let mut findings = Vec::new();
     for file in tree.files() {
@@ -16,7 +16,7 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
         for (line, content) in (1..).zip(text.lines()) {
             if let Some(folder) = FOLDERS.iter().find(|folder| holds(content, folder)) {
                 let message = format!("path of one machine: /{folder}…");
-                findings.push(Finding { path: file.to_owned(), line, rule: "machine-path", message });
+                findings.push(Violation { path: file.to_owned(), line, rule: "machine-path", message });
             }
         }
     }

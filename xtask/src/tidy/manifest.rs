@@ -4,14 +4,14 @@ use std::path::Path;
 
 use cargo_metadata::{Dependency, Package};
 
-use super::Finding;
+use super::Violation;
 use super::tree::Tree;
 use crate::cargo::metadata;
 
 pub(super) struct Members {
     pub(super) list: Vec<Member>,
     /// Reason for a missing list.
-    pub(super) findings: Vec<Finding>,
+    pub(super) findings: Vec<Violation>,
 }
 
 pub(super) struct Member {
@@ -26,7 +26,10 @@ impl Members {
             Ok(listing) => listing,
             Err(error) => {
                 let (path, message) = (String::from("Cargo.toml"), error.to_string());
-                return Self { list: Vec::new(), findings: vec![Finding { path, line: 1, rule: "manifest", message }] };
+                return Self {
+                    list: Vec::new(),
+                    findings: vec![Violation { path, line: 1, rule: "manifest", message }],
+                };
             }
         };
         let top = &listing.workspace_root;
@@ -54,7 +57,7 @@ impl Member {
 const OWN_LINTS: [&str; 2] = ["python", "site"];
 
 /// Checks that every member uses the lints of the workspace, which cargo does not report.
-pub(super) fn lints(root: &Path) -> Vec<Finding> {
+pub(super) fn lints(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let members = Members::read(root);
     let table = |path: &str| -> toml::Table { tree.text(path).unwrap_or_default().parse().unwrap_or_default() };
@@ -70,7 +73,7 @@ pub(super) fn lints(root: &Path) -> Vec<Finding> {
         is_own || lints.and_then(|lints| lints.get("workspace")).and_then(|flag| flag.as_bool()) == Some(true)
     };
     let mut findings = members.findings;
-    findings.extend(members.list.iter().filter(|member| !inherits(member)).map(|member| Finding {
+    findings.extend(members.list.iter().filter(|member| !inherits(member)).map(|member| Violation {
         path: member.manifest.clone(),
         line: 1,
         rule: "lints",
@@ -110,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_workspace_that_cargo_refuses_is_found() {
-        let listing: Vec<String> = lints(Scratch::new(&[TOP]).root()).iter().map(Finding::to_string).collect();
+        let listing: Vec<String> = lints(Scratch::new(&[TOP]).root()).iter().map(Violation::to_string).collect();
         assert_eq!(listing.len(), 1, "{listing:?}");
         assert!(listing[0].starts_with("Cargo.toml:1: manifest: `cargo metadata` has no answer: "), "{listing:?}");
     }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::Violation;
 use super::tree::Tree;
 
 /// Source folder of the texts.
@@ -24,20 +24,20 @@ const GERMAN: [char; 9] = ['ä', 'ö', 'ü', 'Ä', 'Ö', 'Ü', 'ß', '„', '“
 
 /// Checks that no product source outside `words` selects a language or contains German text; the same for the template
 /// of the report.
-pub(super) fn choices(root: &Path) -> Vec<Finding> {
+pub(super) fn choices(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let mut findings = Vec::new();
     for file in tree.under("crates", ".rs").filter(|file| is_product(file) && !file.starts_with(WORDS)) {
         if EXEMPT.iter().any(|(exempt, _)| *exempt == file) {
             continue;
         }
-        for (line, part) in Parts::of(product_part(&tree.text(file).unwrap_or_default())) {
+        for (line, part) in SourceSplitter::of(product_part(&tree.text(file).unwrap_or_default())) {
             let found = match part {
-                Part::Code(code) => {
+                SourcePiece::Code(code) => {
                     CHOICES.iter().find(|choice| code.contains(**choice)).map(|choice| (*choice).to_owned())
                 }
-                Part::Literal(text) if text == "de" => Some("\"de\"".to_owned()),
-                Part::Literal(text) => text.chars().find(|sign| GERMAN.contains(sign)).map(String::from),
+                SourcePiece::Literal(text) if text == "de" => Some("\"de\"".to_owned()),
+                SourcePiece::Literal(text) => text.chars().find(|sign| GERMAN.contains(sign)).map(String::from),
             };
             findings.extend(found.map(|found| choice(file, line, &found)));
         }
@@ -53,14 +53,14 @@ pub(super) fn choices(root: &Path) -> Vec<Finding> {
     findings
 }
 
-fn choice(file: &str, line: usize, found: &str) -> Finding {
+fn choice(file: &str, line: usize, found: &str) -> Violation {
     let message = format!("`{found}`: a text that depends on the language stands in {WORDS} and is used by its name");
-    Finding { path: file.to_owned(), line, rule: "one-voice", message }
+    Violation { path: file.to_owned(), line, rule: "one-voice", message }
 }
 
 /// Checks that every named text of `words` is used by its module and name. Texts of the report are used by its
 /// template, which a test of the report checks.
-pub(super) fn unused(root: &Path) -> Vec<Finding> {
+pub(super) fn unused(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let sources: Vec<(&str, String)> = tree
         .under("crates", ".rs")
@@ -80,7 +80,7 @@ pub(super) fn unused(root: &Path) -> Vec<Finding> {
             });
             if !used {
                 let message = format!("`{outside}` is not used: delete it");
-                findings.push(Finding { path: file.to_owned(), line, rule: "unused-text", message });
+                findings.push(Violation { path: file.to_owned(), line, rule: "unused-text", message });
             }
         }
     }
@@ -131,7 +131,7 @@ fn product_part(text: &str) -> &str {
 
 /// A piece of a source within one line.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum SourcePiece {
     /// Text outside literals and comments.
     Code(String),
     /// Text inside a literal.
@@ -139,14 +139,14 @@ pub(super) enum Part {
 }
 
 /// Splitter of a source into code and literals, without comments.
-pub(super) struct Parts {
-    parts: Vec<(usize, Part)>,
+pub(super) struct SourceSplitter {
+    parts: Vec<(usize, SourcePiece)>,
     line: usize,
     text: String,
 }
 
-impl Parts {
-    pub(super) fn of(source: &str) -> Vec<(usize, Part)> {
+impl SourceSplitter {
+    pub(super) fn of(source: &str) -> Vec<(usize, SourcePiece)> {
         let mut parts = Self { parts: Vec::new(), line: 1, text: String::new() };
         let mut signs = source.chars().peekable();
         while let Some(sign) = signs.next() {
@@ -157,13 +157,13 @@ impl Parts {
                     // inside.
                     let marks = parts.text.chars().rev().take_while(|sign| *sign == '#').count();
                     let raw = parts.text.trim_end_matches('#').ends_with('r');
-                    parts.end(Part::Code);
+                    parts.end(SourcePiece::Code);
                     let end: String = std::iter::once('"').chain(std::iter::repeat_n('#', marks)).collect();
                     while let Some(sign) = signs.next() {
                         match sign {
                             '\\' if !raw => parts.text.extend(signs.next().filter(|next| *next != '\n')),
                             '\n' => {
-                                parts.end(Part::Literal);
+                                parts.end(SourcePiece::Literal);
                                 parts.line += 1;
                             }
                             _ => parts.text.push(sign),
@@ -177,36 +177,36 @@ impl Parts {
                             break;
                         }
                     }
-                    parts.end(Part::Literal);
+                    parts.end(SourcePiece::Literal);
                 }
                 // A character; a lifetime has no second quotation mark.
                 '\'' => {
                     let ahead: String = signs.clone().take(3).collect();
                     let long = ahead.starts_with('\\');
                     if long || ahead.chars().nth(1) == Some('\'') {
-                        parts.end(Part::Code);
+                        parts.end(SourcePiece::Code);
                         parts.text.extend(signs.next());
                         if long {
                             parts.text.clear();
                             parts.text.extend(signs.next());
                         }
-                        parts.end(Part::Literal);
+                        parts.end(SourcePiece::Literal);
                         while signs.next_if(|sign| *sign != '\'').is_some() {}
                         let _ = signs.next();
                     }
                 }
                 '\n' => {
-                    parts.end(Part::Code);
+                    parts.end(SourcePiece::Code);
                     parts.line += 1;
                 }
                 _ => parts.text.push(sign),
             }
         }
-        parts.end(Part::Code);
+        parts.end(SourcePiece::Code);
         parts.parts
     }
 
-    fn end(&mut self, part: fn(String) -> Part) {
+    fn end(&mut self, part: fn(String) -> SourcePiece) {
         let text = std::mem::take(&mut self.text);
         if !text.trim().is_empty() {
             self.parts.push((self.line, part(text)));
@@ -219,18 +219,18 @@ mod tests {
     use super::*;
     use crate::tidy::scratch::Scratch;
 
-    fn places(findings: &[Finding]) -> Vec<(&str, usize)> {
+    fn places(findings: &[Violation]) -> Vec<(&str, usize)> {
         findings.iter().map(|finding| (finding.path.as_str(), finding.line)).collect()
     }
 
     #[test]
     fn a_source_is_taken_apart() {
         let source = "let a = \"x \\\" // y\"; // \"no\"\nlet b: &'static str = r#\"p \"q\" \\\"#; 'ß'; '\\n'";
-        let literals: Vec<(usize, String)> = Parts::of(source)
+        let literals: Vec<(usize, String)> = SourceSplitter::of(source)
             .into_iter()
             .filter_map(|(line, part)| match part {
-                Part::Literal(text) => Some((line, text)),
-                Part::Code(_) => None,
+                SourcePiece::Literal(text) => Some((line, text)),
+                SourcePiece::Code(_) => None,
             })
             .collect();
         let expected = [(1, "x \" // y"), (2, "p \"q\" \\"), (2, "ß"), (2, "n")];

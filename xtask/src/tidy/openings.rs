@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::Violation;
 use super::tree::Tree;
 
 const STYLE: &str = "STYLE.md";
@@ -10,7 +10,7 @@ const STYLE: &str = "STYLE.md";
 const SECTION: &str = "### Openings that are not used";
 
 /// Checks the first words of the doc comments.
-pub(super) fn rule(root: &Path) -> Vec<Finding> {
+pub(super) fn rule(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let style = tree.text(STYLE).unwrap_or_default();
     let openings = openings(&style);
@@ -19,7 +19,7 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
         for (line, text) in first_lines(&tree.text(file).unwrap_or_default()) {
             let Some(opening) = openings.iter().find(|opening| opens(text, opening)) else { continue };
             let message = format!("a doc comment opens with `{opening}` ({STYLE}, {SECTION})");
-            findings.push(Finding { path: file.to_owned(), line, rule: "openings", message });
+            findings.push(Violation { path: file.to_owned(), line, rule: "openings", message });
         }
     }
     findings

@@ -3,8 +3,8 @@
 
 use std::path::Path;
 
-use super::Finding;
-use super::one_voice::{Part, Parts};
+use super::Violation;
+use super::one_voice::{SourcePiece, SourceSplitter};
 use super::tree::Tree;
 
 const STYLE: &str = "STYLE.md";
@@ -29,12 +29,12 @@ const FREE: [&str; 3] = ["CHANGELOG.md", "THIRD-PARTY.md", "third-party/"];
 /// Files not yet reworded.
 const PENDING: [&str; 0] = [];
 
-pub(super) fn rule(root: &Path) -> Vec<Finding> {
+pub(super) fn rule(root: &Path) -> Vec<Violation> {
     findings(root, &PENDING)
 }
 
 /// Returns the listed words and terms that occur in the files, except in pending ones.
-fn findings(root: &Path, pending: &[&str]) -> Vec<Finding> {
+fn findings(root: &Path, pending: &[&str]) -> Vec<Violation> {
     let tree = Tree::read(root);
     let style = tree.text(STYLE).unwrap_or_default();
     let (phrases, terms) = (phrases(&style, SECTION), phrases(&style, TERMS));
@@ -46,7 +46,7 @@ fn findings(root: &Path, pending: &[&str]) -> Vec<Finding> {
         let text = tree.text(file).unwrap_or_default();
         for (line, phrase) in found(&read(file, &text), &terms) {
             let message = format!("`{phrase}` has another term in its place ({STYLE}, {TERMS})");
-            findings.push(Finding { path: file.to_owned(), line, rule: "one-term", message });
+            findings.push(Violation { path: file.to_owned(), line, rule: "one-term", message });
         }
         if file.ends_with(".toml") {
             continue;
@@ -55,7 +55,7 @@ fn findings(root: &Path, pending: &[&str]) -> Vec<Finding> {
         let messages = if file.starts_with(MESSAGES) { literals(&text) } else { Vec::new() };
         for (line, phrase) in [prose, messages].iter().flat_map(|words| found(words, &phrases)) {
             let message = format!("`{phrase}` is on the list of words that are not used ({STYLE})");
-            findings.push(Finding { path: file.to_owned(), line, rule: "plain-words", message });
+            findings.push(Violation { path: file.to_owned(), line, rule: "plain-words", message });
         }
     }
     findings
@@ -75,8 +75,8 @@ fn read(file: &str, text: &str) -> Vec<Word> {
 fn texts(text: &str) -> Vec<Word> {
     let is_sign = |sign: char| sign.is_ascii_lowercase() || sign.is_ascii_digit() || "_-".contains(sign);
     let mut words = Vec::new();
-    for (line, part) in Parts::of(text) {
-        if let Part::Literal(literal) = part
+    for (line, part) in SourceSplitter::of(text) {
+        if let SourcePiece::Literal(literal) = part
             && !literal.chars().all(is_sign)
         {
             words_of(line, &literal, &mut words);
@@ -164,8 +164,8 @@ fn comments(text: &str) -> Vec<Word> {
 /// Returns the words of the texts in a source.
 fn literals(text: &str) -> Vec<Word> {
     let mut words = Vec::new();
-    for (line, part) in Parts::of(text) {
-        if let Part::Literal(literal) = part {
+    for (line, part) in SourceSplitter::of(text) {
+        if let SourcePiece::Literal(literal) = part {
             words_of(line, &literal, &mut words);
         }
         words.push((line, None));
@@ -213,7 +213,7 @@ mod tests {
         let mut found = findings(scratch.root(), &[]);
         found.retain(|finding| finding.path != STYLE);
         found.sort();
-        let place = |finding: &Finding| {
+        let place = |finding: &Violation| {
             let phrase = finding.message.split_inclusive('`').take(2).collect::<String>();
             format!("{}:{} {phrase}", finding.path, finding.line)
         };

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::Violation;
 use super::tree::Tree;
 
 const LINES_MAX: usize = 600;
@@ -11,25 +11,25 @@ const LINES_MAX: usize = 600;
 const MARK: &str = concat!("FIX", "ME");
 
 /// Checks the length of the sources; a file too long to be read in one sitting holds two subjects.
-pub(super) fn length(root: &Path) -> Vec<Finding> {
+pub(super) fn length(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let long = |file: &str| {
         let lines = tree.text(file).unwrap_or_default().lines().count();
         let message = format!("{lines} lines, at most {LINES_MAX}: split it by subject");
-        (lines > LINES_MAX).then(|| Finding { path: file.to_owned(), line: LINES_MAX + 1, rule: "length", message })
+        (lines > LINES_MAX).then(|| Violation { path: file.to_owned(), line: LINES_MAX + 1, rule: "length", message })
     };
     tree.under("", ".rs").filter_map(long).collect()
 }
 
 /// Checks that the tree has no marker for later work. Unfinished code is found by clippy (`todo`, `unimplemented`).
-pub(super) fn markers(root: &Path) -> Vec<Finding> {
+pub(super) fn markers(root: &Path) -> Vec<Violation> {
     let tree = Tree::read(root);
     let mut findings = Vec::new();
     for file in tree.files() {
         let text = tree.text(file).unwrap_or_default();
         for (line, _) in (1..).zip(text.lines()).filter(|(_, line)| line.contains(MARK)) {
             let message = format!("`{MARK}`: mend it or open an issue");
-            findings.push(Finding { path: file.to_owned(), line, rule: "marker", message });
+            findings.push(Violation { path: file.to_owned(), line, rule: "marker", message });
         }
     }
     findings
@@ -40,7 +40,7 @@ mod tests {
     use super::*;
     use crate::tidy::scratch::Scratch;
 
-    fn places(findings: &[Finding]) -> Vec<(&str, usize)> {
+    fn places(findings: &[Violation]) -> Vec<(&str, usize)> {
         findings.iter().map(|finding| (finding.path.as_str(), finding.line)).collect()
     }
 

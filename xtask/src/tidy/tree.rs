@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use super::Finding;
+use super::Violation;
 
 pub(crate) struct Tree {
     root: PathBuf,
@@ -50,10 +50,10 @@ impl Tree {
 }
 
 /// Reports a tree without files, which would pass every rule.
-pub(super) fn not_empty(root: &Path) -> Vec<Finding> {
+pub(super) fn not_empty(root: &Path) -> Vec<Violation> {
     if Tree::read(root).files.is_empty() {
         let message = format!("no files in {}", root.display());
-        return vec![Finding { path: String::from("."), line: 1, rule: "tree", message }];
+        return vec![Violation { path: String::from("."), line: 1, rule: "tree", message }];
     }
     Vec::new()
 }

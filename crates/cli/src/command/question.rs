@@ -5,7 +5,7 @@ use crate::layout::Layout;
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Arg, ArgAction, Command, value_parser};
 use quantities::Language;
-use questions::list::{Argument, ArgumentKind, Entry, Form, Gives, OutputFile, Reads, media};
+use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, Gives, OutputFile, Reads, media};
 use std::ffi::OsStr;
 use words::help::{self, values};
 
@@ -30,7 +30,8 @@ pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
     }
     let mut command = listed(entry, language);
     // A file without an option stands before the project that it is about.
-    let is_first = |argument: &&Argument| matches!((argument.kind, argument.form), (ArgumentKind::File, Form::Bare));
+    let is_first =
+        |argument: &&Argument| matches!((argument.kind, argument.form), (ArgumentKind::File, ArgumentForm::Bare));
     command = command
         .args(arguments.iter().copied().filter(|argument| is_first(argument)).map(|argument| of(argument, language)));
     command = command.args(sources(entry, language));
@@ -131,10 +132,10 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     };
     let mut arg = Arg::new(argument.name).help(about).required(argument.required);
     arg = match argument.form {
-        Form::Option => arg.long(argument.name),
-        Form::Bare => arg,
-        Form::Words | Form::Each if argument.required => arg.num_args(1..),
-        Form::Words | Form::Each => arg.num_args(0..),
+        ArgumentForm::Option => arg.long(argument.name),
+        ArgumentForm::Bare => arg,
+        ArgumentForm::Words | ArgumentForm::Each if argument.required => arg.num_args(1..),
+        ArgumentForm::Words | ArgumentForm::Each => arg.num_args(0..),
     };
     if let ArgumentKind::Flag = argument.kind {
         return arg.action(ArgAction::SetTrue);
@@ -146,7 +147,7 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
         ArgumentKind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
         ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
     };
-    if argument.repeated && argument.form == Form::Option {
+    if argument.repeated && argument.form == ArgumentForm::Option {
         arg = arg.action(ArgAction::Append);
     }
     if let Some(usual) = argument.usual {

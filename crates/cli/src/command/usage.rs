@@ -1,6 +1,6 @@
 //! Calls that the command-line library rejects, as faults like all others.
 
-use crate::answer::{Answer, written};
+use crate::answer::{CommandAnswer, written};
 use answers::{Fault, Faults};
 use clap::Command;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -15,7 +15,7 @@ use words::{Usage, UsageHint, usage_hint, usage_text};
 /// Returns the answer to a call that cannot be parsed.
 ///
 /// `missing`: the valid values of a missing argument, see [`missing`].
-pub(crate) fn refused(error: &clap::Error, missing: &[String], as_json: bool, language: Language) -> Answer {
+pub(crate) fn refused(error: &clap::Error, missing: &[String], as_json: bool, language: Language) -> CommandAnswer {
     let (usage, hint) = (usage_of(error), hint_of(error, missing));
     let (message, hint) = (usage_text(&usage, language), hint.map(|hint| usage_hint(&hint, language)));
     let kinds = kinds(missing, language);
@@ -35,7 +35,7 @@ pub(crate) fn refused(error: &clap::Error, missing: &[String], as_json: bool, la
         Fault { id: Some("usage"), option: option.filter(|name| !name.is_empty()), message, hint, ..Fault::default() };
     let faults = Faults::from(vec![fault]);
     let data = if as_json { written(&faults) } else { String::new() };
-    Answer { data, talk, code: 2 }
+    CommandAnswer { data, talk, code: 2 }
 }
 
 /// Returns the valid values of the argument that a call lacks; empty if it lacks none, several, or one whose values cannot
@@ -120,7 +120,7 @@ mod tests {
     use questions::list::new::template_kinds;
 
     /// Returns the answer to a call with an argument missing.
-    fn refused_for(call: &str, as_json: bool, language: Language) -> Answer {
+    fn refused_for(call: &str, as_json: bool, language: Language) -> CommandAnswer {
         let arguments: Vec<OsString> = call.split(' ').map(OsString::from).collect();
         let mut command = build_for(&arguments, language);
         let error = command.try_get_matches_from_mut(&arguments).unwrap_err();

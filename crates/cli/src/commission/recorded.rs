@@ -1,8 +1,8 @@
 //! `commission --record`: judgement of a recorded commissioning.
 
-use crate::answer::Answer;
+use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, TextTable, paragraph};
 use answers::{Fit, Recorded};
 use quantities::Language;
 use questions::chapter;
@@ -10,13 +10,13 @@ use questions::list::{Asked, Unanswered, commission_record};
 use words::{capitalised, commission, terms, verdict_word};
 
 /// `antrieb commission CODE --record FILE`: 0 nothing is off, 1 something is, 2 the record cannot be read.
-pub(crate) fn recorded(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+pub(crate) fn recorded(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
     let has_file = |name: &&str| call.path(name).is_some();
     if call.text("for").is_some() || ["out", "checklist", "blank"].iter().any(has_file) {
         return Err(Unanswered::message(commission::record_alone(call.language)));
     }
     let found = commission_record::found(asked)?;
-    Ok(Answer::data(text(&found, call.language)).fits(found.verdict == Fit::Fits))
+    Ok(CommandAnswer::data(text(&found, call.language)).fits(found.verdict == Fit::Fits))
 }
 
 fn text(recorded: &Recorded, language: Language) -> String {
@@ -31,7 +31,7 @@ fn text(recorded: &Recorded, language: Language) -> String {
         (terms::remark(language), Align::Left),
     ];
     let lines = chapter::recorded(recorded, language);
-    let mut table = Table::new(heads);
+    let mut table = TextTable::new(heads);
     for line in &lines {
         table.row([
             line.name.clone(),

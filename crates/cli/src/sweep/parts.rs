@@ -1,7 +1,7 @@
 //! Finished parts of the output, kept next to it until it is complete, so that an interrupted call continues.
 
 use super::Table;
-use super::run::Run;
+use super::run::SweepRun;
 use crate::fault::path_text;
 use disk::PartsTrouble;
 use quantities::Language;
@@ -11,7 +11,7 @@ use std::ffi::OsString;
 use std::fs::File;
 use std::io::{BufWriter, Write as _};
 use std::path::{Path, PathBuf};
-use sweep_io::{Answers, Batches, Format, Sweep, Unread};
+use sweep_io::{Answers, BatchSweep, Batches, Format, NoBatch};
 use words::{SaveTrouble, file_trouble, save_trouble, sweeps};
 
 /// Largest number of rows of a part.
@@ -21,7 +21,7 @@ pub(super) const PART: usize = 1 << 14;
 const VALUES_READ: usize = 1 << 18;
 
 /// Parts of the output of one run.
-pub(super) struct Parts {
+pub(super) struct SweepParts {
     folder: PathBuf,
     parts: disk::Parts,
     /// Number of parts of an earlier call.
@@ -45,9 +45,9 @@ fn refused(folder: &Path, trouble: PartsTrouble, language: Language) -> Unanswer
     })
 }
 
-impl Parts {
+impl SweepParts {
     /// Opens the parts next to the output. Those of the same run are kept, those of another run removed.
-    pub(super) fn of(run: &Run<'_>, out: &Path, mark: &str, rows: usize) -> Result<Self, Unanswered> {
+    pub(super) fn of(run: &SweepRun<'_>, out: &Path, mark: &str, rows: usize) -> Result<Self, Unanswered> {
         let mut name = out.file_name().map(OsString::from).unwrap_or_default();
         name.push(".parts");
         let folder = out.with_file_name(name);
@@ -88,7 +88,7 @@ impl Parts {
     pub(super) fn judged(
         &self,
         table: &Table<'_>,
-        sweep: &Sweep,
+        sweep: &BatchSweep,
         rows: u64,
         asked: &Asked<'_>,
     ) -> Result<(), Unanswered> {
@@ -129,7 +129,7 @@ impl Parts {
     }
 
     /// Checks that the inputs are unchanged, and that the parts belong to this run.
-    pub(super) fn verified(self, run: &Run<'_>) -> Result<Self, Unanswered> {
+    pub(super) fn verified(self, run: &SweepRun<'_>) -> Result<Self, Unanswered> {
         let verified = run.mark().and_then(|mark| {
             let is_marked = self.parts.is_marked().map_err(|trouble| self.failed(trouble))?;
             Ok(is_marked && mark == self.parts.mark())
@@ -145,13 +145,13 @@ impl Parts {
     pub(super) fn together(
         &self,
         format: Format,
-        sweep: &Sweep,
+        sweep: &BatchSweep,
         rows: u64,
         file: &mut File,
         tally: &mut Tally,
     ) -> Result<(), Unanswered> {
         let failed = |why: String| self.unread(&why);
-        let unread = |why: Unread| self.unread(&why.text(self.language));
+        let unread = |why: NoBatch| self.unread(&why.text(self.language));
         let mut answers =
             Answers::begin(BufWriter::with_capacity(1 << 18, file), format, sweep.schema()).map_err(failed)?;
         let lines = (VALUES_READ / sweep.schema().fields().len().max(1)).clamp(1, PART);

@@ -12,7 +12,7 @@ use words::file_trouble;
 const RECORDINGS_MOST: usize = 1 << 16;
 
 /// Inputs of a run.
-pub(super) struct Run<'r> {
+pub(super) struct SweepRun<'r> {
     /// Table.
     pub(super) table: &'r Table<'r>,
     /// Text of the project.
@@ -25,7 +25,7 @@ pub(super) struct Run<'r> {
     pub(super) request: String,
 }
 
-impl Run<'_> {
+impl SweepRun<'_> {
     /// Computes the hash of program, catalogue, project, request, and the bytes of the table and of every recording.
     pub(super) fn mark(&self) -> Result<String, Unanswered> {
         let mut hasher = blake3::Hasher::new();

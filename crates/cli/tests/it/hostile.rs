@@ -8,7 +8,7 @@ use quantities::is_unseen;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
-use testkit::parquet::{Column, claimed_children, file, nested_groups, page, ramp_of_deltas};
+use testkit::parquet::{FileColumn, claimed_children, file, nested_groups, page, ramp_of_deltas};
 
 /// Address space that a refusal may take, in KiB: a fraction of what the files claim.
 const SPACE_KIB: u32 = 400_000;
@@ -66,7 +66,7 @@ fn a_parquet_file_that_claims_too_much_is_refused_in_little_memory() {
     let values = 1_i64 << 24;
     let column = |name, codec, packed: &[u8], unpacked| {
         let pages = page(0, values, packed, unpacked);
-        Column { name, physical: 5, codec, values, pages }
+        FileColumn { name, physical: 5, codec, values, pages }
     };
     let packed = [0x28; 3_000];
     let two_gib = |name| column(name, 6, &packed, i64::from(i32::MAX));
@@ -74,7 +74,7 @@ fn a_parquet_file_that_claims_too_much_is_refused_in_little_memory() {
     let deltas = ramp_of_deltas(1 << 20, 1 << 20);
     let ramp = |name| {
         let pages = page(5, 1 << 20, &deltas, deltas.len() as i64);
-        Column { name, physical: 2, codec: 0, values: 1 << 20, pages }
+        FileColumn { name, physical: 2, codec: 0, values: 1 << 20, pages }
     };
     let cases = [
         ("recording_groups_too_deep", nested_groups(5_000)),
@@ -479,8 +479,13 @@ fn an_axis_that_cannot_be_answered_has_no_verdict_beside_it() {
 fn no_entry_takes_a_file_at_its_word() {
     let values = 1_i64 << 24;
     let packed = [0x28; 3_000];
-    let column =
-        |name, codec, unpacked| Column { name, physical: 5, codec, values, pages: page(0, values, &packed, unpacked) };
+    let column = |name, codec, unpacked| FileColumn {
+        name,
+        physical: 5,
+        codec,
+        values,
+        pages: page(0, values, &packed, unpacked),
+    };
     let (of_run, of_table) = (["time_s", "position_rad"], ["load.inertia [kg m^2]", "load.friction_torque [N m]"]);
     let of_two =
         |names: [&'static str; 2], codec, unpacked| file(values, &names.map(|name| column(name, codec, unpacked)));

@@ -1,7 +1,7 @@
 //! Controlword, statusword and the transitions between states.
 
-use super::{Course, Drive, Ending};
-use crate::course::Line;
+use super::{Drive, Ending, SetpointCourse};
+use crate::course::SetpointLine;
 use crate::profile::Mode;
 use crate::state::{Command, State, transition};
 
@@ -78,7 +78,7 @@ impl Drive<'_> {
             // Only from a quick stop that holds the axis.
             16 if option(0x605A) < 5 => return false,
             16 => {
-                (self.ending, self.course, self.waiting) = (None, Course::Hold, None);
+                (self.ending, self.course, self.waiting) = (None, SetpointCourse::Hold, None);
                 self.state = to;
             }
             _ => self.state = to,
@@ -92,7 +92,7 @@ impl Drive<'_> {
         self.twin.command_brake(true);
         let position = self.reading().position_rad;
         (self.demand, self.target_rad) = ([position, 0.0, 0.0], position);
-        (self.course, self.waiting, self.acknowledged) = (Course::Hold, None, false);
+        (self.course, self.waiting, self.acknowledged) = (SetpointCourse::Hold, None, false);
         (self.is_reached, self.was_halted, self.beyond_s) = (false, false, 0.0);
         self.state = State::OperationEnabled;
     }
@@ -119,7 +119,7 @@ impl Drive<'_> {
     /// Accepts a setpoint of profile position: at once, or at the end of the move.
     fn take_set_point(&mut self) {
         let is_immediate = self.control & IMMEDIATE != 0;
-        let moves = matches!(self.course, Course::Move(_));
+        let moves = matches!(self.course, SetpointCourse::Move(_));
         if self.acknowledged && !is_immediate || (moves && !is_immediate && self.waiting.is_some()) {
             return;
         }
@@ -147,7 +147,7 @@ impl Drive<'_> {
         }
         let to = self.within_limits(self.scale.angle(value));
         let [from, speed, _] = self.demand;
-        self.course = Course::Line(Line::new(from, speed, to, self.period_s()));
+        self.course = SetpointCourse::Line(SetpointLine::new(from, speed, to, self.period_s()));
     }
 
     /// Changes the mode: setpoints of the old mode are dropped, and a move is stopped along its ramp.
@@ -156,7 +156,7 @@ impl Drive<'_> {
             return;
         }
         self.mode = mode;
-        (self.course, self.waiting, self.acknowledged) = (Course::Hold, None, false);
+        (self.course, self.waiting, self.acknowledged) = (SetpointCourse::Hold, None, false);
         (self.is_reached, self.was_halted, self.within_s, self.is_at_limit) = (false, false, 0.0, false);
         let [position, speed, _] = self.demand;
         self.target_rad = position;

@@ -2,16 +2,16 @@
 
 use super::usual;
 use drive::State;
-use drive::can::{Frame, Nmt, Node};
+use drive::can::{CanNode, Frame, Nmt};
 use drive::socketcand::{self, Message};
 
-fn node(axis: &super::Axis, steps_with_sync: bool) -> Node<'_> {
-    let mut node = Node::new(axis.drive(), 1, steps_with_sync);
+fn node(axis: &super::Axis, steps_with_sync: bool) -> CanNode<'_> {
+    let mut node = CanNode::new(axis.drive(), 1, steps_with_sync);
     assert_eq!(node.take(), [Frame::new(0x701, &[0])], "boot-up");
     node
 }
 
-fn sdo(node: &mut Node<'_>, request: [u8; 8]) -> Vec<u8> {
+fn sdo(node: &mut CanNode<'_>, request: [u8; 8]) -> Vec<u8> {
     node.receive(&Frame::new(0x601, &request));
     let answers = node.take();
     let [answer] = answers.as_slice() else { panic!("{answers:?}") };

@@ -2,7 +2,7 @@
 
 use super::{read, usual};
 use arbtest::arbitrary::{Result, Unstructured};
-use drive::can::{Frame, Node};
+use drive::can::{CanNode, Frame};
 use drive::line::{self, Time};
 use drive::{Address, Drive, State, Value, socketcand};
 
@@ -72,7 +72,7 @@ fn random_writes_leave_a_drive_in_one_of_its_states() {
 fn random_frames_leave_a_node_whole() {
     let axis = usual();
     arbtest::arbtest(|u| {
-        let mut node = Node::new(axis.drive(), 1, u.arbitrary()?);
+        let mut node = CanNode::new(axis.drive(), 1, u.arbitrary()?);
         for _ in 0..u.int_in_range(1..=60)? {
             let id = match u.int_in_range(0..=5)? {
                 0 => 0x000,

@@ -2,7 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use feedback::endat::{ErrorBits, Frame};
-use feedback::ssi::Format;
+use feedback::ssi::SsiFormat;
 use feedback::{
     Absolute, CommutationPhases, Deviation, Encoder, Interface, Protocol, Quadrature, Shaft, SinePair, SquareTracks,
     Trace, Word, commutation_sector,
@@ -12,7 +12,7 @@ use quantities::{Angle, AngularVelocity, Measure, Time};
 
 const fn sine(periods: u32, protocol: Option<Protocol>, turns: u32, steps: u32) -> Encoder {
     let absolute = match protocol {
-        Some(protocol) => Some(Absolute { protocol, format: Format { turns, steps } }),
+        Some(protocol) => Some(Absolute { protocol, format: SsiFormat { turns, steps } }),
         None => None,
     };
     let commutation = match protocol {

@@ -3,7 +3,7 @@
 use super::expected::{ExpectedValue, Measurand};
 use super::{Commissioning, ParameterId, ParameterToSet};
 use crate::facts::{Order, facts_about};
-use catalogue::{Fact, Step, Topic};
+use catalogue::{Fact, LifeStep, Topic};
 use quantities::unit::{MINUTE, REVOLUTION_PER_MINUTE};
 use quantities::{AngularVelocity, Measure, ThermodynamicTemperature, Time};
 
@@ -11,7 +11,7 @@ use quantities::{AngularVelocity, Measure, ThermodynamicTemperature, Time};
 const TEST_SPEED: (&str, &str) = ("test_run_short", "speed_motor");
 
 /// Steps with a checklist.
-pub const STEPS: [Step; 3] = [Step::BeforePower, Step::FirstMotion, Step::AfterADay];
+pub const STEPS: [LifeStep; 3] = [LifeStep::BeforePower, LifeStep::FirstMotion, LifeStep::AfterADay];
 
 /// A line of a checklist.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +55,7 @@ pub enum Condition {
 #[derive(Clone, Debug, PartialEq)]
 pub struct CheckList {
     /// Step of the commissioning.
-    pub step: Step,
+    pub step: LifeStep,
     /// Lines: facts first, then values.
     pub items: Vec<ChecklistItem>,
 }
@@ -73,12 +73,12 @@ pub fn test_run() -> Option<(AngularVelocity, Time)> {
 #[must_use]
 pub fn lists(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<CheckList> {
     let facts = facts_about(Topic::Commission, &about.code, Order::Data);
-    let list = |step: Step| {
+    let list = |step: LifeStep| {
         let of_step = facts.iter().filter(|fact| fact.step == Some(step));
         let mut items: Vec<ChecklistItem> = of_step.map(|fact| ChecklistItem::Fact(fact)).collect();
         items.extend(match step {
-            Step::BeforePower => before_power(about, ambient),
-            Step::FirstMotion => first_motion(about, ambient),
+            LifeStep::BeforePower => before_power(about, ambient),
+            LifeStep::FirstMotion => first_motion(about, ambient),
             _ => after_a_day(about),
         });
         CheckList { step, items }

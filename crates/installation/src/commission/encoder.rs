@@ -1,6 +1,6 @@
 //! Data of the manual on the encoders of a code: lines, protocol, supply, turns.
 
-use catalogue::{Cell, Footnote, SeriesData, Table};
+use catalogue::{Cell, Footnote, ManualTable, SeriesData};
 use order_code::OrderCode;
 
 /// Side of an encoder.
@@ -28,7 +28,7 @@ pub struct EncoderRow {
 #[must_use]
 pub fn rows(code: &OrderCode) -> Vec<EncoderRow> {
     let ratio = code.ratio.to_string();
-    let of = |table: &'static Table, name: &'static str, side: EncoderSide| {
+    let of = |table: &'static ManualTable, name: &'static str, side: EncoderSide| {
         let ratio = ratio.clone();
         let concerns = move |cell: &&'static Cell| {
             cell.feedback == name && (cell.place.ratio.is_empty() || cell.place.ratio == ratio)

@@ -1,7 +1,7 @@
 //! Cables listed in sections 6.24 and 6.25.
 
 use super::{Role, holds};
-use catalogue::{Cell, SeriesData, Table};
+use catalogue::{Cell, ManualTable, SeriesData};
 use order_code::{Brake, OrderCode};
 use quantities::identified;
 
@@ -65,8 +65,11 @@ const LENGTH_CODE: &str = "xx";
 /// Returns the cables of a code in the order of the manual.
 pub(super) fn cables(code: &OrderCode) -> Vec<Cable> {
     let winding = format!("winding={}", code.winding);
-    let cells =
-        SeriesData::of(code.series()).cables.iter().filter_map(|table| catalogue::table(table)).flat_map(Table::cells);
+    let cells = SeriesData::of(code.series())
+        .cables
+        .iter()
+        .filter_map(|table| catalogue::table(table))
+        .flat_map(ManualTable::cells);
     cells.filter_map(|cell| cable(cell, code, &winding)).collect()
 }
 

@@ -6,7 +6,7 @@ use quantities::identified;
 
 /// A signal of a table, unique on its connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Signal {
+pub struct WiringSignal {
     /// Meaning of the signal.
     pub meaning: SignalMeaning,
     /// End of a pair, if the signal has two.
@@ -126,7 +126,7 @@ identified! {
 pub(super) fn printed_signals() -> Vec<&'static str> {
     let mut found: Vec<&'static str> = Vec::new();
     let tables = catalogue::series().iter().flat_map(catalogue::SeriesData::pin_tables);
-    for cell in tables.filter_map(catalogue::table).flat_map(catalogue::Table::cells) {
+    for cell in tables.filter_map(catalogue::table).flat_map(catalogue::ManualTable::cells) {
         let carries = matches!(cell.place.symbol, "signal" | "motor_phase") && cell.corrected != "-";
         if carries && !found.contains(&cell.corrected) {
             found.push(cell.corrected);
@@ -135,7 +135,7 @@ pub(super) fn printed_signals() -> Vec<&'static str> {
     found
 }
 
-impl Signal {
+impl WiringSignal {
     /// Returns the signal stated in a table; `None` if the field is empty or has a dash.
     #[must_use]
     pub fn of_print(printed: &str, role: Role, feedback: Feedback) -> Option<Self> {

@@ -1,7 +1,7 @@
 //! The values for a drive are those of the printed motor, for every code; wrong measurements are found.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
-use catalogue::{Step, Topic};
+use catalogue::{LifeStep, Topic};
 use installation::commission::checklist::{self, ChecklistItem};
 use installation::commission::cia402::{self, Rounding};
 use installation::commission::expected::Measurand;
@@ -210,7 +210,7 @@ fn every_fact_of_the_commissioning_holds_for_some_code() {
     }
     assert!(count >= 30, "{count}");
     let at = |step| catalogue::facts().iter().filter(|fact| fact.step == Some(step)).count();
-    assert!(at(Step::BeforePower) > 8 && at(Step::FirstMotion) > 6 && at(Step::AfterADay) >= 2);
+    assert!(at(LifeStep::BeforePower) > 8 && at(LifeStep::FirstMotion) > 6 && at(LifeStep::AfterADay) >= 2);
 }
 
 #[test]

@@ -5,12 +5,12 @@
 ///
 /// `winding` is −1 for a web that is wound off, `crossed` 1 for a crossed linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Figures {
+pub struct MechanismValues {
     known: Vec<(String, f64)>,
     motion_rad: Option<[f64; 2]>,
 }
 
-impl Figures {
+impl MechanismValues {
     /// Creates an empty list of values.
     #[must_use]
     pub const fn none() -> Self {

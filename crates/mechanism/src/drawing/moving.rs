@@ -1,6 +1,6 @@
 //! Moving groups of a drawing and their placement at an angle of the mechanism.
 
-use super::Point;
+use super::SheetPoint;
 use quantities::identified;
 use std::f64::consts::TAU;
 
@@ -10,9 +10,9 @@ pub struct Placement {
     /// Counter-clockwise rotation \[rad\].
     pub turn_rad: f64,
     /// Shift in units of the sheet.
-    pub shift: Point,
+    pub shift: SheetPoint,
     /// Stretch factors along x and y.
-    pub stretch: Point,
+    pub stretch: SheetPoint,
 }
 
 impl Placement {
@@ -23,11 +23,11 @@ impl Placement {
         Self { turn_rad, ..Self::STILL }
     }
 
-    pub(crate) const fn shifted(shift: Point) -> Self {
+    pub(crate) const fn shifted(shift: SheetPoint) -> Self {
         Self { shift, ..Self::STILL }
     }
 
-    pub(crate) const fn stretched(stretch: Point) -> Self {
+    pub(crate) const fn stretched(stretch: SheetPoint) -> Self {
         Self { stretch, ..Self::STILL }
     }
 
@@ -56,12 +56,12 @@ identified! {
 }
 
 /// Angles at which the placement of a group is computed.
-pub(crate) struct Course {
+pub(crate) struct GroupAngles {
     beyond: Beyond,
     angles: Vec<f64>,
 }
 
-impl Course {
+impl GroupAngles {
     /// Creates the angles of a group moving in proportion to the angle, for which two points suffice.
     pub(crate) fn even(from_rad: f64) -> Self {
         Self { beyond: Beyond::On, angles: vec![from_rad, from_rad + TAU] }
@@ -88,7 +88,7 @@ impl Course {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moving {
     /// Centre of rotation and stretch in the still drawing.
-    pub about: Point,
+    pub about: SheetPoint,
     /// Continuation beyond the table.
     pub beyond: Beyond,
     /// Angles of the mechanism \[rad\] in ascending order, with their placements.
@@ -99,7 +99,7 @@ pub struct Moving {
 const UNSEEN: [f64; 5] = [0.0007, 0.1, 0.1, 0.0007, 0.0007];
 
 impl Moving {
-    pub(crate) fn of(course: &Course, about: Point, place: impl Fn(f64) -> Placement) -> Self {
+    pub(crate) fn of(course: &GroupAngles, about: SheetPoint, place: impl Fn(f64) -> Placement) -> Self {
         let mut rows: Vec<_> = course.angles.iter().map(|angle| (*angle, place(*angle))).collect();
         // Angles from an arctangent are continued across ±π.
         let mut before = rows.first().map_or(0.0, |(_, placement)| placement.turn_rad);
@@ -139,7 +139,7 @@ impl Moving {
 
     /// Returns the position of a point of the still drawing in a placement.
     #[must_use]
-    pub fn point(&self, placement: Placement, [x, y]: Point) -> Point {
+    pub fn point(&self, placement: Placement, [x, y]: SheetPoint) -> SheetPoint {
         let ([ax, ay], [dx, dy], [sx, sy]) = (self.about, placement.shift, placement.stretch);
         let (sine, cosine) = placement.turn_rad.sin_cos();
         let (x, y) = (sx * (x - ax), sy * (y - ay));

@@ -1,7 +1,7 @@
 //! Drawings as SVG: each part has the class of its style, so that a page can colour it; a stand-alone picture includes
 //! a style sheet.
 
-use super::{CallOut, Drawing, Look, Moving, Part, Point, Step};
+use super::{CallOut, Drawing, DrawingPart, Look, Moving, SheetPoint, Step};
 use std::fmt::Write;
 
 /// Style sheet of a stand-alone picture; its text uses the font family Inter.
@@ -36,22 +36,22 @@ fn shown(value: f64) -> f64 {
     (value * 100.0).round() / 100.0 + 0.0
 }
 
-fn pair([x, y]: Point) -> String {
+fn pair([x, y]: SheetPoint) -> String {
     format!("{} {}", shown(x), shown(y))
 }
 
 /// Returns a point relative to another one, from distances along and across a direction.
-fn beside([x, y]: Point, [dx, dy]: Point, along: f64, across: f64) -> Point {
+fn beside([x, y]: SheetPoint, [dx, dy]: SheetPoint, along: f64, across: f64) -> SheetPoint {
     [x + along * dx - across * dy, y + along * dy + across * dx]
 }
 
-fn direction([ax, ay]: Point, [bx, by]: Point) -> Point {
+fn direction([ax, ay]: SheetPoint, [bx, by]: SheetPoint) -> SheetPoint {
     let length = (bx - ax).hypot(by - ay).max(f64::MIN_POSITIVE);
     [(bx - ax) / length, (by - ay) / length]
 }
 
 /// Returns the end of a step and the direction in which it arrives.
-fn arrival(from: Point, step: &Step) -> Option<(Point, Point)> {
+fn arrival(from: SheetPoint, step: &Step) -> Option<(SheetPoint, SheetPoint)> {
     match step {
         Step::Line(to) => Some((*to, direction(from, *to))),
         Step::Curve(_, before, to) => Some((*to, direction(*before, *to))),
@@ -85,17 +85,17 @@ fn path(class: &str, steps: &[Step]) -> String {
 }
 
 /// Returns an arrow head whose tip is at a point.
-fn head(class: &str, at: Point, to: Point, [length, half]: [f64; 2]) -> String {
+fn head(class: &str, at: SheetPoint, to: SheetPoint, [length, half]: [f64; 2]) -> String {
     let (left, right) = (beside(at, to, -length, half), beside(at, to, -length, -half));
     path(class, &[Step::Move(at), Step::Line(left), Step::Line(right), Step::Close])
 }
 
-fn part(part: &Part) -> String {
+fn part(part: &DrawingPart) -> String {
     match part {
-        Part::Circle(look, [x, y], radius) => {
+        DrawingPart::Circle(look, [x, y], radius) => {
             format!("<circle class='{}' cx='{}' cy='{}' r='{}'/>", look.class(), shown(*x), shown(*y), shown(*radius))
         }
-        Part::Path(look, steps) => {
+        DrawingPart::Path(look, steps) => {
             let mut text = path(look.class(), steps);
             let ends = match steps.as_slice() {
                 [Step::Move(from), .., before, last] => {
@@ -118,23 +118,23 @@ fn part(part: &Part) -> String {
             }
             text
         }
-        Part::Centre([x, y]) => {
+        DrawingPart::Centre([x, y]) => {
             let (x, y) = (shown(*x), shown(*y));
             format!(
                 "<circle class='l-centre' cx='{x}' cy='{y}' r='6'/>\
                 <path class='l-mark' d='M{x} {y}v-6a6 6 0 0 1 6 6zM{x} {y}v6a6 6 0 0 1 -6 -6z'/>"
             )
         }
-        Part::Symbol(text, [x, y]) => format!("<text x='{}' y='{}'>{text}</text>", shown(*x), shown(y + 4.5)),
-        Part::Group(_, parts) => parts.iter().map(self::part).collect(),
+        DrawingPart::Symbol(text, [x, y]) => format!("<text x='{}' y='{}'>{text}</text>", shown(*x), shown(y + 4.5)),
+        DrawingPart::Group(_, parts) => parts.iter().map(self::part).collect(),
     }
 }
 
 /// Returns a part whose groups a script can find.
-fn movable(it: &Part) -> String {
+fn movable(it: &DrawingPart) -> String {
     match it {
-        Part::Group(group, _) => format!("<g data-group='{group}'>{}</g>", part(it)),
-        Part::Circle(..) | Part::Path(..) | Part::Centre(_) | Part::Symbol(..) => part(it),
+        DrawingPart::Group(group, _) => format!("<g data-group='{group}'>{}</g>", part(it)),
+        DrawingPart::Circle(..) | DrawingPart::Path(..) | DrawingPart::Centre(_) | DrawingPart::Symbol(..) => part(it),
     }
 }
 
@@ -172,7 +172,7 @@ impl CallOut {
 
     /// Returns the position of the symbol's baseline.
     #[must_use]
-    pub fn foot(&self) -> Point {
+    pub fn foot(&self) -> SheetPoint {
         [shown(self.label[0]), shown(self.label[1] + 4.5)]
     }
 }

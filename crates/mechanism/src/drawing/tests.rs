@@ -1,11 +1,12 @@
-use super::{Drawing, Figures, Moving, Part, Placement, Point, Step};
+use super::{Drawing, DrawingPart, MechanismValues, Moving, Placement, SheetPoint, Step};
 use crate::MechanismId;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Returns figures of real machines, some far from the neutral proportions.
-fn stated(id: MechanismId) -> Vec<Figures> {
-    let of = |figures: &[(&str, f64)]| figures.iter().fold(Figures::none(), |all, (key, si)| all.with(key, *si));
-    let mut found = vec![Figures::none()];
+fn stated(id: MechanismId) -> Vec<MechanismValues> {
+    let of =
+        |figures: &[(&str, f64)]| figures.iter().fold(MechanismValues::none(), |all, (key, si)| all.with(key, *si));
+    let mut found = vec![MechanismValues::none()];
     found.extend(match id {
         MechanismId::Load | MechanismId::Joint | MechanismId::Table => vec![of(&[("start_angle", 0.7)])],
         MechanismId::Turntable => vec![of(&[("axis_tilt", 0.5)]), of(&[("axis_tilt", FRAC_PI_2), ("overhang", 0.08)])],
@@ -77,7 +78,7 @@ fn stated(id: MechanismId) -> Vec<Figures> {
     found
 }
 
-fn all() -> impl Iterator<Item = (MechanismId, Figures, Drawing)> {
+fn all() -> impl Iterator<Item = (MechanismId, MechanismValues, Drawing)> {
     MechanismId::ALL.iter().flat_map(|id| {
         stated(*id).into_iter().map(|figures| {
             let drawing = id.drawing(&figures);
@@ -91,13 +92,13 @@ fn all() -> impl Iterator<Item = (MechanismId, Figures, Drawing)> {
 fn the_call_outs_keep_apart() {
     let leaning = MechanismId::ALL.iter().flat_map(|id| {
         [0.0, 0.3, 0.8, 1.2, 1.57, -0.6, -1.57].map(|angle| {
-            let figures = Figures::none().with("inclination", angle);
+            let figures = MechanismValues::none().with("inclination", angle);
             (*id, figures.clone(), id.drawing(&figures))
         })
     });
     for (id, figures, drawing) in all().chain(leaning) {
         for (index, one) in drawing.call_outs.iter().enumerate() {
-            let inside = |[x, y]: Point| x >= 4.0 && y >= 4.0 && x <= drawing.size[0] && y <= drawing.size[1];
+            let inside = |[x, y]: SheetPoint| x >= 4.0 && y >= 4.0 && x <= drawing.size[0] && y <= drawing.size[1];
             assert!(inside(one.at) && inside(one.label), "{id:?}: {} {figures:?}", one.key);
             for other in drawing.call_outs.iter().skip(index + 1) {
                 assert_ne!(one.key, other.key, "{id:?}");
@@ -125,7 +126,7 @@ fn every_mechanism_has_a_picture() {
 #[test]
 fn a_drawing_without_figures_fills_the_sheet() {
     for id in MechanismId::ALL {
-        let [width, height] = id.drawing(&Figures::none()).size;
+        let [width, height] = id.drawing(&MechanismValues::none()).size;
         assert!((380.0..=392.0).contains(&width) && (190.0..=250.0).contains(&height), "{id:?}: {width} {height}");
     }
 }
@@ -137,7 +138,7 @@ fn at_the_beginning_everything_stands_as_in_the_still_drawing() {
         assert!(!drawing.moving.is_empty(), "{id:?}");
         for (group, moving) in drawing.moving.iter().enumerate() {
             let found = moving.at(figures.start_rad());
-            let near = |[x, y]: Point, [a, b]: Point| (x - a).hypot(y - b) < 0.35;
+            let near = |[x, y]: SheetPoint, [a, b]: SheetPoint| (x - a).hypot(y - b) < 0.35;
             for at in [[0.0, 0.0], [300.0, 0.0], [0.0, 200.0]] {
                 let still = [moving.about[0] + at[0] - 100.0, moving.about[1] + at[1] - 100.0];
                 let now = moving.point(found, still);
@@ -169,7 +170,7 @@ fn a_table_is_as_good_as_its_equations() {
         shift: [90.0 * angle.cos(), 60.0 * (2.0 * angle).sin()],
         stretch: [1.0, 1.0],
     };
-    let moving = Moving::of(&super::Course::round(0.3), [10.0, 20.0], place);
+    let moving = Moving::of(&super::GroupAngles::round(0.3), [10.0, 20.0], place);
     assert!(moving.rows.len() < 150, "{}", moving.rows.len());
     for step in -400..400_i32 {
         let angle = f64::from(step) * 0.031;
@@ -187,22 +188,22 @@ fn group<'d>(drawing: &'d Drawing, key: &str) -> (usize, &'d Moving) {
 }
 
 /// Returns the centres of the holes of a group in drawing order.
-fn pins(drawing: &Drawing, group: usize) -> Vec<Point> {
-    let of = |part: &Part| match part {
-        Part::Circle(super::Look::Hole, at, _) => Some(*at),
+fn pins(drawing: &Drawing, group: usize) -> Vec<SheetPoint> {
+    let of = |part: &DrawingPart| match part {
+        DrawingPart::Circle(super::Look::Hole, at, _) => Some(*at),
         _ => None,
     };
     drawing
         .parts
         .iter()
         .find_map(|part| match part {
-            Part::Group(index, parts) if *index == group => Some(parts.iter().filter_map(of).collect()),
+            DrawingPart::Group(index, parts) if *index == group => Some(parts.iter().filter_map(of).collect()),
             _ => None,
         })
         .unwrap()
 }
 
-fn apart([ax, ay]: Point, [bx, by]: Point) -> f64 {
+fn apart([ax, ay]: SheetPoint, [bx, by]: SheetPoint) -> f64 {
     (ax - bx).hypot(ay - by)
 }
 
@@ -215,7 +216,7 @@ fn the_links_of_a_four_bar_linkage_hold_together() {
         let [crank_pins, coupler_pins, rocker_pins] = [a, b, c].map(|index| pins(&drawing, index));
         for step in 0..720 {
             let angle = f64::from(step) * TAU / 360.0;
-            let at = |moving: &Moving, pin: Point| moving.point(moving.at(angle), pin);
+            let at = |moving: &Moving, pin: SheetPoint| moving.point(moving.at(angle), pin);
             let loose = [
                 apart(at(crank, crank_pins[1]), at(coupler, coupler_pins[0])),
                 apart(at(coupler, coupler_pins[1]), at(rocker, rocker_pins[1])),
@@ -239,7 +240,7 @@ fn the_rod_of_a_slider_crank_holds_on_to_both_ends() {
         let place = |angle: f64| r * angle.cos() + (l * l - r * r * angle.sin() * angle.sin()).sqrt();
         for step in 0..360 {
             let angle = start + f64::from(step) * TAU / 180.0;
-            let at = |moving: &Moving, pin: Point| moving.point(moving.at(angle), pin);
+            let at = |moving: &Moving, pin: SheetPoint| moving.point(moving.at(angle), pin);
             assert!(apart(at(crank, crank_pins[1]), at(rod, rod_pins[0])) < 0.8, "{angle} {figures:?}");
             let out = at(slider, rod_pins[1]);
             assert!(apart(at(rod, rod_pins[1]), out) < 0.8, "{angle} {figures:?}");
@@ -281,17 +282,17 @@ fn the_arms_of_a_lift_stay_pinned() {
 /// A slide moves by the rolled length of the wheel, a thread by one lead per turn, where the drawing is to scale.
 #[test]
 fn what_goes_along_a_line_goes_in_proportion_to_the_angle() {
-    let figures = Figures::none().with("pulley_diameter", 0.2).over(0.0, 3.0);
+    let figures = MechanismValues::none().with("pulley_diameter", 0.2).over(0.0, 3.0);
     let drawing = MechanismId::Belt.drawing(&figures);
     let (_, slide) = group(&drawing, "mass");
     let [dx, dy] = slide.at(1.0).shift;
     assert!(dx > 0.0 && dy == 0.0);
     let wheel = drawing.parts.iter().find_map(|part| match part {
-        Part::Circle(super::Look::Housing, _, radius) => Some(*radius),
+        DrawingPart::Circle(super::Look::Housing, _, radius) => Some(*radius),
         _ => None,
     });
     assert!((wheel.unwrap() - dx).abs() < 0.1, "{wheel:?} {dx}");
-    let figures = Figures::none().with("lead", 0.01);
+    let figures = MechanismValues::none().with("lead", 0.01);
     let drawing = MechanismId::Screw.drawing(&figures);
     let shifts = ["mass", "lead"].map(|key| group(&drawing, key).1.at(0.5 * TAU).shift[0]);
     assert!((shifts[0] - 8.0).abs() < 0.01 && (shifts[1] - 8.0).abs() < 0.01, "{shifts:?}");
@@ -302,14 +303,14 @@ fn what_goes_along_a_line_goes_in_proportion_to_the_angle() {
 fn vertical_is_vertical() {
     for id in [MechanismId::Screw, MechanismId::Belt, MechanismId::Conveyor, MechanismId::SliderCrank] {
         for (angle, sign) in [(FRAC_PI_2, -1.0), (-FRAC_PI_2, 1.0), (0.5, -0.5_f64.sin())] {
-            let drawing = id.drawing(&Figures::none().with("inclination", angle).with("start_angle", -1.0));
+            let drawing = id.drawing(&MechanismValues::none().with("inclination", angle).with("start_angle", -1.0));
             let (_, moving) = group(&drawing, "mass");
             let [dx, dy] = moving.at(-0.5).shift;
             let far = dx.hypot(dy);
             assert!(far > 0.1 && (dy / far - sign).abs() < 0.02, "{id:?} {angle}: {dx} {dy}");
             assert!(drawing.svg().contains(">g</text>"), "{id:?}: gravity is shown");
         }
-        assert!(!id.drawing(&Figures::none()).svg().contains(">g</text>"));
+        assert!(!id.drawing(&MechanismValues::none()).svg().contains(">g</text>"));
     }
 }
 
@@ -336,10 +337,12 @@ fn a_web_meets_its_roll() {
         let drawing = MechanismId::Winder.drawing(&figures);
         let (_, roll) = group(&drawing, "start_diameter");
         let web = drawing.moving.iter().find(|it| it.about != roll.about).unwrap();
-        let Some(Part::Group(_, parts)) = drawing.parts.iter().find(|part| matches!(part, Part::Group(2, _))) else {
+        let Some(DrawingPart::Group(_, parts)) =
+            drawing.parts.iter().find(|part| matches!(part, DrawingPart::Group(2, _)))
+        else {
             panic!("{figures:?}")
         };
-        let Some(Part::Path(_, steps)) = parts.first() else { panic!("{figures:?}") };
+        let Some(DrawingPart::Path(_, steps)) = parts.first() else { panic!("{figures:?}") };
         let [Step::Move(_), Step::Line(end)] = steps.as_slice() else { panic!("{steps:?}") };
         let (first, last) = (roll.rows[0].0, roll.rows[roll.rows.len() - 1].0);
         for step in 0..=20 {

@@ -4,7 +4,7 @@ use super::misdirected;
 use crate::{Call, Reply, Shell};
 use quantities::{Language, seen};
 use questions::Patience;
-use questions::list::{Asked, Entry, Given, Reads, Source, Unanswered, media};
+use questions::list::{Asked, Entry, Given, Reads, ReferencedText, Unanswered, media};
 use serde::Deserialize;
 use std::borrow::Cow;
 use words::requests;
@@ -24,7 +24,7 @@ pub(crate) fn put<'a>(
 ) -> Result<Asked<'a>, Unanswered> {
     let language = call.query_language();
     let given = Given::of(&super::parameters(entry), call.query_fields(), language)?;
-    let source = |name: String, bytes| Source { name, bytes, files: shell.files() };
+    let source = |name: String, bytes| ReferencedText { name, bytes, files: shell.files() };
     let sources = match entry.reads {
         Reads::Nothing => Vec::new(),
         Reads::Project | Reads::Pins | Reads::Measured => {

@@ -11,7 +11,7 @@ use words::{key_word, page};
 
 /// A field.
 #[derive(Clone)]
-pub(super) struct Field {
+pub(super) struct ToolField {
     /// Name in the interface.
     pub(super) name: String,
     pub(super) label: String,
@@ -64,7 +64,7 @@ fn choice(name: &str, words: &[&str], language: Language) -> FieldEntry {
     FieldEntry::Choice(words.iter().map(said).collect())
 }
 
-impl Field {
+impl ToolField {
     /// Creates the field of a key of a file, with its words, or with an example of its value in grey.
     pub(super) fn of_key(path: &str, label: &str, key: &Key, language: Language) -> Self {
         let entry = match key.kind {
@@ -165,7 +165,7 @@ pub(super) fn troubles(unanswered: &Unanswered, language: Language) -> Vec<Troub
 }
 
 /// Adds each fault to its field and returns those without one. Before the first entry, an empty field is no fault.
-pub(super) fn at_their_fields(fields: &mut [Field], troubles: Vec<Trouble>, is_filled: bool) -> Vec<Trouble> {
+pub(super) fn at_their_fields(fields: &mut [ToolField], troubles: Vec<Trouble>, is_filled: bool) -> Vec<Trouble> {
     let mut loose = Vec::new();
     for trouble in troubles {
         match fields.iter_mut().find(|field| trouble.field.as_ref() == Some(&field.name)) {

@@ -1,6 +1,6 @@
 //! The output bearing under typed loads: a small project, judged like any other.
 
-use super::field::{Field, Trouble, at_their_fields};
+use super::field::{ToolField, Trouble, at_their_fields};
 use super::{GOOD, MARK, Scene, fields_of};
 use crate::checks::{check_heads, verdict_class};
 use crate::state::placed;
@@ -30,7 +30,7 @@ const AROUND: &str = "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = 
 
 pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     let l = scene.language;
-    let mut fields: Vec<Field> = KEYS.iter().filter_map(|(path, first)| field(path, first, scene)).collect();
+    let mut fields: Vec<ToolField> = KEYS.iter().filter_map(|(path, first)| field(path, first, scene)).collect();
     let text = fields
         .iter()
         .fold(AROUND.to_owned(), |text, field| edit(&text, &field.name, Edit::Value(&field.value)).unwrap_or(text));
@@ -67,10 +67,10 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     }
 }
 
-fn field(path: &str, first: &str, scene: &Scene<'_>) -> Option<Field> {
+fn field(path: &str, first: &str, scene: &Scene<'_>) -> Option<ToolField> {
     let l = scene.language;
     let key = key_at(path)?;
-    let mut field = Field::of_key(path, &capitalised(&short_label(about_text(key.about, l))), key, l);
+    let mut field = ToolField::of_key(path, &capitalised(&short_label(about_text(key.about, l))), key, l);
     field.value = scene.typed(path).unwrap_or_else(|| first.to_owned());
     Some(field)
 }

@@ -1,7 +1,7 @@
 //! Measured values of a commissioning, typed and judged at once: the record that the command line reads.
 
 use super::code::incomplete;
-use super::field::{Field, Trouble};
+use super::field::{ToolField, Trouble};
 use super::{GOOD, MARK, Scene};
 use crate::checks::verdict_class;
 use crate::form::vals;
@@ -226,7 +226,7 @@ impl Form<'_> {
             return html! {};
         }
         let path = format!("{table}.{}", key.name);
-        let mut field = Field::of_key(&path, &capitalised(measured_label(purpose, l)), key, l);
+        let mut field = ToolField::of_key(&path, &capitalised(measured_label(purpose, l)), key, l);
         field.remark = Some(self.remark(purpose));
         field.value = self.value(&path).unwrap_or_default().to_owned();
         field.troubles = self

@@ -2,8 +2,8 @@
 
 use super::{BODY_SHAPES, BodySection, BodyShape, BodyTolerance, Keyed, Line};
 use crate::section::Fields;
-use crate::stated::Field;
-use crate::value::Choice;
+use crate::stated::StatedField;
+use crate::value::WordChoice;
 use crate::{Diagnostic, Fault, Hint};
 use mechanism::{BodyError, Orientation};
 use quantities::{Dimension, HalfWidth};
@@ -27,7 +27,7 @@ pub(super) struct Faults<'t> {
 }
 
 /// Returns the fields that an error is about; empty for a missing mass, or the whole body.
-pub(crate) fn fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&'s dyn Field> {
+pub(crate) fn fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&'s dyn StatedField> {
     match error {
         BodyError::DimensionOutOfRange { field, .. } => body.field(field).into_iter().collect(),
         BodyError::InnerNotBelowOuter { .. } => vec![&body.inner, &body.outer],

@@ -4,7 +4,7 @@ use super::parts::{Friction, Losses, StartAngle};
 use super::{Driven, MechanismName, OnFlange};
 use crate::about::About;
 use crate::read::Reader;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use crate::section::section;
 use mechanism::{MechanismKind, Rotor, RotorKind};
 use quantities::{Measure, Angle, Length, Mass, MomentOfInertia};

@@ -6,7 +6,7 @@ use crate::about::About;
 use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use mechanism::{MechanismKind, LinearKind};
 use quantities::{Measure, Length};
 
@@ -28,7 +28,7 @@ impl Driven for Belt {
         linear(self, LinearKind::Belt, self.pulley_diameter.value()?.si() / 2.0)
     }
 
-    fn travel(&self) -> Option<&dyn Field> {
+    fn travel(&self) -> Option<&dyn StatedField> {
         Some(&self.pulley_diameter)
     }
 
@@ -36,7 +36,7 @@ impl Driven for Belt {
         Some(OnFlange::Wheel)
     }
 
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn StatedField> {
         vec![
             &bearing.overhang,
             &bearing.flange_share,

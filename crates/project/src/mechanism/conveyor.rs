@@ -6,7 +6,7 @@ use crate::about::About;
 use crate::flange::Bearing;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use mechanism::{MechanismKind, LinearKind};
 use quantities::{Measure, Length};
 
@@ -27,7 +27,7 @@ impl Driven for Conveyor {
         linear(self, LinearKind::Conveyor, self.roller_diameter.value()?.si() / 2.0)
     }
 
-    fn travel(&self) -> Option<&dyn Field> {
+    fn travel(&self) -> Option<&dyn StatedField> {
         Some(&self.roller_diameter)
     }
 
@@ -35,7 +35,7 @@ impl Driven for Conveyor {
         Some(OnFlange::Wheel)
     }
 
-    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn StatedField> {
         vec![&bearing.overhang, &bearing.flange_share, &bearing.belt_tension, &bearing.wheel_mass, &bearing.axis_tilt]
     }
 }

@@ -6,7 +6,7 @@ use crate::Assumption;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use mechanism::MechanismKind;
 use quantities::{Angle, Length, Mass, MomentOfInertia, Torque};
 
@@ -57,7 +57,7 @@ impl Driven for FourBar {
         Some(MechanismKind::FourBar(linkage))
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
+    fn inertia(&self) -> Vec<&dyn StatedField> {
         vec![&self.inertia, &self.coupler_mass, &self.coupler_inertia, &self.rocker_inertia]
     }
 

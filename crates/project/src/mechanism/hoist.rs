@@ -6,7 +6,7 @@ use crate::Assumption;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use mechanism::MechanismKind;
 use quantities::{Length, Mass, MomentOfInertia};
 
@@ -43,7 +43,7 @@ impl Driven for Hoist {
         Some(MechanismKind::Hoist(hoist))
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
+    fn inertia(&self) -> Vec<&dyn StatedField> {
         vec![&self.inertia, &self.mass]
     }
 
@@ -52,7 +52,7 @@ impl Driven for Hoist {
         default == Assumption::SheavesNoLosses && self.falls() == 1
     }
 
-    fn travel(&self) -> Option<&dyn Field> {
+    fn travel(&self) -> Option<&dyn StatedField> {
         Some(&self.drum_diameter)
     }
 

@@ -6,7 +6,7 @@ use crate::Assumption;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use mechanism::MechanismKind;
 use quantities::{Measure, Lead, Angle, Length, Mass, MomentOfInertia};
 
@@ -41,11 +41,11 @@ impl Driven for ScissorLift {
         Some(MechanismKind::ScissorLift(lift))
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
+    fn inertia(&self) -> Vec<&dyn StatedField> {
         vec![&self.inertia, &self.mass]
     }
 
-    fn gearing(&self) -> Option<&dyn Field> {
+    fn gearing(&self) -> Option<&dyn StatedField> {
         Some(&self.lead)
     }
 

@@ -5,7 +5,7 @@ use super::{Driven, MechanismName, OnFlange};
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use mechanism::{MechanismKind, LinearKind};
 use quantities::{Measure, Lead};
 
@@ -27,7 +27,7 @@ impl Driven for Screw {
         linear(self, LinearKind::Screw, self.lead.value()?.si() / std::f64::consts::TAU)
     }
 
-    fn travel(&self) -> Option<&dyn Field> {
+    fn travel(&self) -> Option<&dyn StatedField> {
         Some(&self.lead)
     }
 

@@ -6,7 +6,7 @@ use crate::Fault;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use mechanism::MechanismKind;
 use quantities::{Measure, Angle, Length};
 
@@ -40,7 +40,7 @@ impl Driven for SliderCrank {
         }))
     }
 
-    fn gearing(&self) -> Option<&dyn Field> {
+    fn gearing(&self) -> Option<&dyn StatedField> {
         Some(&self.crank)
     }
 

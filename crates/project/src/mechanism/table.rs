@@ -6,7 +6,7 @@ use crate::Fault;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use crate::value::Rows;
 use mechanism::{MechanismKind, TablePoint};
 

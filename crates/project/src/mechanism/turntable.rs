@@ -7,7 +7,7 @@ use crate::about::About;
 use crate::bodies::{BodySection, fields};
 use crate::read::Reader;
 use crate::section::{Fields, Section, section};
-use crate::stated::{Field, Stated};
+use crate::stated::{StatedField, Stated};
 use crate::value::{BodyLines, Tables};
 use crate::{Fault, Hint};
 use mechanism::{Body, BodyError, MechanismKind, Rotor, RotorKind};
@@ -49,7 +49,7 @@ impl Turntable {
         match self.body.get().and_then(|all| all.0.get(index)) {
             Some(body) => {
                 let named = fields(error, body).into_iter().find(|field| field.is_given());
-                named.map_or_else(|| body.shape.span(), Field::span)
+                named.map_or_else(|| body.shape.span(), StatedField::span)
             }
             // The bodies as written are valid; with other values within their tolerances they may not be.
             None => self.bodies.span(),
@@ -83,7 +83,7 @@ impl Driven for Turntable {
         }))
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
+    fn inertia(&self) -> Vec<&dyn StatedField> {
         vec![&self.bodies, &self.body]
     }
 

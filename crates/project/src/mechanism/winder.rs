@@ -6,7 +6,7 @@ use crate::Assumption;
 use crate::about::About;
 use crate::read::Reader;
 use crate::section::section;
-use crate::stated::Field;
+use crate::stated::StatedField;
 use crate::value::choices;
 use mechanism::{MechanismKind, Winding};
 use quantities::{Force, Length, MassDensity, MomentOfInertia};
@@ -49,7 +49,7 @@ impl Driven for Winder {
         Some(MechanismKind::Winder(winder))
     }
 
-    fn inertia(&self) -> Vec<&dyn Field> {
+    fn inertia(&self) -> Vec<&dyn StatedField> {
         vec![&self.inertia, &self.density]
     }
 

@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// A table of Arrow: what reads Arrow takes it as it is.
 #[pyclass(frozen, module = "antrieb")]
-pub(crate) struct Table {
+pub(crate) struct ArrowTable {
     schema: SchemaRef,
     batches: Vec<RecordBatch>,
 }
@@ -167,7 +167,7 @@ fn append(values: &Bound<'_, PyList>, array: &ArrayRef) -> PyResult<()> {
 
 /// A sweep over tables of the same columns: the project is read once.
 #[pyclass(frozen, module = "antrieb._antrieb")]
-pub(crate) struct Sweep {
+pub(crate) struct ArrowSweep {
     sweep: sweep_io::Sweep,
     /// Limit of the memory for recordings and answers \[byte\].
     memory: u64,

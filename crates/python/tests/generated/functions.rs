@@ -286,11 +286,11 @@ fn sources(reads: Reads) -> Vec<Parameter> {
 fn takes(entry: &Entry) -> Takes {
     let mut named = Vec::new();
     let is_before = |each: &Argument| {
-        let is_bare = each.form == questions::list::Form::Bare;
+        let is_bare = each.form == questions::list::ArgumentForm::Bare;
         is_bare && each.required && matches!(each.kind, ArgumentKind::File)
     };
     let is_first =
-        |each: &&Argument| each.required || each.name == "code" || each.form != questions::list::Form::Option;
+        |each: &&Argument| each.required || each.name == "code" || each.form != questions::list::ArgumentForm::Option;
     let (at_place, by_name): (Vec<&Argument>, Vec<&Argument>) = entry.arguments.iter().partition(is_first);
     let (must, may): (Vec<&Argument>, Vec<&Argument>) = at_place.into_iter().partition(|each| each.required);
     let (before, must): (Vec<&Argument>, Vec<&Argument>) = must.into_iter().partition(|each| is_before(each));

@@ -299,7 +299,7 @@ fn tick(id: &'static str, text: String, grade: Grade, source: String) -> Commiss
     }
 }
 
-fn entry(step: catalogue::Step, item: &ChecklistItem, language: Language) -> CommissionEntry {
+fn entry(step: catalogue::LifeStep, item: &ChecklistItem, language: Language) -> CommissionEntry {
     match item {
         ChecklistItem::Fact(fact) => CommissionEntry {
             signal: fact.signal.map(Id),
@@ -309,7 +309,7 @@ fn entry(step: catalogue::Step, item: &ChecklistItem, language: Language) -> Com
         ChecklistItem::Value(parameter) => {
             let name = format!("{}, {}", parameter_name(parameter.id, language), parameter.id.symbol());
             let value = plain(parameter.value(), language);
-            let (text, shown, field) = if step == catalogue::Step::AfterADay {
+            let (text, shown, field) = if step == catalogue::LifeStep::AfterADay {
                 (commission::hottest(language).to_owned(), commission::at_most_value(&value, language), true)
             } else {
                 (commission::set_value(&name, language), value, false)

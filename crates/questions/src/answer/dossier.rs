@@ -114,7 +114,7 @@ fn documents(checks: &[Check], language: Language) -> Vec<Document> {
 }
 
 /// Returns a document as a reference.
-pub(crate) fn document(found: &catalogue::Document, language: Language) -> Document {
+pub(crate) fn document(found: &catalogue::SourceDocument, language: Language) -> Document {
     Document {
         id: found.id.to_owned(),
         short: short(found, language).to_owned(),

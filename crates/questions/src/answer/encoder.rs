@@ -283,7 +283,7 @@ fn signal(
     let cell = source(each, signal);
     EncoderSignal {
         meaning: carried.map_or_else(String::new, |carried| {
-            let whole = installation::wiring::Signal { polarity: None, ..carried };
+            let whole = installation::wiring::WiringSignal { polarity: None, ..carried };
             words::wiring::signal_meaning(whole, language)
         }),
         pins: pins.iter().map(|pin| EncoderPin { pin: pin.name.clone(), signal: pin.printed() }).collect(),

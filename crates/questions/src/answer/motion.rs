@@ -2,7 +2,7 @@
 
 use crate::moves::{Move, Moves};
 use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, TextEncoding, UnitBy, Units};
-use project::{RecordingRead, SegmentLoad};
+use project::{RecordingRead, SegmentLoadKey};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure};
 use recording::{Encoding, KnownBy, Role};
@@ -26,7 +26,7 @@ fn segment(each: &Move<'_>, moves: &Moves<'_>, language: Language) -> Segment {
         [(distance, distance_unit), (speed, speed_unit), (acceleration, acceleration_unit)]
             .map(|(si, unit)| Number::in_unit(si, unit))
     });
-    let load = |load: SegmentLoad| {
+    let load = |load: SegmentLoadKey| {
         let (_, si) = moves.loads.iter().zip(&each.loads).find(|(known, _)| **known == load)?;
         Some(Number::in_unit(*si, load.unit()))
     };
@@ -38,10 +38,10 @@ fn segment(each: &Move<'_>, moves: &Moves<'_>, language: Language) -> Segment {
         distance: course.map(|[distance, ..]| distance),
         speed: course.map(|[_, speed, _]| speed),
         acceleration: course.map(|[.., acceleration]| acceleration),
-        payload: load(SegmentLoad::Payload),
-        payload_inertia: load(SegmentLoad::PayloadInertia),
-        process_force: load(SegmentLoad::ProcessForce),
-        external_torque: load(SegmentLoad::ExternalTorque),
+        payload: load(SegmentLoadKey::Payload),
+        payload_inertia: load(SegmentLoadKey::PayloadInertia),
+        process_force: load(SegmentLoadKey::ProcessForce),
+        external_torque: load(SegmentLoadKey::ExternalTorque),
         recording: each.recording.map(recording),
     }
 }

@@ -110,7 +110,7 @@ fn errata(values: &[MountValue], joints: &[Joint], language: Language) -> Vec<Ci
     ids.into_iter().map(|id| cited(id, language)).collect()
 }
 
-fn pilot(fit: &installation::fit::Fit, language: Language) -> Pilot {
+fn pilot(fit: &installation::fit::PilotFit, language: Language) -> Pilot {
     let micrometres = |si: f64| Number::in_unit(si, &MICROMETRE);
     let bore_source = fit.bore_source.as_ref();
     let grade = fit.pilot.grade.worst(fit.nominal.grade);

@@ -16,7 +16,7 @@ pub struct Argument {
     /// Kind of the value.
     pub kind: ArgumentKind,
     /// Form of the argument in a call.
-    pub form: Form,
+    pub form: ArgumentForm,
     /// `true` if there is no answer without the argument.
     pub required: bool,
     /// `true` if the argument may be given several times.
@@ -52,7 +52,7 @@ pub enum ArgumentKind {
 
 /// Form of an argument in a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum ArgumentForm {
     /// After its name.
     Option,
     /// Without a name, one word.
@@ -72,7 +72,7 @@ impl Argument {
             about,
             value,
             kind: ArgumentKind::Text,
-            form: Form::Option,
+            form: ArgumentForm::Option,
             required: false,
             repeated: false,
             usual: None,
@@ -96,8 +96,8 @@ impl Argument {
 
     /// Returns the argument in another form.
     #[must_use]
-    pub const fn form(self, form: Form) -> Self {
-        Self { form, repeated: matches!(form, Form::Each), ..self }
+    pub const fn form(self, form: ArgumentForm) -> Self {
+        Self { form, repeated: matches!(form, ArgumentForm::Each), ..self }
     }
 
     /// Returns the argument as a required one.
@@ -220,8 +220,10 @@ pub(super) fn near(written: &str, words: &[&str]) -> Hint {
 pub const AXIS: Argument = Argument::option("axis", values::name, help::axis);
 
 /// Ordering code to which a question refers.
-pub const CODE: Argument =
-    Argument::option("code", values::code, help::ordering_code).of(ArgumentKind::Code).form(Form::Words).required();
+pub const CODE: Argument = Argument::option("code", values::code, help::ordering_code)
+    .of(ArgumentKind::Code)
+    .form(ArgumentForm::Words)
+    .required();
 
 /// Creates an argument for an optional ordering code.
 pub(super) const fn code(about: Word) -> Argument {

@@ -15,10 +15,10 @@ use std::borrow::Cow;
 use words::terminal;
 
 /// An axis with its place in the file.
-pub type Axis = (usize, Project);
+pub type PlacedAxis = (usize, Project);
 
 /// A text to which a question refers.
-pub struct Source<'a> {
+pub struct ReferencedText<'a> {
     /// Name of the text in faults.
     pub name: String,
     /// Bytes of the text; of a text beyond the limit of a project file at least one byte more than the limit.
@@ -27,7 +27,7 @@ pub struct Source<'a> {
     pub files: &'a dyn Files,
 }
 
-impl Source<'_> {
+impl ReferencedText<'_> {
     /// Returns the text.
     ///
     /// # Errors
@@ -60,7 +60,7 @@ pub struct Asked<'a> {
     /// Values of the arguments.
     pub given: Given,
     /// Texts of the call: none, a project, two revisions of one, a list or a record.
-    pub sources: Vec<Source<'a>>,
+    pub sources: Vec<ReferencedText<'a>>,
     /// Days since 1 January 1970; `None` without a clock.
     pub days_since_1970: Option<u64>,
     /// Cancellation of the work.
@@ -76,7 +76,7 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// If the call has no text.
-    pub fn source(&self) -> Result<&Source<'a>, Unanswered> {
+    pub fn source(&self) -> Result<&ReferencedText<'a>, Unanswered> {
         self.sources.first().ok_or(Unanswered::Refused(crate::Refusal::NoData, None))
     }
 
@@ -84,7 +84,7 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// Faults of the project, an unknown axis, a cost that is refused.
-    pub fn axes(&self, wanted: Option<&str>, cost: Cost) -> Result<Vec<Axis>, Unanswered> {
+    pub fn axes(&self, wanted: Option<&str>, cost: Cost) -> Result<Vec<PlacedAxis>, Unanswered> {
         let axes = self.axes_of(self.source()?, wanted)?;
         self.within(cost, axes.iter())?;
         Ok(axes)
@@ -94,7 +94,7 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// Faults of the project, an unknown axis.
-    pub fn axes_of(&self, source: &Source<'_>, wanted: Option<&str>) -> Result<Vec<Axis>, Unanswered> {
+    pub fn axes_of(&self, source: &ReferencedText<'_>, wanted: Option<&str>) -> Result<Vec<PlacedAxis>, Unanswered> {
         let projects = source.projects(self.patience, self.language)?;
         picked(projects, wanted, self.language).map_err(Unanswered::message)
     }
@@ -103,7 +103,7 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// As [`Asked::axes`], and several axes without a name.
-    pub fn axis(&self, wanted: Option<&str>, cost: Cost) -> Result<Axis, Unanswered> {
+    pub fn axis(&self, wanted: Option<&str>, cost: Cost) -> Result<PlacedAxis, Unanswered> {
         let axes = self.axes(wanted, cost)?;
         self.only(axes, |names| terminal::several_axes(&names, self.language))
     }
@@ -112,8 +112,8 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// The sentence about several axes.
-    pub fn only(&self, axes: Vec<Axis>, several: impl FnOnce(&str) -> String) -> Result<Axis, Unanswered> {
-        let one = <[Axis; 1]>::try_from(axes).map(|[one]| one);
+    pub fn only(&self, axes: Vec<PlacedAxis>, several: impl FnOnce(&str) -> String) -> Result<PlacedAxis, Unanswered> {
+        let one = <[PlacedAxis; 1]>::try_from(axes).map(|[one]| one);
         one.map_err(|axes| Unanswered::message(several(&names(axes.iter().map(|(_, project)| project)))))
     }
 
@@ -121,7 +121,11 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// Errors of [`Cost::is_quick`].
-    pub fn within<'p>(&self, cost: Cost, axes: impl IntoIterator<Item = &'p Axis> + Clone) -> Result<(), Unanswered> {
+    pub fn within<'p>(
+        &self,
+        cost: Cost,
+        axes: impl IntoIterator<Item = &'p PlacedAxis> + Clone,
+    ) -> Result<(), Unanswered> {
         if !self.refuses_long {
             return Ok(());
         }
@@ -135,7 +139,7 @@ impl<'a> Asked<'a> {
     /// Reasons why there is no answer about some of them.
     pub fn each<'p, T>(
         &self,
-        axes: &'p [Axis],
+        axes: &'p [PlacedAxis],
         mut one: impl FnMut(&'p Project) -> Result<T, Unanswered>,
     ) -> Result<Vec<T>, Unanswered> {
         let (mut found, mut faults) = (Vec::new(), Vec::new());
@@ -154,7 +158,7 @@ impl<'a> Asked<'a> {
     /// Reasons why there is no answer about some of them.
     pub fn record_of_each<'p, T: Serialize>(
         &self,
-        axes: &'p [Axis],
+        axes: &'p [PlacedAxis],
         one: impl FnMut(&'p Project) -> Result<(T, Fit), Unanswered>,
     ) -> Result<Answer, Unanswered> {
         let (records, fits): (Vec<T>, Vec<Fit>) = self.each(axes, one)?.into_iter().unzip();

@@ -1,7 +1,7 @@
 //! `code list`: the valid codes.
 
 use super::given::{arguments, flag, pattern};
-use super::{Answer, Argument, Entry, Form, Gives, Reads, Record};
+use super::{Answer, Argument, ArgumentForm, Entry, Gives, Reads, Record};
 use crate::answer;
 pub use crate::codes::{list_codes, read_pattern};
 pub use configurator::Availability;
@@ -14,7 +14,7 @@ arguments! {
     pub struct Args {
         /// A partial code.
         pattern: Option<Pattern> =
-            Argument::option("pattern", values::pattern, help::code_list_pattern).form(Form::Bare) => pattern,
+            Argument::option("pattern", values::pattern, help::code_list_pattern).form(ArgumentForm::Bare) => pattern,
         /// Restricts the list to codes without fields on request.
         available: bool = Argument::flag("available", help::code_list_available) => flag,
     }

@@ -1,7 +1,7 @@
 //! `compare PROJECT`: comparison of several actuators.
 
 use super::given::{arguments, codes, text};
-use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
+use super::{AXIS, Asked, Cost, Entry, Gives, PlacedAxis, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckRow, Comparison, DatumRow, compare, errata_of};
 use crate::sizing_use::Refusal;
@@ -47,7 +47,7 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of them.
-pub fn put(asked: &Asked<'_>) -> Result<(Args, Vec<Axis>), Unanswered> {
+pub fn put(asked: &Asked<'_>) -> Result<(Args, Vec<PlacedAxis>), Unanswered> {
     let count = asked.given.all("code").count();
     if !COMPARED.contains(&count) {
         return Err(Unanswered::message(terminal::two_to_five_codes(&count, asked.language)));

@@ -41,7 +41,7 @@ impl Cost {
     }
 
     /// Returns the number of samples of recordings that all axes together may have within this time, in the measure of
-    /// [`sizing::Axis::samples`].
+    /// [`sizing::PlacedAxis::samples`].
     #[must_use]
     pub const fn samples(self) -> usize {
         match self {

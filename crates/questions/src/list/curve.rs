@@ -1,7 +1,7 @@
 //! `curve CODE`: the curves of the torque-speed plane.
 
 use super::given::{arguments, code, some};
-use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, PICTURE, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Asked, CODE, Entry, Gives, PICTURE, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
 use crate::plane::{Plane, plane_of};
@@ -14,7 +14,7 @@ arguments! {
     /// Arguments of `curve`: actuator and supply.
     pub struct Args {
         /// Ordering code of the actuator.
-        code: OrderCode = CODE.form(Form::Bare) => code,
+        code: OrderCode = CODE.form(ArgumentForm::Bare) => code,
         /// Terminal voltage of the motor.
         voltage: Option<ElectricPotential> =
             Argument::option("voltage", values::voltage, help::curve_voltage) => some(read_quantity),

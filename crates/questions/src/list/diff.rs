@@ -1,7 +1,7 @@
 //! `diff OLD NEW`: effect of another revision of a project on an actuator.
 
 use super::given::{arguments, some_code, text};
-use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Record, Unanswered, argument};
+use super::{AXIS, Asked, Cost, Entry, Gives, PlacedAxis, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckChange, Difference, difference};
 use crate::subject::paired;
@@ -45,9 +45,9 @@ pub static ENTRY: Entry = Entry {
 /// Two revisions of a project.
 pub struct Revisions<'a> {
     /// Axes of the first revision.
-    pub old: Vec<Axis>,
+    pub old: Vec<PlacedAxis>,
     /// Axes of the second revision.
-    pub new: Vec<Axis>,
+    pub new: Vec<PlacedAxis>,
     /// Indices of the corresponding axes, first and second revision.
     pub paired: Vec<(usize, usize)>,
     /// Text of the first revision.
@@ -62,7 +62,7 @@ impl Revisions<'_> {
     /// Returns a line for each axis that exists in one revision only.
     #[must_use]
     pub fn unpaired(&self, asked: &Asked<'_>) -> String {
-        let line = |axis: &Axis, place: usize| {
+        let line = |axis: &PlacedAxis, place: usize| {
             let file = asked.sources.get(place).map_or("", |source| source.name.as_str());
             format!("{}\n", terminal::axis_is_only_in(&axis.1.name, &file, asked.language))
         };

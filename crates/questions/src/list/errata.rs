@@ -1,7 +1,7 @@
 //! `errata`: errors and doubtful statements of the manual, and the values in use.
 
 use super::given::{arguments, label};
-use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Asked, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::errata::ErrataFound;
 pub use crate::errata::{ErrataRefusal, errata_about};
@@ -14,7 +14,7 @@ arguments! {
     pub struct Args {
         /// A code, the number of a table, the identifier of an erratum; all errata without it.
         about: Option<String> = Argument::option("about", values::code_table_or_id, help::errata_about)
-            .form(Form::Words) => label,
+            .form(ArgumentForm::Words) => label,
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::given::{arguments, count, label, some_code, text};
 use super::{
-    AXIS, Argument, ArgumentKind, Asked, Axis, Cost, Entry, Gives, OutputFile, Reads, Record, Unanswered, argument,
-    media,
+    AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, OutputFile, PlacedAxis, Reads, Record, Unanswered,
+    argument, media,
 };
 use order_code::OrderCode;
 use words::{help, help::values, requests, terminal};
@@ -54,7 +54,7 @@ impl Args {
     ///
     /// # Errors
     /// Faults of the project, several axes without a name.
-    pub fn axis(&self, asked: &Asked<'_>) -> Result<Axis, Unanswered> {
+    pub fn axis(&self, asked: &Asked<'_>) -> Result<PlacedAxis, Unanswered> {
         let axes = asked.axes_of(asked.source()?, self.axis.as_deref())?;
         let axis = asked.only(axes, |names| terminal::export_is_of_one_axis(&names, asked.language))?;
         let cost = if self.table.as_deref() == Some("course") { Cost::Course } else { Cost::Workbook };

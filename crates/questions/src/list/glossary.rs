@@ -1,7 +1,7 @@
 //! `glossary`: words and symbols with their meaning.
 
 use super::given::{arguments, label};
-use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Asked, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer::not_in_glossary;
 pub use crate::glossary::{glossary, meaning_of_symbol, meaning_of_word};
 use answers::Glossary;
@@ -12,7 +12,7 @@ arguments! {
     /// Arguments of `glossary`: the term.
     pub struct Args {
         /// A symbol, a name or a word; all terms without it.
-        term: Option<String> = Argument::option("term", values::term, help::glossary_term).form(Form::Bare) => label,
+        term: Option<String> = Argument::option("term", values::term, help::glossary_term).form(ArgumentForm::Bare) => label,
     }
 }
 

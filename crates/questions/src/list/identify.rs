@@ -5,7 +5,7 @@ mod reading;
 
 use super::given::{arguments, some_code_among, text};
 use super::{
-    AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Form, Gives, Reads, Record, Unanswered, argument,
+    AXIS, Answer, Argument, ArgumentForm, ArgumentKind, Asked, Cost, Entry, Gives, Reads, Record, Unanswered, argument,
 };
 use crate::simulate::replaced;
 use crate::sizing_use::{check_one, known_si};
@@ -35,7 +35,7 @@ arguments! {
         /// The actuator; without it the project's own.
         code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
         /// The recorded run.
-        trace: Option<String> = Argument::option("trace", values::file, help::identify_trace).of(ArgumentKind::File).form(Form::Bare).required() => text,
+        trace: Option<String> = Argument::option("trace", values::file, help::identify_trace).of(ArgumentKind::File).form(ArgumentForm::Bare).required() => text,
     }
 }
 
@@ -148,7 +148,7 @@ pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
     let language = asked.language;
     let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
     let candidate = check_one(&project, args.code.as_ref())?;
-    let reading::Run { observed, lines } = reading::run(asked, &args.trace.unwrap_or_default())?;
+    let reading::RecordedRun { observed, lines } = reading::run(asked, &args.trace.unwrap_or_default())?;
     let samples = observed.time_s.len();
     let parameters = replaced(&project, twin::Parameters::of(candidate.parameters));
     let axis = &project.axis;

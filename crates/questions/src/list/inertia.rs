@@ -1,7 +1,7 @@
 //! `inertia BODY…`: the moment of inertia of solid bodies.
 
 use super::given::{arguments, lines};
-use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Asked, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::reading::Unread;
 use project::{InertiaAnswer, inertia};
@@ -11,7 +11,7 @@ arguments! {
     /// Arguments of `inertia`: bodies about an axis.
     pub struct Args {
         /// Bodies, one per line: the line of a fault is the number of the body.
-        body: String = Argument::option("body", values::body, help::inertia_body).form(Form::Each).required() => lines,
+        body: String = Argument::option("body", values::body, help::inertia_body).form(ArgumentForm::Each).required() => lines,
     }
 }
 

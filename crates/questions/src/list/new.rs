@@ -1,7 +1,7 @@
 //! `new KIND`: a commented project file to fill in.
 
 use super::given::{arguments, by_id, count, lines, text, word};
-use super::{Answer, Argument, ArgumentKind, Asked, Entry, Form, Gives, OutputFile, Reads, Unanswered, media};
+use super::{Answer, Argument, ArgumentForm, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Unanswered, media};
 use crate::sizing_use::Refusal;
 pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
 pub use crate::templates::{Template, template, template_kinds};
@@ -14,7 +14,7 @@ arguments! {
     pub struct Args {
         /// The kind.
         kind: Option<String> = Argument::option("kind", values::kind, requests::kind)
-            .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP]).collect())).form(Form::Bare).required() => text,
+            .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP]).collect())).form(ArgumentForm::Bare).required() => text,
         /// Keys of a table with their ranges, one per line.
         key: String = Argument::option("key", values::text, help::new_key).repeated() => lines,
         /// Method of covering the ranges of a table.

@@ -3,7 +3,7 @@
 use super::given::{arguments, by_id, count, flag, number, some, some_code_among, text, word};
 use super::plot::{HEIGHT, THEME, WIDTH};
 use super::{
-    AXIS, Answer, Argument, ArgumentKind, Asked, Axis, Cost, Entry, Given, Gives, OutputFile, Reads, Record,
+    AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Given, Gives, OutputFile, PlacedAxis, Reads, Record,
     Unanswered, argument, media,
 };
 use crate::answer;
@@ -134,9 +134,9 @@ impl Args {
     ///
     /// # Errors
     /// Faults of the project; more steps than permitted without a time limit.
-    pub fn axes(&self, asked: &Asked<'_>) -> Result<Vec<Axis>, Unanswered> {
+    pub fn axes(&self, asked: &Asked<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
         let axes = asked.axes(self.axis.as_deref(), Cost::Other)?;
-        let of = |(_, project): &Axis| {
+        let of = |(_, project): &PlacedAxis| {
             let stated = &project.twin.scenario;
             let cold = self.cold || stated.cold || self.scenario.unwrap_or(stated.id) == ScenarioId::ColdGrease;
             steps_least(project, self.cycles(project), cold, self.days.is_some())

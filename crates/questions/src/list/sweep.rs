@@ -2,7 +2,8 @@
 
 use super::given::{arguments, by_id, flag, text};
 use super::{
-    AXIS, Answer, Argument, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Record, Source, Unanswered, media,
+    AXIS, Answer, Argument, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Record, ReferencedText, Unanswered,
+    media,
 };
 use crate::sizing_use::Refusal;
 use crate::sweep::csv::{Broken, Columns, Lines};
@@ -145,7 +146,7 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
 }
 
 /// Opens the lines of a table, whose bytes are read at once.
-fn opened(source: &Source<'_>, name: &str, language: Language) -> Result<Lines<Cursor<Vec<u8>>>, Unanswered> {
+fn opened(source: &ReferencedText<'_>, name: &str, language: Language) -> Result<Lines<Cursor<Vec<u8>>>, Unanswered> {
     let mut bytes = Vec::new();
     let unread = |error: std::io::Error| refused(name, words::file_trouble(&error, language));
     let (content, file) = source.files.open(name).and_then(recording::opened).map_err(unread)?;
@@ -177,7 +178,7 @@ struct Shelf(BTreeMap<String, Vec<u8>>);
 impl Shelf {
     /// Reads the recordings of the axes of a project; empty if the project cannot be read.
     fn of(
-        source: &Source<'_>,
+        source: &ReferencedText<'_>,
         projects: Result<&[Project], &Unanswered>,
         language: Language,
     ) -> Result<Self, Unanswered> {

@@ -1,7 +1,7 @@
 //! `torsion CODE`: the torsion of a gear under a torque, or the torque of an angle.
 
 use super::given::{arguments, code, text};
-use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::torsion::{TorsionAnswer, read_twist, torsion};
@@ -12,7 +12,7 @@ arguments! {
     /// Arguments of `torsion`: a gear, and a torque or an angle.
     pub struct Args {
         /// Ordering code of the actuator.
-        code: OrderCode = CODE.form(Form::Bare) => code,
+        code: OrderCode = CODE.form(ArgumentForm::Bare) => code,
         /// Torque at the output.
         torque: Option<String> = Argument::option("torque", values::torque, help::torsion_torque).signed() => text,
         /// Angle of torsion.

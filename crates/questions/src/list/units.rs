@@ -2,7 +2,7 @@
 
 use super::argument::near;
 use super::given::{Hinted, arguments, some};
-use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Asked, Entry, Gives, Reads, Record, Unanswered};
 use answers::Number;
 use quantities::{Dimension, Language, Unit};
 use schemars::JsonSchema;
@@ -15,7 +15,7 @@ arguments! {
     pub struct Args {
         /// A quantity or a spelling of a unit; all of them without it.
         quantity: Option<Vec<Dimension>> =
-            Argument::option("quantity", values::quantity, help::units_quantity).form(Form::Words) => some(dimensions),
+            Argument::option("quantity", values::quantity, help::units_quantity).form(ArgumentForm::Words) => some(dimensions),
     }
 }
 

@@ -130,13 +130,13 @@ impl<'p> Entrant<'p> {
 }
 
 /// The axis of a row.
-pub(super) struct Row<'r> {
+pub(super) struct RowAxis<'r> {
     pub(super) project: &'r Project,
     pub(super) axis: &'r Axis,
     pub(super) requirements: &'r Requirements,
 }
 
-impl<'r> Row<'r> {
+impl<'r> RowAxis<'r> {
     pub(super) const fn of(project: &'r Project) -> Self {
         Self { project, axis: &project.axis, requirements: &project.requirements }
     }

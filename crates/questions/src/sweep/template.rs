@@ -1,6 +1,6 @@
 //! Common part of rows: the project with their words, and the actuators to judge.
 
-use super::judged::{Entrant, Judged, Row};
+use super::judged::{Entrant, Judged, RowAxis};
 use super::{Answer, Holds, Sweep, Value, Wanted};
 use crate::reading::read_all;
 use order_code::OrderCode;
@@ -119,7 +119,7 @@ impl<'s> Judge<'s> {
         // Selecting among several ratios requires a judgement of the catalogue for each: the row is read separately.
         if !self.project.ratios.is_empty() {
             let project = self.sweep.project_with(values)?;
-            return self.judged(&Row::of(&project), code.as_ref(), true);
+            return self.judged(&RowAxis::of(&project), code.as_ref(), true);
         }
         self.numbers.clear();
         self.numbers.extend(self.sweep.columns.iter().zip(values).filter_map(|(column, value)| {
@@ -130,11 +130,11 @@ impl<'s> Judge<'s> {
         }));
         let variant = self.varied.at(&self.numbers).map_err(|faults| self.sweep.reasons(&faults))?;
         let requirements = variant.requirements.as_ref().unwrap_or(&self.project.requirements);
-        let row = Row { axis: &variant.axis, requirements, project: self.project };
+        let row = RowAxis { axis: &variant.axis, requirements, project: self.project };
         self.judged(&row, code.as_ref(), variant.requirements.is_some())
     }
 
-    fn judged(&mut self, row: &Row<'_>, code: Option<&OrderCode>, meets_anew: bool) -> Answer {
+    fn judged(&mut self, row: &RowAxis<'_>, code: Option<&OrderCode>, meets_anew: bool) -> Answer {
         let options = &self.sweep.options;
         if let Some(code) = code {
             return row.of_code(code, &options.wanted, options.language);

@@ -94,7 +94,7 @@ fn times_of_the_brake() {
     let (closing, opening) = configurator::brake_times().unwrap();
     assert!((closing.si() - 0.07).abs() < 1e-12 && (opening.si() - 0.11).abs() < 1e-12);
     for (symbol, expected) in [("t_c", closing.si()), ("t_o", opening.si())] {
-        let tables = catalogue::tables().iter().flat_map(catalogue::Table::cells);
+        let tables = catalogue::tables().iter().flat_map(catalogue::ManualTable::cells);
         for cell in tables.filter(|cell| cell.place.symbol == symbol) {
             let Some(value) = cell.value.number() else { continue };
             assert!((value / 1000.0 - expected).abs() < 1e-12, "{:?}", cell.place);

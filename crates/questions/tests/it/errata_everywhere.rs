@@ -7,7 +7,7 @@ use project::NoFiles;
 use provenance::Source as Origin;
 use quantities::Language;
 use questions::Patience;
-use questions::list::{Asked, Entry, Given, Gives, LIST, Reads, Source};
+use questions::list::{Asked, Entry, Given, Gives, LIST, Reads, ReferencedText};
 use serde_json::Value;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -49,7 +49,7 @@ fn answered(entry: &Entry, pairs: &[(&str, &str)]) -> Option<Value> {
     let cow = |text| Cow::Borrowed(text);
     let given =
         Given::of(entry.arguments, pairs.iter().map(|(name, value)| (cow(*name), cow(*value))), Language::En).ok()?;
-    let source = || Source { name: "axis.toml".into(), bytes: Cow::Borrowed(AXIS.as_bytes()), files: &NoFiles };
+    let source = || ReferencedText { name: "axis.toml".into(), bytes: Cow::Borrowed(AXIS.as_bytes()), files: &NoFiles };
     let sources = match entry.reads {
         Reads::Nothing => Vec::new(),
         Reads::Project => vec![source()],

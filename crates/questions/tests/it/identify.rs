@@ -5,7 +5,7 @@
 use project::{Files, Project};
 use quantities::Language;
 use questions::list::identify::Identification;
-use questions::list::{Argument, Asked, Given, Source, identify, simulate};
+use questions::list::{Argument, Asked, Given, ReferencedText, identify, simulate};
 use questions::{Patience, TwinSample};
 use std::borrow::Cow;
 use std::io::Read;
@@ -75,7 +75,7 @@ fn asked<'a>(
     let pairs = pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
     Asked {
         given: Given::of(arguments, pairs, Language::En).unwrap(),
-        sources: vec![Source { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files }],
+        sources: vec![ReferencedText { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files }],
         days_since_1970: None,
         patience,
         refuses_long: true,
@@ -523,7 +523,8 @@ fn a_long_run_is_counted_before_the_work() {
     // A footer alone, which claims its rows.
     let parquet = |rows: i64| {
         let names = ["time_s", "position_rad", "motor_speed_rad_s", "torque_nm", "current_q_a"];
-        let column = |name| testkit::parquet::Column { name, physical: 5, codec: 0, values: rows, pages: Vec::new() };
+        let column =
+            |name| testkit::parquet::FileColumn { name, physical: 5, codec: 0, values: rows, pages: Vec::new() };
         testkit::parquet::file(rows, &names.map(column))
     };
     let most = 1 << 21;

@@ -3,7 +3,9 @@
 
 use project::NoFiles;
 use quantities::Language;
-use questions::list::{ArgumentKind, Asked, Entry, Form, Given, Gives, LIST, Reads, Source, Unanswered, size};
+use questions::list::{
+    ArgumentForm, ArgumentKind, Asked, Entry, Given, Gives, LIST, Reads, ReferencedText, Unanswered, size,
+};
 use questions::{Patience, Refusal};
 use std::borrow::Cow;
 
@@ -13,7 +15,8 @@ const PROJECT: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2 ± 5 %\"\n[[mo
 fn asked<'a>(entry: &Entry, pairs: &[(&'a str, &'a str)], patience: &'a Patience) -> Result<Asked<'a>, Unanswered> {
     let pairs = pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
     let given = Given::of(entry.arguments, pairs, Language::En)?;
-    let source = || Source { name: "axis.toml".into(), bytes: Cow::Borrowed(PROJECT.as_bytes()), files: &NoFiles };
+    let source =
+        || ReferencedText { name: "axis.toml".into(), bytes: Cow::Borrowed(PROJECT.as_bytes()), files: &NoFiles };
     let sources = match entry.reads {
         Reads::Nothing | Reads::Pins | Reads::Measured => Vec::new(),
         Reads::Project => vec![source()],
@@ -51,7 +54,7 @@ fn every_entry_is_whole() {
                 !matches!(argument.kind, ArgumentKind::Word(_)) || !argument.words().is_empty(),
                 "{command} {name}"
             );
-            assert!(argument.form != Form::Each || argument.repeated, "{command} {name}");
+            assert!(argument.form != ArgumentForm::Each || argument.repeated, "{command} {name}");
         }
         match entry.gives {
             Gives::Record(record) | Gives::RecordOr(record, _) => {

@@ -126,7 +126,7 @@ fn every_check_is_explained_and_every_formula_gives_its_number() {
 #[test]
 fn every_cell_that_is_cited_exists() {
     let exists = |place: &CellRef| {
-        let cells = catalogue::table(place.table).map(catalogue::Table::cells).unwrap_or_default();
+        let cells = catalogue::table(place.table).map(catalogue::ManualTable::cells).unwrap_or_default();
         cells.iter().any(|cell| {
             let there = &cell.place;
             let rest = (place.condition, place.drive, place.ratio);

@@ -24,7 +24,7 @@ const UNIT_BYTES_MAX: usize = 64;
 #[derive(Debug)]
 pub(super) struct Footer<'b> {
     /// Columns of values, in the order of the schema.
-    pub(super) columns: Vec<Column>,
+    pub(super) columns: Vec<ParquetColumn>,
     /// Number of rows claimed by the file.
     pub(super) rows: u64,
     /// Units in the metadata, each with its key.
@@ -38,7 +38,7 @@ pub(super) struct Footer<'b> {
 
 /// A column of values.
 #[derive(Clone, Debug)]
-pub(super) struct Column {
+pub(super) struct ParquetColumn {
     /// Name, preceded by those of the enclosing groups.
     pub(super) path: String,
     pub(super) physical: Type,
@@ -244,7 +244,7 @@ impl<'b> Footer<'b> {
     }
 }
 
-impl Column {
+impl ParquetColumn {
     /// Adds the type of time and the unit that the Arrow schema states. Where Parquet has a type of its own, that one
     /// counts: a writer may have converted the values.
     fn complete(&mut self, index: usize, noted: &[Noted]) {
@@ -287,7 +287,7 @@ struct Group {
 }
 
 /// Parses the columns of the schema, which lists its tree in depth-first order.
-fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
+fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<ParquetColumn>, Stop> {
     let (kind, count) = thrift.list()?;
     if kind != ThriftType::Struct || count == 0 {
         return Err(Stop::Broken);
@@ -313,7 +313,7 @@ fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
         let repeated = group.repeated || each.repetition == 2;
         if let Some(physical) = each.physical {
             Limit::Columns.hold(columns.len() as u64 + 1, COLUMNS_MAX as u64)?;
-            columns.push(Column {
+            columns.push(ParquetColumn {
                 path: path.clone(),
                 physical: physical_type(physical).ok_or(Broken)?,
                 logical: each.logical.unwrap_or(Logical::Plain),

@@ -4,7 +4,7 @@
 //! file is refused with a reason; a page that claims more bytes than its values can need is not unpacked.
 
 use super::damaged;
-use super::footer::{Chunk, Column};
+use super::footer::{Chunk, ParquetColumn};
 use super::thrift::{Broken, Stop, Thrift, ThriftType};
 use super::unpack::Codec;
 use crate::faults::{Damage, Fault};
@@ -77,7 +77,7 @@ impl Pages {
     pub(super) fn new(
         file: Bytes,
         chunk: Chunk,
-        column: &Column,
+        column: &ParquetColumn,
         (memory, columns): (Memory, usize),
         spent: Arc<AtomicU64>,
     ) -> Result<Self, Fault> {

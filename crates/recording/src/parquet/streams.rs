@@ -1,6 +1,6 @@
 //! Batch reader for the values of a column.
 
-use super::footer::Column;
+use super::footer::ParquetColumn;
 use super::pages::Pages;
 use super::{BATCH, Holds, damaged, unreadable};
 use crate::faults::{Damage, Fault};
@@ -48,7 +48,7 @@ fn half(bits: u16) -> f64 {
 
 /// A value of a column.
 #[derive(Clone, Copy)]
-pub(super) enum Cell {
+pub(super) enum ParquetCell {
     Null,
     Float(f64),
     Integer(i64),
@@ -65,7 +65,7 @@ pub(super) struct Stream {
     scale: Option<i32>,
     level_max: i16,
     levels: Vec<i16>,
-    pub(super) cells: Vec<Cell>,
+    pub(super) cells: Vec<ParquetCell>,
     /// Text values of the batch.
     pub(super) texts: Vec<ByteArray>,
 }
@@ -82,7 +82,7 @@ enum Source {
 }
 
 impl Stream {
-    pub(super) fn open(name: &str, kind: Holds, column: &Column, pages: Pages) -> Result<Self, Fault> {
+    pub(super) fn open(name: &str, kind: Holds, column: &ParquetColumn, pages: Pages) -> Result<Self, Fault> {
         // The library needs the levels and the type; the path is known to the reader.
         let repetition = if column.defined > 0 { Repetition::OPTIONAL } else { Repetition::REQUIRED };
         let mut primitive = ::parquet::schema::types::Type::primitive_type_builder("values", column.physical)
@@ -127,28 +127,28 @@ impl Stream {
         self.texts.clear();
         let (levels, cells, max) = (&mut self.levels, &mut self.cells, self.level_max);
         let (unsigned, scale) = (self.unsigned, self.scale);
-        let scaled = |value: i128| scale.map(|scale| Cell::Float(value as f64 / 10_f64.powi(scale)));
+        let scaled = |value: i128| scale.map(|scale| ParquetCell::Float(value as f64 / 10_f64.powi(scale)));
         match &mut self.source {
             Source::Float(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
-                spread(values, levels, max, count, cells, |value| Cell::Float(f64::from(*value)));
+                spread(values, levels, max, count, cells, |value| ParquetCell::Float(f64::from(*value)));
             }
             Source::Double(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
-                spread(values, levels, max, count, cells, |value| Cell::Float(*value));
+                spread(values, levels, max, count, cells, |value| ParquetCell::Float(*value));
             }
             Source::Int32(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
                 spread(values, levels, max, count, cells, |value| {
                     let whole = if unsigned { i64::from(value.cast_unsigned()) } else { i64::from(*value) };
-                    scaled(whole.into()).unwrap_or(Cell::Integer(whole))
+                    scaled(whole.into()).unwrap_or(ParquetCell::Integer(whole))
                 });
             }
             Source::Int64(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
                 spread(values, levels, max, count, cells, |value| match unsigned {
-                    true if *value < 0 => Cell::Float(value.cast_unsigned() as f64),
-                    _ => scaled((*value).into()).unwrap_or(Cell::Integer(*value)),
+                    true if *value < 0 => ParquetCell::Float(value.cast_unsigned() as f64),
+                    _ => scaled((*value).into()).unwrap_or(ParquetCell::Integer(*value)),
                 });
             }
             Source::Int96(reader, values) => {
@@ -158,27 +158,27 @@ impl Stream {
                     let [low, high, day] = [0, 1, 2].map(|word| value.data().get(word).copied().unwrap_or(0));
                     let of_day = (u64::from(high) << 32 | u64::from(low)).cast_signed();
                     let days = (i64::from(day) - DAY_OF_1970).checked_mul(DAY_NS);
-                    days.and_then(|days| days.checked_add(of_day)).map_or(Cell::Null, Cell::Integer)
+                    days.and_then(|days| days.checked_add(of_day)).map_or(ParquetCell::Null, ParquetCell::Integer)
                 });
             }
             Source::Fixed(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
                 spread(values, levels, max, count, cells, |value| {
-                    Cell::Float(match (scale, value.data()) {
+                    ParquetCell::Float(match (scale, value.data()) {
                         (None, [low, high]) => half(u16::from_le_bytes([*low, *high])),
-                        (None, _) => return Cell::Null,
+                        (None, _) => return ParquetCell::Null,
                         (Some(scale), bytes) => whole(bytes) / 10_f64.powi(scale),
                     })
                 });
             }
             Source::Truth(reader, values) => {
                 let count = batch(reader, values, levels, max, most)?;
-                spread(values, levels, max, count, cells, |value| Cell::Truth(*value));
+                spread(values, levels, max, count, cells, |value| ParquetCell::Truth(*value));
             }
             Source::Text(reader) => {
                 let count = batch(reader, &mut self.texts, levels, max, most)?;
                 let numbers: Vec<usize> = (0..self.texts.len()).collect();
-                spread(&numbers, levels, max, count, cells, |number| Cell::Text(*number));
+                spread(&numbers, levels, max, count, cells, |number| ParquetCell::Text(*number));
             }
         }
         Ok(self.cells.len())
@@ -211,15 +211,15 @@ fn spread<T>(
     levels: &[i16],
     level_max: i16,
     count: usize,
-    cells: &mut Vec<Cell>,
-    cell: impl Fn(&T) -> Cell,
+    cells: &mut Vec<ParquetCell>,
+    cell: impl Fn(&T) -> ParquetCell,
 ) {
     let mut values = values.iter();
     if level_max == 0 {
         cells.extend(values.take(count).map(cell));
     } else {
         let mut next = |level: &i16| if *level == level_max { values.next().map(&cell) } else { None };
-        cells.extend(levels.iter().map(|level| next(level).unwrap_or(Cell::Null)));
+        cells.extend(levels.iter().map(|level| next(level).unwrap_or(ParquetCell::Null)));
     }
 }
 

@@ -1,9 +1,9 @@
 //! Reader of a table with any columns in parts, within the bounds of a recording: it takes no more memory than given,
 //! independent of the sizes claimed in the file.
 
-use super::footer::{Chunk, Column, Footer, Logical, place};
+use super::footer::{Chunk, Footer, Logical, ParquetColumn, place};
 use super::pages::Pages;
-use super::streams::{Cell, Stream};
+use super::streams::{ParquetCell, Stream};
 use super::{Holds, damaged, kind, type_name, unreadable};
 use crate::faults::{Damage, Fault};
 use crate::limits::{Limit, Memory, TABLE_COLUMNS_MAX, TABLE_ROWS_FREE, TABLE_ROWS_PER_BYTE};
@@ -94,7 +94,7 @@ pub struct Table {
     source: Box<dyn Ranges>,
     columns: Vec<TableColumn>,
     /// Columns that are read: index, type of the values, description.
-    used: Vec<(usize, Holds, Column)>,
+    used: Vec<(usize, Holds, ParquetColumn)>,
     /// Row groups still to be read, the next one last: number of rows and chunks of each.
     groups: Vec<(u64, Vec<Chunk>)>,
     streams: Vec<Stream>,
@@ -246,27 +246,29 @@ impl Table {
             *slot = match &column.kind {
                 ValueKind::Float => TableValues::Floats(cells.map(|cell| number(*cell)).collect()),
                 ValueKind::Unsigned { .. } => {
-                    let whole = |cell: &Cell| match cell {
-                        Cell::Integer(value) => u64::try_from(*value).ok(),
+                    let whole = |cell: &ParquetCell| match cell {
+                        ParquetCell::Integer(value) => u64::try_from(*value).ok(),
                         // Above 2⁶³, to the precision of a float.
-                        Cell::Float(value) => Some(*value as u64),
-                        Cell::Null | Cell::Text(_) | Cell::Truth(_) => None,
+                        ParquetCell::Float(value) => Some(*value as u64),
+                        ParquetCell::Null | ParquetCell::Text(_) | ParquetCell::Truth(_) => None,
                     };
                     TableValues::Unsigned(cells.map(whole).collect())
                 }
                 ValueKind::Integer => {
-                    let whole = |cell: &Cell| if let Cell::Integer(value) = cell { Some(*value) } else { None };
+                    let whole =
+                        |cell: &ParquetCell| if let ParquetCell::Integer(value) = cell { Some(*value) } else { None };
                     TableValues::Integers(cells.map(whole).collect())
                 }
                 ValueKind::Text => {
-                    let text = |cell: &Cell| {
-                        let Cell::Text(number) = cell else { return None };
+                    let text = |cell: &ParquetCell| {
+                        let ParquetCell::Text(number) = cell else { return None };
                         Some(String::from_utf8_lossy(stream.texts.get(*number)?.data()).into_owned())
                     };
                     TableValues::Texts(cells.map(text).collect())
                 }
                 ValueKind::Truth => {
-                    let truth = |cell: &Cell| if let Cell::Truth(value) = cell { Some(*value) } else { None };
+                    let truth =
+                        |cell: &ParquetCell| if let ParquetCell::Truth(value) = cell { Some(*value) } else { None };
                     TableValues::Truths(cells.map(truth).collect())
                 }
                 ValueKind::Duration(_) | ValueKind::Other(_) => TableValues::Other(count),
@@ -282,16 +284,16 @@ const SKIPPED_AT_ONCE: u64 = 8192;
 /// Bytes of a cell in all its representations.
 const CELL_BYTES: u64 = 48;
 
-fn number(cell: Cell) -> Option<f64> {
+fn number(cell: ParquetCell) -> Option<f64> {
     match cell {
-        Cell::Float(value) => Some(value),
-        Cell::Integer(value) => Some(value as f64),
-        Cell::Null | Cell::Text(_) | Cell::Truth(_) => None,
+        ParquetCell::Float(value) => Some(value),
+        ParquetCell::Integer(value) => Some(value as f64),
+        ParquetCell::Null | ParquetCell::Text(_) | ParquetCell::Truth(_) => None,
     }
 }
 
 /// Returns the kind of the values of a column and, if they can be read, their type.
-fn value_kind(column: &Column) -> (ValueKind, Option<Holds>) {
+fn value_kind(column: &ParquetColumn) -> (ValueKind, Option<Holds>) {
     let plain = Holds { unsigned: false, scale: None, time: None };
     let is_plain = column.logical == Logical::Plain && column.converted == ConvertedType::NONE;
     match column.physical {

@@ -7,7 +7,7 @@ use recording::{
     read_csv_within, read_parquet, read_parquet_within,
 };
 use std::time::{Duration, Instant};
-use testkit::parquet::{Column, Structure, claimed_children, ended, file, nested_groups, page, ramp_of_deltas};
+use testkit::parquet::{FileColumn, Structure, claimed_children, ended, file, nested_groups, page, ramp_of_deltas};
 
 const INT64: i64 = 2;
 const DOUBLE: i64 = 5;
@@ -32,13 +32,19 @@ fn only(read: Result<Recording, Vec<Fault>>) -> Fault {
     faults.remove(0)
 }
 
-fn plain(name: &'static str, values: impl Iterator<Item = f64>) -> Column {
+fn plain(name: &'static str, values: impl Iterator<Item = f64>) -> FileColumn {
     let bytes: Vec<u8> = values.flat_map(f64::to_le_bytes).collect();
     let count = (bytes.len() / 8) as i64;
-    Column { name, physical: DOUBLE, codec: 0, values: count, pages: page(PLAIN, count, &bytes, bytes.len() as i64) }
+    FileColumn {
+        name,
+        physical: DOUBLE,
+        codec: 0,
+        values: count,
+        pages: page(PLAIN, count, &bytes, bytes.len() as i64),
+    }
 }
 
-fn times(count: i32) -> Column {
+fn times(count: i32) -> FileColumn {
     plain("t [s]", (0..count).map(f64::from))
 }
 
@@ -103,14 +109,14 @@ fn many_columns_and_long_paths_are_refused() {
 fn a_page_is_not_unpacked_to_what_it_claims() {
     let two_gib = i64::from(i32::MAX);
     let claim = |values: i64, unpacked: i64, packed: &[u8]| {
-        let time = Column {
+        let time = FileColumn {
             name: "t [s]",
             physical: DOUBLE,
             codec: ZSTD,
             values,
             pages: page(PLAIN, values, packed, unpacked),
         };
-        let position = Column { name: "q [deg]", ..time.clone() };
+        let position = FileColumn { name: "q [deg]", ..time.clone() };
         only(read(file(values, &[time, position])))
     };
     let packed = vec![0x28; 3_000];
@@ -125,7 +131,7 @@ fn a_page_is_not_unpacked_to_what_it_claims() {
     // Beyond the given memory, at any ratio.
     let packed = vec![0x28; 100_000];
     assert!(matches!(claim(1 << 23, 90 << 20, &packed), Fault::ParquetUnreadable { reason: Damage::Packed }));
-    let column = |name| Column {
+    let column = |name| FileColumn {
         name,
         physical: DOUBLE,
         codec: ZSTD,
@@ -146,8 +152,8 @@ fn zeros_that_are_packed_tightly_are_not_unpacked() {
     assert!(packed.len() < 20_000);
     let values = (zeros.len() / 8) as i64;
     let pages = page(PLAIN, values, &packed, zeros.len() as i64);
-    let time = Column { name: "t [s]", physical: DOUBLE, codec: ZSTD, values, pages };
-    let fault = only(read(file(values, &[time.clone(), Column { name: "q [deg]", ..time }])));
+    let time = FileColumn { name: "t [s]", physical: DOUBLE, codec: ZSTD, values, pages };
+    let fault = only(read(file(values, &[time.clone(), FileColumn { name: "q [deg]", ..time }])));
     assert!(matches!(fault, Fault::Beyond { limit: Limit::PageRatio, .. }), "{fault:?}");
 }
 
@@ -156,8 +162,8 @@ fn samples_that_take_no_bytes_are_refused() {
     let deltas = |count: u64, block: u64| {
         let bytes = ramp_of_deltas(count, block);
         let pages = page(DELTAS, count as i64, &bytes, bytes.len() as i64);
-        let time = Column { name: "t [ms]", physical: INT64, codec: 0, values: count as i64, pages };
-        file(count as i64, &[time.clone(), Column { name: "q [deg]", ..time }])
+        let time = FileColumn { name: "t [ms]", physical: INT64, codec: 0, values: count as i64, pages };
+        file(count as i64, &[time.clone(), FileColumn { name: "q [deg]", ..time }])
     };
     let bytes = deltas(1 << 20, 1 << 20);
     assert!(bytes.len() < 228, "{}", bytes.len());
@@ -170,14 +176,14 @@ fn samples_that_take_no_bytes_are_refused() {
 #[test]
 fn values_that_are_not_there_are_refused() {
     // The columns differ in length, a chunk has fewer values than stated, a page more.
-    let cut = |values: i64| Column { values, ..plain("q [deg]", (0..4).map(f64::from)) };
-    for column in [cut(3), cut(5), Column { values: 4, ..plain("q [deg]", (0..5).map(f64::from)) }] {
+    let cut = |values: i64| FileColumn { values, ..plain("q [deg]", (0..4).map(f64::from)) };
+    for column in [cut(3), cut(5), FileColumn { values: 4, ..plain("q [deg]", (0..5).map(f64::from)) }] {
         assert_eq!(only(read(file(4, &[times(4), column]))), Fault::ParquetUnreadable { reason: Damage::Lengths });
     }
     // No delta where the levels state a value.
     let none = ramp_of_deltas(0, 128);
     let pages = page(DELTAS, 4, &none, none.len() as i64);
-    let column = Column { name: "q [deg]", physical: INT64, codec: 0, values: 4, pages };
+    let column = FileColumn { name: "q [deg]", physical: INT64, codec: 0, values: 4, pages };
     assert!(matches!(
         only(read(file(4, &[times(4), column]))),
         Fault::ParquetUnreadable { reason: Damage::Values { .. } }

@@ -1,7 +1,7 @@
 //! Other fitting actuators, those with the smallest excess, and the reasons for rejecting the rest.
 
 use super::checks::{Titles, is_of_another_gear};
-use super::shown::{Shown, tied};
+use super::shown::{Formatter, tied};
 use answers::{CheckId, Dossier, Fit, Rejection};
 use serde::Serialize;
 use words::terminal::speed_beyond_the_curve;
@@ -65,7 +65,7 @@ struct Reason {
 }
 
 impl Alternatives {
-    pub(super) fn build(dossier: &Dossier, titles: &Titles, full: bool, shown: &Shown) -> Self {
+    pub(super) fn build(dossier: &Dossier, titles: &Titles, full: bool, shown: &Formatter) -> Self {
         let sizing = &dossier.sizing;
         let chosen = dossier.judgement.candidate.code.as_deref();
         let most = if full { MANY } else { FEW };
@@ -128,7 +128,7 @@ impl Alternatives {
     }
 }
 
-fn miss(rejection: &Rejection, titles: &Titles, shown: &Shown) -> Option<Miss> {
+fn miss(rejection: &Rejection, titles: &Titles, shown: &Formatter) -> Option<Miss> {
     let check = *rejection.check?;
     let (value, limit) = (rejection.value?, rejection.limit?);
     let unit = rejection.unit.unwrap_or("1");

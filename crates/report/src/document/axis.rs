@@ -4,11 +4,11 @@ use super::alternatives::Alternatives;
 use super::checks::{Checks, Titles, is_of_another_gear};
 use super::demand::{DemandTable, MotionTable};
 use super::figure_file;
-use super::inputs::{Inputs, Mechanism, groups};
+use super::inputs::{Inputs, MechanismData, groups};
 use super::laid_out::{LaidOut, laid_out};
-use super::operation::{DataSheet, Operation, data_sheet, operation};
-use super::origins::{Derived, Source, derived, sources};
-use super::shown::{Shown, tied};
+use super::operation::{CycleData, DataSheet, data_sheet, operation};
+use super::origins::{DerivationLines, UsedSource, derived, sources};
+use super::shown::{Formatter, tied};
 use crate::{AxisContent, Diagram, DiagramPlace};
 use answers::{Check, Dossier, Fit, Item, Number, ScrewJoint, Tolerance, Verdict};
 use serde::Serialize;
@@ -16,18 +16,18 @@ use words::{capitalised, marked, proviso_text};
 
 /// Data of the chapters of one axis, for the template.
 #[derive(Serialize)]
-pub(super) struct Axis {
+pub(super) struct AxisData {
     /// Number of the axis, from 1.
     number: usize,
     name: String,
     cover: Cover,
     inputs: Inputs,
     assumptions: Vec<String>,
-    mechanism: Mechanism,
+    mechanism: MechanismData,
     motion: MotionTable,
     single_move: bool,
     demand: DemandTable,
-    operation: Option<Operation>,
+    operation: Option<CycleData>,
     data_sheet: DataSheet,
     checks: Checks,
     tolerance: Option<Scatter>,
@@ -39,9 +39,9 @@ pub(super) struct Axis {
     /// Chapters for building and running the machine, if requested.
     chapters: Vec<LaidOut>,
     /// Derivations; empty in the short form.
-    derivations: Vec<Derived>,
+    derivations: Vec<DerivationLines>,
     /// Sources; empty in the short form.
-    sources: Vec<Source>,
+    sources: Vec<UsedSource>,
 }
 
 #[derive(Serialize)]
@@ -147,8 +147,8 @@ struct Placed {
     alternative: String,
 }
 
-impl Axis {
-    pub(super) fn build(index: usize, content: &AxisContent, full: bool, shown: &Shown) -> Self {
+impl AxisData {
+    pub(super) fn build(index: usize, content: &AxisContent, full: bool, shown: &Formatter) -> Self {
         let dossier = &content.dossier;
         let judgement = &dossier.judgement;
         let titles = Titles::collect(dossier);
@@ -164,7 +164,7 @@ impl Axis {
             cover: cover(content, &checks, &titles, shown),
             inputs: groups(&dossier.inputs),
             assumptions: judgement.assumptions.iter().map(|text| tied(text)).collect(),
-            mechanism: Mechanism::build(dossier, shown),
+            mechanism: MechanismData::build(dossier, shown),
             motion: MotionTable::build(&judgement.motion, shown),
             single_move: dossier.single_move,
             demand: DemandTable::build(dossier, shown),
@@ -201,7 +201,7 @@ fn placed(axis: usize, index: usize, figure: &Diagram) -> Placed {
     }
 }
 
-fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown) -> Cover {
+fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Formatter) -> Cover {
     let judgement = &content.dossier.judgement;
     let candidate = &judgement.candidate;
     let counts = content.dossier.counts;
@@ -298,7 +298,7 @@ fn words_of(key: &str, dossier: &Dossier) -> String {
     found.unwrap_or_else(|| key.to_owned())
 }
 
-fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Shown) -> Scatter {
+fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Formatter) -> Scatter {
     let worst = &found.worst_corner;
     let quantiles = found.utilisation;
     Scatter {

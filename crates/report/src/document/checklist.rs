@@ -1,6 +1,6 @@
 //! Data of the checklists for their template.
 
-use crate::form::{Field, FieldKind};
+use crate::form::{FieldKind, FormField};
 use answers::{CommissionEntry, CommissionList, Commissioning, Fact};
 use quantities::{Language, Unit};
 use serde::Serialize;
@@ -98,8 +98,8 @@ impl CheckListDocument {
     }
 
     /// Returns the fields of the form, in the order of the pages.
-    pub(crate) fn fields(&self, language: Language) -> Vec<Field> {
-        let text = |name: &str, tooltip: &str| Field {
+    pub(crate) fn fields(&self, language: Language) -> Vec<FormField> {
+        let text = |name: &str, tooltip: &str| FormField {
             name: name.to_owned(),
             kind: FieldKind::Text,
             tooltip: tooltip.to_owned(),
@@ -107,7 +107,7 @@ impl CheckListDocument {
         let mut fields = vec![text("serial_number", &self.serial_number), text("signature", &self.signature)];
         for line in self.lists.iter().flat_map(|list| &list.entries) {
             let tooltip = commission::field_done(&line.text, language);
-            fields.push(Field { name: line.tick.clone(), kind: FieldKind::Tick, tooltip });
+            fields.push(FormField { name: line.tick.clone(), kind: FieldKind::Tick, tooltip });
             if !line.value.is_empty() {
                 let tooltip = match line.unit.as_str() {
                     "" => commission::field_measured(&line.text, language),

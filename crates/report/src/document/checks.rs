@@ -1,6 +1,6 @@
 //! The checks: their order, their counts, what is missing.
 
-use super::shown::{Shown, tied};
+use super::shown::{Formatter, tied};
 use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Part, Shaft, Verdict};
 use quantities::Language;
 use serde::Serialize;
@@ -63,7 +63,7 @@ fn is_open(check: &Check) -> bool {
 }
 
 impl Checks {
-    pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
+    pub(super) fn build(dossier: &Dossier, shown: &Formatter) -> Self {
         let mechanism = &dossier.mechanism;
         let travel = |shaft: Shaft| match shaft {
             Shaft::Output => mechanism.travel_mm_per_rev,
@@ -110,7 +110,7 @@ fn missing(check: &Check, dossier: &Dossier) -> Open {
     }
 }
 
-fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) -> CheckRow {
+fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Formatter) -> CheckRow {
     let unit = check.unit.unwrap_or("1");
     let figure = |value: Option<Number>| {
         let text = |value: Number| match *check.id {

@@ -1,7 +1,7 @@
 //! Results of the motion, and the demand on the actuator.
 
 use super::ends::Ends;
-use super::shown::Shown;
+use super::shown::Formatter;
 use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number, Segment, UnitBy};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -36,7 +36,7 @@ struct Recorded {
 }
 
 impl MotionTable {
-    pub(super) fn build(motion: &Motion, shown: &Shown) -> Self {
+    pub(super) fn build(motion: &Motion, shown: &Formatter) -> Self {
         let number = |value: Option<Number>| value.map(|value| shown.number(value)).unwrap_or_default();
         type Load = fn(&Segment) -> Option<Number>;
         let all: [(&str, Load); 4] = [
@@ -110,7 +110,7 @@ struct DemandRow {
 }
 
 impl DemandTable {
-    pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
+    pub(super) fn build(dossier: &Dossier, shown: &Formatter) -> Self {
         let travel = dossier.mechanism.travel_mm_per_rev.map(|travel| travel.0);
         let Some(demand) = &dossier.judgement.candidate.demand else {
             return Self { by_manual: false, rows: Vec::new(), both: false, line: false, moves: Ends::default() };
@@ -160,7 +160,7 @@ const fn values(torques: &MoveTorques) -> [Number; 3] {
 }
 
 /// Converts a torque to a force and a speed to the speed along a line with this travel per turn; empty for other units.
-fn along(value: Number, unit: &str, travel_mm_per_rev: f64, shown: &Shown) -> String {
+fn along(value: Number, unit: &str, travel_mm_per_rev: f64, shown: &Formatter) -> String {
     match unit {
         "Nm" => shown.figure(Number(value.0 * TAU / (travel_mm_per_rev * 1e-3)), "N"),
         "min⁻¹" => shown.figure(Number(value.0 * travel_mm_per_rev / 60.0), "mm/s"),

@@ -1,7 +1,7 @@
 //! Inputs of the project, and the labels of the sketch of the mechanism.
 
 use super::ends::{Ends, is_listed};
-use super::shown::{Shown, tied};
+use super::shown::{Formatter, tied};
 use answers::{Dossier, InputTable, Sketch};
 use serde::Serialize;
 
@@ -9,7 +9,7 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct Group {
     title: String,
-    rows: Vec<Row>,
+    rows: Vec<InputRow>,
 }
 
 /// Inputs stated in the project.
@@ -21,15 +21,15 @@ pub(super) struct Inputs {
 }
 
 #[derive(Serialize)]
-pub(super) struct Row {
+pub(super) struct InputRow {
     name: String,
     label: String,
     text: String,
     tolerance: String,
 }
 
-fn row(input: &answers::Input) -> Row {
-    Row {
+fn row(input: &answers::Input) -> InputRow {
+    InputRow {
         name: input.name.clone(),
         label: input.label.clone(),
         text: tied(&input.text),
@@ -57,14 +57,14 @@ fn segment_of(table: &InputTable) -> Option<usize> {
 
 /// Mechanism driven by the output flange.
 #[derive(Serialize)]
-pub(super) struct Mechanism {
+pub(super) struct MechanismData {
     title: String,
     sketch: Sketch,
     /// Width at which it is placed.
     sketch_width_mm: f64,
     /// Way along the line for one turn of the actuator.
     travel: String,
-    data: Ends<Row>,
+    data: Ends<InputRow>,
     bodies: Ends<Body>,
     /// Total moment of inertia of the bodies.
     inertia: String,
@@ -83,15 +83,15 @@ struct Body {
     text: String,
 }
 
-impl Mechanism {
-    pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
+impl MechanismData {
+    pub(super) fn build(dossier: &Dossier, shown: &Formatter) -> Self {
         let found = &dossier.mechanism;
-        let mut rows: Vec<Row> =
+        let mut rows: Vec<InputRow> =
             dossier.inputs.iter().filter(|table| table.of_mechanism).flat_map(|table| &table.values).map(row).collect();
         let mut bodies = Ends::default();
         if let Some(inertia) = &found.bodies {
             // Each body is a row of its own table, in the terms of the project.
-            let (texts, others): (Vec<Row>, Vec<Row>) =
+            let (texts, others): (Vec<InputRow>, Vec<InputRow>) =
                 rows.into_iter().partition(|row| row.name.starts_with("bodies["));
             rows = others;
             let mut texts = texts.into_iter().map(|row| row.text);

@@ -1,14 +1,14 @@
 //! The cycle on the chosen actuator by segments, the motor shaft, the duty type, and the data of the manual.
 
 use super::ends::Ends;
-use super::shown::{Shown, tied};
+use super::shown::{Formatter, tied};
 use answers::{Dossier, Number, SegmentLoad};
 use serde::Serialize;
 use words::{capitalised, marked};
 
 /// The cycle on the actuator.
 #[derive(Serialize)]
-pub(super) struct Operation {
+pub(super) struct CycleData {
     segments: Ends<LoadRow>,
     cycle: LoadRow,
     facts: Vec<OperationFact>,
@@ -52,7 +52,7 @@ pub(super) struct DataSheet {
     has_doubts: bool,
 }
 
-fn row(number: Option<usize>, load: &SegmentLoad, shown: &Shown) -> LoadRow {
+fn row(number: Option<usize>, load: &SegmentLoad, shown: &Formatter) -> LoadRow {
     let text = |value: Option<Number>| value.map(|value| shown.number(value)).unwrap_or_default();
     let values = [
         Some(load.duration),
@@ -69,7 +69,7 @@ fn row(number: Option<usize>, load: &SegmentLoad, shown: &Shown) -> LoadRow {
     LoadRow { number, values: values.map(text) }
 }
 
-pub(super) fn operation(dossier: &Dossier, shown: &Shown) -> Option<Operation> {
+pub(super) fn operation(dossier: &Dossier, shown: &Formatter) -> Option<CycleData> {
     let found = dossier.operation.as_ref()?;
     let segments = found.segments.iter().enumerate().map(|(place, load)| row(Some(place + 1), load, shown));
     let mut facts = Vec::new();
@@ -89,7 +89,7 @@ pub(super) fn operation(dossier: &Dossier, shown: &Shown) -> Option<Operation> {
     }
     let ratio = (found.inertia_own.0 > 0.0).then(|| shown.number(Number(found.inertia_load.0 / found.inertia_own.0)));
     add("inertia_ratio", "J_L/J_out", ratio);
-    Some(Operation {
+    Some(CycleData {
         segments: Ends::of(segments, None),
         cycle: row(None, &found.cycle, shown),
         facts,

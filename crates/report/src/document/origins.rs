@@ -1,14 +1,14 @@
 //! Origin of every number, for the full form: derivations and sources.
 
 use super::checks::once;
-use super::shown::{Shown, tied};
+use super::shown::{Formatter, tied};
 use answers::{Explained, Node};
 use serde::Serialize;
 use words::{capitalised, symbol_shown};
 
 /// A derivation as lines, nested by depth.
 #[derive(Serialize)]
-pub(super) struct Derived {
+pub(super) struct DerivationLines {
     title: String,
     verdict: &'static str,
     sources: Vec<String>,
@@ -40,7 +40,7 @@ struct SourcedNumber {
 /// Depth to which a derivation is printed; a figure below it is printed with its value and source only.
 const DEPTH: usize = 2;
 
-pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
+pub(super) fn derived(explained: &[Explained], shown: &Formatter) -> Vec<DerivationLines> {
     let derived = explained.iter().map(|each| {
         let mut lines = Vec::new();
         let sides = [&each.derivation.limit, &each.derivation.value].into_iter().flatten();
@@ -71,7 +71,7 @@ pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
             });
             open.extend(steps.into_iter().rev().map(|child| (depth + 1, child)));
         }
-        Derived {
+        DerivationLines {
             title: capitalised(&each.check.title),
             verdict: each.check.verdict.id(),
             sources: once(&each.check.sources),
@@ -89,20 +89,20 @@ fn alike(a: &str, b: &str) -> bool {
 
 /// A source and what it served.
 #[derive(Serialize)]
-pub(super) struct Source {
+pub(super) struct UsedSource {
     text: String,
     used_for: Vec<String>,
 }
 
 /// Returns the sources in the order of their first use.
-pub(super) fn sources(explained: &[Explained]) -> Vec<Source> {
-    let mut found: Vec<Source> = Vec::new();
+pub(super) fn sources(explained: &[Explained]) -> Vec<UsedSource> {
+    let mut found: Vec<UsedSource> = Vec::new();
     let mut enter = |text: &str, title: &str| {
         if text.is_empty() {
             return;
         }
         let place = found.iter().position(|source| source.text == text).unwrap_or_else(|| {
-            found.push(Source { text: text.to_owned(), used_for: Vec::new() });
+            found.push(UsedSource { text: text.to_owned(), used_for: Vec::new() });
             found.len() - 1
         });
         if let Some(source) = found.get_mut(place).filter(|source| source.used_for.iter().all(|known| known != title)) {

@@ -5,7 +5,7 @@ use quantities::{Language, Unit, format_number, format_significant};
 use words::percent_text;
 
 /// Formatter of numbers, units and dates for one language.
-pub(super) struct Shown(pub(super) Language);
+pub(super) struct Formatter(pub(super) Language);
 
 /// Narrow no-break space between number and unit, as required by DIN 5008 and the SI brochure.
 const THIN: char = '\u{202f}';
@@ -52,7 +52,7 @@ fn unit_at(text: &str) -> Option<&str> {
     (word == "%" || Unit::of(word).is_some()).then_some(word)
 }
 
-impl Shown {
+impl Formatter {
     /// Formats a number with four significant digits.
     pub(super) fn number(&self, value: Number) -> String {
         let Some(value) = value.written() else { return "∞".to_owned() };
@@ -171,13 +171,13 @@ mod tests {
 
     #[test]
     fn a_mass_has_the_decimal_of_the_manual() {
-        let de = Shown(Language::De);
+        let de = Formatter(Language::De);
         assert_eq!(["3,0", "2,3", "12,35"].map(str::to_owned), [3.0, 2.3, 12.35].map(|mass| de.mass(Number(mass))));
     }
 
     #[test]
     fn numbers_have_four_digits_and_the_sign_of_their_language() {
-        let de = Shown(Language::De);
+        let de = Formatter(Language::De);
         assert_eq!(de.number(Number(193.495_559)), "193,5");
         assert_eq!(de.number(Number(40.0)), "40");
         assert_eq!(de.number(Number(3500.0)), "3500");
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn an_angle_is_a_way_along_the_line() {
-        let (de, travel) = (Shown(Language::De), Number(40.0));
+        let (de, travel) = (Formatter(Language::De), Number(40.0));
         let along = |value, unit| de.along(Number(value), unit, travel);
         assert_eq!(along(0.5, "rev").as_deref(), Some("20\u{202f}mm"));
         assert_eq!(along(4.5, "deg").as_deref(), Some("0,5\u{202f}mm"));

@@ -303,7 +303,8 @@ fn what_is_missing_leaves_no_heading_without_content() {
 fn every_mechanism_has_its_drawing() {
     for id in questions::MechanismId::ALL {
         let mut content = short();
-        content.axes[0].dossier.mechanism.sketch.svg = id.drawing(&questions::Figures::none()).picture(|_| true);
+        content.axes[0].dossier.mechanism.sketch.svg =
+            id.drawing(&questions::MechanismValues::none()).picture(|_| true);
         let text = letters(&pages_of(&content, &settings()));
         assert!(text.contains(&letters("Schematic, not to scale")), "{id:?}");
     }

@@ -25,11 +25,11 @@ impl Drop for Up {
     }
 }
 
-fn up(respond: Respond, access: Access, limits: Limits) -> Up {
+fn up(respond: Respond, access: Access, limits: RequestLimits) -> Up {
     listening(respond, None, access, limits)
 }
 
-fn listening(respond: Respond, listen: Option<IpAddr>, access: Access, limits: Limits) -> Up {
+fn listening(respond: Respond, listen: Option<IpAddr>, access: Access, limits: RequestLimits) -> Up {
     let folder = tempfile::tempdir().unwrap();
     let options = Options {
         folder: folder.path().to_owned(),
@@ -74,15 +74,15 @@ impl Up {
     }
 }
 
-fn short() -> Limits {
-    Limits {
+fn short() -> RequestLimits {
+    RequestLimits {
         answer_time: Duration::from_millis(300),
         head_time: Duration::from_millis(300),
         body_time: Duration::from_millis(300),
         computed: 1,
         waiting: 1,
         end_time: Duration::from_millis(500),
-        ..Limits::default()
+        ..RequestLimits::default()
     }
 }
 
@@ -94,7 +94,7 @@ fn panics(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 /// Internal errors are not disclosed, and the next request is answered.
 #[test]
 fn a_fault_inside_is_an_answer_without_detail() {
-    let up = up(panics, Access::Anyone, Limits::default());
+    let up = up(panics, Access::Anyone, RequestLimits::default());
     let answer = up.ask("GET /panics", "");
     assert!(answer.starts_with("HTTP/1.1 500 "), "{answer}");
     assert!(answer.contains("internal error") && !answer.contains("secret"), "{answer}");
@@ -130,8 +130,11 @@ fn work_that_nobody_waits_for_ends() {
     assert_eq!(waited(1), 1, "the time is over");
     drop(up_short);
     // The client disconnects long before the time limit.
-    let up_long =
-        up(endless, Access::Anyone, Limits { answer_time: Duration::from_secs(60), computed: 1, ..Limits::default() });
+    let up_long = up(
+        endless,
+        Access::Anyone,
+        RequestLimits { answer_time: Duration::from_secs(60), computed: 1, ..RequestLimits::default() },
+    );
     let mut stream = up_long.connect();
     write!(stream, "GET /long HTTP/1.1\r\nhost: 127.0.0.1:{}\r\n\r\n", up_long.address.port()).unwrap();
     std::thread::sleep(Duration::from_millis(200));
@@ -155,7 +158,8 @@ fn slow(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 
 #[test]
 fn so_many_are_computed_so_many_wait_and_the_rest_is_reported_to_come_again() {
-    let limits = Limits { computed: 2, waiting: 3, short_time: Duration::from_secs(60), ..Limits::default() };
+    let limits =
+        RequestLimits { computed: 2, waiting: 3, short_time: Duration::from_secs(60), ..RequestLimits::default() };
     let up = up(slow, Access::Anyone, limits);
     let held = GATE.lock().unwrap();
     let answers: Vec<String> = std::thread::scope(|scope| {
@@ -194,7 +198,7 @@ fn on_every_address_a_token_is_needed() {
 }
 
 fn needs_a_token(listen: IpAddr) {
-    let up = listening(panics, Some(listen), Access::default(), Limits::default());
+    let up = listening(panics, Some(listen), Access::default(), RequestLimits::default());
     let (_, token) = up.url.split_once("/?token=").unwrap();
     let bearer = format!("authorization: Bearer {token}\r\n");
     for line in ["GET /", "GET /health", "GET /api/v1/size", "POST /work", "GET /?token=0", "POST /?token="] {
@@ -216,7 +220,7 @@ fn repeats(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 /// A browser sends cookies to every port of a host, so to a server of another user: none is set, and none opens anything.
 #[test]
 fn no_cookie_is_set_and_none_is_taken() {
-    let up = up(repeats, Access::default(), Limits::default());
+    let up = up(repeats, Access::default(), RequestLimits::default());
     let (_, token) = up.url.split_once("/?token=").unwrap();
     let page = "accept: text/html,*/*;q=0.8\r\n";
     let bearer = format!("authorization: Bearer {token}\r\n{page}");
@@ -270,7 +274,7 @@ fn a_connection_has_one_place_among_the_idle_ones() {
 /// Requests that are turned away, then more idle connections than there are places: the user is answered at once.
 #[test]
 fn a_stranger_without_the_token_does_not_slow_the_user() {
-    let limits = Limits { connections: 64, ..Limits::default() };
+    let limits = RequestLimits { connections: 64, ..RequestLimits::default() };
     let up = up(repeats, Access::default(), limits);
     let (_, token) = up.url.split_once("/?token=").unwrap();
     let bearer = format!("authorization: Bearer {token}\r\n");
@@ -298,7 +302,7 @@ fn a_stranger_without_the_token_does_not_slow_the_user() {
 /// of the user.
 #[test]
 fn a_stranger_without_the_token_sends_no_body() {
-    let limits = Limits { bodies_bytes: 1 << 20, ..Limits::default() };
+    let limits = RequestLimits { bodies_bytes: 1 << 20, ..RequestLimits::default() };
     let up = up(repeats, Access::default(), limits);
     let (_, token) = up.url.split_once("/?token=").unwrap();
     let bearer = format!("authorization: Bearer {token}\r\ncontent-length: 1000\r\n\r\n{}", "x".repeat(1000));
@@ -341,7 +345,7 @@ fn made(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 /// A file that is open to all is made when it is first requested, by strangers and users alike; another path is another file.
 #[test]
 fn an_open_file_is_made_once() {
-    let up = up(made, Access::default(), Limits::default());
+    let up = up(made, Access::default(), RequestLimits::default());
     for _ in 0..5 {
         for line in ["GET /assets/page.css", "HEAD /assets/page.css", "GET /assets/p%61ge.css"] {
             assert!(up.ask(line, "").starts_with("HTTP/1.1 200 "), "{line}");
@@ -373,7 +377,7 @@ fn long_or_short(call: &Call<'_>, _: &dyn Shell, patience: &Patience) -> Reply {
 /// Three long works on a server of one worker: the short ones are answered meanwhile, and in the end each long one has its answer.
 #[test]
 fn long_works_do_not_keep_a_short_one_waiting() {
-    let limits = Limits { computed: 1, short_time: Duration::from_millis(100), ..Limits::default() };
+    let limits = RequestLimits { computed: 1, short_time: Duration::from_millis(100), ..RequestLimits::default() };
     let up = up(long_or_short, Access::Anyone, limits);
     std::thread::scope(|scope| {
         let long: Vec<_> = (0..3).map(|_| scope.spawn(|| up.ask("GET /long", ""))).collect();
@@ -406,7 +410,7 @@ fn takes_a_while(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
 
 #[test]
 fn what_has_begun_is_finished_when_the_end_comes() {
-    let up = up(takes_a_while, Access::Anyone, Limits::default());
+    let up = up(takes_a_while, Access::Anyone, RequestLimits::default());
     let mut stream = up.connect();
     write!(stream, "GET / HTTP/1.1\r\nhost: 127.0.0.1:{}\r\n\r\n", up.address.port()).unwrap();
     std::thread::sleep(Duration::from_millis(100));
@@ -440,7 +444,7 @@ fn a_work_with_a_name_is_followed_and_cancelled() {
     assert!(answer.starts_with("HTTP/1.1 200 ") && answer.ends_with("late"), "{answer}");
     assert!(up_short.ask("GET /long", "x-work: ../a\r\n").starts_with("HTTP/1.1 503 "), "no name of a work");
     drop(up_short);
-    let up_long = up(named, Access::Anyone, Limits { computed: 1, waiting: 1, ..Limits::default() });
+    let up_long = up(named, Access::Anyone, RequestLimits { computed: 1, waiting: 1, ..RequestLimits::default() });
     assert!(up_long.ask("GET /progress?work=a-1", "").starts_with("HTTP/1.1 404 "));
     std::thread::scope(|scope| {
         let long = scope.spawn(|| up_long.ask("GET /long", "x-work: a-1\r\n"));

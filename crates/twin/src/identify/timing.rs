@@ -2,7 +2,7 @@
 
 use super::windows::Grain;
 use super::{Column, HeldColumn, Observed, Scatter};
-use motion::{Held, Stamps};
+use motion::{HeldSignal, Stamps};
 
 /// A run without scatter of the stamps and without held values.
 pub(super) struct Examined {
@@ -31,7 +31,7 @@ pub(super) fn examined(mut run: Observed) -> Examined {
     let Observed { time_s, position_rad, speed_rad_s, motor_rad_s, torque_nm, current_q_a } = &mut run;
     let mut held = Vec::new();
     let mut taken = |column, values: &mut Vec<f64>| {
-        let found = Held::of(time_s, values)?;
+        let found = HeldSignal::of(time_s, values)?;
         held.push(HeldColumn { column, period_s: found.period_s });
         *values = found.values;
         Some((found.updated, found.period_s))

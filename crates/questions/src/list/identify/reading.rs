@@ -46,7 +46,7 @@ const COLUMNS: [Column; 6] = [
 const TIME: usize = 0;
 
 /// A run with the lines of its rows.
-pub(super) struct Run {
+pub(super) struct RecordedRun {
     pub(super) observed: Observed,
     /// Line of each row, from 1; empty where rows are numbered.
     pub(super) lines: Vec<usize>,
@@ -71,7 +71,7 @@ struct Columns {
 ///
 /// # Errors
 /// Every fault, each with its line and column.
-pub(super) fn run(asked: &Asked<'_>, name: &str) -> Result<Run, Unanswered> {
+pub(super) fn run(asked: &Asked<'_>, name: &str) -> Result<RecordedRun, Unanswered> {
     let language = asked.language;
     let unread = |_| Unanswered::message(simulation::no_such_trace(&seen(name), language));
     let source = asked.source()?;
@@ -135,7 +135,7 @@ impl Columns {
         self.faults.extend(why.iter().map(|fault| recording_text(fault, language)));
     }
 
-    fn run(mut self, language: Language) -> Result<Run, Vec<String>> {
+    fn run(mut self, language: Language) -> Result<RecordedRun, Vec<String>> {
         let there = COLUMNS.iter().zip(&self.values);
         let lacking: Vec<&str> = there
             .filter(|(column, values)| column.required && values.is_none())
@@ -157,7 +157,7 @@ impl Columns {
         let [time_s, position_rad, motor_rad_s, torque_nm, current_q_a] =
             [time_s, position_rad, motor_rad_s, torque_nm, current_q_a].map(Option::unwrap_or_default);
         let observed = Observed { time_s, position_rad, speed_rad_s, motor_rad_s, torque_nm, current_q_a };
-        Ok(Run { observed, lines: self.lines })
+        Ok(RecordedRun { observed, lines: self.lines })
     }
 }
 

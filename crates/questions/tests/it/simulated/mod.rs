@@ -4,7 +4,7 @@
 use project::NoFiles;
 use quantities::Language;
 use questions::Patience;
-use questions::list::{Asked, Given, Source, Unanswered, simulate};
+use questions::list::{Asked, Given, ReferencedText, Unanswered, simulate};
 use std::borrow::Cow;
 
 /// Returns the answer of `simulate` as JSON, and whether the actuator fits.
@@ -17,7 +17,11 @@ pub(crate) fn simulated(text: &str, options: &[(&str, &str)]) -> Result<(serde_j
     let patience = Patience::endless();
     let asked = Asked {
         given,
-        sources: vec![Source { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files: &NoFiles }],
+        sources: vec![ReferencedText {
+            name: "axis.toml".to_owned(),
+            bytes: Cow::Borrowed(text.as_bytes()),
+            files: &NoFiles,
+        }],
         days_since_1970: None,
         patience: &patience,
         refuses_long: true,
