@@ -19,6 +19,7 @@ mod openings;
 mod plain_words;
 mod source;
 pub(crate) mod tree;
+mod type_names;
 
 #[cfg(test)]
 mod scratch;
@@ -44,7 +45,7 @@ impl fmt::Display for Violation {
 
 type Rule = fn(&Path) -> Vec<Violation>;
 
-const RULES: [Rule; 14] = [
+const RULES: [Rule; 15] = [
     tree::not_empty,
     layers::rule,
     architecture::rule,
@@ -59,6 +60,7 @@ const RULES: [Rule; 14] = [
     one_voice::unused,
     openings::rule,
     plain_words::rule,
+    type_names::rule,
 ];
 
 /// Applies every rule to the tree at `root` and prints the findings on stdout.

@@ -138,7 +138,7 @@ impl Motion {
                 start: Time::from_si(at),
                 duration: Time::from_si(chain.clock - at),
                 hold: if let SegmentSpec::Dwell(_, hold) = segment { *hold } else { Hold::Motor },
-                solved: moved.then(|| solved(chain.pieces.get(from..).unwrap_or_default())),
+                solved: moved.then(|| Solved::of(chain.pieces.get(from..).unwrap_or_default())),
                 overrun,
             });
         }
@@ -559,43 +559,6 @@ fn closing_fault(
         return whole(MoveFault::PositionNotClosed { gap: Angle::from_si(gap) });
     }
     None
-}
-
-/// Largest rounding of a distance relative to the positions it is computed from \[1\].
-const ROUNDING: f64 = 1e-13;
-
-/// Returns distance, time, peak speed and peak acceleration of a move.
-fn solved(pieces: &[Piece]) -> Solved {
-    let (mut speed, mut acceleration, mut time) = (0.0_f64, 0.0_f64, 0.0);
-    for piece in pieces {
-        time += piece.duration_s;
-        // The extremes are at the ends or where the acceleration or its derivative vanishes.
-        let mut instants = vec![0.0, piece.duration_s];
-        if piece.speed_degree().is_none_or(|degree| degree > 1) {
-            instants.extend(piece.acceleration_roots());
-            instants.extend(piece.jerk_roots());
-        }
-        for state in instants.into_iter().map(|t| piece.at(t)) {
-            speed = speed.max(state.speed_rad_s.abs());
-            acceleration = acceleration.max(state.acceleration_rad_s2.abs());
-        }
-    }
-    let start = pieces.first().map_or(0.0, |piece| piece.position_rad);
-    let (mut travelled, mut farthest) = (0.0, 0.0_f64);
-    for piece in pieces {
-        travelled = piece.end().position_rad - start;
-        farthest = farthest.max(travelled.abs()).max(start.abs());
-    }
-    // A return to the start leaves the rounding of the positions between.
-    if travelled.abs() < ROUNDING * farthest {
-        travelled = 0.0;
-    }
-    Solved {
-        distance: Angle::from_si(travelled),
-        time: Time::from_si(time),
-        speed: AngularVelocity::from_si(speed),
-        acceleration: AngularAcceleration::from_si(acceleration),
-    }
 }
 
 #[cfg(test)]
