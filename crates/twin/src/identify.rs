@@ -379,7 +379,14 @@ pub fn identify_while(
         let time = run.time_s.get(sample).copied().unwrap_or(0.0);
         followed.filter(|_| differs).map_or(0, |followed| followed.segment(time))
     };
-    let is_even = |a, b| !differs || same(segment(a), segment(b));
+    let is_sure = |sample: usize| {
+        let about = followed.filter(|_| differs).and_then(|followed| {
+            let (time, position) = (run.time_s.get(sample)?, run.position_rad.get(sample)?);
+            Some(followed.about(*time, *position, *strokes.speed.get(sample)?))
+        });
+        about.is_none_or(|about| about.into_iter().all(|other| same(other, segment(sample))))
+    };
+    let is_even = |a, b| !differs || (same(segment(a), segment(b)) && is_sure(a) && is_sure(b));
     let windows = Windows::of(&run, &strokes, limit, is_even, goes_on)?;
     let of_sample = |sample: usize| extra(segment(sample));
     let both_ways = strokes.both_ways();
@@ -388,6 +395,7 @@ pub fn identify_while(
         mechanism: stated.mechanism,
         losses: losses.as_ref(),
         flange_kgm2: stated.parameters.flange_kgm2(),
+        noise_nm: strokes.grain.noise_nm,
         extra: &of_sample,
         extras,
         both_ways,

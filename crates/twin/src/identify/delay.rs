@@ -1,7 +1,7 @@
 //! Delays of torque and current against the position (other bus cycles, other loggers), and filters of these signals.
 
 use super::motor::Equations;
-use super::regression::{Fit, Row, fit};
+use super::regression::{Fit, Row, compared, fit};
 use super::windows::Windows;
 use super::{Delay, Observed};
 
@@ -80,8 +80,8 @@ impl Lag {
 }
 
 /// Equations of the load of windows, whose last column is the rate of the torque, and the variances of the noise of the
-/// columns; `true` if all parameters of the load are estimated.
-pub(super) type LoadRows<'a> = &'a dyn Fn(&Observed, &Windows) -> (Vec<Row>, Vec<f64>, bool);
+/// columns; the norm of their error that is no noise, zero if all parameters of the load are estimated.
+pub(super) type LoadRows<'a> = &'a dyn Fn(&Observed, &Windows) -> (Vec<Row>, Vec<f64>, f64);
 
 /// Windows of a run without a time at the begin of each stroke.
 pub(super) type Made<'a> = &'a dyn Fn(&Observed, f64) -> Option<Windows>;
@@ -135,8 +135,8 @@ pub(super) fn removed(
     let mut all = Delays::default();
     let mut now = (run, windows);
     let load = |run: &Observed, windows: &Windows| {
-        let (rows, noise, is_whole) = of_load(run, windows);
-        Trial::of(rows, &noise, if is_whole { EXPLAINED } else { EXPLAINED_BESIDE })
+        let (rows, noise, error) = of_load(run, windows);
+        Trial::of(rows, &noise, error)
     };
     let mut settle_s = 0.0;
     if let Some(found) = sought(&now, settle_s, Signal::Torque, made, &load) {
@@ -147,7 +147,7 @@ pub(super) fn removed(
     }
     let motor = |_: &Observed, windows: &Windows| {
         let rows = Equations::of(windows, None, false).rows_of_delay();
-        Trial::of(rows, &[], EXPLAINED)
+        Trial::of(rows, &[], 0.0)
     };
     if let Some(found) = sought(&now, settle_s, Signal::Current, made, &motor) {
         // The current has the filter of the torque, with the error of its time constant.
@@ -168,8 +168,9 @@ struct Trial {
 }
 
 impl Trial {
-    fn of(rows: Vec<Row>, noise: &[f64], most: f64) -> Option<Self> {
-        let fit = fit(&rows, noise, &[])?;
+    fn of(rows: Vec<Row>, noise: &[f64], error: f64) -> Option<Self> {
+        let fit = compared(&rows, noise, &[])?.with_error(error);
+        let most = if error > 0.0 { EXPLAINED_BESIDE } else { EXPLAINED };
         Some(Self { rows, noise: noise.to_vec(), most, fit })
     }
 

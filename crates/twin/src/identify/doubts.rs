@@ -371,18 +371,24 @@ pub(super) fn of_estimates(
         for pair in
             [[Identified::Coulomb, Identified::Viscous], [Identified::StartingCurrent, Identified::CurrentConstant]]
         {
-            unseparated(pair, found);
+            unseparated(pair, speed, found);
         }
     }
 }
 
-/// Leaves both parts of a friction open if one of them is negative beyond its interval: the run shows their sum alone.
-fn unseparated(pair: [Identified; 2], found: &mut Identification) {
-    let is_negative = |each: &Estimate| pair.contains(&each.of) && each.value < -each.half_width;
-    if found.estimates.iter().any(is_negative) {
-        found.estimates.retain(|each| !pair.contains(&each.of));
-        let open: Vec<Identified> =
-            pair.into_iter().filter(|of| found.open.iter().all(|(open, _)| open != of)).collect();
-        found.open.extend(open.into_iter().map(|of| (of, Open::NotSeparated)));
+/// Leaves a part of a friction open that is negative beyond its interval, and the other one if it would leave its interval were the
+/// first zero: then the run shows their sum at the mean speed alone.
+fn unseparated([start, with_speed]: [Identified; 2], speed_rad_s: f64, found: &mut Identification) {
+    let of = |of| found.estimates.iter().find(|each| each.of == of).copied();
+    let parts = [(start, with_speed, speed_rad_s.recip()), (with_speed, start, speed_rad_s)];
+    let mut open = Vec::new();
+    for (own, other, factor) in parts {
+        let Some(own) = of(own).filter(|own| own.value < -own.half_width) else { continue };
+        open.push(own.of);
+        let is_tied = |other: &Estimate| (own.value * factor).abs() > other.half_width;
+        open.extend(of(other).filter(is_tied).map(|other| other.of));
     }
+    open.dedup();
+    found.estimates.retain(|each| !open.contains(&each.of));
+    found.open.extend(open.into_iter().map(|of| (of, Open::NotSeparated)));
 }

@@ -1,10 +1,10 @@
 //! Parameters of the load: linear equations of the windows, without the additions of the segments.
 
 use super::losses::{self, Losses, Part};
-use super::regression::{Fit, Row, fit};
+use super::regression::{Fit, Row, compared, fit};
 use super::windows::{Window, Windows};
 use super::{Estimate, Identification, Identified, IdentifyFault, Observed, Open};
-use mechanism::{Extra, Mechanism, Output, Plain};
+use mechanism::{Extra, Loading, Mechanism, Output, Plain};
 
 /// Smallest range of the position over which gravity is estimated although the project states none \[rad\].
 const SWING: f64 = 0.2;
@@ -52,6 +52,8 @@ pub(super) struct Load<'a, 'e> {
     pub(super) losses: Option<&'a Losses>,
     /// J of the flange, in front of the losses \[kgm²\].
     pub(super) flange_kgm2: f64,
+    /// Standard deviation of the noise of the torque \[Nm\].
+    pub(super) noise_nm: f64,
     /// Additions of a segment, by the sample of a run.
     pub(super) extra: &'a dyn Fn(usize) -> Option<&'e Extra>,
     /// Additions of all segments.
@@ -80,16 +82,16 @@ pub(super) fn estimate(
     }
 }
 
-/// Returns the equations of the load with the rate of the torque as their last column, without a scale of the torque, and the
-/// variances of the noise of the columns; `true` if all parameters of the load are estimated.
-pub(super) fn rows_of_delay(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> (Vec<Row>, Vec<f64>, bool) {
+/// Returns the equations of the load with the rate of the torque as their last column, without a scale of the torque, the
+/// variances of the noise of the columns, and the norm of the error of the equations that is no noise.
+pub(super) fn rows_of_delay(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> (Vec<Row>, Vec<f64>, f64) {
     let none = Extra::none();
     let first = load.extras.first().unwrap_or(&none);
     let differs = load.extras.iter().any(|each| each != first);
     if let Some(plain) = load.mechanism.plain(first) {
         let columns = Columns { rate: true, ..Columns::of(windows, load, &plain) };
         let rows = windows.all.iter().map(|window| columns.row(window, load, &plain, differs));
-        return (rows.collect(), vec![windows.noise[0], 0.0, windows.noise[1]], true);
+        return (rows.collect(), vec![windows.noise[0], 0.0, windows.noise[1]], 0.0);
     }
     let row = |window: &Window| {
         let Part { own, factor } =
@@ -97,7 +99,21 @@ pub(super) fn rows_of_delay(run: &Observed, windows: &Windows, load: &Load<'_, '
         let regressors = vec![own, window.sign, window.speed, factor, factor * window.acceleration, window.torque_rate];
         Some(Row { regressors, value: window.torque, stroke: window.stroke })
     };
-    (windows.all.iter().filter_map(row).collect(), Vec::new(), false)
+    let rows: Vec<Row> = windows.all.iter().filter_map(row).collect();
+    let error = error_share(&rows, 3) * norm(rows.iter().map(|row| row.value));
+    (rows, Vec::new(), error)
+}
+
+/// Returns the square root of the sum of the squares.
+fn norm(values: impl Iterator<Item = f64>) -> f64 {
+    values.map(|value| value * value).sum::<f64>().sqrt()
+}
+
+/// Returns the error of the stated load in a window relative to the torque, from the column of the factors of the losses.
+fn error_share(rows: &[Row], factor: usize) -> f64 {
+    let factors = rows.iter().filter_map(|row| row.regressors.get(factor));
+    let farthest = factors.map(|factor| (factor - 1.0).abs()).fold(0.0, f64::max);
+    QUADRATURE + losses::OTHER_SIDE * farthest
 }
 
 /// Columns of the equations of a load with constant coefficients, besides those of acceleration, direction and speed.
@@ -159,7 +175,7 @@ fn plainly(
     let fitted = |is_free: bool| {
         let rows = rows_of(is_free);
         let [of_acceleration, of_speed] = windows.noise;
-        fit(&rows, &[of_acceleration, 0.0, of_speed], &[])
+        compared(&rows, &[of_acceleration, 0.0, of_speed], &[])
     };
     let fit = fitted(false).ok_or(IdentifyFault::NotExcited)?;
     let (hangs, constant, last) = (columns.hangs, columns.constant(), columns.last());
@@ -298,6 +314,7 @@ fn beside(
     let Load { mechanism, extra, both_ways, .. } = *load;
     let is_even = mechanism.travel_m_per_rad().is_some();
     let none = Extra::none();
+    let first = load.extras.first().unwrap_or(&none);
     let rows: Vec<Row> = windows
         .all
         .iter()
@@ -312,7 +329,8 @@ fn beside(
         })
         .collect();
     let noise = [0.0, windows.noise[1], 0.0, windows.noise[0]];
-    let Some(fit) = fit(&rows, &noise, &[]) else {
+    let torque = norm(windows.all.iter().map(|window| window.torque));
+    let Some(fit) = compared(&rows, &noise, &[]).map(|fit| fit.with_error(error_share(&rows, 2) * torque)) else {
         if load.losses.is_none() {
             return Err(IdentifyFault::NotExcited);
         }
@@ -327,7 +345,7 @@ fn beside(
     let unstated_nm = if is_even { unstated(&rows, &fit, &per_stroke) } else { None };
     let shares = Shares { unstated_nm, ..shares_beside(run, windows, load) };
     if is_even {
-        let stated = mechanism.inertia(0.0, extra(0).unwrap_or(&none));
+        let stated = mechanism.inertia(0.0, first);
         let of = Identified::LoadInertia;
         let stated = quantities::Measure::si(stated) + if load.losses.is_some() { load.flange_kgm2 } else { 0.0 };
         match fit.estimate(3) {
@@ -347,22 +365,9 @@ fn beside(
         let column = |row: &Row, place: usize| row.regressors.get(place).copied().unwrap_or(0.0);
         let farthest = rows.iter().map(|row| (column(row, 2) - 1.0).abs()).fold(0.0, f64::max);
         let constant = fit.values.get(2).map_or(0.0, |value| value.abs());
-        let stated = losses.coulomb_nm(extra(0).unwrap_or(&none));
-        // A window may have a small part of its torque on the other side of the power.
-        let part = QUADRATURE + losses::OTHER_SIDE * farthest;
-        #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
-        let rms = |of: &dyn Fn(&Window) -> f64| {
-            let square: f64 = windows.all.iter().map(|window| of(window).powi(2)).sum();
-            (square / windows.all.len() as f64).sqrt()
-        };
-        let torque = part * rms(&|window| window.torque);
-        for each in &mut found.estimates {
-            each.half_width += match each.of {
-                Identified::Coulomb => torque + farthest * (constant + (each.value - stated).abs()),
-                Identified::Viscous => torque / rms(&|window| window.speed),
-                Identified::LoadInertia => torque / rms(&|window| window.acceleration),
-                _ => 0.0,
-            };
+        let stated = losses.coulomb_nm(first);
+        for each in found.estimates.iter_mut().filter(|each| each.of == Identified::Coulomb) {
+            each.half_width += farthest * (constant + (each.value - stated).abs());
         }
     }
     let others = [Identified::External, Identified::Gravity, Identified::GravityAngle];
@@ -398,7 +403,8 @@ fn shares_beside(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> Shar
         Some(Row { regressors, value: window.torque, stroke: window.stroke })
     };
     let rows: Vec<Row> = windows.all.iter().filter_map(row).collect();
-    fit(&rows, &[], &[]).map_or_else(Shares::default, |fit| Shares {
+    let error = error_share(&rows, 3) * norm(rows.iter().map(|row| row.value));
+    compared(&rows, &[], &[]).map(|fit| fit.with_error(error)).map_or_else(Shares::default, |fit| Shares {
         payload: Share::of(&fit, 4, 1.0).filter(|_| differs),
         inertia: Share::of(&fit, 0, 1.0),
         ..Shares::default()
@@ -407,23 +413,22 @@ fn shares_beside(run: &Observed, windows: &Windows, load: &Load<'_, '_>) -> Shar
 
 /// Returns the stated load without friction in a window; `None` if the mechanism has losses whose direction changes in it.
 fn part(run: &Observed, window: &Window, load: &Load<'_, '_>, extra: &Extra) -> Option<Part> {
+    let none = Extra::none();
+    let first = load.extras.first().unwrap_or(&none);
     match load.losses {
-        Some(losses) => losses.part(run, window, load.flange_kgm2, extra),
+        Some(losses) => losses.part(run, window, [load.flange_kgm2, load.noise_nm], [extra, first]),
         None => {
-            let none = Part { own: without_friction(run, window, load.mechanism, extra), ..Part::NONE };
-            Some(none)
+            let (own, first) = (load.mechanism.loading(extra), load.mechanism.loading(first));
+            let own = mean(run, window, &|output| own.at(&output).torque_nm - friction(&first, output));
+            Some(Part { own, ..Part::NONE })
         }
     }
 }
 
-/// Returns the mean torque of the stated load without friction and losses in a window \[Nm\].
-fn without_friction(run: &Observed, window: &Window, mechanism: &Mechanism, extra: &Extra) -> f64 {
-    let loading = mechanism.loading(extra);
-    mean(run, window, &|output| {
-        let state = |speed_rad_s: f64| loading.at(&Output { speed_rad_s, direction: 0.0, ..output }).torque_nm;
-        // Viscous friction is odd in the speed, the torque of a varying inertia is even.
-        0.5 * (state(output.speed_rad_s) + state(-output.speed_rad_s))
-    })
+/// Returns the friction of a load without losses \[Nm\]: odd in the direction, while the torque of a varying inertia is even.
+pub(super) fn friction(loading: &Loading<'_>, output: Output) -> f64 {
+    let back = Output { speed_rad_s: -output.speed_rad_s, direction: -output.direction, ..output };
+    0.5 * (loading.at(&output).torque_nm - loading.at(&back).torque_nm)
 }
 
 /// Returns the weighted mean of a quantity over a window; the direction of the states is that of the window.

@@ -1,7 +1,7 @@
 //! Losses of a mechanism by direction of power: the side of each window follows from the recorded torque.
 
 use super::Observed;
-use super::load::mean;
+use super::load::{friction, mean};
 use super::windows::Window;
 use mechanism::{Extra, Mechanism, MechanismKind, Output, Stage};
 use quantities::Measure;
@@ -33,14 +33,11 @@ impl Part {
     pub(super) const NONE: Self = Self { own: 0.0, factor: 1.0 };
 }
 
-/// Share of the torque on the other side of the power up to which a window counts as one of one side. A choice.
+/// Largest share of the torque in a window whose direction of power may be wrong. A choice.
 pub(super) const OTHER_SIDE: f64 = 0.01;
 
 /// Factors of the stated friction between which the side of a window may not depend on it. A choice.
 const FRICTION: [f64; 2] = [0.5, 1.5];
-
-/// Number of samples over which the sign of a power is determined, half of them on each side.
-const SIGN_HALF: usize = 4;
 
 impl Losses {
     /// Returns the losses of a mechanism; `None` if it has none.
@@ -89,16 +86,22 @@ impl Losses {
         0.5 * (at(1.0) - at(-1.0))
     }
 
-    /// Returns the load in a window; `None` if the power changes its direction within it, or may do so.
-    pub(super) fn part(&self, run: &Observed, window: &Window, flange_kgm2: f64, extra: &Extra) -> Option<Part> {
-        let is_driven = self.is_driven(run, window, flange_kgm2)?;
-        let sided = self.sided.get(usize::from(is_driven))?;
-        let (loading, without) = (sided.loading(extra), self.without.loading(extra));
-        let own = mean(run, window, &|output| {
-            let back = Output { speed_rad_s: -output.speed_rad_s, direction: -output.direction, ..output };
-            let friction = 0.5 * (without.at(&output).torque_nm - without.at(&back).torque_nm);
-            loading.at(&output).torque_nm - friction
-        });
+    /// Returns the load in a window with the additions of a segment, without the friction of the first; `None` if the direction of
+    /// power depends on noise or on a friction that the project need not know.
+    ///
+    /// T = T_f + T_0 + φ (…) + R, R = ⟨P⟩ − φ ⟨P/φ_k⟩, φ = ⟨φ_k⟩
+    ///
+    /// # Symbols
+    /// P torque at the losses sample by sample, φ_k factor of its side, ⟨⟩ weighted mean over the window
+    /// # Valid
+    /// what swings in the torque accelerates flange and load in the ratio of their inertias
+    pub(super) fn part(
+        &self,
+        run: &Observed,
+        window: &Window,
+        [flange_kgm2, noise_nm]: [f64; 2],
+        [extra, first]: [&Extra; 2],
+    ) -> Option<Part> {
         let slope = |mechanism: &Mechanism| {
             let at = |acceleration_rad_s2: f64| {
                 let output = Output {
@@ -111,40 +114,108 @@ impl Losses {
             };
             at(window.acceleration + 1.0) - at(window.acceleration)
         };
-        let factor = slope(sided) / slope(&self.without);
-        Some(Part { own, factor: if factor.is_finite() { factor } else { 1.0 } })
+        let inertia = slope(&self.without);
+        let factors = self.sided.each_ref().map(|sided| slope(sided) / inertia);
+        let factors = factors.map(|factor| if factor.is_finite() { factor } else { 1.0 });
+        let swings = (inertia / (inertia + flange_kgm2)).clamp(0.0, 1.0);
+        let at = |offset: f64| Sides::of(run, window, offset, swings, factors);
+        let offsets = self.offsets(window, flange_kgm2);
+        #[allow(clippy::cast_precision_loss, reason = "at most three")]
+        let middle = offsets.iter().sum::<f64>() / offsets.len() as f64;
+        let sides = at(middle)?;
+        let is_other = |offset: &f64| at(*offset).is_none_or(|other| (other.driven - sides.driven).abs() > OTHER_SIDE);
+        if offsets.iter().any(is_other) || sides.turns > OTHER_SIDE || sides.noise(noise_nm) > OTHER_SIDE {
+            return None;
+        }
+        let without = self.without.loading(first);
+        let part = |sided: &Mechanism| {
+            let loading = sided.loading(extra);
+            mean(run, window, &|output| loading.at(&output).torque_nm - friction(&without, output))
+        };
+        let [driving, driven] = self.sided.each_ref();
+        let own = match sides.time {
+            0.0 => part(driving),
+            1.0 => part(driven),
+            share => (1.0 - share) * part(driving) + share * part(driven),
+        };
+        Some(Part { own: own + sides.swing_nm, factor: sides.factor })
     }
 
-    /// Returns `true` if the load drives the actuator in the whole window, `false` if the actuator drives.
-    fn is_driven(&self, run: &Observed, window: &Window, flange_kgm2: f64) -> Option<bool> {
+    /// Returns the torques that may lie in front of the losses, in the direction of motion \[Nm\].
+    fn offsets(&self, window: &Window, flange_kgm2: f64) -> Vec<f64> {
+        let acceleration = window.acceleration * window.sign;
+        let friction = self.before.map(|[coulomb, viscous]| coulomb + viscous * window.speed.abs());
+        let frictions = friction.into_iter().flat_map(|friction| FRICTION.map(|factor| factor * friction));
+        let stage = self.stage_kgm2.map(|stage| stage * acceleration);
+        frictions.chain(stage).map(|torque| flange_kgm2 * acceleration + torque).collect()
+    }
+}
+
+/// Directions of power in a window.
+struct Sides {
+    /// Share of the samples that are driven, weighted.
+    time: f64,
+    /// Share of the size of the torque that is driven.
+    driven: f64,
+    /// Mean factor.
+    factor: f64,
+    /// R: torque from the swing about the mean \[Nm\].
+    swing_nm: f64,
+    /// Share of the size of the torque, in means over a quarter of the window, on the other side than most of it.
+    turns: f64,
+    /// Mean size of the torque \[Nm\], and the torques with their weights.
+    size_nm: f64,
+    powers: Vec<[f64; 2]>,
+}
+
+impl Sides {
+    fn of(run: &Observed, window: &Window, offset: f64, swings: f64, [driving, driven]: [f64; 2]) -> Option<Self> {
         let torque = run.torque_nm.get(window.samples.clone())?;
-        let speed = window.speed.abs();
-        let flange = flange_kgm2 * window.acceleration * window.sign;
-        let friction = self.before.map(|[coulomb, viscous]| coulomb + viscous * speed);
-        let offsets = friction.into_iter().flat_map(|friction| FRICTION.map(|factor| flange + factor * friction));
-        let offsets = offsets.chain(self.stage_kgm2.map(|stage| flange + stage * window.acceleration * window.sign));
-        let mut side = None;
-        for offset in offsets {
-            let [mut driving, mut driven] = [0.0; 2];
-            #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
-            for (k, group) in torque.chunks(2 * SIGN_HALF + 1).enumerate() {
-                let place = (k * (2 * SIGN_HALF + 1) + group.len() / 2) as f64 / torque.len() as f64;
-                let weight = (std::f64::consts::PI * place).sin().powi(4) * group.len() as f64;
-                let power = group.iter().sum::<f64>() / group.len() as f64 * window.sign - offset;
-                if power > 0.0 { driving += weight * power } else { driven -= weight * power }
-            }
-            let all = driving + driven;
-            let own = if driven <= OTHER_SIDE * all {
-                false
-            } else if driving <= OTHER_SIDE * all {
-                true
+        #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+        let length = (torque.len() as f64 - 1.0).max(1.0);
+        let mut powers = Vec::with_capacity(torque.len());
+        let [mut all, mut time, mut other, mut size, mut sum, mut behind] = [0.0; 6];
+        #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+        for (k, torque_nm) in torque.iter().enumerate() {
+            let weight = (std::f64::consts::PI * k as f64 / length).sin().powi(4);
+            let mean = window.torque * window.sign - offset;
+            let power = mean + swings * (torque_nm - window.torque) * window.sign;
+            all += weight;
+            size += weight * power.abs();
+            sum += weight * power;
+            if power < 0.0 {
+                time += weight;
+                other -= weight * power;
+                behind += weight * power / driven;
             } else {
-                return None;
-            };
-            if *side.get_or_insert(own) != own {
-                return None;
+                behind += weight * power / driving;
             }
+            powers.push([weight, power]);
         }
-        side
+        let time = time / all;
+        let factor = driving + (driven - driving) * time;
+        let swing_nm = if time > 0.0 && time < 1.0 { (sum - factor * behind) / all * window.sign } else { 0.0 };
+        let size_nm = size / all;
+        let quarters = powers
+            .chunks(torque.len().div_ceil(4))
+            .map(|quarter: &[[f64; 2]]| quarter.iter().map(|[weight, power]| weight * power).sum::<f64>());
+        let [ahead, back] =
+            quarters.fold([0.0; 2], |[ahead, back], part| [ahead + part.max(0.0), back - part.min(0.0)]);
+        let turns = ahead.min(back) / (ahead + back);
+        (size > 0.0).then_some(Self { time, driven: other / size, factor, swing_nm, turns, size_nm, powers })
+    }
+
+    /// Returns the share of the torque that noise moves to the other side at most.
+    ///
+    /// ⟨σ f(P/σ)⟩/⟨|P|⟩, f density of the normal distribution
+    fn noise(&self, noise_nm: f64) -> f64 {
+        if noise_nm <= 0.0 {
+            return 0.0;
+        }
+        let density = |power: f64| (-0.5 * (power / noise_nm).powi(2)).exp() / (2.0 * std::f64::consts::PI).sqrt();
+        let [all, moved] = self.powers.iter().fold([0.0; 2], |[all, moved], [weight, power]| {
+            [all + weight, moved + weight * noise_nm * density(*power)]
+        });
+        moved / all / self.size_nm
     }
 }

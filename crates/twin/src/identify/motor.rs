@@ -1,6 +1,6 @@
 //! Parameters of the motor: current as a function of torque, friction and rotor acceleration.
 
-use super::regression::{Fit, Prior, Row, fit};
+use super::regression::{Fit, Prior, Row, Solve, compared};
 use super::windows::{Window, Windows};
 use super::{Estimate, Identification, Identified, Open, Zero};
 use crate::gear::Spring;
@@ -212,7 +212,7 @@ impl<'w> Equations<'w> {
     }
 
     /// Solves I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω' + I_0 with the signals divided by a scale.
-    pub(super) fn fit(&self, scale: Scale, lag: f64, tie: Tie) -> Option<Fit> {
+    pub(super) fn fit(&self, solve: Solve, scale: Scale, lag: f64, tie: Tie) -> Option<Fit> {
         let row = |window: &&Window| {
             let speed = window.motor_speed + lag * window.motor_acceleration;
             let acceleration = window.motor_acceleration + lag * window.motor_jerk;
@@ -238,7 +238,7 @@ impl<'w> Equations<'w> {
         let [driving, driven] = self.noise.map(|noise| noise / (scale.torque * scale.torque));
         let noise = [driving, 0.0, 0.0, 0.0, driven];
         let noise = noise.get(..if self.is_driven { 5 } else { 1 }).unwrap_or_default();
-        fit(&rows, noise, &priors).or_else(|| Some(fit(&rows, &[], &priors)?.attenuated()))
+        solve(&rows, noise, &priors).or_else(|| Some(solve(&rows, &[], &priors)?.attenuated()))
     }
 
     /// Returns what the tables say of the coefficients: c of the rotor, and d of the losses of the teeth.
@@ -294,7 +294,7 @@ pub(super) fn estimate(windows: &Windows, parameters: &Parameters, is_delayed: b
     let lag = equations.lag_s(Scale::NONE);
     found.motor_lag_s = lag;
     found.rotor = tabulated.map(|tabulated| [tabulated.rotor_kgm2, equations.spread()]);
-    let Some(fit) = equations.fit(Scale::NONE, lag, Tie::ToTorque) else {
+    let Some(fit) = equations.fit(compared, Scale::NONE, lag, Tie::ToTorque) else {
         found.open.extend(of.map(|of| (of, Open::NotSeparated)));
         return;
     };

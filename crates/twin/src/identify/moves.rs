@@ -14,8 +14,12 @@ pub(super) struct Followed<'a> {
     pub(super) shift_s: f64,
     /// Slope of the position of the run over that of the motion \[1\].
     pub(super) slope: f64,
-    /// Correlation coefficient of both.
+    /// Position of the run where that of the motion is zero \[rad\].
+    offset_rad: f64,
+    /// Correlation coefficient r of both.
     correlation: f64,
+    /// Spread of the position over that of the speed of the run \[s\].
+    pace_s: f64,
     /// Another shift fits equally well and yields other segments.
     pub(super) ambiguous: bool,
     /// Correlation coefficients of the run and of the mirrored run, each at its best shift.
@@ -27,6 +31,10 @@ pub(super) struct Followed<'a> {
 /// Smallest correlation coefficient of a run that follows a motion. A choice: it admits following errors of a tenth of
 /// the range.
 const FOLLOWS: f64 = 0.99;
+
+/// Smallest correlation coefficient at the clock of the run with which this may be that of the motion. A choice: a run at half the
+/// speed of a move back and forth has 0.9.
+const LAGS: f64 = 0.9;
 
 /// Number of samples compared and of shifts tried, if segments differ and if only the position matters.
 const FINE: (usize, u32) = (600, 500);
@@ -52,9 +60,11 @@ impl<'a> Followed<'a> {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
         let cycles = ((last - first) / period).clamp(0.0, 1e6).ceil() as u32 + 2;
         let course = Course::of(motion, cycles);
+        let pace_s = pace_s(&picked);
         let at = |shift_s: f64| {
-            let (slope, correlation) = compared(&picked, &course, shift_s);
-            Self { course, shift_s, slope, correlation, ambiguous: false, both: [correlation, -correlation], own: None }
+            let (slope, offset_rad, correlation) = compared(&picked, &course, shift_s);
+            let both = [correlation, -correlation];
+            Self { course, shift_s, slope, offset_rad, correlation, pace_s, ambiguous: false, both, own: None }
         };
         // A run written by the twin has the clock of the motion.
         let own = at(0.0);
@@ -111,10 +121,43 @@ impl<'a> Followed<'a> {
     pub(super) fn segment(&self, time_s: f64) -> usize {
         self.course.at((time_s + self.shift_s).max(0.0)).segment
     }
+
+    /// Returns the segments before and behind an instant by the time that the run at a speed is off the motion, and that of the
+    /// clock of the run.
+    ///
+    /// τ = |q − q_motion|/|ω| + √(1 − r²) s_q/s_ω: what the run is off here, and what the shift in time may be off
+    ///
+    /// # Valid
+    /// A run at a limit of speed or current lags: the instant of a payload is that of the motion or that of the place.
+    pub(super) fn about(&self, time_s: f64, position_rad: f64, speed_rad_s: f64) -> [usize; 3] {
+        let wanted = self.course.at((time_s + self.shift_s).max(0.0)).state[0];
+        let off_rad = position_rad - self.offset_rad - self.slope * wanted;
+        let spread = (1.0 - self.correlation * self.correlation).max(0.0).sqrt();
+        let lag_s = (off_rad / speed_rad_s).abs() + spread * self.pace_s;
+        let shift_s = if self.own.is_some_and(|own| own > LAGS) { 0.0 } else { self.shift_s };
+        let of_clock = self.course.at((time_s + shift_s).max(0.0)).segment;
+        [self.segment(time_s - lag_s), self.segment(time_s + lag_s), of_clock]
+    }
 }
 
-/// Returns slope and correlation coefficient of a run over a motion.
-fn compared(picked: &[(f64, f64)], course: &Course<'_>, shift_s: f64) -> (f64, f64) {
+/// Returns the standard deviation of positions over the rms speed between them \[s\].
+fn pace_s(picked: &[(f64, f64)]) -> f64 {
+    #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+    let count = picked.len() as f64;
+    let mean = picked.iter().map(|(_, q)| q / count).sum::<f64>();
+    let square = picked.iter().map(|(_, q)| (q - mean).powi(2)).sum::<f64>() / count;
+    let [mut ways, mut times] = [0.0; 2];
+    for pair in picked.windows(2) {
+        if let [(ta, qa), (tb, qb)] = pair {
+            ways += (qb - qa).powi(2) / (tb - ta);
+            times += tb - ta;
+        }
+    }
+    if ways > 0.0 { (square * times / ways).sqrt() } else { 0.0 }
+}
+
+/// Returns slope, intercept and correlation coefficient of a run over a motion.
+fn compared(picked: &[(f64, f64)], course: &Course<'_>, shift_s: f64) -> (f64, f64, f64) {
     #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
     let count = picked.len() as f64;
     let pairs: Vec<[f64; 2]> =
@@ -125,5 +168,6 @@ fn compared(picked: &[(f64, f64)], course: &Course<'_>, shift_s: f64) -> (f64, f
         let [x, y] = [x - mean[0], y - mean[1]];
         (xx, xy, yy) = (xx + x * x, xy + x * y, yy + y * y);
     }
-    if xx > 0.0 && yy > 0.0 { (xy / xx, xy / (xx * yy).sqrt()) } else { (0.0, 0.0) }
+    let [x, y] = mean;
+    if xx > 0.0 && yy > 0.0 { (xy / xx, y - xy / xx * x, xy / (xx * yy).sqrt()) } else { (0.0, y, 0.0) }
 }

@@ -3,6 +3,7 @@
 use super::doubts::{Column, Doubt, Misread, SCATTER};
 use super::load::{Share, Shares};
 use super::motor::{Equations, Scale, Tabulated, Tie};
+use super::regression::fit;
 use super::windows::Windows;
 use std::f64::consts::SQRT_2;
 
@@ -69,7 +70,7 @@ impl Slopes {
     fn of(equations: &Equations<'_>, tabulated: &Tabulated, scale: Scale) -> Self {
         let lag = equations.lag_s(scale);
         let slope = |tie| {
-            let fit = equations.fit(scale, lag, tie).filter(|fit| !fit.is_attenuated)?;
+            let fit = equations.fit(fit, scale, lag, tie).filter(|fit| !fit.is_attenuated)?;
             let (value, half_width) = fit.estimate(0)?;
             Some(Share { value: value * tabulated.output_nm_a, half_width: half_width * tabulated.output_nm_a })
         };

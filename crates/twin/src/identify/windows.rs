@@ -97,7 +97,7 @@ pub(super) struct Grain {
     /// Step of a position with few digits \[rad\].
     pub(super) quantum_rad: Option<f64>,
     /// Standard deviation of the noise of the torque \[Nm\].
-    noise_nm: f64,
+    pub(super) noise_nm: f64,
     /// Periods at which position, torque and current are updated, if they are slower than the rows \[s\].
     updates_s: [f64; 3],
 }
@@ -430,9 +430,6 @@ impl Strokes {
     }
 }
 
-/// Number of samples over which the sign of a torque is determined, half of them on each side.
-const SIGN_HALF: usize = 4;
-
 fn window(
     run: &Observed,
     samples: Range<usize>,
@@ -465,8 +462,7 @@ fn window(
         let q = *position.get(k)?;
         let bent = q - q0 - slope * (t - t0);
         let (sin_q, cos_q) = q.sin_cos();
-        let near = torque.get(k.saturating_sub(SIGN_HALF)..(k + SIGN_HALF + 1).min(torque.len()))?;
-        let drives = near.iter().sum::<f64>() * sign > 0.0;
+        let drives = *torque.get(k)? * sign > 0.0;
         let (own, motor, current) = (*torque.get(k)?, *motor.get(k)?, current.get(k)? / SQRT_2);
         motor_acceleration -= first * (motor - motor_mean);
         motor_jerk += second * (motor - motor_mean);

@@ -137,7 +137,7 @@ fn held(kind: &str) {
                 Identified::External => 0.8,
                 Identified::GravityAngle => 0.03,
                 // But for a weight that varies, only the rotor's inertia distinguishes the torque constant from a zero.
-                Identified::TorqueConstant if kind == "arm" => 0.8,
+                Identified::TorqueConstant if kind == "arm" => 0.85,
                 Identified::TorqueConstant => 3.6,
                 Identified::StartingCurrent => 0.012,
                 Identified::CurrentConstant => 0.005,
