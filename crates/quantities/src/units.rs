@@ -173,8 +173,11 @@ fn with_spelling(spelling: &str, is_wanted: impl Fn(&Unit) -> bool) -> Option<&'
     };
     let of = |spelling: &str| {
         let canonical = Canonical::of(spelling);
-        let in_order = found(&canonical.text, canonical.products);
-        in_order.or_else(|| Some(FACTORS.get(&canonical.factors()?)?.iter().copied().find(|unit| is_wanted(unit))))
+        found(&canonical.text, canonical.products).or_else(|| {
+            // First the factors: a text of one factor, as that of a cell without a unit, needs no index of them.
+            let factors = canonical.factors()?;
+            Some(FACTORS.get(&factors)?.iter().copied().find(|unit| is_wanted(unit)))
+        })
     };
     // Most spellings are in the index as written.
     found(spelling, 0).or_else(|| of(spelling)).or_else(|| of(&abbreviated(spelling)?)).flatten()
