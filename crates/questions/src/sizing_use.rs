@@ -25,7 +25,9 @@ pub enum Rejected {
     None,
     /// Every actuator that may have the smallest excess if none fits.
     Nearest,
-    /// Every actuator, for a list with reasons.
+    /// Every actuator, for a list with reasons. A check that passes may be left out, see [`Depth::Failing`].
+    Reasons,
+    /// Every actuator, with all its checks.
     All,
 }
 
@@ -201,7 +203,11 @@ pub(crate) fn size_watched<'p, W: Watch>(
     let actuators = actuators_of(project, project.option_1.is_some());
     let all_complete = complete_count >= actuators.len();
     let scope = if all_complete { Scope::All } else { Scope::Ranking };
-    let depth = if rejected == Rejected::All { Depth::Complete } else { Depth::UntilRejected };
+    let depth = match rejected {
+        Rejected::None | Rejected::Nearest => Depth::UntilRejected,
+        Rejected::Reasons => Depth::Failing,
+        Rejected::All => Depth::Complete,
+    };
     let parts = by_drivetrain(actuators);
     let begin = || {
         let mut judging = Judging::of(project, scope, depth);

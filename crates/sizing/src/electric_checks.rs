@@ -1,7 +1,7 @@
 //! Checks of the DC link, of the drive, and of every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
-use crate::check::{CheckId, Verdict};
+use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, Edges, project};
 use crate::currents::Currents;
 use crate::list::{Case, Outcome};
@@ -133,7 +133,11 @@ impl Sought for Share<'_> {
 ///
 /// Checks every instant against the short-time torque. Without a published short-time curve, a torque between that with
 /// a cold gear within I_max and the upper edge is advice; the upper edge leaves I_max to its own check.
-pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcome {
+pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
+    worst_instant(case, work).transpose()
+}
+
+fn worst_instant(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, Missing> {
     let Case { axis, actuator, currents, .. } = *case;
     let id = CheckId::TorqueSpeedTrace;
     let terminal = axis.terminal_voltage();
@@ -141,7 +145,7 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcom
     let highest = actuator.torque_max.require("T_max")?;
     let short_time = ShortTime::of(actuator, terminal, currents.cold())?;
     let lower = Share::of(currents.inertia, highest.value.si(), &short_time);
-    let (found, worst) = axis.trace.largest(&lower);
+    let Some((found, worst)) = axis.trace.largest_above(&lower, case.least(1.0)) else { return Ok(None) };
     let (torque, is_braking) = (lower.torque(&worst).abs(), lower.is_braking(&worst));
     if work.is_on() {
         workings::torque_at(&worst, actuator, work);
@@ -178,7 +182,7 @@ pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Outcom
         check.utilisation = Some(speed.si().abs() / end.si());
         check.notes.push(Note::AboveEndOfCurve { speed: AngularVelocity::from_si(speed.si().abs()), end });
     }
-    Ok(check)
+    Ok(Some(check))
 }
 
 /// Checks the motor current against the ratings of the drive of the machine: its peak, its effective value over the

@@ -1,7 +1,7 @@
 //! Checks of heat: continuous torque, temperature of the winding, overload supervision.
 
 use crate::axis::Axis;
-use crate::check::{CheckId, Verdict};
+use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Comparison, Edges, cite, project};
 use crate::currents::{Currents, coil_loss};
 use crate::environment_checks;
@@ -98,7 +98,11 @@ fn temperature_lags(currents: &Currents<'_>, gains: Gains) -> Result<[Lag; 2], M
 ///
 /// ϑ_w − ϑ_a ≤ b (80 °C − ϑ_a) with b the lower edge of the band: pass; above the upper edge: fail; between them
 /// advice. With published curves the model is scaled to agree with them, and has no band.
-pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
+pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
+    temperature(case, work).transpose()
+}
+
+fn temperature(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, Missing> {
     let Case { axis, actuator, currents, .. } = *case;
     let id = CheckId::Thermal;
     let currents = currents.map_err(|missing| *missing)?;
@@ -108,13 +112,14 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
     // The coil of an open brake heats the housing, on average.
     let coil = coil_loss(axis, actuator).si();
     let [_, r_ha] = model.network().resistances_k_per_w();
-    let peak = axis.trace.peak_of_lags(&lags);
     let published = published(axis, actuator, currents);
     let scale = rise_scale(axis, actuator, currents);
-    let rise = (peak.value + coil * r_ha) * scale;
     let (low, high) = if published.is_some() { (1.0, 1.0) } else { model.band(axis.moments.speed_mean()) };
     let threshold = model.winding_limit();
     let room = threshold.si() - ambient.si();
+    let least = case.least(low * room / scale - coil * r_ha);
+    let Some(peak) = axis.trace.peak_of_lags_above(&lags, least) else { return Ok(None) };
+    let rise = (peak.value + coil * r_ha) * scale;
     if work.is_on() {
         let grade = if axis.ambient.is_some() { Grade::Printed } else { Grade::Assumed };
         work.figure("theta_a", &DEGREE_CELSIUS, ambient.si(), &project("requirements.ambient"), grade);
@@ -165,14 +170,18 @@ pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Outcome {
         let share = rise / (low * room);
         if check.verdict == Verdict::Pass { share.min(1.0) } else { share }
     });
-    Ok(check)
+    Ok(Some(check))
 }
 
 /// Checks that the first-order mean of (I/I_0)² with τ_w stays below one, as a drive's I²t supervision does.
 ///
 /// A duty that the continuous curve permits at the mean speed passes, with the friction of the cycle; above the
 /// permissible heat of the winding it fails, between the two it is advice.
-pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
+pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
+    supervised(case, work).transpose()
+}
+
+fn supervised(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, Missing> {
     let Case { axis, actuator, electrics, currents, .. } = *case;
     let id = CheckId::OverloadI2t;
     let currents = currents.map_err(|missing| *missing)?;
@@ -182,7 +191,9 @@ pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let stalled = stall.value.si() * stall.value.si();
     let tau = model.winding_time_constant();
     let form = Form::square(currents.settled_weights()).scale(1.0 / stalled);
-    let peak = axis.trace.peak_of_lags(&[Lag { tau_s: tau.si(), form }]);
+    let lags = [Lag { tau_s: tau.si(), form }];
+    // The limit is one or more.
+    let Some(peak) = axis.trace.peak_of_lags_above(&lags, case.least(1.0)) else { return Ok(None) };
     let permitted = published(axis, actuator, currents);
     let ContinuousLimit { limit, upper } = continuous;
     let filtered = |torque: quantities::Torque| {
@@ -219,5 +230,5 @@ pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Outcome {
         check.notes.push(Note::TripsAtStallCurrent(stall.value));
     }
     check.notes.extend(environment_checks::not_derated(axis, actuator));
-    Ok(check)
+    Ok(Some(check))
 }

@@ -137,6 +137,9 @@ pub enum Scope {
 pub enum Depth {
     /// Every selected check is made.
     Complete,
+    /// Once a check fails, those that evaluate the cycle once more are made only if they fail too. Verdict, failing
+    /// checks, utilisation and governing check are those of [`Depth::Complete`].
+    Failing,
     /// The checks that evaluate the cycle once more are made only if no other check fails. The verdict is that of
     /// [`Depth::Complete`]; so are utilisation and governing check of an actuator that fits.
     UntilRejected,
@@ -199,7 +202,7 @@ impl<'a> Judge<'a> {
         let electrics = &shared.begin(axis, actuator, governing);
         let currents = Currents::of(axis, actuator, electrics);
         let bearing = axis.bearing.as_ref().map(|duty| Borne::of(axis, duty, &actuator.output_bearing));
-        let case = &Case {
+        let mut case = Case {
             axis,
             actuator,
             demand: demand.as_ref(),
@@ -207,6 +210,7 @@ impl<'a> Judge<'a> {
             electrics,
             currents: currents.as_ref(),
             bearing: bearing.as_ref(),
+            only_failing: false,
         };
 
         let mut found: Vec<Check> = Vec::with_capacity(checks.len());
@@ -215,11 +219,12 @@ impl<'a> Judge<'a> {
             if depth == Depth::UntilRejected && is_rejected && id.stage() > Stage::First {
                 break;
             }
-            if id == CheckId::Regeneration && is_energy_left_out(scope, case, &found) {
+            if id == CheckId::Regeneration && is_energy_left_out(scope, &case, &found) {
                 continue;
             }
+            case.only_failing = depth == Depth::Failing && is_rejected;
             let answer = || {
-                let mut check = answered(id, case, explain)?;
+                let mut check = answered(id, &case, explain)?;
                 naming(&mut check, governing);
                 Some(check)
             };

@@ -138,6 +138,15 @@ pub(crate) struct Case<'c> {
     pub(crate) currents: Result<&'c Currents<'c>, &'c Missing>,
     /// Output bearing with its loads, if any are known.
     pub(crate) bearing: Option<&'c Borne<'c>>,
+    /// A check that passes is not required: see [`Depth::Failing`](crate::Depth::Failing).
+    pub(crate) only_failing: bool,
+}
+
+impl Case<'_> {
+    /// Returns the value that the largest one of the cycle must exceed for its check to be required.
+    pub(crate) const fn least(&self, limit: f64) -> f64 {
+        if self.only_failing { limit } else { f64::NEG_INFINITY }
+    }
 }
 
 /// Function that answers a check, with the actuators that share its answer.
@@ -145,7 +154,8 @@ pub(crate) struct Case<'c> {
 pub(crate) enum Answer {
     /// No part: a separate answer for each actuator.
     Actuator(fn(&Case<'_>, &mut Workings) -> Outcome),
-    /// A separate answer for each actuator; `None` if the check does not apply to it, e.g. without a brake.
+    /// A separate answer for each actuator; `None` if the check does not apply to it, e.g. without a brake, or is not
+    /// required.
     Concerned(fn(&Case<'_>, &mut Workings) -> Option<Outcome>),
     /// One answer for all actuators with the same drivetrain.
     Drivetrain(fn(&Axis, &Drivetrain, &mut Workings) -> Outcome),
@@ -405,11 +415,11 @@ checks! {
         .margin(Margin::Class).mended_by(Mended::Neither)
         .only_with("requirements.mounting", |axis| axis.asked.mounting.is_some());
     /// Every instant of the cycle against the short-time torque at its speed.
-    TorqueSpeedTrace: ListedCheck::new("torque_speed_trace", Drive, Heat, Actuator(electric_checks::torque_speed_trace));
+    TorqueSpeedTrace: ListedCheck::new("torque_speed_trace", Drive, Heat, Concerned(electric_checks::torque_speed_trace));
     /// Temperature of the winding in the steady cycle against its warning threshold.
-    Thermal: ListedCheck::new("thermal", Part::Thermal, Heat, Actuator(heat_checks::thermal));
+    Thermal: ListedCheck::new("thermal", Part::Thermal, Heat, Concerned(heat_checks::thermal));
     /// Filtered square of the current against that of I_0.
-    OverloadI2t: ListedCheck::new("overload_i2t", Part::Thermal, Heat, Actuator(heat_checks::overload));
+    OverloadI2t: ListedCheck::new("overload_i2t", Part::Thermal, Heat, Concerned(heat_checks::overload));
     /// Mean input speed of the gear against its limit.
     GearMeanInputSpeed: ListedCheck::new("gear_mean_input_speed", Gear, Further, Actuator(gear_checks::mean_input_speed))
         .mended_by(Mended::Pace);

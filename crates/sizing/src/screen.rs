@@ -413,6 +413,7 @@ impl Row<'_> {
             electrics,
             currents: currents.as_ref(),
             bearing: bearing.as_ref(),
+            only_failing: false,
         });
     }
 }

@@ -106,6 +106,15 @@ impl Trace {
     /// # Source
     /// docs/theory/moments.md
     pub fn peak_of_lags(&self, lags: &[Lag]) -> Peak {
+        self.highest_of_lags(lags, f64::NEG_INFINITY)
+    }
+
+    /// Returns the same as [`Self::peak_of_lags`] if the peak exceeds a value; otherwise `None`, at less cost.
+    pub fn peak_of_lags_above(&self, lags: &[Lag], least: f64) -> Option<Peak> {
+        Some(self.highest_of_lags(lags, least)).filter(|peak| peak.value > least || least == f64::NEG_INFINITY)
+    }
+
+    fn highest_of_lags(&self, lags: &[Lag], least: f64) -> Peak {
         let flows: Vec<Flow> = lags.iter().map(|lag| self.flow(lag)).collect();
         let count = flows.first().map_or(0, |flow| flow.stretches.len());
         let mut states: Vec<f64> = flows.iter().map(|flow| flow.start).collect();
@@ -121,7 +130,7 @@ impl Trace {
             order += 1.0;
             ends.see(states.iter().sum(), order, Some(index));
         }
-        let mut best = First::above(f64::NEG_INFINITY, ());
+        let mut best = First::above(least, ());
         best.see(ends.value(), ends.place().map_or(0.0, |index| self.end_of_stretch(index)), ());
         let starts = flows.iter().map(|flow| flow.start).collect();
         Search { trace: self, lags, flows: &flows, states: starts, now_s: 0.0, best, seen: BTreeMap::new() }.search()

@@ -101,17 +101,22 @@ impl Trace {
     /// Returns the largest value over the cycle and the first instant with it, see [`First`]. Parts with a bound not above
     /// the best value are skipped.
     pub fn largest(&self, sought: &impl Sought) -> (f64, Node) {
-        self.search(sought, false)
+        self.search(sought, false, f64::NEG_INFINITY)
+    }
+
+    /// Returns the same as [`Self::largest`] if the largest value exceeds another one; otherwise `None`, at less cost.
+    pub fn largest_above(&self, sought: &impl Sought, least: f64) -> Option<(f64, Node)> {
+        Some(self.search(sought, false, least)).filter(|(found, _)| *found > least || least == f64::NEG_INFINITY)
     }
 
     /// Returns the same as [`Self::largest`] for a single search of a new trace, which does not pay for building the
     /// tree of stored panels or the cells of a recording; cells of the trace it was changed from are used.
     pub fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
-        self.search(sought, true)
+        self.search(sought, true, f64::NEG_INFINITY)
     }
 
-    fn search<S: Sought>(&self, sought: &S, is_once: bool) -> (f64, Node) {
-        let mut best = Best(First::above(f64::NEG_INFINITY, Node::default()));
+    fn search<S: Sought>(&self, sought: &S, is_once: bool, least: f64) -> (f64, Node) {
+        let mut best = Best(First::above(least, Node::default()));
         if let Some(straight) = &self.straight {
             for node in &straight.ends {
                 best.see(node, sought.value(node));

@@ -109,7 +109,7 @@ pub struct Ranking<'p> {
 pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
     let complete = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
     let sampling = draw.sampling(project, complete, patience.is_limited())?;
-    let sizing = sized(project, top, Rejected::All, patience)?;
+    let sizing = sized(project, top, Rejected::Reasons, patience)?;
     let chosen: Vec<&Candidate<'_>> = sizing.fitting().iter().take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
     // Without tolerances there is no assessment and no pair.
     let found = assess_watched(project, &chosen, sampling, patience)?;

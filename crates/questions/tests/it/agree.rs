@@ -135,7 +135,7 @@ fn catalogue_place(candidate: &Candidate<'_>) -> usize {
 
 #[test]
 fn every_answer_says_the_same_of_a_code() {
-    let (mut rejected, mut inside, mut nothing_fits) = (0, 0, 0);
+    let (mut rejected, mut inside, mut nothing_fits, mut left_out) = (0, 0, 0, 0);
     for (place, text) in texts().iter().enumerate() {
         let project = questions::read(text).unwrap();
         let sizing = questions::size(&project);
@@ -145,6 +145,14 @@ fn every_answer_says_the_same_of_a_code() {
             assert_eq!(said(each), said(&alone), "{}\n{text}", each.id);
             rejected += usize::from(!each.fits());
             inside += usize::from(each.fit() == Fit::FitsIfEstimate);
+        }
+        let by_reasons = sized(&project, 3, Rejected::Reasons, &Patience::endless()).unwrap().candidates;
+        assert_eq!(by_reasons.len(), sizing.candidates.len());
+        for (some, each) in by_reasons.iter().zip(&sizing.candidates) {
+            assert_eq!((&some.id, said(some)), (&each.id, said(each)), "{text}");
+            let governing = |each: &Candidate<'_>| each.governing().map(|check| format!("{check:?}"));
+            assert_eq!(governing(some), governing(each), "{}\n{text}", each.id);
+            left_out += each.judgement.checks.len() - some.judgement.checks.len();
         }
         let [fit, fit_if_estimate] = sizing.counts();
         let of = |fit: Fit| sizing.candidates.iter().filter(|each| each.fit() == fit).count();
@@ -178,6 +186,7 @@ fn every_answer_says_the_same_of_a_code() {
         }
     }
     assert!(rejected > 500 && inside > 2 && nothing_fits > 5, "{rejected} {inside} {nothing_fits}");
+    assert!(left_out > 500, "{left_out} checks");
 }
 
 /// A rating of another manufacturer's gear rejects nothing, in any check of any code, and a code whose only overrun it is fits
