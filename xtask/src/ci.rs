@@ -9,8 +9,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::{
-    Error, api, bench, book, browser, canopen, data, fuzz, german, lint, notices, python, readme, site, standard, test,
-    tidy, tools,
+    Error, api, bench, book, browser, canopen, fuzz, german, lint, notices, python, readme, site, standard, test, tidy,
+    tools,
 };
 
 #[derive(Clone, Copy)]
@@ -35,7 +35,6 @@ const PUSH: &[Step] = &[
     step("tidy", tidy::run),
     step("notices", notices::check),
     step("clippy", lint::clippy),
-    step("data", |_| data::run()),
     step("test", test::run),
     step("doc", lint::doc),
     step("readme", readme::run),

@@ -1,7 +1,7 @@
 //! Development tasks of the project, each one a module with a `run`.
 //!
 //! [`ci`] is exactly what CI runs, [`mod@test`] the tests alone. [`tidy`] checks the house rules that no compiler
-//! checks. [`data`] prints the cross-checks of the data in [`audit`], [`snapshots`] rewrites the snapshots, [`samples`]
+//! checks. [`data`] prints the cross-checks of the data, [`snapshots`] rewrites the snapshots, [`samples`]
 //! the answers shown in the documents, [`notices`] the list of third parties; [`mod@book`] builds the book, [`german`]
 //! checks its German, [`picture`] composes the picture of the README, [`site`] builds the folder of the page without a
 //! server, [`mod@browser`] tests both in a browser, [`mod@bench`] runs the bench gates, [`fuzz`] the targets. A Rust
@@ -11,7 +11,6 @@
 use std::path::{Path, PathBuf};
 
 mod api;
-pub mod audit;
 pub mod bench;
 pub mod book;
 pub mod browser;

@@ -63,7 +63,7 @@ fn main() -> ExitCode {
         "test" => test::run(&root()),
         "tools" => tools::install(&root()),
         "tidy" => tidy::run(&root()),
-        "data" => data::run(),
+        "data" => data::run(&root()),
         "snapshots" => snapshots::run(&root()),
         "samples" => samples::run(&root()),
         "book" => book::run(&root()),

@@ -4,7 +4,7 @@
 
 use actuator::{HeatModel, Parameters};
 use order_code::parse;
-use plot::{Area, Axis, Label, Line, Markers, Note, Reference, Shape, Size, Style, Theme, Tone, XyChart};
+use plot::{Area, Label, Line, Markers, Note, PlaneAxis, Reference, Shape, Size, Style, Theme, Tone, XyChart};
 use quantities::unit::REVOLUTION_PER_MINUTE;
 use quantities::{AngularVelocity, Language, Measure, Time};
 use std::path::Path;
@@ -34,8 +34,8 @@ const RATIOS: [u16; 4] = [30, 50, 80, 120];
 /// Returns the chart of the estimated band and the published curve of each ratio.
 fn continuous() -> Result<XyChart, Fault> {
     let mut chart = XyChart::new(
-        Axis::new("n", "min⁻¹").name("Output speed").minor_ticks(),
-        Axis::new("T", "Nm").name("Continuous torque").minor_ticks(),
+        PlaneAxis::new("n", "min⁻¹").name("Output speed").minor_ticks(),
+        PlaneAxis::new("T", "Nm").name("Continuous torque").minor_ticks(),
     )
     .description(
         "Estimated band of the continuous torque of CHA-20A for four ratios, with the published corner points",
@@ -108,8 +108,8 @@ fn shares() -> Result<XyChart, Fault> {
     ];
     let gear = [(17.6, 0.91), (18.2, 0.55), (25.9, 0.83)];
     let chart = XyChart::new(
-        Axis::new("s", "").name("Frame size").range(12.0, 42.0),
-        Axis::new("x", "").name("Rise of the winding over 40 K").range(0.4, 1.4).minor_ticks(),
+        PlaneAxis::new("s", "").name("Frame size").range(12.0, 42.0),
+        PlaneAxis::new("x", "").name("Rise of the winding over 40 K").range(0.4, 1.4).minor_ticks(),
     )
     .description("Share of the permitted rise that the model finds at every published continuous point, by frame size")
     .with(Markers::new(own).shape(Shape::Circle).tone(Tone::Continuous).label("CHA-20A, calibrated here"))

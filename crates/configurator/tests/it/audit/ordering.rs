@@ -152,7 +152,6 @@ pub(super) fn tables(view: &CellView, tally: &mut Tally) {
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::super::findings_of;
     use super::*;

@@ -221,7 +221,6 @@ pub(super) fn each_ratio(
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::super::findings_of;
     use super::*;

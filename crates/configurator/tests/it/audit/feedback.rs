@@ -106,7 +106,6 @@ fn only<'a>(view: &'a CellView, table: &'a str, symbol: &'a str) -> Option<&'a A
     view.row(table, symbol).next()
 }
 
-#[cfg(test)]
 mod tests {
     use super::super::findings_of;
     use super::*;

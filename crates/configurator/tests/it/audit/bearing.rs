@@ -189,7 +189,6 @@ pub(super) fn screws(view: &CellView, tally: &mut Tally) {
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::super::findings_of;
     use super::*;

@@ -1,11 +1,13 @@
 //! Cells of the manual as the checks read them: text in one of three readings, and intervals of rounding.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot panic cannot fail")]
+
 use catalogue::{Cell, Erratum, ErratumKind};
 use std::ops::{Add, Div, Mul, Sub};
 
 /// Version of the cell texts used in a run of the checks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TextVersion {
+pub(crate) enum TextVersion {
     /// Text of the manual: every deviation needs an erratum.
     Printed,
     /// Text after errata: a corrected value must fit its neighbours, only a flagged one may still deviate.
@@ -19,7 +21,7 @@ impl TextVersion {
 
     /// Returns the name used in reports.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Printed => "printed",
             Self::Corrected => "corrected",
@@ -55,9 +57,9 @@ impl TextVersion {
 #[derive(Clone, Debug)]
 pub(super) struct AuditedCell {
     /// The cell.
-    pub cell: &'static Cell,
+    pub(crate) cell: &'static Cell,
     /// Text in this reading.
-    pub text: String,
+    pub(crate) text: String,
 }
 
 impl AuditedCell {
@@ -89,7 +91,7 @@ impl AuditedCell {
 /// The cells in one reading.
 pub(super) struct CellView {
     /// The reading.
-    pub reading: TextVersion,
+    pub(crate) reading: TextVersion,
     entries: Vec<AuditedCell>,
 }
 
@@ -135,13 +137,12 @@ impl CellView {
     }
 }
 
-#[cfg(test)]
 impl CellView {
     /// Returns the printed reading with the text of one cell changed; the cell must exist once and have no erratum.
     pub(super) fn with(table: &str, text: &str, accept: impl Fn(&Cell) -> bool) -> Self {
         let mut view = Self::of(TextVersion::Printed);
         let mut hits = view.entries.iter_mut().filter(|entry| entry.cell.place.table == table && accept(entry.cell));
-        let entry = hits.next().expect("the cell to change exists");
+        let entry = hits.next().unwrap();
         assert!(entry.cell.errata.is_empty(), "{} has an erratum already", entry.place());
         assert!(hits.next().is_none(), "more than one cell to change");
         text.clone_into(&mut entry.text);
@@ -152,9 +153,9 @@ impl CellView {
 /// The cells of one drive.
 pub(super) struct DriveView<'a> {
     /// Heading of the drive's section.
-    pub name: &'static str,
+    pub(crate) name: &'static str,
     /// Cells of the drive.
-    pub entries: Vec<&'a AuditedCell>,
+    pub(crate) entries: Vec<&'a AuditedCell>,
 }
 
 impl<'a> DriveView<'a> {
@@ -215,11 +216,11 @@ impl<'a> DriveView<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Span {
     /// Lower end.
-    pub low: f64,
+    pub(crate) low: f64,
     /// Value as stated, or computed from stated values.
-    pub mid: f64,
+    pub(crate) mid: f64,
     /// Upper end.
-    pub high: f64,
+    pub(crate) high: f64,
 }
 
 impl Span {
@@ -312,7 +313,6 @@ impl Sub for Span {
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -194,7 +194,6 @@ fn rising(tally: &mut Tally, row: &[&AuditedCell]) {
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::super::findings_of;
     use super::*;

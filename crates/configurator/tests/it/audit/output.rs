@@ -262,7 +262,6 @@ pub(super) fn step(
     });
 }
 
-#[cfg(test)]
 mod tests {
     use super::super::findings_of;
     use super::*;
@@ -303,7 +302,7 @@ mod tests {
 
     #[test]
     fn a_brake_too_light_for_its_torque_is_found() {
-        let untouched = findings_of(brake_rotor, &CellView::of(crate::audit::TextVersion::Printed));
+        let untouched = findings_of(brake_rotor, &CellView::of(super::super::TextVersion::Printed));
         let lighter = findings_of(brake_rotor, &altered("30.2", "J_brake", "", "5,0"));
         assert!(lighter.len() > untouched.len(), "{lighter:?}");
     }

@@ -127,7 +127,6 @@ fn same_text(tally: &mut Tally, cell: &AuditedCell, twin: Option<&AuditedCell>) 
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::super::findings_of;
     use super::*;

@@ -129,7 +129,6 @@ pub(super) fn errata(_: &CellView, tally: &mut Tally) {
     }
 }
 
-#[cfg(test)]
 mod tests {
     use super::super::view::TextVersion;
     use super::*;

@@ -7,23 +7,23 @@ use std::fmt;
 
 /// A value that does not fit its neighbours.
 #[derive(Clone, Debug)]
-pub struct Deviation {
+pub(crate) struct Deviation {
     /// Name of the check.
-    pub check: &'static str,
+    pub(crate) check: &'static str,
     /// TextVersion in which the value deviates.
-    pub reading: TextVersion,
+    pub(crate) reading: TextVersion,
     /// Place, value found and value expected.
-    pub message: String,
+    pub(crate) message: String,
     /// Identifiers of the errata that explain the deviation.
-    pub errata: Vec<&'static str>,
+    pub(crate) errata: Vec<&'static str>,
     /// Reason written in code, if a rule explains the deviation.
-    pub rule: Option<&'static str>,
+    pub(crate) rule: Option<&'static str>,
 }
 
 impl Deviation {
     /// Returns `true` if an erratum or a rule explains the deviation.
     #[must_use]
-    pub fn is_explained(&self) -> bool {
+    pub(crate) fn is_explained(&self) -> bool {
         !self.errata.is_empty() || self.rule.is_some()
     }
 }
@@ -46,23 +46,23 @@ pub(super) const fn place(cell: &Cell) -> CellPlace {
 #[derive(Clone, Copy, Default)]
 pub(super) struct Excuse {
     /// Erratum about a table as a whole: the table, and words that its `where` must contain.
-    pub table_erratum: Option<(&'static str, &'static str)>,
+    pub(crate) table_erratum: Option<(&'static str, &'static str)>,
     /// Reason written in code.
-    pub rule: Option<&'static str>,
+    pub(crate) rule: Option<&'static str>,
 }
 
 /// Result of one check in one reading.
 pub(super) struct Tally {
     /// Name of the check.
-    pub check: &'static str,
+    pub(crate) check: &'static str,
     /// TextVersion.
-    pub reading: TextVersion,
+    pub(crate) reading: TextVersion,
     /// Number of comparisons made.
-    pub comparisons: usize,
+    pub(crate) comparisons: usize,
     /// Deviations found.
-    pub deviations: Vec<Deviation>,
+    pub(crate) deviations: Vec<Deviation>,
     /// Places of the cells that could explain a failed comparison.
-    pub covered: BTreeSet<CellPlace>,
+    pub(crate) covered: BTreeSet<CellPlace>,
 }
 
 impl Tally {
@@ -113,7 +113,6 @@ impl Tally {
     }
 }
 
-#[cfg(test)]
 impl Tally {
     /// Returns the messages of the unexplained deviations.
     pub(super) fn findings(&self) -> Vec<String> {

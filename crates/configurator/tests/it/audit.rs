@@ -16,8 +16,7 @@ mod sisters;
 mod tally;
 mod view;
 
-pub use tally::Deviation;
-pub use view::TextVersion;
+use view::TextVersion;
 
 use catalogue::Erratum;
 use std::collections::{BTreeMap, BTreeSet};
@@ -69,7 +68,7 @@ fn records(view: &CellView, tally: &mut Tally) {
 }
 
 /// Result of the checks.
-pub struct Report {
+pub(crate) struct Report {
     tallies: Vec<Tally>,
     orphans: Vec<&'static str>,
     covered: usize,
@@ -77,7 +76,7 @@ pub struct Report {
 
 /// Runs every check in every reading.
 #[must_use]
-pub fn run() -> Report {
+pub(crate) fn run() -> Report {
     let tallies: Vec<Tally> = TextVersion::ALL
         .into_iter()
         .flat_map(|reading| {
@@ -120,7 +119,7 @@ fn orphans(errata: &[Erratum], tallies: &[Tally]) -> (usize, Vec<&'static str>) 
 impl Report {
     /// Returns the unexplained deviations and the errata without a deviation as text.
     #[must_use]
-    pub fn findings(&self) -> Vec<String> {
+    pub(crate) fn findings(&self) -> Vec<String> {
         let deviations = self.tallies.iter().flat_map(Tally::unexplained).map(ToString::to_string);
         let orphans = self.orphans.iter().map(|id| {
             format!("orphan: erratum {id} calls a value wrong that fits its neighbours in every check that covers it")
@@ -128,14 +127,9 @@ impl Report {
         deviations.chain(orphans).collect()
     }
 
-    /// Iterates over the deviations of all checks and readings.
-    pub fn deviations(&self) -> impl Iterator<Item = &Deviation> {
-        self.tallies.iter().flat_map(|tally| &tally.deviations)
-    }
-
     /// Returns the total number of comparisons.
     #[must_use]
-    pub fn comparisons(&self) -> usize {
+    pub(crate) fn comparisons(&self) -> usize {
         self.tallies.iter().map(|tally| tally.comparisons).sum()
     }
 }
@@ -179,12 +173,18 @@ impl fmt::Display for Report {
 }
 
 /// Returns the unexplained deviations that a check finds in a view.
-#[cfg(test)]
 fn findings_of(check: Check, view: &CellView) -> Vec<String> {
     tally("under test", check, view).findings()
 }
 
-#[cfg(test)]
+#[test]
+fn the_data_are_consistent() {
+    let report = run();
+    print!("{report}");
+    let findings = report.findings();
+    assert!(findings.is_empty(), "{} findings:\n{}", findings.len(), findings.join("\n"));
+}
+
 mod tests {
     use super::*;
 
