@@ -45,9 +45,10 @@ impl fmt::Display for Violation {
 
 type Rule = fn(&Path) -> Vec<Violation>;
 
-const RULES: [Rule; 15] = [
+const RULES: [Rule; 16] = [
     tree::not_empty,
     layers::rule,
+    layers::document,
     architecture::rule,
     book::rule,
     guides::rule,

@@ -6,6 +6,7 @@ use cargo_metadata::{Dependency, DependencyKind};
 
 use super::Violation;
 use super::manifest::Members;
+use super::tree::Tree;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Room {
@@ -64,6 +65,25 @@ const ROOMS: [(&str, Room); 41] = [
     ("validation", Room::Outside),
 ];
 
+/// Roles of the layers, from the lowest.
+const ROLES: [&str; 12] = [
+    "basics",
+    "subjects",
+    "models",
+    "engine",
+    "interchange",
+    "language",
+    "use cases",
+    "documents",
+    "faces",
+    "hosts",
+    "command line",
+    "Python",
+];
+
+/// Document whose table has a row for each layer, with its role and its crates.
+const FILE: &str = "ARCHITECTURE.md";
+
 /// Crates that their own layer may depend on.
 const SERVE_THEIR_LAYER: [&str; 2] = ["derivation", "motion"];
 
@@ -77,6 +97,30 @@ pub(crate) fn layer(name: &str) -> Option<u8> {
         Some(Room::Layer(layer)) => Some(layer),
         _ => None,
     }
+}
+
+/// Checks that the table of the document has the same layers, roles and crates as the table of the rule.
+pub(super) fn document(root: &Path) -> Vec<Violation> {
+    let Some(text) = Tree::read(root).text(FILE) else { return Vec::new() };
+    let rows: Vec<Vec<&str>> =
+        text.lines().filter_map(|line| Some(line.strip_prefix("| ")?.split(" | ").map(str::trim).collect())).collect();
+    let tell = |message| Violation { path: FILE.to_owned(), line: 1, rule: "layers", message };
+    let mut findings = Vec::new();
+    for (layer, role) in (0_u8..).zip(ROLES) {
+        let own = ROOMS.iter().filter(|(_, room)| *room == Room::Layer(layer)).map(|(name, _)| *name);
+        let mut own: Vec<&str> = own.collect();
+        own.sort_unstable();
+        let number = layer.to_string();
+        let row = rows.iter().find(|row| row.first() == Some(&number.as_str()));
+        let mut named: Vec<&str> =
+            row.and_then(|row| row.get(2)).map_or_else(Vec::new, |cell| cell.split('`').skip(1).step_by(2).collect());
+        named.sort_unstable();
+        if row.and_then(|row| row.get(1)) != Some(&role) || named != own {
+            findings
+                .push(tell(format!("the table has no row `| {layer} | {role} |` with the crates {}", own.join(", "))));
+        }
+    }
+    findings
 }
 
 pub(super) fn rule(root: &Path) -> Vec<Violation> {
@@ -118,10 +162,16 @@ fn objection(name: &str, from: Room, dependency: &Dependency) -> Option<String> 
         (Room::Layer(own), Room::Layer(other)) => {
             let served = SERVE_THEIR_LAYER.contains(&on) && !SERVE_THEIR_LAYER.contains(&name) && own == other;
             (other >= own && !served)
-                .then(|| format!("`{name}` (layer {own}) may not use `{on}` (layer {other}): only lower layers"))
+                .then(|| format!("`{name}` ({}) may not use `{on}` ({}): only lower layers", named(own), named(other)))
         }
         (Room::DevOnly | Room::Outside, _) => None,
     }
+}
+
+/// Returns a layer with its role.
+fn named(layer: u8) -> String {
+    let role = ROLES.get(usize::from(layer)).copied().unwrap_or_default();
+    format!("layer {layer}, {role}")
 }
 
 #[cfg(test)]
@@ -155,7 +205,9 @@ mod tests {
     fn a_layer_that_looks_up_or_sideways_is_found() {
         assert_eq!(
             findings_of("motion", "\n[dependencies]\nquantities = \"1\"\nsizing = \"1\"\n"),
-            ["it/Cargo.toml:6: layers: `motion` (layer 1) may not use `sizing` (layer 3): only lower layers"]
+            [
+                "it/Cargo.toml:6: layers: `motion` (layer 1, subjects) may not use `sizing` (layer 3, engine): only lower layers"
+            ]
         );
         assert_eq!(findings_of("actuator", "[dependencies]\ncatalogue = \"1\"\n").len(), 1);
         assert_eq!(findings_of("order-code", "[dependencies]\nquantities = \"1\"\n").len(), 1);
@@ -183,5 +235,23 @@ mod tests {
     fn a_crate_without_a_layer_is_found() {
         let findings_of = findings_of("utils", "");
         assert!(findings_of.iter().any(|text| text.contains("crate `utils` has no layer")), "{findings_of:?}");
+    }
+
+    #[test]
+    fn the_document_has_every_layer_with_its_role_and_its_crates() {
+        let row = |layer: u8, change: fn(String) -> String| {
+            let own = ROOMS.iter().filter(|(_, room)| *room == Room::Layer(layer)).map(|(name, _)| format!("`{name}`"));
+            let own: Vec<String> = own.collect();
+            change(format!("| {layer} | {} | {} | text |\n", ROLES[usize::from(layer)], own.join(" · ")))
+        };
+        let found = |change: fn(String) -> String| {
+            let table: String = (0..12).map(|layer| row(layer, if layer == 3 { change } else { |row| row })).collect();
+            document(Scratch::new(&[(FILE, table.as_str())]).root()).len()
+        };
+        assert_eq!(found(|row| row), 0);
+        assert_eq!(found(|row| row.replace("engine", "machine")), 1);
+        assert_eq!(found(|row| row.replace(" · `twin`", "")), 1);
+        assert_eq!(found(|row| row.replace("`twin`", "`twin` · `motion`")), 1);
+        assert_eq!(found(|_| String::new()), 1);
     }
 }
