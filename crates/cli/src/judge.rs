@@ -270,7 +270,7 @@ fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
 fn remarks(candidate: &Candidate<'_>, indent: &str, language: Language) -> String {
     let mut out = String::new();
     let mut seen: Vec<String> = Vec::new();
-    for check in &candidate.judgement.checks {
+    for check in by_importance(&candidate.judgement.checks) {
         // The erratum of a limit that is far away is in --json; here it would obscure the rest.
         let far = check.verdict == Verdict::Pass && check.utilisation.is_some_and(|share| share < 0.5);
         for note in check.notes.iter() {

@@ -11,7 +11,7 @@ use maud::{Markup, PreEscaped, html};
 use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, format_number};
 use questions::texts::{fitting_text, percent, reason, standing_text};
-use questions::{Candidate, CandidateId, Fit, Sizing, Verdict};
+use questions::{Candidate, CandidateId, Fit, Sizing};
 use std::collections::BTreeSet;
 use words::{capitalised, marked, page, ranking_rule, terminal, terms, title_of_check};
 
@@ -253,7 +253,7 @@ fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked
     // The ids alone: the text of an erratum in each row weighs more than the row.
     let doubted = errata.join(", ");
     let tightest = candidate.governing().map(|check| capitalised(&title_of_check(check, l))).unwrap_or_default();
-    let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Advice).count();
+    let advice = candidate.counts().advised;
     let open = candidate.open_questions();
     let is_marked = |code: &order_code::OrderCode| state.marked.contains(code);
     let it = looked_at.filter(|it| it.id == candidate.id);

@@ -9,8 +9,8 @@ use order_code::Size;
 use project::{Edit, Project, edit, key_at, written};
 use quantities::Language;
 use questions::list::bearing::{bearing_checks, bearing_of_each_size};
-use questions::texts::{checked_text, margin_text, percent, unit_text, verdict_text};
-use questions::{Candidate, Unread, Verdict, read_all_watched, read_code};
+use questions::texts::{by_importance, checked_text, margin_text, percent, unit_text, verdict_text};
+use questions::{Candidate, Part, Unread, Verdict, read_all_watched, read_code};
 use words::{about_text, capitalised, grade_word, page, short_label, source_text, terminal, terms, title_of_check};
 
 /// Keys of the form, with their initial values.
@@ -88,17 +88,22 @@ fn answer(project: &Project, scene: &Scene<'_>) -> Markup {
 
 fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Language) -> Markup {
     let l = language;
-    let worst = bearing_checks(candidate)
-        .filter(|check| check.verdict == Verdict::Fail)
-        .max_by(|a, b| a.utilisation.unwrap_or(f64::INFINITY).total_cmp(&b.utilisation.unwrap_or(f64::INFINITY)));
-    let open = bearing_checks(candidate).filter(|check| check.verdict == Verdict::NotChecked).count();
+    // The first in the order of every answer: failed, then inside the band of an estimate.
+    let worst = by_importance(&candidate.judgement.checks)
+        .into_iter()
+        .filter(|check| check.id.part() == Part::OutputBearing)
+        .find(|check| check.verdict == Verdict::Fail || check.is_inside_band());
+    let open = bearing_checks(candidate).filter(|check| check.is_open()).count();
     let heads = check_heads(l).into_iter().chain([terms::source(l)]);
     html! {
         details id={ "size-" (size) } open[is_open] {
             summary {
                 (capitalised(terminal::size(l))) " " (size) ": "
                 @match worst {
-                    Some(check) => span.fail { (terms::does_not_fit(l)) ", " (title_of_check(check, l)) @if check.utilisation.is_some() { " " (percent(check.utilisation, l)) " %" } },
+                    Some(check) => span class={ (if check.verdict == Verdict::Fail { "fail" } else { "advice" }) } {
+                        (if check.verdict == Verdict::Fail { terms::does_not_fit(l) } else { terminal::if_the_estimate_holds(l) }) ", "
+                        (title_of_check(check, l)) @if check.utilisation.is_some() { " " (percent(check.utilisation, l)) " %" }
+                    },
                     None => span.pass { (terms::fits(l)) },
                 }
                 @if open > 0 { ", " span.unchecked { (terms::not_checked(l)) ": " (open) } }
