@@ -388,7 +388,38 @@ fn unseparated([start, with_speed]: [Identified; 2], speed_rad_s: f64, found: &m
         let is_tied = |other: &Estimate| (own.value * factor).abs() > other.half_width;
         open.extend(of(other).filter(is_tied).map(|other| other.of));
     }
+    open.sort_unstable();
     open.dedup();
     found.estimates.retain(|each| !open.contains(&each.of));
     found.open.extend(open.into_iter().map(|of| (of, Open::NotSeparated)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A part of a friction that is negative beyond its interval opens itself, and the other one only if that rests on it.
+    #[test]
+    fn a_negative_part_of_a_friction_opens_what_is_tied_to_it() {
+        use Identified::{Coulomb, Viscous};
+        // T_c and b with their half intervals at a mean speed of 2 rad/s, and what stays known.
+        let cases = [
+            ([3.0, 0.01], [-1e-4, 5e-5], &[Coulomb][..]),
+            ([3.0, 0.01], [-0.004, 0.001], &[Coulomb]),
+            ([3.0, 0.01], [-0.05, 0.01], &[]),
+            ([3.0, 0.01], [-0.05, 0.06], &[Coulomb, Viscous]),
+            ([-0.02, 0.01], [1.5, 0.02], &[Viscous]),
+            ([-0.5, 0.1], [1.5, 0.02], &[]),
+            ([-0.5, 0.1], [-1.5, 0.02], &[]),
+        ];
+        for (coulomb, viscous, known) in cases {
+            let estimate = |of, [value, half_width]: [f64; 2]| Estimate { of, value, half_width };
+            let estimates = vec![estimate(Coulomb, coulomb), estimate(Viscous, viscous)];
+            let mut found = Identification { estimates, ..Identification::default() };
+            unseparated([Coulomb, Viscous], 2.0, &mut found);
+            let stay: Vec<Identified> = found.estimates.iter().map(|each| each.of).collect();
+            assert_eq!(stay, known, "{coulomb:?} {viscous:?}");
+            assert_eq!(found.open.len() + stay.len(), 2, "{coulomb:?} {viscous:?}: {:?}", found.open);
+        }
+    }
 }

@@ -361,18 +361,47 @@ fn beside(
     take(&fit, Identified::Coulomb, both_ways.then_some(0), both_ways, found);
     take(&fit, Identified::Viscous, Some(1), both_ways, found);
     if let Some(losses) = load.losses {
-        // A part beside the stated load may lie before or behind the losses.
+        // What deviates from the stated friction, and a part beside the stated load, may lie in front of the losses or behind.
+        let stated = losses.friction(first);
+        let behind: Vec<Row> = rows.iter().map(|row| behind(row, stated)).collect();
         let column = |row: &Row, place: usize| row.regressors.get(place).copied().unwrap_or(0.0);
         let farthest = rows.iter().map(|row| (column(row, 2) - 1.0).abs()).fold(0.0, f64::max);
         let constant = fit.values.get(2).map_or(0.0, |value| value.abs());
-        let stated = losses.coulomb_nm(first);
-        for each in found.estimates.iter_mut().filter(|each| each.of == Identified::Coulomb) {
-            each.half_width += farthest * (constant + (each.value - stated).abs());
+        let apart = |place: usize, stated: f64| {
+            let other = super::regression::fit(&behind, &noise, &[])?.values.get(place)? + stated;
+            Some((other - fit.values.get(place)?).abs())
+        };
+        let [coulomb, viscous] = stated;
+        for each in &mut found.estimates {
+            each.half_width += match each.of {
+                Identified::Coulomb => farthest * constant + apart(0, coulomb).unwrap_or(f64::INFINITY),
+                Identified::Viscous => apart(1, viscous).unwrap_or(f64::INFINITY),
+                Identified::LoadInertia => apart(3, 0.0).unwrap_or(f64::INFINITY),
+                _ => 0.0,
+            };
         }
+    }
+    let is_wide =
+        |each: &Estimate| each.of == Identified::LoadInertia && each.half_width >= super::SHARE_MOST * each.value.abs();
+    if found.estimates.iter().any(is_wide) {
+        found.estimates.retain(|each| !is_wide(each));
+        found.open.push((Identified::LoadInertia, Open::Wide));
     }
     let others = [Identified::External, Identified::Gravity, Identified::GravityAngle];
     found.open.extend(others.map(|of| (of, Open::NotConstant)));
     Ok(shares)
+}
+
+/// Returns an equation whose friction lies behind the losses, relative to the stated T_c and b.
+///
+/// T − T₀ − T_c σ − b ω = φ (δT_c σ + δb ω + δT + δJ α)
+fn behind(row: &Row, [coulomb, viscous]: [f64; 2]) -> Row {
+    let mut other = row.clone();
+    if let [sign, speed, factor, ..] = other.regressors.as_mut_slice() {
+        other.value -= coulomb * *sign + viscous * *speed;
+        (*sign, *speed) = (*factor * *sign, *factor * *speed);
+    }
+    other
 }
 
 /// Returns the sign of the torque that accelerates in the direction of the position; `None` if the run does not show it.

@@ -77,13 +77,14 @@ impl Losses {
         })
     }
 
-    /// Returns half the difference of the torques of both directions without losses \[Nm\].
-    pub(super) fn coulomb_nm(&self, extra: &Extra) -> f64 {
-        let at = |direction: f64| {
-            let output = Output { position_rad: 0.0, speed_rad_s: 0.0, acceleration_rad_s2: 0.0, direction };
-            self.without.torque(&output, extra)
+    /// Returns T_c \[Nm\] and b [Nm s/rad] without losses.
+    pub(super) fn friction(&self, extra: &Extra) -> [f64; 2] {
+        let loading = self.without.loading(extra);
+        let at = |speed_rad_s: f64| {
+            let output = Output { position_rad: 0.0, speed_rad_s, acceleration_rad_s2: 0.0, direction: 1.0 };
+            friction(&loading, output)
         };
-        0.5 * (at(1.0) - at(-1.0))
+        [at(0.0), at(1.0) - at(0.0)]
     }
 
     /// Returns the load in a window with the additions of a segment, without the friction of the first; `None` if the direction of

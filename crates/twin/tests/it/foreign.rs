@@ -16,6 +16,9 @@ pub(crate) struct Plant {
     pub(crate) external_nm: f64,
     pub(crate) weight_nm: f64,
     pub(crate) angle_rad: f64,
+    /// J in front of a transmission with losses, and its factors of torques behind it, driving and driven.
+    pub(crate) flange_kgm2: f64,
+    pub(crate) losses: [f64; 2],
     /// J_M, torque at the output per ampere rms before and behind the teeth, friction as currents.
     pub(crate) rotor_kgm2: f64,
     pub(crate) motor_nm_a: f64,
@@ -135,16 +138,22 @@ impl Plant {
         let teeth = (self.motor_nm_a / self.output_nm_a - 1.0) * gear.abs();
         let own = self.motor_nm_a * self.starting_a + teeth;
         let friction = own * (omega_m / STEEP).tanh() + self.motor_nm_a * self.with_speed_as * omega_m;
-        let load = self.coulomb_nm * (omega / STEEP).tanh()
-            + self.viscous_nms * omega
-            + self.weight_nm * (q + self.angle_rad).cos()
-            + self.external_nm;
+        let direction = (omega / STEEP).tanh();
+        let load = self.coulomb_nm * direction + self.weight_nm * (q + self.angle_rad).cos() + self.external_nm;
+        // gear = b ω + J_f α + φ (J α + load), φ of the side of what is behind the transmission.
+        let accelerated = |factor: f64| {
+            let factor = 1.0 + (factor - 1.0) * direction.abs();
+            (gear - self.viscous_nms * omega - factor * load) / (self.flange_kgm2 + factor * self.load_kgm2)
+        };
+        let [driving, driven] = self.losses.map(accelerated);
+        let drives = (self.load_kgm2 * driving + load) * direction >= 0.0;
+        let acceleration = if drives { driving } else { driven };
         [
             (torque / per_peak - current) / CURRENT_LAG_S,
             omega_m,
             (per_peak * current - gear - friction) / self.rotor_kgm2,
             omega,
-            (gear - load) / self.load_kgm2,
+            acceleration,
             60.0 * total * error / 0.03,
         ]
     }
@@ -210,9 +219,16 @@ impl Plant {
             external_nm: 0.0,
             weight_nm: 0.0,
             angle_rad: 0.0,
+            flange_kgm2: tables.flange_kgm2,
+            losses: [1.0; 2],
         };
         match kind {
             "flywheel" => drive,
+            "lossy belt" | "lossy screw" => {
+                let efficiency = between(0.7, 1.0);
+                let weight = if kind == "lossy belt" { 0.0 } else { between(3.0, 9.0) };
+                Self { losses: [efficiency.recip(), efficiency], external_nm: weight, ..drive }
+            }
             "arm" => Self {
                 weight_nm: between(4.0, 10.0),
                 angle_rad: between(-PI, PI),
