@@ -14,7 +14,7 @@ use quantities::{
     Acceleration, Angle, EffectiveVoltage, ElectricCurrent, ElectricPotential, Frequency, Length, Mass, Power,
     ThermodynamicTemperature, Time, Torque,
 };
-use sizing::{Asked, Axis, MainsPhases, MountingPosition, SpecialApplication, Supply, SupplyFrom};
+use sizing::{Axis, AxisRequirements, MainsPhases, MountingPosition, SpecialApplication, Supply, SupplyFrom};
 
 /// Default deviation of the mains voltage as a share of the nominal one (IEC 60038: ± 10 %).
 const MAINS_DEVIATION: f64 = 0.1;
@@ -235,7 +235,7 @@ impl RequirementsSection {
     pub(crate) fn apply(&self, axis: &mut Axis) {
         axis.ambient = self.ambient.value();
         axis.supply = self.link();
-        axis.asked = Asked {
+        axis.asked = AxisRequirements {
             gear_life_min: self.gear_life_min.value(),
             torsion_max: self.torsion_max.value(),
             natural_frequency_min: self.natural_frequency_min.value(),
@@ -266,7 +266,7 @@ impl RequirementsSection {
             shock: self.shock.value(),
             mounting: self.mounting.value(),
             special_application: self.special_application.value(),
-            ..Asked::default()
+            ..AxisRequirements::default()
         };
     }
 

@@ -2,7 +2,7 @@
 
 use crate::brake_times::{BrakeTimes, carried};
 use crate::flange::{DerivedLoads, Known};
-use crate::list::Asked;
+use crate::requirements::AxisRequirements;
 use crate::resonance::{self, Held};
 use crate::rope_checks::RopeCourse;
 use crate::supply::Supply;
@@ -158,7 +158,7 @@ pub struct Axis {
     /// DC link.
     pub supply: Option<Supply>,
     /// Further requirements.
-    pub asked: Asked,
+    pub asked: AxisRequirements,
     pub(crate) brake_times: Option<BrakeTimes>,
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
@@ -206,7 +206,7 @@ impl Axis {
             ambient: None,
             bearing: None,
             supply: None,
-            asked: Asked::default(),
+            asked: AxisRequirements::default(),
             brake_times: None,
             moments,
             trace,

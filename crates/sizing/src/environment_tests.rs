@@ -27,7 +27,7 @@ fn actuator() -> Parameters {
     Drivetrain { environment, ..Drivetrain::unknown() }.into()
 }
 
-fn axis(state: impl Fn(&mut crate::Asked)) -> Axis {
+fn axis(state: impl Fn(&mut crate::AxisRequirements)) -> Axis {
     let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(1.0));
     let given =
         Given { speed: Some(AngularVelocity::from_si(1.0)), time: Some(Time::from_si(1.0)), ..Given::default() };
@@ -37,7 +37,7 @@ fn axis(state: impl Fn(&mut crate::Asked)) -> Axis {
     axis
 }
 
-fn found(id: CheckId, actuator: &Parameters, state: impl Fn(&mut crate::Asked)) -> Option<Check> {
+fn found(id: CheckId, actuator: &Parameters, state: impl Fn(&mut crate::AxisRequirements)) -> Option<Check> {
     judge(&axis(state), actuator, Scope::All).checks.iter().find(|check| check.id == id).cloned()
 }
 
@@ -54,7 +54,7 @@ fn what_is_not_stated_is_not_checked_and_not_listed() {
 /// Judges on both sides of each limit, at the limit, and for an actuator without values in the manual.
 #[test]
 fn each_limit_is_judged_on_both_sides() {
-    type State = (CheckId, fn(&mut crate::Asked, f64), &'static [(f64, Verdict)]);
+    type State = (CheckId, fn(&mut crate::AxisRequirements, f64), &'static [(f64, Verdict)]);
     let cases: [State; 4] = [
         (
             CheckId::Vibration,
@@ -131,7 +131,7 @@ fn a_mounting_position_is_named_as_not_checked() {
 
 #[test]
 fn above_the_printed_altitude_the_missing_derating_is_named() {
-    let high = |asked: &mut crate::Asked| asked.altitude = Some(Length::from_si(1500.0));
+    let high = |asked: &mut crate::AxisRequirements| asked.altitude = Some(Length::from_si(1500.0));
     let check = found(CheckId::Altitude, &actuator(), high).unwrap();
     assert_eq!(check.missing, Some("requirements.altitude_derating"));
     let mut unprinted = actuator();
