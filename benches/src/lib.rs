@@ -6,7 +6,7 @@ pub mod drawn;
 
 use project::Project;
 use questions::list::size::sized;
-use questions::{Patience, Rejected, Sizing};
+use questions::{Progress, Rejected, Sizing};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
@@ -20,7 +20,7 @@ pub fn root() -> PathBuf {
 /// Judges the catalogue as the command does: the ten best with every check.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    sized(project, 10, Rejected::Nearest, &Patience::endless())
+    sized(project, 10, Rejected::Nearest, &Progress::endless())
         .unwrap_or_else(|refusal| unreachable!("nothing cancels it: {refusal:?}"))
 }
 

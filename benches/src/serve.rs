@@ -8,7 +8,7 @@ use benches::{Gates, against, milliseconds, timed};
 use page::{Call, FileEntry, Folder, Method, SaveFault, Shell};
 use project::{Files, NoFiles};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use server::{Access, Options, RequestLimits, Server};
 use std::hint::black_box;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -86,7 +86,7 @@ impl Question {
             body: self.body.as_bytes(),
             language: Language::default(),
         };
-        let reply = page::respond(&call, &Alone, &Patience::limited());
+        let reply = page::respond(&call, &Alone, &Progress::limited());
         assert_eq!(reply.status, 200, "no answer: nothing was measured");
         reply.body.len()
     }

@@ -11,7 +11,7 @@
 
 use benches::{Gates, least_processor_s, numpy, processor_s, sort, timed};
 use project::NoFiles;
-use questions::Patience;
+use questions::Progress;
 use questions::sweep::{Cells, Judged, Options, Sweep};
 use rayon::ThreadPool;
 use std::hint::black_box;
@@ -125,7 +125,7 @@ fn main() -> ExitCode {
     }
     for (name, ranges) in [("mixed rows", MIXED), ("rows that reject no actuator", HARD)] {
         let cells = table(&ranges, rows);
-        let judge = || sweep.judge(&cells, &Patience::endless()).expect("nothing cancels it");
+        let judge = || sweep.judge(&cells, &Progress::endless()).expect("nothing cancels it");
         let fit = |answer: &questions::sweep::Answer| match answer {
             Ok(Judged::Best(best)) => f64::from(best.fit),
             other => panic!("{other:?}"),

@@ -52,8 +52,8 @@ const SHOWN: &str = "const pane = found.closest('.pane'); \
 
 impl Tab {
     pub(crate) fn new(client: Client, runtime: Rc<Runtime>, make: Make) -> Worded<Self> {
-        let patience = TimeoutConfiguration::new(Some(4 * PATIENCE), Some(4 * PATIENCE), None);
-        runtime.block_on(client.update_timeouts(patience)).map_err(message)?;
+        let progress = TimeoutConfiguration::new(Some(4 * PATIENCE), Some(4 * PATIENCE), None);
+        runtime.block_on(client.update_timeouts(progress)).map_err(message)?;
         Ok(Self { client, runtime, make })
     }
 

@@ -11,7 +11,7 @@ use arbitrary::{Result, Unstructured};
 use order_code::OrderCode;
 use quantities::{Language, Measure};
 use questions::list::diff::difference;
-use questions::{Candidate, CandidateId, CheckId, Draw, Patience, Sizing, Verdict, answer, check, list, size};
+use questions::{Candidate, CandidateId, CheckId, Draw, Progress, Sizing, Verdict, answer, check, list, size};
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -75,12 +75,12 @@ fn hold(case: &Case<'_>, question: u8) {
 }
 
 fn ranking(case: &Case<'_>) {
-    let patience = Patience::endless();
-    let Ok(found) = questions::list::size::ranking(case.project, 2, FEW, &patience) else { return };
+    let progress = Progress::endless();
+    let Ok(found) = questions::list::size::ranking(case.project, 2, FEW, &progress) else { return };
     let found = found.record(case.language);
     assert_eq!(found.answer.is_some(), found.fitting > 0);
     keeps_to_schema("size", &found);
-    if let Ok(found) = list::bearing::sizes(case.project, &patience, case.language) {
+    if let Ok(found) = list::bearing::sizes(case.project, &progress, case.language) {
         keeps_to_schema("bearing", &answer::bearings(&found, case.language));
     }
 }
@@ -106,7 +106,7 @@ pub fn twin_of<'p>(
         return None;
     }
     let scenario = project.twin.scenario.id;
-    let found = list::simulate::of_scenario(project, Some(code), scenario, &Patience::endless(), language);
+    let found = list::simulate::of_scenario(project, Some(code), scenario, &Progress::endless(), language);
     match &found {
         Ok(run) => {
             let ends = run.events.iter().any(|event| event.kind.id() == "diverged");
@@ -145,7 +145,7 @@ fn agree(case: &Case<'_>, sizing: &Sizing<'_>) {
 
 fn one(case: &Case<'_>, code: &OrderCode) {
     for code in [Some(code), None] {
-        if let Ok(found) = questions::list::check::verification(case.project, code, FEW, &Patience::endless()) {
+        if let Ok(found) = questions::list::check::verification(case.project, code, FEW, &Progress::endless()) {
             keeps_to_schema("check", &found.record(case.language));
         }
     }
@@ -156,7 +156,7 @@ fn one(case: &Case<'_>, code: &OrderCode) {
 
 fn workings(case: &Case<'_>, code: &OrderCode) {
     let explained =
-        |check| questions::list::explain::explanation(case.project, Some(code), check, &Patience::endless());
+        |check| questions::list::explain::explanation(case.project, Some(code), check, &Progress::endless());
     let Ok(found) = explained(None) else { return };
     let found = found.record(case.language);
     assert!(!found.checks.is_empty());
@@ -173,11 +173,11 @@ fn beside(case: &Case<'_>, sizing: &Sizing<'_>) {
         CandidateId::Own(_) => None,
     };
     let codes: Vec<OrderCode> = sizing.candidates.iter().filter_map(of).take(2).collect();
-    let Ok(found) = questions::list::compare::compare(case.project, &codes, &Patience::endless()) else { return };
+    let Ok(found) = questions::list::compare::compare(case.project, &codes, &Progress::endless()) else { return };
     keeps_to_schema("compare", &answer::comparison(&found, &case.project.name, case.language));
     assert!(found.checks.iter().all(|row| row.checks.len() == codes.len()));
     let twice: Vec<OrderCode> = codes.iter().take(1).chain(codes.iter().take(1)).copied().collect();
-    let Ok(found) = questions::list::compare::compare(case.project, &twice, &Patience::endless()) else { return };
+    let Ok(found) = questions::list::compare::compare(case.project, &twice, &Progress::endless()) else { return };
     assert!(
         found.demand.iter().chain(&found.data).all(questions::list::compare::DatumRow::is_same),
         "{:?}",
@@ -188,7 +188,7 @@ fn beside(case: &Case<'_>, sizing: &Sizing<'_>) {
 
 /// Checks that a revision without changes shows no difference.
 fn revisions(case: &Case<'_>, code: &OrderCode) {
-    let Ok(found) = difference(case.project, case.project, Some(code), &Patience::endless()) else { return };
+    let Ok(found) = difference(case.project, case.project, Some(code), &Progress::endless()) else { return };
     assert!(found.demand.iter().all(questions::list::compare::DatumRow::is_same), "{:?}", found.demand);
     assert!(found.checks.iter().all(questions::list::diff::CheckChange::is_same), "{code}");
     assert_eq!(found.best_before, found.best_after);

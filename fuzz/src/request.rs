@@ -6,7 +6,7 @@ use arbitrary::{Result, Unstructured};
 use page::{Call, FileEntry, Folder, Method, Reply, SaveFault, Shell, respond};
 use project::Files;
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use serde_json::Value;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -293,8 +293,8 @@ fn answered(asked: &Asked) -> Reply {
         body: &asked.body,
         language: asked.language,
     };
-    let patience = Patience::limited();
-    respond(&call, &Memory::new(), &patience)
+    let progress = Progress::limited();
+    respond(&call, &Memory::new(), &progress)
 }
 
 /// A folder with two files, in memory.

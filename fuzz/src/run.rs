@@ -5,8 +5,8 @@ use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
 use project::Files;
 use quantities::Language;
-use questions::Patience;
-use questions::list::{Asked, Given, ReferencedText, identify};
+use questions::Progress;
+use questions::list::{Given, Inquiry, ReferencedText, identify};
 use std::borrow::Cow;
 use std::io::Read;
 
@@ -38,13 +38,13 @@ impl Files for Only<'_> {
 
 /// Checks that each identified value is a number with a width and that a refusal has its reasons.
 pub(crate) fn hold(bytes: &[u8]) {
-    let (patience, files) = (Patience::endless(), Only(bytes));
+    let (progress, files) = (Progress::endless(), Only(bytes));
     let pairs = [("code", "CHA-25A-50-H-C1024"), ("trace", "run.csv")];
     let pairs = pairs.into_iter().map(|(name, value)| (Cow::Borrowed(name), Cow::Borrowed(value)));
     let given = Given::of(identify::Args::ARGUMENTS, pairs, Language::En);
     assert!(given.is_ok(), "the arguments are right");
     let Ok(given) = given else { return };
-    let asked = Asked {
+    let inquiry = Inquiry {
         given,
         sources: vec![ReferencedText {
             name: "axis.toml".to_owned(),
@@ -52,11 +52,11 @@ pub(crate) fn hold(bytes: &[u8]) {
             files: &files,
         }],
         days_since_1970: None,
-        patience: &patience,
+        progress: &progress,
         refuses_long: true,
         language: Language::En,
     };
-    match identify::found(&asked) {
+    match identify::found(&inquiry) {
         Ok(found) => {
             assert!(found.samples > 0, "{found:?}");
             for each in &found.estimates {

@@ -5,7 +5,7 @@ use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
 use project::Files;
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use questions::sweep::csv::{Broken, Lines};
 use questions::sweep::{Cells, Options, Sweep, TableFaults};
 use std::borrow::Cow;
@@ -82,7 +82,7 @@ pub(crate) fn hold(bytes: &[u8]) {
         let mut faults = TableFaults::default();
         sweep.check(&cells, 1, &mut faults);
         if faults.is_empty() && !cells.is_empty() {
-            let answers = sweep.judge(&cells, &Patience::endless());
+            let answers = sweep.judge(&cells, &Progress::endless());
             assert!(answers.is_ok_and(|answers| answers.len() == rows), "an answer for each row");
         }
     }

@@ -5,7 +5,7 @@ use crate::tab::{Worded, expect};
 use page::{Call, FileEntry, Folder, Method, SaveFault, Shell, Storage, respond};
 use project::{Files, NoFiles};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use questions::list::new::{template, template_kinds};
 use serde_json::json;
 use std::io::ErrorKind;
@@ -114,7 +114,7 @@ fn same(stage: &OpenPage<'_>, path: &str, query: &str, text: Option<&str>) -> Wo
         body: text.unwrap_or_default().as_bytes(),
         language: Language::default(),
     };
-    let ours = respond(&call, &Empty, &Patience::endless());
+    let ours = respond(&call, &Empty, &Progress::endless());
     let bytes: Vec<u8> = theirs[2]
         .as_str()
         .unwrap_or_default()

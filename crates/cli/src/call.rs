@@ -5,12 +5,12 @@ use crate::fault::memory;
 use crate::layout::Layout;
 use crate::save::{Saver, not_to_stdout};
 use crate::source::SourceFile as File;
-use crate::waiting::{patience, waited_s};
+use crate::waiting::{progress, waited_s};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use project::Project;
 use quantities::Language;
-use questions::list::{Argument, ArgumentForm, ArgumentKind, Asked, Entry, Given, LIST, Reads, Unanswered, bounded};
+use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, LIST, Reads, Unanswered, bounded};
 use questions::read_code;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ pub fn named_file(value: &str) -> String {
 }
 
 /// Layout of the answer to a question on the terminal.
-pub(crate) type Show = fn(&Call<'_>, &Asked<'_>) -> Result<CommandAnswer, Unanswered>;
+pub(crate) type Show = fn(&Call<'_>, &Inquiry<'_>) -> Result<CommandAnswer, Unanswered>;
 
 /// Answers a question of the list: as a record, or in the layout of the terminal.
 pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<CommandAnswer, Unanswered> {
@@ -66,13 +66,13 @@ pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) ->
     }
     let files = read(entry, found, language)?;
     let call = Call { entry, matches: found, as_json, language, files };
-    let asked = call.put(entry)?;
+    let inquiry = call.put(entry)?;
     let is_record = as_json && entry.answer.is_some() && entry.gives.is_record() && !call.writes();
     let shown = match Layout::of(entry) {
-        Some(layout) if !is_record => (layout.show)(&call, &asked)?,
-        _ => call.record(&asked)?,
+        Some(layout) if !is_record => (layout.show)(&call, &inquiry)?,
+        _ => call.record(&inquiry)?,
     };
-    Ok(CommandAnswer { talk: call.understood(&asked) + &shown.talk, ..shown })
+    Ok(CommandAnswer { talk: call.understood(&inquiry) + &shown.talk, ..shown })
 }
 
 /// Returns an answer of the list.
@@ -98,12 +98,12 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
 
 impl Call<'_> {
     /// Converts the call to the question of its command.
-    pub(crate) fn put(&self, entry: &Entry) -> Result<Asked<'_>, Unanswered> {
-        Ok(Asked {
+    pub(crate) fn put(&self, entry: &Entry) -> Result<Inquiry<'_>, Unanswered> {
+        Ok(Inquiry {
             given: self.given(entry.arguments)?,
             sources: self.files.iter().map(File::source).collect(),
             days_since_1970: days_since_1970(),
-            patience: patience(),
+            progress: progress(),
             refuses_long: waited_s().is_none(),
             language: self.language,
         })
@@ -155,8 +155,8 @@ impl Call<'_> {
     }
 
     /// Returns the answer as a record.
-    pub(crate) fn record(&self, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
-        let answer = self.entry.answer.map(|answer| answer(asked)).transpose()?;
+    pub(crate) fn record(&self, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+        let answer = self.entry.answer.map(|answer| answer(inquiry)).transpose()?;
         Ok(answer.as_ref().map_or_else(CommandAnswer::none, record))
     }
 
@@ -199,9 +199,9 @@ impl Call<'_> {
     }
 
     /// Returns a remark on each code that was not written canonically.
-    fn understood(&self, asked: &Asked<'_>) -> String {
+    fn understood(&self, inquiry: &Inquiry<'_>) -> String {
         let codes = self.entry.arguments.iter().filter(|argument| matches!(argument.kind, ArgumentKind::Code));
-        let read = codes.flat_map(|argument| asked.given.all(argument.name)).filter_map(|text| {
+        let read = codes.flat_map(|argument| inquiry.given.all(argument.name)).filter_map(|text| {
             let reading = read_code(text, self.language).ok()?;
             (!reading.parsed.is_canonical())
                 .then(|| format!("{}\n", terminal::understood_as(&reading.parsed.code, self.language)))

@@ -11,18 +11,18 @@ use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Language, Measure, Torque, format_significant};
 use questions::Candidate;
 use questions::list::bearing::bearing_checks;
-use questions::list::{Asked, Cost, Unanswered, battery, bearing, curve, new};
+use questions::list::{Cost, Inquiry, Unanswered, battery, bearing, curve, new};
 use questions::texts::{battery_lines, checked_text, margin_text, unit_text, verdict_text};
 use std::path::Path;
 use words::{curve_title, grade_word, source_text, terminal, terms, title_of_check};
 
 /// `antrieb curve CODE`
-pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn curve(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     if plot::is_asked(call) {
         plot::destination(call, &[], None)?;
     }
-    let (code, plane) = curve::found(asked)?;
+    let (code, plane) = curve::found(inquiry)?;
     if plot::is_asked(call) {
         return plot::put(&figures::curves(&code, &plane, language), call, &[]);
     }
@@ -51,12 +51,12 @@ pub(crate) fn curve(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer,
 }
 
 /// `antrieb bearing PROJECT`
-pub(crate) fn bearing(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn bearing(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let args = bearing::Args::read(&asked.given)?;
-    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
-    let found = asked.each(&axes, |project| {
-        let sizes = bearing::sizes(project, asked.patience, language)?;
+    let args = bearing::Args::read(&inquiry.given)?;
+    let axes = inquiry.axes(args.axis.as_deref(), Cost::Other)?;
+    let found = inquiry.each(&axes, |project| {
+        let sizes = bearing::sizes(project, inquiry.progress, language)?;
         Ok((bearing_text(&sizes, language), bearing::fits(&sizes)))
     })?;
     Ok(CommandAnswer::of_axes(found))
@@ -94,8 +94,8 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
 }
 
 /// `antrieb battery`
-pub(crate) fn battery(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
-    Ok(CommandAnswer::lines(&battery_lines(&battery::found(asked)?, call.language)))
+pub(crate) fn battery(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+    Ok(CommandAnswer::lines(&battery_lines(&battery::found(inquiry)?, call.language)))
 }
 
 /// Returns `true` if there is something at a path other than the recording of a template, in any language.
@@ -108,12 +108,12 @@ fn is_of_the_user(path: &Path, kind: &str) -> bool {
 }
 
 /// `antrieb new KIND`
-pub(crate) fn template(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let out = call.file("out");
     let name = out.and_then(Path::file_name);
     let name = name.map_or_else(|| new::USUAL_NAME.to_owned(), |name| path_text(Path::new(name)));
-    let template = new::found(asked, &name)?;
+    let template = new::found(inquiry, &name)?;
     let Some(out) = out else {
         let mut answer = CommandAnswer::data(template.text);
         if let Some((recording, _)) = template.recording {

@@ -7,14 +7,14 @@ use order_code::OrderCode;
 use quantities::Language;
 use questions::list::code_list::Availability;
 use questions::list::code_parse::uncovered;
-use questions::list::{Asked, Unanswered, code_complete, code_list, code_parse};
+use questions::list::{Inquiry, Unanswered, code_complete, code_list, code_parse};
 use std::fmt::Write as _;
 use words::{describe_field, describe_uncovered, terminal, terms};
 
 /// `antrieb code parse CODE`
-pub(crate) fn parse(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn parse(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let reading = code_parse::reading(asked)?;
+    let reading = code_parse::reading(inquiry)?;
     let mut data = format!("{}\n", reading.parsed.code);
     let state = if reading.availability.is_available() {
         terminal::available(language).to_owned()
@@ -41,9 +41,9 @@ pub(crate) fn parse(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer,
 }
 
 /// `antrieb code list [PATTERN]`
-pub(crate) fn list(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn list(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let codes = code_list::Args::read(&asked.given)?.codes();
+    let codes = code_list::Args::read(&inquiry.given)?.codes();
     let available = codes.iter().filter(|(_, found)| found.is_available()).count();
     let talk = terminal::codes_counted(&codes.len(), &available, &(codes.len() - available), language) + "\n";
     Ok(CommandAnswer { talk, ..CommandAnswer::data(listed(&codes, language)) }.fits(!codes.is_empty()))
@@ -58,9 +58,9 @@ fn listed(codes: &[&(OrderCode, Availability)], language: Language) -> String {
 }
 
 /// `antrieb code complete CODE`
-pub(crate) fn complete(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn complete(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let pattern = code_complete::pattern_of(&asked.given)?;
+    let pattern = code_complete::pattern_of(&inquiry.given)?;
     let codes = questions::list::code_list::list_codes(Some(&pattern));
     let choices = questions::list::code_complete::completion(&pattern, language);
     let (field, may) = (terminal::field(language), terminal::may_be(language));

@@ -12,7 +12,7 @@ use order_code::OrderCode;
 use quantities::Language;
 use questions::list::code_parse::uncovered;
 use questions::list::commission::{DriveForm, usual_ambient};
-use questions::list::{Asked, Unanswered, commission};
+use questions::list::{Inquiry, Unanswered, commission};
 use questions::{answer, chapter};
 use std::path::Path;
 use words::describe_uncovered;
@@ -20,9 +20,9 @@ use words::describe_uncovered;
 pub(crate) use recorded::recorded;
 
 /// `antrieb commission CODE`
-pub(crate) fn commission(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn commission(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let args = commission::Args::read(&asked.given)?;
+    let args = commission::Args::read(&inquiry.given)?;
     let about = commission::about(&args.code)?;
     let ambient = args.ambient.unwrap_or_else(usual_ambient);
     let form = args.form;
@@ -47,9 +47,9 @@ pub(crate) fn commission(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAn
         return write(&files, &about.code, call);
     }
     if call.as_json {
-        return call.record(asked);
+        return call.record(inquiry);
     }
-    let (sheet, objects) = commission::found(asked)?;
+    let (sheet, objects) = commission::found(inquiry)?;
     let mut chapter = chapter::commission(&sheet, &objects, language);
     let uncovered = uncovered(&about.code).into_iter().map(|what| describe_uncovered(what, language));
     for text in uncovered.collect::<Vec<_>>().into_iter().rev() {

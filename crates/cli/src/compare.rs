@@ -6,7 +6,7 @@ use crate::table::{Align, TextTable, paragraph};
 use project::Project;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
-use questions::list::{Asked, Unanswered, compare};
+use questions::list::{Inquiry, Unanswered, compare};
 use questions::texts::{checked_text, governing_text, margin_text, unit_text, verdict_of};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
@@ -19,11 +19,11 @@ use words::{
 const BESIDE: usize = 3;
 
 /// `antrieb compare PROJECT --code A --code B`
-pub(crate) fn compare(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn compare(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let (args, axes) = compare::put(asked)?;
-    let found = asked.each(&axes, |project| {
-        let found = args.comparison(project, asked)?;
+    let (args, axes) = compare::put(inquiry)?;
+    let found = inquiry.each(&axes, |project| {
+        let found = args.comparison(project, inquiry)?;
         Ok((text(&found, project, language), found.candidates.iter().any(Candidate::fits)))
     })?;
     Ok(CommandAnswer::of_axes(found))

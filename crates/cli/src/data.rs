@@ -6,14 +6,14 @@ use crate::table::{Align, TextTable, labelled, paragraph};
 use quantities::{Language, Unit};
 use questions::answer::sheet_note_text;
 use questions::list::data::{Sheet, SheetMarks, SheetNote, SheetSection};
-use questions::list::{Asked, Unanswered, data, torsion};
+use questions::list::{Inquiry, Unanswered, data, torsion};
 use std::fmt::Write as _;
 use words::{condition_text, describe_uncovered, evidence_text, row_sign, symbol_term, table_title, terminal, terms};
 
 /// `antrieb data CODE`
-pub(crate) fn sheet(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn sheet(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    Ok(CommandAnswer::data(sheet_text(&data::found(asked)?, language)))
+    Ok(CommandAnswer::data(sheet_text(&data::found(inquiry)?, language)))
 }
 
 fn sheet_text(sheet: &Sheet, language: Language) -> String {
@@ -83,13 +83,13 @@ fn by(note: &SheetNote) -> String {
 }
 
 /// `antrieb torsion CODE --torque "60 N m"`
-pub(crate) fn torsion(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
-    let (code, found) = torsion::found(asked)?;
+pub(crate) fn torsion(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+    let (code, found) = torsion::found(inquiry)?;
     Ok(CommandAnswer::lines(&questions::texts::torsion_lines(&code, &found, call.language)))
 }
 
 /// `antrieb catalogue export`
-pub(crate) fn catalogue(call: &Call<'_>, _: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn catalogue(call: &Call<'_>, _: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     if call.text("format") == Some("json") {
         return Ok(CommandAnswer::record(&questions::answer::catalogue_cells()));
     }

@@ -7,19 +7,19 @@ use crate::table::{Align, TextTable, labelled};
 use project::InputChange;
 use quantities::{Language, format_number};
 use questions::list::diff::{CheckChange, Difference, revisions};
-use questions::list::{Asked, Unanswered};
+use questions::list::{Inquiry, Unanswered};
 use questions::texts::{checked_text, margin_share, percent, verdict_text};
 use questions::{CandidateId, Check, answer};
 use std::fmt::Write as _;
 use words::{check_title, terminal, terms};
 
 /// `antrieb diff OLD NEW`
-pub(crate) fn diff(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn diff(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let found = revisions(asked)?;
+    let found = revisions(inquiry)?;
     let texts =
-        found.each(asked, |name, changed, inputs| (text(changed, name, inputs, language), changed.after.fits()))?;
-    Ok(CommandAnswer { talk: found.unpaired(asked), ..CommandAnswer::of_axes(texts) })
+        found.each(inquiry, |name, changed, inputs| (text(changed, name, inputs, language), changed.after.fits()))?;
+    Ok(CommandAnswer { talk: found.unpaired(inquiry), ..CommandAnswer::of_axes(texts) })
 }
 
 fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: Language) -> String {

@@ -3,13 +3,13 @@
 use crate::answer::CommandAnswer;
 use crate::fault::memory;
 use crate::source::SourceFile;
-use crate::waiting::patience;
+use crate::waiting::progress;
 use clap::ArgMatches;
 use order_code::OrderCode;
 use project::Project;
 use quantities::{Language, MomentOfInertia};
 use questions::drive::{Time, bare_axis, eds, with_drive};
-use questions::list::{AXIS, Asked, Cost, Given, Unanswered};
+use questions::list::{AXIS, Cost, Given, Inquiry, Unanswered};
 use questions::{read_code, read_quantity};
 use server::{DriveProtocol, DriveServer, Unserved};
 use std::io::Write;
@@ -85,13 +85,13 @@ fn bound(port: Option<u16>, protocol: DriveProtocol, time: Time) -> Result<Drive
 
 /// Returns the axis of a project.
 fn of_file(file: &SourceFile, axis: Option<&str>, language: Language) -> Result<Project, Unanswered> {
-    let asked = Asked {
+    let inquiry = Inquiry {
         given: Given::of(&[AXIS], [], language)?,
         sources: vec![file.source()],
         days_since_1970: None,
-        patience: patience(),
+        progress: progress(),
         refuses_long: true,
         language,
     };
-    asked.axis(axis, Cost::Other).map(|(_, project)| project)
+    inquiry.axis(axis, Cost::Other).map(|(_, project)| project)
 }

@@ -5,14 +5,14 @@ use crate::call::Call;
 use crate::fault::path_text;
 use crate::laid_out::with_file;
 use questions::chapter;
-use questions::list::{Asked, Unanswered, encoder, encoder_trace};
+use questions::list::{Inquiry, Unanswered, encoder, encoder_trace};
 
 /// `antrieb encoder CODE`
-pub(crate) fn encoder(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn encoder(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let file = call.path("vcd");
-    let trace = || call.put(&encoder_trace::ENTRY).and_then(|asked| encoder_trace::found(&asked));
-    let (mut record, trace) = match (encoder::found(asked), file.map(|_| trace()).transpose()) {
+    let trace = || call.put(&encoder_trace::ENTRY).and_then(|inquiry| encoder_trace::found(&inquiry));
+    let (mut record, trace) = match (encoder::found(inquiry), file.map(|_| trace()).transpose()) {
         (Ok(record), Ok(trace)) => (record, trace),
         // A fault of a shared argument occurs in both calls and is reported once.
         (Err(why), _) | (_, Err(why)) => return Err(why),

@@ -5,14 +5,14 @@ use crate::call::Call;
 use crate::table::paragraph;
 use answers::{Erratum, ErratumStatus};
 use quantities::{Language, Unit};
-use questions::list::{Asked, Unanswered, errata};
+use questions::list::{Inquiry, Unanswered, errata};
 use std::fmt::Write as _;
 use words::{decimal, erratum_kind, erratum_status, terminal};
 
 /// `antrieb errata [CODE | TABLE | ID]`
-pub(crate) fn errata(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn errata(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let found = errata::found(asked)?;
+    let found = errata::found(inquiry)?;
     let record = questions::answer::errata(&found, language);
     let mut data = String::new();
     for (erratum, of) in record.errata.iter().zip(&found.errata) {

@@ -4,24 +4,24 @@ use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::reserve::assumptions_text;
 use crate::table::{hanging, paragraph};
-use crate::waiting::patience;
+use crate::waiting::progress;
 use answers::Node;
 use project::Project;
 use quantities::Language;
 use questions::list::explain::derivation;
-use questions::list::{Asked, Cost, Unanswered, explain};
+use questions::list::{Cost, Inquiry, Unanswered, explain};
 use questions::texts::{margin_share, node_amount, trust, verdict_text};
 use questions::{Candidate, Check};
 use std::fmt::Write as _;
 use words::{check_missing, note_text, percent_text, symbol_shown, terminal, title_of_check};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
-pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn explain(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let args = explain::Args::read(&asked.given)?;
-    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
-    let found = asked.each(&axes, |project| {
-        let found = args.explanation(project, patience())?;
+    let args = explain::Args::read(&inquiry.given)?;
+    let axes = inquiry.axes(args.axis.as_deref(), Cost::Other)?;
+    let found = inquiry.each(&axes, |project| {
+        let found = args.explanation(project, progress())?;
         Ok((derivations(project, &found.candidate, &found.checks(), language), found.candidate.fits()))
     })?;
     Ok(CommandAnswer::of_axes(found))
@@ -49,8 +49,8 @@ fn heading(check: &Check, language: Language) -> String {
 fn text(check: &Check, language: Language) -> String {
     let found = derivation(check, language);
     let mut out = String::new();
-    let (asked, given) = (terminal::asked(language), terminal::permitted(language));
-    for (word, root) in [(asked, &found.value), (given, &found.limit)] {
+    let (inquiry, given) = (terminal::asked(language), terminal::permitted(language));
+    for (word, root) in [(inquiry, &found.value), (given, &found.limit)] {
         if let Some(root) = root {
             let _ = writeln!(out, "  {word}");
             tree(root, "    ", &mut out, language);

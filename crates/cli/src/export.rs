@@ -3,10 +3,10 @@
 use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::waiting::patience;
+use crate::waiting::progress;
 use answers::{ExportWritten, TableWritten};
 use quantities::Language;
-use questions::list::{Asked, Unanswered, export};
+use questions::list::{Inquiry, Unanswered, export};
 use questions::texts::standing_text;
 use questions::{Candidate, Rejected, answer};
 use std::borrow::Cow;
@@ -16,9 +16,9 @@ use tables::{Format, Front, NAMES, SHEET_ROWS_MOST, Subject, Table};
 use words::terminal;
 
 /// `antrieb export PROJECT (--out FILE | --table NAME)`
-pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn export(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let args = export::Args::read(&asked.given)?;
+    let args = export::Args::read(&inquiry.given)?;
     let file = call.file("out");
     let format = format(call, file)?;
     // With a name one table, else the whole workbook.
@@ -26,16 +26,16 @@ pub(crate) fn export(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer
     if table.is_none() && format != Format::Workbook {
         return Err(Unanswered::message(terminal::name_one_table(&NAMES.join(", "), language)));
     }
-    let source = asked.source()?;
-    let inputs = call.inputs(&source.projects(asked.patience, language)?);
+    let source = inquiry.source()?;
+    let inputs = call.inputs(&source.projects(inquiry.progress, language)?);
     let saver = call.saver(&inputs);
     if let Some(file) = file {
         saver.ready(&[file])?;
     }
-    let (axis, project) = args.axis(asked)?;
+    let (axis, project) = args.axis(inquiry)?;
     format.within(&project, table, call.memory())?;
     let top = args.top;
-    let sizing = questions::list::size::sized(&project, top, Rejected::All, patience())?;
+    let sizing = questions::list::size::sized(&project, top, Rejected::All, progress())?;
     let chosen = questions::candidate_for(&project, args.code.as_ref(), || Ok(Cow::Borrowed(&sizing)))?;
     let text = source.text(language)?;
     let subject = Subject { text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };

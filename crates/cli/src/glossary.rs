@@ -4,13 +4,13 @@ use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::table::{Align, TextTable, paragraph};
 use answers::Number;
-use questions::list::{Asked, Unanswered, glossary, units};
+use questions::list::{Inquiry, Unanswered, glossary, units};
 use words::{own_and_foreign, symbol_shown, terminal, terms, unpadded};
 
 /// `antrieb glossary [TERM]`
-pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn glossary(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let found = glossary::found(asked)?;
+    let found = glossary::found(inquiry)?;
     let both = |en: &str, de: &str| own_and_foreign(en, de, language).map(str::to_owned);
     let (word, foreign) = (terminal::word(language), terminal::other_language(language));
     let (meaning, symbol) = (terminal::meaning(language), terminal::sign(language));
@@ -55,12 +55,12 @@ pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnsw
 }
 
 /// `antrieb units [QUANTITY]`
-pub(crate) fn units(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn units(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     // A conversion factor is exact: as many digits as its definition needs.
     let shown = |number: Number| unpadded(number.written().unwrap_or_default(), 12, language);
     let mut parts = Vec::new();
-    for measured in units::found(asked)?.quantities {
+    for measured in units::found(inquiry)?.quantities {
         let heads = [measured.quantity.as_str(), terminal::also_written(language), terminal::in_si(language)];
         let mut table = TextTable::new(heads.map(|head| (head, Align::Left)));
         for unit in &measured.units {

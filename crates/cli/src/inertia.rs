@@ -6,13 +6,13 @@ use crate::table::{Align, TextTable};
 use project::InertiaAnswer;
 use quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, format_significant};
-use questions::list::{Asked, Unanswered, inertia};
+use questions::list::{Inquiry, Unanswered, inertia};
 use words::{shape_title, terminal, terms};
 
 /// `antrieb inertia "disc diameter=200mm length=20mm density=7850kg/m^3" …`
-pub(crate) fn inertia(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn inertia(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    Ok(CommandAnswer::data(shown(&inertia::found(asked)?, language)))
+    Ok(CommandAnswer::data(shown(&inertia::found(inquiry)?, language)))
 }
 
 fn shown(answer: &InertiaAnswer, language: Language) -> String {

@@ -4,14 +4,14 @@ use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::reserve::{assumptions_text, reserve_text};
 use crate::table::{Align, TextTable, labelled, paragraph, width};
-use crate::waiting::patience;
+use crate::waiting::progress;
 use crate::{moves, report, tolerance};
 use anstyle::{AnsiColor, Style};
 use quantities::unit::{KILOGRAM, NEWTON_METRE};
 use quantities::{Language, Measure, format_number, format_significant};
 use questions::list::check::Verification;
 use questions::list::size::Ranking;
-use questions::list::{Asked, Unanswered, check, size};
+use questions::list::{Inquiry, Unanswered, check, size};
 use questions::texts::{
     by_importance, checked_text, counts_text, demand_figures, fitting_text, margin_text, mend_text, objection_text,
     percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_text,
@@ -36,24 +36,24 @@ fn paint(text: &str, verdict: Verdict) -> String {
 }
 
 /// `antrieb size PROJECT`
-pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     // First the file: if the report cannot be written, no partial answer is shown.
     let talk = match call.path("report") {
-        Some(out) => report::write(call, asked, out, false)?.data,
+        Some(out) => report::write(call, inquiry, out, false)?.data,
         None => String::new(),
     };
     if call.as_json {
-        return Ok(CommandAnswer { talk, ..call.record(asked)? });
+        return Ok(CommandAnswer { talk, ..call.record(inquiry)? });
     }
-    let args = size::Args::read(&asked.given)?;
-    let axes = asked.axes(args.axis.as_deref(), args.cost())?;
-    let found = asked.each(&axes, |project| {
-        let found = args.ranking(project, patience())?;
+    let args = size::Args::read(&inquiry.given)?;
+    let axes = inquiry.axes(args.axis.as_deref(), args.cost())?;
+    let found = inquiry.each(&axes, |project| {
+        let found = args.ranking(project, progress())?;
         // The changes with which the actuator with the smallest excess would fit; the long list does not show them.
         let nearest = found.sizing.nearest_miss().filter(|_| !args.all);
         let reserve =
-            nearest.map(|near| questions::list::check::reserve_within(project, near, patience())).transpose()?;
+            nearest.map(|near| questions::list::check::reserve_within(project, near, progress())).transpose()?;
         Ok((sizing_text(&found, reserve.as_ref(), args.all, language), found.sizing.fits()))
     })?;
     Ok(CommandAnswer { talk, ..CommandAnswer::of_axes(found) })
@@ -352,12 +352,12 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
 }
 
 /// `antrieb check PROJECT --code CODE`
-pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn check(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let args = check::Args::read(&asked.given)?;
-    let axes = asked.axes(args.axis.as_deref(), args.cost())?;
-    let found = asked.each(&axes, |project| {
-        let found = args.verification(project, patience())?;
+    let args = check::Args::read(&inquiry.given)?;
+    let axes = inquiry.axes(args.axis.as_deref(), args.cost())?;
+    let found = inquiry.each(&axes, |project| {
+        let found = args.verification(project, progress())?;
         Ok((verification_text(&found, language), found.candidate.fits()))
     })?;
     Ok(CommandAnswer::of_axes(found))

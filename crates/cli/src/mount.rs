@@ -5,16 +5,16 @@ use crate::call::Call;
 use crate::laid_out::shown;
 use answers::{Fit, Mount};
 use questions::chapter;
-use questions::list::{Asked, Unanswered, mount, mount_project};
+use questions::list::{Inquiry, Unanswered, mount, mount_project};
 
 /// `antrieb mount CODE`
-pub(crate) fn alone(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
-    mount::found(asked).map(|found| text(&found, call))
+pub(crate) fn alone(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+    mount::found(inquiry).map(|found| text(&found, call))
 }
 
 /// `antrieb mount CODE --project FILE`
-pub(crate) fn under_project(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
-    mount_project::found(asked).map(|found| text(&found, call))
+pub(crate) fn under_project(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+    mount_project::found(inquiry).map(|found| text(&found, call))
 }
 
 fn text(found: &Mount, call: &Call<'_>) -> CommandAnswer {

@@ -7,7 +7,7 @@ use project::SegmentLoadKey;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, format_significant};
 use questions::Moves;
-use questions::list::{Asked, Cost, Unanswered, moves};
+use questions::list::{Cost, Inquiry, Unanswered, moves};
 use questions::texts::recording_text;
 use words::{law_text, segment_load, terminal, terms};
 
@@ -15,10 +15,10 @@ use words::{law_text, segment_load, terminal, terms};
 const SEGMENTS_MOST: usize = 12;
 
 /// `antrieb moves PROJECT`
-pub(crate) fn moves(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn moves(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let args = moves::Args::read(&asked.given)?;
-    let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
+    let args = moves::Args::read(&inquiry.given)?;
+    let (_, project) = inquiry.axis(args.axis.as_deref(), Cost::Other)?;
     Ok(CommandAnswer::data(text(&questions::moves(&project), language)))
 }
 

@@ -6,7 +6,7 @@ use crate::call::Call;
 use answers::Commissioning;
 use clap::ArgMatches;
 use quantities::Language;
-use questions::list::{Asked, LIST, Unanswered};
+use questions::list::{Inquiry, LIST, Unanswered};
 use std::path::Path;
 use std::process::Command;
 use words::terminal;
@@ -36,12 +36,12 @@ pub(crate) fn by_cargo(matches: &ArgMatches, language: Language) -> Option<u8> {
 }
 
 /// `antrieb report PROJECT --out FILE`
-pub(crate) fn report(call: &Call<'_>, _: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn report(call: &Call<'_>, _: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     Err(refusal(call.language))
 }
 
 /// `antrieb size PROJECT --report FILE`
-pub(crate) fn write(call: &Call<'_>, _: &Asked<'_>, _: &Path, _: bool) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn write(call: &Call<'_>, _: &Inquiry<'_>, _: &Path, _: bool) -> Result<CommandAnswer, Unanswered> {
     Err(refusal(call.language))
 }
 

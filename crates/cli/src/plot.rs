@@ -3,12 +3,12 @@
 use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::waiting::{patience, waited_s};
+use crate::waiting::{progress, waited_s};
 use answers::{Number, PlotWritten, Units};
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
 use quantities::format_number;
 use quantities::unit::MILLIMETRE;
-use questions::list::{Asked, Unanswered, plot};
+use questions::list::{Inquiry, Unanswered, plot};
 use std::path::{Path, PathBuf};
 use words::terminal;
 
@@ -19,17 +19,17 @@ const PNG_SCALE: f64 = 2.0;
 const MM_PER_PX: f64 = 25.4 / 96.0;
 
 /// `antrieb plot PROJECT --figure FIGURE`
-pub(crate) fn plot(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn plot(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let all = asked.source()?.projects(asked.patience, language)?;
+    let all = inquiry.source()?.projects(inquiry.progress, language)?;
     let inputs = call.inputs(&all);
     destination(call, &inputs, None)?;
-    let args = plot::Args::read(&asked.given)?;
-    let project = args.drawn(asked)?;
+    let args = plot::Args::read(&inquiry.given)?;
+    let project = args.drawn(inquiry)?;
     let figure = args.figure.as_deref().and_then(Figure::of_id).unwrap_or(Figure::TorqueSpeed);
     let by = if args.by == Some(true) { By::Length } else { By::Mass };
-    let candidate = args.candidate(&project, asked)?;
-    let drawing = figures::draw(figure, &project, &candidate, by, patience(), language)
+    let candidate = args.candidate(&project, inquiry)?;
+    let drawing = figures::draw(figure, &project, &candidate, by, progress(), language)
         .map_err(|fault| Unanswered::message(fault.message(waited_s(), language)))?;
     Ok(put(&drawing, call, &inputs)?.fits(candidate.fits()))
 }

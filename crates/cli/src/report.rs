@@ -3,19 +3,19 @@
 use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
 use crate::fault::path_text;
-use crate::waiting::patience;
+use crate::waiting::progress;
 use answers::{AxisWritten, Block, Chapter, Commissioning, Fit, Picture, ReportWritten};
 use figures::{By, Drawing, Figure, Style, Theme};
 use order_code::OrderCode;
-use page::{Press, ReportAsked};
+use page::{Press, ReportInputs};
 use project::Project;
 use quantities::Language;
 use questions::list::commission::{DriveForm, usual_ambient};
-use questions::list::mount::MountAsked;
-use questions::list::upkeep::UpkeepAsked;
-use questions::list::{Asked, Unanswered, report as args};
+use questions::list::mount::MountInputs;
+use questions::list::upkeep::UpkeepInputs;
+use questions::list::{Inquiry, Unanswered, report as args};
 use questions::texts::standing_text;
-use questions::{Candidate, CandidateId, Draw, Patience, Refusal, Rejected, Sizing, answer, chapter};
+use questions::{Candidate, CandidateId, Draw, Progress, Refusal, Rejected, Sizing, answer, chapter};
 use report::{AxisContent, Change, Content, DiagramPlace, Settings};
 use std::borrow::Cow;
 use std::path::Path;
@@ -30,14 +30,14 @@ const FIGURES: [(DiagramPlace, &str, Figure); 4] = [
 ];
 
 /// `antrieb report PROJECT --out FILE`
-pub(crate) fn report(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
-    write(call, asked, call.path("out").unwrap_or(Path::new("")), call.as_json)
+pub(crate) fn report(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+    write(call, inquiry, call.path("out").unwrap_or(Path::new("")), call.as_json)
 }
 
 /// Writes the report of the requested axes and actuator.
 pub(crate) fn write(
     call: &Call<'_>,
-    asked: &Asked<'_>,
+    inquiry: &Inquiry<'_>,
     out: &Path,
     as_json: bool,
 ) -> Result<CommandAnswer, Unanswered> {
@@ -47,23 +47,23 @@ pub(crate) fn write(
     }
     let args = args::Args::read(&call.given(args::Args::ARGUMENTS)?)?;
     let settings = settings(&args);
-    let source = asked.source()?;
-    let inputs = call.inputs(&source.projects(asked.patience, language)?);
+    let source = inquiry.source()?;
+    let inputs = call.inputs(&source.projects(inquiry.progress, language)?);
     let saver = call.saver(&inputs);
     saver.ready(&[out])?;
-    let projects = args.axes(asked)?;
+    let projects = args.axes(inquiry)?;
     let with_installation = args.installation;
     let delivered = call.text("delivered").map(|text| questions::list::upkeep::read_date(text, language)).transpose();
     let delivered = delivered.map_err(|fault| Unanswered::option("delivered", fault))?;
     let text = source.text(language)?;
     let (mut axes, mut of_axes, mut standings) = (Vec::new(), Vec::new(), Vec::new());
     for (place, project) in &projects {
-        let (mut content, candidate) = content((*place, project), args.code.as_ref(), text, patience(), language)?;
+        let (mut content, candidate) = content((*place, project), args.code.as_ref(), text, progress(), language)?;
         if with_installation {
             install(&mut content, (project, &candidate), delivered, language)
                 .map_err(|fault| Unanswered::option("delivered", fault))?;
         }
-        content.chapters.extend(simulated(project, &candidate, patience(), language));
+        content.chapters.extend(simulated(project, &candidate, progress(), language));
         axes.push(content);
         of_axes.push(AxisWritten {
             axis: project.name.clone(),
@@ -109,20 +109,20 @@ pub const PRESS: Option<Press> = Some(Press {
     checklist: |sheet, language| report::checklist_pdf(sheet, language).map_err(|fault| fault.message(language)),
 });
 
-fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
-    let l = asked.language;
+fn served(inquiry: &ReportInputs<'_>) -> Result<Vec<u8>, String> {
+    let l = inquiry.language;
     let said = |refusal: Refusal| answer::refusal_text(&refusal, None, l);
     let mut axes = Vec::new();
-    for (place, project) in asked.axes {
-        let judged = content((*place, project), asked.args.code.as_ref(), asked.text, asked.patience, l);
+    for (place, project) in inquiry.axes {
+        let judged = content((*place, project), inquiry.args.code.as_ref(), inquiry.text, inquiry.progress, l);
         let (mut content, candidate) = judged.map_err(said)?;
-        if asked.args.installation {
+        if inquiry.args.installation {
             install(&mut content, (project, &candidate), None, l).map_err(|(what, _)| what)?;
         }
-        content.chapters.extend(simulated(project, &candidate, asked.patience, l));
+        content.chapters.extend(simulated(project, &candidate, inquiry.progress, l));
         axes.push(content);
     }
-    report::pdf(&Content { language: l, axes }, &settings(asked.args)).map_err(|fault| fault.message(l))
+    report::pdf(&Content { language: l, axes }, &settings(inquiry.args)).map_err(|fault| fault.message(l))
 }
 
 /// Returns the checklists of a commissioning as PDF.
@@ -160,10 +160,10 @@ fn content<'p>(
     (place, project): (usize, &'p Project),
     code: Option<&OrderCode>,
     text: &str,
-    patience: &Patience,
+    progress: &Progress,
     language: Language,
 ) -> Result<(AxisContent, Candidate<'p>), Refusal> {
-    let sizing = questions::list::size::sized(project, usize::MAX, Rejected::All, patience)?;
+    let sizing = questions::list::size::sized(project, usize::MAX, Rejected::All, progress)?;
     let candidate = questions::candidate_for(project, code, || Ok(Cow::Borrowed(&sizing)))?;
     let figures = || drawn_figures(project, &sizing, &candidate, language);
     let content = std::thread::scope(|scope| {
@@ -171,8 +171,8 @@ fn content<'p>(
             report::prepare();
             figures()
         });
-        let (reserve, assessment) = questions::list::check::margins(project, &candidate, Draw::default(), patience)?;
-        let mends = if sizing.fits() { Vec::new() } else { questions::list::size::mends(project, patience)? };
+        let (reserve, assessment) = questions::list::check::margins(project, &candidate, Draw::default(), progress)?;
+        let mends = if sizing.fits() { Vec::new() } else { questions::list::size::mends(project, progress)? };
         let dossier = answer::dossier(
             project,
             &sizing,
@@ -220,20 +220,20 @@ fn installation(
         });
         chapters.push(chapter::wiring(&answer::wiring(&found, None, language), drawings.collect(), language));
     }
-    let asked = MountAsked {
+    let inquiry = MountInputs {
         axis: questions::list::mount::joint_loads(project, code).unwrap_or_default(),
-        ..MountAsked::default()
+        ..MountInputs::default()
     };
-    if let Some(found) = questions::list::mount::mount(code, &asked) {
-        chapters.push(chapter::mount(&answer::mount(&found, &asked, Some(&project.name), language), language));
+    if let Some(found) = questions::list::mount::mount(code, &inquiry) {
+        chapters.push(chapter::mount(&answer::mount(&found, &inquiry, Some(&project.name), language), language));
     }
     if let Some(about) = questions::list::commission::commission(code) {
         let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), language);
         chapters.push(chapter::commission(&sheet, &[], language));
     }
     if let Some(delivered) = delivered {
-        let asked = UpkeepAsked { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
-        let plan = questions::list::upkeep::upkeep(code, &asked, language).map_err(|(_, what, hint)| (what, hint))?;
+        let inquiry = UpkeepInputs { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
+        let plan = questions::list::upkeep::upkeep(code, &inquiry, language).map_err(|(_, what, hint)| (what, hint))?;
         chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
     }
     chapter::state_each_once(&mut chapters);
@@ -241,9 +241,9 @@ fn installation(
 }
 
 /// Returns the simulation that a project states, with its pictures; the reason if it is not run.
-fn simulated(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Option<Chapter> {
+fn simulated(project: &Project, candidate: &Candidate<'_>, progress: &Progress, language: Language) -> Option<Chapter> {
     let code = if let CandidateId::Code(code) = &candidate.id { Some(code) } else { None };
-    let run = questions::list::simulate::of_the_project(project, code, patience, language)?;
+    let run = questions::list::simulate::of_the_project(project, code, progress, language)?;
     let run = match run {
         Ok(run) => run,
         Err(why) => {
@@ -271,7 +271,7 @@ fn drawn_figures(
     language: Language,
 ) -> Vec<report::Diagram> {
     let figures = FIGURES.iter().filter_map(|(place, id, figure)| {
-        let drawing = figures::draw(*figure, project, candidate, By::Mass, patience(), language).ok()?;
+        let drawing = figures::draw(*figure, project, candidate, By::Mass, progress(), language).ok()?;
         Some(drawn((*place, id), &drawing, language))
     });
     // A map without a point would be a sentence in a frame.
@@ -310,7 +310,7 @@ mod tests {
         let text = include_str!("../../../examples/turntable.toml");
         let project = questions::read(text).unwrap();
         let (mut whole, candidate) =
-            content((0, &project), None, text, &Patience::endless(), Language::default()).unwrap();
+            content((0, &project), None, text, &Progress::endless(), Language::default()).unwrap();
         let before = whole.dossier.documents.len();
         install(&mut whole, (&project, &candidate), None, Language::default()).unwrap();
         let cited = chapter::documents(&whole.chapters, Language::default());

@@ -6,21 +6,21 @@ use crate::fault::path_text;
 use crate::laid_out::shown;
 use crate::plot;
 use answers::{Answered, Fit};
-use questions::list::{Asked, Unanswered, identify, simulate};
+use questions::list::{Inquiry, Unanswered, identify, simulate};
 use questions::{answer, chapter};
 use std::io::{BufWriter, Write};
 use tables::Format;
 use words::{file_trouble, simulation, terminal};
 
 /// `antrieb simulate PROJECT --code CODE --scenario NAME --out FILE`
-pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn simulate(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let args = simulate::Args::read(&asked.given)?;
+    let args = simulate::Args::read(&inquiry.given)?;
     let file = call.path("out");
     let ending = || Unanswered::option("out", (simulation::ending_of_a_trace(language).to_owned(), None));
     let is_trace = |format: &Format| matches!(format, Format::Csv | Format::Parquet);
     let format = file.map(|file| Format::of(file).filter(is_trace).ok_or_else(ending)).transpose()?;
-    let axes = args.axes(asked)?;
+    let axes = args.axes(inquiry)?;
     let inputs = call.inputs(axes.iter().map(|(_, project)| project));
     let saver = call.saver(&inputs);
     // As with `plot`: without a file the picture goes to standard output.
@@ -34,7 +34,7 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnsw
         let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
         return Err(Unanswered::message(terminal::several_axes(&names.join(", "), language)));
     }
-    let runs = asked.each(&axes, |project| args.simulated(project, asked, file.is_some() || draws))?;
+    let runs = inquiry.each(&axes, |project| args.simulated(project, inquiry, file.is_some() || draws))?;
     let fits = runs.iter().all(questions::Simulated::fits);
     let mut records: Vec<answers::Simulation> = runs.iter().map(|run| answer::simulation(run, language)).collect();
     if let (Some(file), Some(format), Some(run), Some(record)) = (file, format, runs.first(), records.first_mut()) {
@@ -77,8 +77,8 @@ pub(crate) fn simulate(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnsw
 }
 
 /// `antrieb identify TRACE PROJECT`
-pub(crate) fn identify(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
-    let found = identify::found(asked)?;
+pub(crate) fn identify(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+    let found = identify::found(inquiry)?;
     let text = || shown(&chapter::identification(&found, call.language), call.language);
     let fits = found.doubts.is_empty();
     Ok(CommandAnswer::data(if call.as_json { written(&found) } else { text() }).fits(fits))

@@ -9,7 +9,7 @@ use crate::call::Call;
 use crate::fault::path_text;
 use parts::{PART, SweepParts};
 use quantities::{Language, format_number};
-use questions::list::{Asked, Unanswered, sweep};
+use questions::list::{Inquiry, Unanswered, sweep};
 use questions::sweep::{SweepSummary, Tally};
 use run::SweepRun;
 use std::fmt::Write as _;
@@ -25,14 +25,14 @@ struct Table<'c> {
 }
 
 /// `antrieb sweep PROJECT --table FILE --out FILE`
-pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let args = sweep::Args::read(&asked.given)?;
+    let args = sweep::Args::read(&inquiry.given)?;
     let path = PathBuf::from(args.table.clone().unwrap_or_default());
     let (Some(out), Some(beside)) = (call.path("out"), call.beside()) else { return Ok(CommandAnswer::none()) };
-    let source = asked.source()?;
+    let source = inquiry.source()?;
     let text = source.text(language)?;
-    let projects = source.projects(asked.patience, language);
+    let projects = source.projects(inquiry.progress, language);
     let mut inputs = call.inputs(projects.as_deref().unwrap_or_default());
     inputs.push(path.clone());
     let saver = call.saver(&inputs);
@@ -63,7 +63,7 @@ pub(crate) fn sweep(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer,
     let parts = SweepParts::of(&run, out, &run.mark()?, sweep.rows_within(call.memory(), PART))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
     talk += &parts.remark(rows);
-    if let Err(why) = parts.judged(&table, &sweep, rows, asked) {
+    if let Err(why) = parts.judged(&table, &sweep, rows, inquiry) {
         return Err(parts.ended(why));
     }
     let parts = parts.verified(&run)?;

@@ -6,17 +6,17 @@ use crate::fault::path_text;
 use crate::laid_out::with_file;
 use answers::Fit;
 use questions::chapter;
-use questions::list::{Asked, Unanswered};
+use questions::list::{Inquiry, Unanswered};
 use words::upkeep;
 
 /// `antrieb upkeep CODE --delivered DATE`
-pub(crate) fn upkeep(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn upkeep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let file = call.path("ical");
     let wrong = file.filter(|file| file.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("ics")));
     let wrong =
         wrong.map(|file| Unanswered::option("ical", (upkeep::calendar_is_an_ics(&path_text(file), language), None)));
-    let found = questions::list::upkeep::found(asked);
+    let found = questions::list::upkeep::found(inquiry);
     let (plan, mut record) = match (found, wrong) {
         (Ok(found), None) => found,
         (Ok(_), Some(wrong)) | (Err(wrong), None) => return Err(wrong),

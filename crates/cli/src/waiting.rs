@@ -2,7 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use quantities::{Language, format_number};
-use questions::Patience;
+use questions::Progress;
 use std::io::IsTerminal;
 use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -20,14 +20,14 @@ const GRACE: Duration = Duration::from_millis(500);
 /// Refresh interval of the progress.
 const TICK: Duration = Duration::from_millis(100);
 
-static PATIENCE: OnceLock<(Patience, Option<Duration>)> = OnceLock::new();
+static PATIENCE: OnceLock<(Progress, Option<Duration>)> = OnceLock::new();
 
-fn caller() -> &'static (Patience, Option<Duration>) {
-    PATIENCE.get_or_init(|| (Patience::endless(), None))
+fn caller() -> &'static (Progress, Option<Duration>) {
+    PATIENCE.get_or_init(|| (Progress::endless(), None))
 }
 
 /// Returns progress and cancellation of the caller of this process.
-pub(crate) fn patience() -> &'static Patience {
+pub(crate) fn progress() -> &'static Progress {
     &caller().0
 }
 
@@ -45,15 +45,15 @@ impl Waiting {
     /// Starts the clock with a time limit of `most`; `None` for no limit. Work that does not end by itself is ended by
     /// `late`.
     pub(crate) fn begin(language: Language, most: Option<Duration>, late: impl FnOnce() + Send + 'static) -> Self {
-        let (patience, most) = PATIENCE.get_or_init(|| {
-            let patience = if most.is_some() { Patience::limited() } else { Patience::endless() };
-            (patience, most)
+        let (progress, most) = PATIENCE.get_or_init(|| {
+            let progress = if most.is_some() { Progress::limited() } else { Progress::endless() };
+            (progress, most)
         });
         let mut waiting = Self { done: Vec::new() };
         if let Some(most) = *most {
             waiting.beside(move |is_done| {
                 if is_done.recv_timeout(most) == Err(RecvTimeoutError::Timeout) {
-                    patience.cancel();
+                    progress.cancel();
                     if is_done.recv_timeout(GRACE) == Err(RecvTimeoutError::Timeout) {
                         late();
                     }
@@ -61,7 +61,7 @@ impl Waiting {
             });
         }
         if std::io::stderr().is_terminal() {
-            waiting.beside(move |is_done| show(&is_done, patience, language));
+            waiting.beside(move |is_done| show(&is_done, progress, language));
         }
         waiting
     }
@@ -73,7 +73,7 @@ impl Waiting {
 }
 
 /// Shows the progress until the work is done.
-fn show(is_done: &Receiver<()>, patience: &Patience, language: Language) {
+fn show(is_done: &Receiver<()>, progress: &Progress, language: Language) {
     if is_done.recv_timeout(QUIET) != Err(RecvTimeoutError::Timeout) {
         return;
     }
@@ -82,15 +82,15 @@ fn show(is_done: &Receiver<()>, patience: &Patience, language: Language) {
         bar.set_style(style);
     }
     while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
-        bar.set_message(message(patience, language));
+        bar.set_message(message(progress, language));
         bar.tick();
     }
     bar.finish_and_clear();
 }
 
 /// Returns the text of the progress, with the completed share if it is known.
-fn message(patience: &Patience, language: Language) -> String {
-    match patience.progress() {
+fn message(progress: &Progress, language: Language) -> String {
+    match progress.progress() {
         (done, Some(all)) if done <= all => {
             #[allow(clippy::cast_precision_loss, reason = "at most some millions")]
             let share = format_number(100.0 * done as f64 / all as f64, 0, language);

@@ -9,14 +9,14 @@ use answers::WiringCheck;
 use quantities::Language;
 use questions::chapter;
 use questions::list::wiring::Role;
-use questions::list::{Asked, Unanswered, wiring_check};
+use questions::list::{Inquiry, Unanswered, wiring_check};
 use std::fmt::Write as _;
 use words::wiring;
 
 /// `antrieb wiring CODE`
-pub(crate) fn wiring(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn wiring(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let (found, record) = questions::list::wiring::found(asked)?;
+    let (found, record) = questions::list::wiring::found(inquiry)?;
     if plot::is_asked(call) {
         return draw(&found, call);
     }
@@ -39,13 +39,13 @@ fn draw(found: &questions::list::wiring::CodeWiring, call: &Call<'_>) -> Result<
 }
 
 /// `antrieb wiring CODE --check FILE`
-pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn check(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     if plot::is_asked(call) {
         return Err(Unanswered::message(wiring::check_or_draw(language)));
     }
-    let record = wiring_check::found(asked)?;
-    let name = asked.source()?.name.as_str();
+    let record = wiring_check::found(inquiry)?;
+    let name = inquiry.source()?.name.as_str();
     Ok(CommandAnswer::data(check_text(&record, name, language)).fits(record.agrees))
 }
 

@@ -31,7 +31,7 @@ pub use utilisation::utilisation;
 
 use project::Project;
 use quantities::Language;
-use questions::{Candidate, Patience, Rejected};
+use questions::{Candidate, Progress, Rejected};
 
 /// Draws one figure of a candidate; the map shows all candidates with this one marked.
 ///
@@ -42,7 +42,7 @@ pub fn draw(
     project: &Project,
     candidate: &Candidate<'_>,
     by: By,
-    patience: &Patience,
+    progress: &Progress,
     language: Language,
 ) -> Result<Drawing, NoFigure> {
     match figure {
@@ -56,7 +56,7 @@ pub fn draw(
         Figure::Simulation | Figure::ControlLoops => Err(NoFigure::OfARun),
         Figure::CandidateMap => {
             let sizing =
-                questions::list::size::sized(project, 0, Rejected::All, patience).map_err(NoFigure::Refused)?;
+                questions::list::size::sized(project, 0, Rejected::All, progress).map_err(NoFigure::Refused)?;
             Ok(candidate_map(&sizing, by, Some(&candidate.id), language))
         }
     }

@@ -25,7 +25,7 @@ pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language)
 /// Draws the torsion curve of a gear, both directions, with a point on it; `name` is its subject.
 #[must_use]
 pub fn torsion_curve(name: &str, found: &TorsionCurve, language: Language) -> Drawing {
-    drawn(name, found, Point::Asked, language)
+    drawn(name, found, Point::Inquiry, language)
 }
 
 /// Kind of the point on the curve.
@@ -34,7 +34,7 @@ enum Point {
     /// Largest torque of a load.
     OfTheLoad,
     /// Requested torque.
-    Asked,
+    Inquiry,
 }
 
 fn drawn(about: &str, found: &TorsionCurve, point: Point, language: Language) -> Drawing {
@@ -67,7 +67,7 @@ fn drawn(about: &str, found: &TorsionCurve, point: Point, language: Language) ->
             pictures::torsion_described(&torque, &angle, &one, &two, language),
             format!("{caption} {}", pictures::torque_of_the_load(language)),
         ),
-        Point::Asked => (pictures::torsion_of_a_code_described(&torque, &angle, &one, &two, language), caption),
+        Point::Inquiry => (pictures::torsion_of_a_code_described(&torque, &angle, &one, &two, language), caption),
     };
     Drawing::new(Figure::Torsion, about, (135.0, 95.0), (caption, description), Chart::Xy(chart), language)
 }

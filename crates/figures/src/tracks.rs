@@ -89,8 +89,8 @@ fn carrier(code: &str, state: &EncoderState, language: Language) -> Option<Drawi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use questions::Patience;
-    use questions::list::{Asked, Given, encoder};
+    use questions::Progress;
+    use questions::list::{Given, Inquiry, encoder};
 
     /// Compares the drawn tracks with the answer, for every encoder.
     #[test]
@@ -110,16 +110,16 @@ mod tests {
             ) else {
                 panic!("{code}")
             };
-            let patience = Patience::endless();
-            let asked = Asked {
+            let progress = Progress::endless();
+            let inquiry = Inquiry {
                 given,
                 sources: vec![],
                 days_since_1970: None,
-                patience: &patience,
+                progress: &progress,
                 refuses_long: true,
                 language: Language::De,
             };
-            let Ok(found) = encoder::found(&asked) else { panic!("{code}") };
+            let Ok(found) = encoder::found(&inquiry) else { panic!("{code}") };
             let drawn = encoder_tracks(code, &found.motor, Language::De);
             // Each block of curves has one column for the angle.
             let blocks = drawn.iter().map(|each| each.curves(Language::De));

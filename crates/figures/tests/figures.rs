@@ -5,7 +5,7 @@ use figures::{By, Drawing, Figure, NoFigure, Picture, Size, Style, draw};
 use project::{Files, Project};
 use quantities::unit::{ARCMINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{Language, Measure};
-use questions::{Candidate, CheckId, Patience};
+use questions::{Candidate, CheckId, Progress};
 use roxmltree::{Document, Node};
 use std::path::PathBuf;
 use testkit::readers::letters_of;
@@ -78,7 +78,7 @@ fn every_figure_of_every_example_is_whole() {
             for figure in Figure::ALL {
                 for language in LANGUAGES {
                     let what = format!("{} {} {}", project.name, candidate.id, figure.id());
-                    let drawing = match draw(figure, &project, &candidate, By::Mass, &Patience::endless(), language) {
+                    let drawing = match draw(figure, &project, &candidate, By::Mass, &Progress::endless(), language) {
                         Ok(drawing) => drawing,
                         Err(NoFigure::NoFlangeLoads) => {
                             assert!(
@@ -205,7 +205,7 @@ fn the_same_input_gives_the_same_bytes() {
     let candidate = candidates(&project).swap_remove(0);
     for figure in Figure::ALL {
         let svg = || {
-            draw(figure, &project, &candidate, By::Length, &Patience::endless(), Language::De)
+            draw(figure, &project, &candidate, By::Length, &Progress::endless(), Language::De)
                 .map(|found| picture(&found, Language::De))
         };
         assert_eq!(svg(), svg());
@@ -255,12 +255,12 @@ fn loads_on_the_bearing_are_drawn_with_their_limits_or_named_as_constant() {
     let constant = example("robot-joint.toml");
     let candidate = candidates(&constant).swap_remove(0);
     let drawing =
-        draw(Figure::BearingLoad, &constant, &candidate, By::Mass, &Patience::endless(), Language::En).unwrap();
+        draw(Figure::BearingLoad, &constant, &candidate, By::Mass, &Progress::endless(), Language::En).unwrap();
     assert!(drawing.caption.contains("constant") && drawing.description.contains("constant at 110.0 N"));
     let varying = example("slewing-arm.toml");
     let candidate = candidates(&varying).swap_remove(0);
     let drawing =
-        draw(Figure::BearingLoad, &varying, &candidate, By::Mass, &Patience::endless(), Language::En).unwrap();
+        draw(Figure::BearingLoad, &varying, &candidate, By::Mass, &Progress::endless(), Language::En).unwrap();
     let picture = picture(&drawing, Language::En);
     for symbol in ["F_R,dyn(max) = ", "F_A,dyn(max) = ", "M_dyn(max) = "] {
         assert!(picture.texts().iter().any(|text| text.text.starts_with(symbol)), "{symbol}");
@@ -304,7 +304,7 @@ fn a_simulation_and_its_control_loops_have_letters_to_read() {
     let candidate = candidates(&project).swap_remove(0);
     let questions::CandidateId::Code(code) = candidate.id else { panic!("a code") };
     for language in LANGUAGES {
-        let run = questions::list::simulate::of_the_project(&project, Some(&code), &Patience::endless(), language);
+        let run = questions::list::simulate::of_the_project(&project, Some(&code), &Progress::endless(), language);
         let run = run.unwrap().unwrap();
         for drawing in [figures::simulation(&run, None, language), figures::control_loops(&run, language)] {
             assert!(!picture(&drawing, language).texts().is_empty());

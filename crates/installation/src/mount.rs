@@ -11,7 +11,7 @@ use quantities::{Length, Mass};
 
 /// Options of a mounting request in addition to the ordering code.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct MountAsked {
+pub struct MountInputs {
     /// Bore in the load; `None` for the recommended one.
     pub bore_load: Option<Bore>,
     /// Bore in the machine; `None` for the recommended one.
@@ -51,7 +51,7 @@ pub struct Mount {
 
 /// Returns the mounting data of an actuator; `None` if the manual has no data for it.
 #[must_use]
-pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
+pub fn mount(code: &OrderCode, asked: &MountInputs) -> Option<Mount> {
     let actuator = configurator::parameters(code)?;
     let uncovered = uncovered(code);
     let bores = [asked.bore_load, asked.bore_housing];

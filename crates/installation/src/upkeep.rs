@@ -22,7 +22,7 @@ pub enum Storage {
 
 /// Options of a maintenance request in addition to the ordering code.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct UpkeepAsked {
+pub struct UpkeepInputs {
     /// Date of delivery.
     pub delivered: NaiveDate,
     /// Storage before commissioning, if any.
@@ -199,7 +199,7 @@ const INSPECT_ASSUMED: Interval = Interval::Months(12);
 /// cha-manual sections 6.22.4, 9.1, 9.8 and chapter 10; docs/theory/battery.md
 /// # Errors
 /// [`UpkeepFault`] if a plan is impossible.
-pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFault> {
+pub fn upkeep(code: &OrderCode, asked: &UpkeepInputs) -> Result<Upkeep, UpkeepFault> {
     let delivered = asked.delivered;
     let beyond = UpkeepFault::BeyondTheCalendar;
     let in_service = match asked.storage {
@@ -332,7 +332,7 @@ impl Plan {
     }
 
     /// Adds the events of an encoder whose turns are buffered by a battery.
-    fn battery(&mut self, code: &OrderCode, asked: &UpkeepAsked) -> Result<Datum<BatteryLife>, UpkeepFault> {
+    fn battery(&mut self, code: &OrderCode, asked: &UpkeepInputs) -> Result<Datum<BatteryLife>, UpkeepFault> {
         let has_battery =
             catalogue::fact(Task::EncoderLatest.fact()).is_some_and(|fact| fact.holds_for.feedbacks == [code.feedback]);
         if !has_battery {

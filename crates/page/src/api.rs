@@ -3,7 +3,7 @@
 //! The list of `questions` gives the routes, the arguments of a request and the content of `/api/v1/openapi.json`. This
 //! module holds the transport, and the answers that are drawn, typeset or written as tables.
 
-pub(crate) mod asked;
+pub(crate) mod inquiry;
 #[cfg(feature = "interface")]
 mod made;
 #[cfg(feature = "interface")]
@@ -13,8 +13,8 @@ use crate::{Call, Method, Reply, Shell};
 use answers::{Fault, Faults};
 use quantities::Language;
 use questions::answer::written;
-use questions::list::{Argument, Asked, Entry, FILE, Gives, LIST, Reads, Unanswered, media};
-use questions::{Patience, answer};
+use questions::list::{Argument, Entry, FILE, Gives, Inquiry, LIST, Reads, Unanswered, media};
+use questions::{Progress, answer};
 use words::requests;
 
 /// Prefix of all paths of the interface.
@@ -79,7 +79,7 @@ pub fn methods(path: &str) -> Vec<Method> {
 
 /// Answers a question.
 #[cfg(feature = "interface")]
-pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let here = call.path.strip_prefix(ROOT).unwrap_or_default();
     let valid = methods(call.path);
     if valid.is_empty() {
@@ -89,10 +89,10 @@ pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
     let Some(entry) = entries().find(|entry| entry.path == here && method(entry) == call.method) else {
         return wrong_method(call.path, call.method.id(), &valid, language);
     };
-    if let Some(refused) = asked::wrong_media(entry.reads, call, language) {
+    if let Some(refused) = inquiry::wrong_media(entry.reads, call, language) {
         return refused;
     }
-    let answered = asked::put(entry, call, shell, patience).and_then(|asked| reply(entry, &asked, shell));
+    let answered = inquiry::put(entry, call, shell, progress).and_then(|inquiry| reply(entry, &inquiry, shell));
     answered.unwrap_or_else(|unanswered| refused(&unanswered, shell, language))
 }
 
@@ -101,9 +101,9 @@ pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
 /// # Errors
 /// Faults of the question, or the reason why it has no answer.
 #[cfg(feature = "interface")]
-pub fn reply(entry: &Entry, asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
-    let Some(answer) = entry.answer else { return made::reply(entry.command, asked, shell) };
-    let answer = answer(asked)?;
+pub fn reply(entry: &Entry, inquiry: &Inquiry<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+    let Some(answer) = entry.answer else { return made::reply(entry.command, inquiry, shell) };
+    let answer = answer(inquiry)?;
     let reply = Reply::of(200, answer.media, answer.text);
     Ok(match answer.file {
         Some(file) => reply.saved_as(&file),

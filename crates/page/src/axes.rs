@@ -10,7 +10,7 @@ use quantities::unit::{KILOGRAM, WATT};
 use quantities::{Measure, format_number};
 use questions::list::size::sized;
 use questions::texts::{demand_figures, percent, reason, standing_text};
-use questions::{Candidate, Fit, Patience, Refusal, Rejected, Verdict, power_over_cycle, sum_of_known};
+use questions::{Candidate, Fit, Progress, Refusal, Rejected, Verdict, power_over_cycle, sum_of_known};
 use words::{capitalised, page, terms, title_of_check};
 
 /// Row of an axis in the summary.
@@ -30,11 +30,11 @@ struct Row {
 ///
 /// # Errors
 /// When the work was cancelled or ran out of time.
-pub(crate) fn together(state: &PageState, held: &ReadProject, patience: &Patience) -> Result<Markup, Refusal> {
+pub(crate) fn together(state: &PageState, held: &ReadProject, progress: &Progress) -> Result<Markup, Refusal> {
     let l = state.language;
     let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();
     for project in &held.projects {
-        let sizing = sized(project, 0, Rejected::Nearest, patience)?;
+        let sizing = sized(project, 0, Rejected::Nearest, progress)?;
         let found = chosen(project, sizing.named());
         rows.push((project, found.map(|candidate| row(state, project, &candidate))));
     }

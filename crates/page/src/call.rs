@@ -4,7 +4,7 @@ use answers::Commissioning;
 use figures::Theme;
 use project::{Files, Project};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use questions::list::report;
 use std::borrow::Cow;
 use std::io;
@@ -198,7 +198,7 @@ pub trait Shell {
 
 /// A requested report.
 #[derive(Clone, Copy, Debug)]
-pub struct ReportAsked<'a> {
+pub struct ReportInputs<'a> {
     /// The text of the project.
     pub text: &'a str,
     /// Axes of the report, each with its index in the project.
@@ -208,11 +208,11 @@ pub struct ReportAsked<'a> {
     /// Language of the report.
     pub language: Language,
     /// Progress and cancellation of the caller.
-    pub patience: &'a Patience,
+    pub progress: &'a Progress,
 }
 
 /// Writes a report as PDF, or returns the reason in one sentence.
-pub type WritesReport = fn(&ReportAsked<'_>) -> Result<Vec<u8>, String>;
+pub type WritesReport = fn(&ReportInputs<'_>) -> Result<Vec<u8>, String>;
 
 /// Writes the checklists of a commissioning as PDF, or returns the reason in one sentence.
 pub type WritesChecklist = fn(&Commissioning, Language) -> Result<Vec<u8>, String>;

@@ -12,7 +12,7 @@ use quantities::unit::WATT;
 use quantities::{Language, Measure, format_number};
 use questions::list::check::reserve_unasked;
 use questions::texts::{demand_figures, reserve_lines};
-use questions::{Candidate, CandidateId, Patience, power_over_cycle};
+use questions::{Candidate, CandidateId, Progress, power_over_cycle};
 use words::{capitalised, page};
 
 /// Returns the pane of a candidate judged with every check.
@@ -22,7 +22,7 @@ pub(crate) fn column(
     candidate: Option<&Candidate<'_>>,
     is_old: bool,
     shell: &dyn Shell,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Markup {
     let l = state.language;
     html! {
@@ -32,7 +32,7 @@ pub(crate) fn column(
             @if let Some(candidate) = candidate {
                 (sums(candidate, l))
                 @if state.is_brief && is_long(project) { div id="reserve" data-same="" {} (later(state, candidate, shell)) }
-                @else { (reserve(project, candidate, patience, l)) (view(state, project, candidate, is_old, shell, patience)) }
+                @else { (reserve(project, candidate, progress, l)) (view(state, project, candidate, is_old, shell, progress)) }
             } @else { p { (page::no_result_yet(l)) } }
         }
     }
@@ -96,9 +96,9 @@ fn sums(candidate: &Candidate<'_>, language: Language) -> Markup {
 }
 
 /// Returns the reserve of the actuator if it is found quickly, so that the page responds while the user types.
-pub(crate) fn reserve(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
+pub(crate) fn reserve(project: &Project, candidate: &Candidate<'_>, progress: &Progress, language: Language) -> Markup {
     let reserve = if candidate.fits() {
-        reserve_unasked(project, candidate, patience).unwrap_or_default()
+        reserve_unasked(project, candidate, progress).unwrap_or_default()
     } else {
         Default::default()
     };
@@ -155,14 +155,14 @@ pub(crate) fn view(
     candidate: &Candidate<'_>,
     is_old: bool,
     shell: &dyn Shell,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Markup {
     let l = state.language;
     let none = html! {};
     let worst = overlay::worst(candidate);
     let marks = overlay::marks(&worst, l);
     let drawn = |name, above: &Markup, over: &Markup| {
-        picture(state, name, drawing(state, project, candidate, patience), above, over)
+        picture(state, name, drawing(state, project, candidate, progress), above, over)
     };
     let is_over_time = matches!(state.view, View::Cycle | View::Heat | View::Energy | View::Bearing);
     html! {
@@ -175,7 +175,7 @@ pub(crate) fn view(
                 View::Energy => { (power(project, candidate, l)) (drawn("energy", &marks, &none)) }
                 View::Bearing => (drawn("bearing-load", &marks, &none)),
                 View::Simulation if !crate::WHOLE => {}
-                View::Simulation => (crate::simulated::view(state, project, candidate, patience)),
+                View::Simulation => (crate::simulated::view(state, project, candidate, progress)),
                 View::ErrorBudget => {
                     (tolerances::place(state, project, candidate, shell))
                     (drawn("torsion", &none, &none))
@@ -193,7 +193,7 @@ pub(crate) fn drawing(
     state: &PageState,
     project: &Project,
     candidate: &Candidate<'_>,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Drawing, NoFigure> {
     let l = state.language;
     let over_time = |panels| Ok(figures::cycle(project, candidate, panels, state.window, l));
@@ -205,7 +205,7 @@ pub(crate) fn drawing(
         View::Bearing => figures::bearing_load(project, candidate, state.window, l),
         View::ErrorBudget => figures::torsion(project, candidate, l),
         View::Simulation if !crate::WHOLE => Err(NoFigure::OfARun),
-        View::Simulation => crate::simulated::run(state, project, candidate, patience)
+        View::Simulation => crate::simulated::run(state, project, candidate, progress)
             .map(|run| figures::simulation(&run, state.window, l))
             .map_err(|_| NoFigure::OfARun),
     }

@@ -8,7 +8,7 @@ use crate::start::BEGINS;
 use crate::state::PageState;
 use maud::{Markup, html};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use questions::list::new::template;
 use questions::list::upkeep::day_of_clock;
 use std::io::ErrorKind;
@@ -20,13 +20,13 @@ pub(crate) fn place(call: &Call<'_>) -> usize {
 }
 
 /// Returns the page with a project that was begun with a few values.
-pub(crate) fn begun(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+pub(crate) fn begun(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let Some(begin) = BEGINS.get(place(call)) else { return Reply::text(404, page::no_such_page(call.language())) };
-    with_text(call, &crate::start::typed(begin, call), "", "", shell, patience)
+    with_text(call, &crate::start::typed(begin, call), "", "", shell, progress)
 }
 
 /// Returns the page with a project of the folder.
-pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let name = call.field("open").unwrap_or_default();
     let read = shell.folder().map(|folder| folder.read(&name));
     match read {
@@ -36,9 +36,9 @@ pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
                 return Reply::text(422, &page::not_a_text(&name, call.language()));
             };
             if questions::list::commission_record::measured(text).is_ok() {
-                return with_record(call, &name, shell, patience);
+                return with_record(call, &name, shell, progress);
             }
-            with_text(call, text, &name, &known(&shell.version(&bytes), &name), shell, patience)
+            with_text(call, text, &name, &known(&shell.version(&bytes), &name), shell, progress)
         }
         Some(Err(error)) => Reply::text(404, &file_trouble(&error, call.language())),
         None => Reply::text(404, page::no_such_page(call.language())),
@@ -51,25 +51,25 @@ fn known(version: &str, name: &str) -> String {
 }
 
 /// Returns the whole page about a text.
-fn with_text(call: &Call<'_>, text: &str, file: &str, known: &str, shell: &dyn Shell, patience: &Patience) -> Reply {
+fn with_text(call: &Call<'_>, text: &str, file: &str, known: &str, shell: &dyn Shell, progress: &Progress) -> Reply {
     let fields = [("text", text), ("file", file), ("known", known), ("lang", call.language().id())];
-    whole(call, &fields, shell, patience)
+    whole(call, &fields, shell, progress)
 }
 
 /// Returns the whole page with these fields in place of those of the call.
-fn whole(call: &Call<'_>, fields: &[(&str, &str)], shell: &dyn Shell, patience: &Patience) -> Reply {
+fn whole(call: &Call<'_>, fields: &[(&str, &str)], shell: &dyn Shell, progress: &Progress) -> Reply {
     let query = query(fields.iter().copied());
     let inner = Call { path: "/", query: &query, media: None, body: &[], ..*call };
-    Reply::of(200, crate::HTML, frame::whole(&inner, shell, patience).into_string())
+    Reply::of(200, crate::HTML, frame::whole(&inner, shell, progress).into_string())
 }
 
 /// Returns the page with a record of measured values: it is not a project and opens in its tool.
-fn with_record(call: &Call<'_>, name: &str, shell: &dyn Shell, patience: &Patience) -> Reply {
+fn with_record(call: &Call<'_>, name: &str, shell: &dyn Shell, progress: &Progress) -> Reply {
     let l = call.language();
     // The name of a record may begin with the code that it belongs to.
     let about = name.split("-measured").next().unwrap_or_default();
     let fields = [("tool", "record"), ("asked", "record"), ("about", about), ("t_open", name), ("lang", l.id())];
-    whole(call, &fields, shell, patience)
+    whole(call, &fields, shell, progress)
 }
 
 /// Saves the text in the folder. A file that has changed since it was opened is left unchanged; a deleted one is
@@ -105,7 +105,7 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
 }
 
 /// Returns the page with an example and keeps the recording of the example next to the projects.
-pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let l = call.language();
     let kind = call.field("kind").unwrap_or_default();
     let Some(found) = template(&kind, USUAL_NAME, l) else { return Reply::text(404, page::no_such_page(l)) };
@@ -117,7 +117,7 @@ pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
             Err(fault) => return not_kept(&fault, &name, l),
         }
     }
-    with_text(call, &text, USUAL_NAME, "", shell, patience)
+    with_text(call, &text, USUAL_NAME, "", shell, progress)
 }
 
 /// Returns the project files of the folder, and the control that opens a file from elsewhere.

@@ -14,7 +14,7 @@ use questions::list::compare::compare;
 use questions::list::new::{Template, template, template_kinds};
 use questions::list::size::sized;
 use questions::{
-    Candidate, CandidateId, CheckId, Patience, Refusal, Rejected, Sizing, check, check_own, explain, explain_own,
+    Candidate, CandidateId, CheckId, Progress, Refusal, Rejected, Sizing, check, check_own, explain, explain_own,
 };
 use words::{check_title, page};
 
@@ -49,7 +49,7 @@ fn scripts() -> Markup {
 }
 
 /// Returns the page with a project, or the start page.
-pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
     if let Some(kind) = call.field("new").filter(|_| state.text.is_empty())
         && let Some(found) = template(&kind, USUAL_NAME, state.language)
@@ -66,12 +66,12 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                 (laws::symbols(laws::words()))
                 template id="units" { (crate::value::lists()) }
                 a.skip href="#standing" { (page::skip_to_result(l)) }
-                @match work(&mut state, shell, patience) {
+                @match work(&mut state, shell, progress) {
                     Ok(page) => { (page) }
-                    Err((held, why)) => { (unfinished(&state, &held, shell, &waiting::stopped(&why, false, Some("/work"), shell, patience, l), patience)) }
+                    Err((held, why)) => { (unfinished(&state, &held, shell, &waiting::stopped(&why, false, Some("/work"), shell, progress, l), progress)) }
                 }
                 (waiting::place(l))
-                aside id="detail" aria-live="polite" { @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, patience)) } }
+                aside id="detail" aria-live="polite" { @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, progress)) } }
                 dialog id="palette" aria-label=(page::find(l)) {}
             }
         }
@@ -80,17 +80,17 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
 
 /// Answers a change with all parts of the page that it may affect. If the work was stopped, the last result stays on
 /// the page with a message.
-pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let mut state = PageState::of(call);
     let l = state.language;
-    let (held, why) = match work(&mut state, shell, patience) {
+    let (held, why) = match work(&mut state, shell, progress) {
         Ok(page) => return Reply::of(200, crate::HTML, ShownParts::of(call).left_out(&page.into_string())),
         Err(unfinished) => unfinished,
     };
     let parts = html! {
         (partial("#state", state_of(&state)))
         (partial("#moves", form::column(&state, &held, None, shell)))
-        (partial("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, patience, l))))
+        (partial("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, progress, l))))
     };
     Reply::of(200, crate::HTML, parts.into_string()).with("hx-reswap", "none")
 }
@@ -99,16 +99,16 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
 ///
 /// # Errors
 /// The part of the project that could be read, and the reason, if the work was stopped or not begun.
-fn work(state: &mut PageState, shell: &dyn Shell, patience: &Patience) -> Result<Markup, (Box<ReadProject>, Refusal)> {
+fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result<Markup, (Box<ReadProject>, Refusal)> {
     if state.text.is_empty() && state.good.is_empty() {
         return Ok(start(state, shell));
     }
-    let held = state.hold(shell.files(), patience);
+    let held = state.hold(shell.files(), progress);
     if let Some(refusal) = held.refused.clone() {
         return Err((Box::new(held), refusal));
     }
     if state.all_axes && held.projects.len() > 1 {
-        return match axes::together(state, &held, patience) {
+        return match axes::together(state, &held, progress) {
             Ok(summary) => Ok(page_of(state, &held, shell, &html! {}, &html! { main.together { (summary) } })),
             Err(refusal) => Err((Box::new(held), refusal)),
         };
@@ -117,7 +117,7 @@ fn work(state: &mut PageState, shell: &dyn Shell, patience: &Patience) -> Result
     // The best actuator is judged with every check together with the catalogue, because it is viewed most often. The
     // reasons of the others are computed when they are shown.
     let rejected = if state.list == List::Ranking { Rejected::Nearest } else { Rejected::All };
-    let sizing = match project.map(|project| sized(project, 1, rejected, patience)).transpose() {
+    let sizing = match project.map(|project| sized(project, 1, rejected, progress)).transpose() {
         Ok(sizing) => sizing,
         Err(refusal) => return Err((Box::new(held), refusal)),
     };
@@ -127,9 +127,9 @@ fn work(state: &mut PageState, shell: &dyn Shell, patience: &Patience) -> Result
     let looked_at = project.and_then(|project| looked_at(state, project, sizing.as_ref()?.named()));
     let found = Outcome { project, sizing: sizing.as_ref(), candidate: looked_at.as_ref() };
     let moves = form::column(state, &held, looked_at.as_ref(), shell);
-    let bar = verdict::bar(state, &held, &found, &moves.0, shell, patience);
+    let bar = verdict::bar(state, &held, &found, &moves.0, shell, progress);
     let demands = match project {
-        Some(project) => demand::column(state, project, looked_at.as_ref(), held.is_old, shell, patience),
+        Some(project) => demand::column(state, project, looked_at.as_ref(), held.is_old, shell, progress),
         None => demand::nothing(state.language),
     };
     let panes = panes(&moves, &demands, &fits::column(state, &found, held.is_old), state.language);
@@ -171,10 +171,10 @@ fn page_of(state: &PageState, held: &ReadProject, shell: &dyn Shell, bar: &Marku
 }
 
 /// Returns the page about a project whose first result took too long.
-fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Markup, patience: &Patience) -> Markup {
+fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Markup, progress: &Progress) -> Markup {
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
-    let bar = verdict::bar(state, held, &none, &moves.0, shell, patience);
+    let bar = verdict::bar(state, held, &none, &moves.0, shell, progress);
     let panes = panes(&moves, &demand::nothing(state.language), &fits::column(state, &none, true), state.language);
     page_of(state, held, shell, &html! { (bar) (demand::stopped(why)) }, &panes)
 }
@@ -204,10 +204,10 @@ pub(crate) fn looked_at<'p>(
 pub(crate) fn looked_at_alone<'p>(
     state: &PageState,
     project: &'p Project,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Option<Candidate<'p>> {
     let is_sought = state.code.is_none() && project.actuator.is_none();
-    let sizing = if is_sought { sized(project, 1, Rejected::Nearest, patience).ok() } else { None };
+    let sizing = if is_sought { sized(project, 1, Rejected::Nearest, progress).ok() } else { None };
     looked_at(state, project, sizing.as_ref().and_then(Sizing::named))
 }
 
@@ -303,14 +303,14 @@ fn example(kind: &str, found: &Template, language: Language) -> Markup {
 }
 
 /// Returns the picture of a long recording, requested after its numbers, and the reserve of the actuator.
-pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let mut state = PageState::of(call);
-    let held = state.hold(shell.files(), patience);
+    let held = state.hold(shell.files(), progress);
     let Some(project) = held.projects.get(state.axis) else { return Reply::text(204, "") };
-    let Some(candidate) = looked_at_alone(&state, project, patience) else { return Reply::text(204, "") };
+    let Some(candidate) = looked_at_alone(&state, project, progress) else { return Reply::text(204, "") };
     let parts = html! {
-        (demand::view(&state, project, &candidate, held.is_old, shell, patience))
-        (partial("#reserve", demand::reserve(project, &candidate, patience, state.language)))
+        (demand::view(&state, project, &candidate, held.is_old, shell, progress))
+        (partial("#reserve", demand::reserve(project, &candidate, progress, state.language)))
     };
     Reply::of(200, crate::HTML, parts.into_string())
 }
@@ -321,33 +321,33 @@ fn partial(target: &str, inside: Markup) -> Markup {
 }
 
 /// Returns the curves of the picture as a table.
-pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let mut state = PageState::of(call);
-    let held = state.hold(shell.files(), patience);
+    let held = state.hold(shell.files(), progress);
     let Some(project) = held.projects.get(state.axis) else {
         return Reply::text(404, page::no_result_yet(state.language));
     };
-    let Some(candidate) = looked_at_alone(&state, project, patience) else {
+    let Some(candidate) = looked_at_alone(&state, project, progress) else {
         return Reply::text(404, page::no_result_yet(state.language));
     };
-    match demand::drawing(&state, project, &candidate, patience) {
+    match demand::drawing(&state, project, &candidate, progress) {
         Ok(drawing) => Reply::text(200, &drawing.curves(state.language)),
         Err(why) => Reply::text(404, &why.message(None, state.language)),
     }
 }
 
 /// Returns the derivation of a check for the selected actuator.
-pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
     let wanted = call.field("check").unwrap_or_default();
-    let held = state.hold(shell.files(), patience);
+    let held = state.hold(shell.files(), progress);
     if let Some(refusal) = &held.refused {
-        let why = waiting::stopped(refusal, false, None, shell, patience, state.language);
+        let why = waiting::stopped(refusal, false, None, shell, progress, state.language);
         return html! { p.advice role="status" { (why) } };
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
     let is_sought = state.code.is_none() && project.actuator.is_none();
-    let sizing = if is_sought { sized(project, 0, Rejected::Nearest, patience).ok() } else { None };
+    let sizing = if is_sought { sized(project, 0, Rejected::Nearest, progress).ok() } else { None };
     let best = sizing.as_ref().and_then(Sizing::named).map(|best| best.id.clone());
     let found = match (state.code, best) {
         (Some(code), _) | (None, Some(CandidateId::Code(code))) => explain(project, &code),
@@ -362,9 +362,9 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
 }
 
 /// Returns the comparison of the marked actuators.
-pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
-    let held = state.hold(shell.files(), patience);
-    let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked, patience).ok());
+    let held = state.hold(shell.files(), progress);
+    let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked, progress).ok());
     html! { @if let Some(found) = found { (detail::compared(&found, state.language)) } }
 }

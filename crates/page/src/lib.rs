@@ -47,7 +47,7 @@ pub use api::reply;
 pub use api::{methods, misdirected, wrong_method};
 pub use assets::ASSETS;
 pub use call::{
-    Call, FileEntry, Folder, Method, Press, Reply, ReportAsked, SaveFault, Shell, Storage, WritesChecklist,
+    Call, FileEntry, Folder, Method, Press, Reply, ReportInputs, SaveFault, Shell, Storage, WritesChecklist,
     WritesReport,
 };
 pub use frame::head;
@@ -56,11 +56,11 @@ pub use names::{is_project_name, recording_names};
 #[cfg(feature = "theory")]
 pub use theory::theory_files;
 
-use questions::Patience;
+use questions::Progress;
 
 /// Answers a request.
 #[must_use]
-pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     if let Some(name) = call.path.strip_prefix("/assets/").filter(|_| WHOLE) {
         return assets::asset(name);
     }
@@ -70,36 +70,36 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
     }
     #[cfg(feature = "interface")]
     if api::is_path(call.path) {
-        return api::respond(call, shell, patience);
+        return api::respond(call, shell, progress);
     }
     let html = |page: maud::Markup| Reply::of(200, HTML, page.into_string());
     match (call.method, call.path) {
         (Method::Get, "/health") => Reply::text(200, "ok\n"),
-        (Method::Get, "/") if call.field("open").is_some() => files::opened(call, shell, patience),
-        (Method::Get, "/") if call.field("begin").is_some() => files::begun(call, shell, patience),
-        (_, "/") => html(frame::whole(call, shell, patience)),
+        (Method::Get, "/") if call.field("open").is_some() => files::opened(call, shell, progress),
+        (Method::Get, "/") if call.field("begin").is_some() => files::begun(call, shell, progress),
+        (_, "/") => html(frame::whole(call, shell, progress)),
         (Method::Get, "/begin") => html(start::asked(files::place(call), call.language())),
         (Method::Get, "/begin/drawing") => html(start::drawing_of(call)),
-        (Method::Post, "/work") => frame::worked(call, shell, patience),
-        (Method::Post, "/tolerances") => html(tolerances::judged(call, shell, patience)),
+        (Method::Post, "/work") => frame::worked(call, shell, progress),
+        (Method::Post, "/tolerances") => html(tolerances::judged(call, shell, progress)),
         (Method::Get, PROGRESS) => waiting::progress(call, shell),
         (Method::Post, CANCEL) => waiting::cancelled(call, shell),
-        (Method::Post, "/explain") => html(frame::explained(call, shell, patience)),
-        (Method::Post, "/compare") => html(frame::compared(call, shell, patience)),
-        (Method::Post, "/tools") if WHOLE => html(tools::pane(call, shell, patience)),
+        (Method::Post, "/explain") => html(frame::explained(call, shell, progress)),
+        (Method::Post, "/compare") => html(frame::compared(call, shell, progress)),
+        (Method::Post, "/tools") if WHOLE => html(tools::pane(call, shell, progress)),
         (Method::Get, "/find") => html(find::found(call)),
         (Method::Get, "/gallery") => html(gallery::shown(call)),
         (Method::Get, "/keys") => html(find::keyboard(call)),
         (Method::Post, "/versions") => html(versions::listed(call)),
         (Method::Post, "/recorded") => html(recorded::brought(call, shell)),
-        (Method::Post, "/picture") => frame::picture(call, shell, patience),
-        (Method::Post, "/would-fit") => html(verdict::would_fit(call, shell, patience)),
-        (Method::Post, "/curves") => frame::curves(call, shell, patience),
-        (Method::Get, "/example") => html(start::example_verdict(call, shell, patience)),
+        (Method::Post, "/picture") => frame::picture(call, shell, progress),
+        (Method::Post, "/would-fit") => html(verdict::would_fit(call, shell, progress)),
+        (Method::Post, "/curves") => frame::curves(call, shell, progress),
+        (Method::Get, "/example") => html(start::example_verdict(call, shell, progress)),
         (Method::Get, "/files") => html(files::listed(call, shell)),
         (Method::Get, "/watch") => files::watched(call, shell),
         (Method::Get, "/text") => files::text(call, shell),
-        (Method::Post, "/example") => files::example(call, shell, patience),
+        (Method::Post, "/example") => files::example(call, shell, progress),
         (Method::Post, "/save") => files::saved(call, shell),
         (Method::Post, RECORDING) => files::recorded(call, shell),
         _ => Reply::text(404, words::page::no_such_page(call.language())),

@@ -8,7 +8,7 @@ use maud::{Markup, html};
 use project::{Project, key_at};
 use quantities::{Language, Unit, format_significant};
 use questions::list::simulate::{ScenarioId, of_scenario};
-use questions::{Candidate, CandidateId, Patience, Simulated, Verdict, answer, chapter};
+use questions::{Candidate, CandidateId, Progress, Simulated, Verdict, answer, chapter};
 use words::{about_text, capitalised, page, short_label, simulation, verdict_word};
 
 /// Runs the selected scenario, else that of the project.
@@ -19,13 +19,13 @@ pub(crate) fn run<'p>(
     state: &PageState,
     project: &'p Project,
     candidate: &Candidate<'_>,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Simulated<'p>, String> {
     let code = match &candidate.id {
         CandidateId::Code(code) => Some(code),
         CandidateId::Own(_) => None,
     };
-    of_scenario(project, code, chosen(state, project), patience, state.language)
+    of_scenario(project, code, chosen(state, project), progress, state.language)
 }
 
 fn chosen(state: &PageState, project: &Project) -> ScenarioId {
@@ -33,10 +33,10 @@ fn chosen(state: &PageState, project: &Project) -> ScenarioId {
 }
 
 /// Returns the simulation as HTML.
-pub(crate) fn view(state: &PageState, project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Markup {
+pub(crate) fn view(state: &PageState, project: &Project, candidate: &Candidate<'_>, progress: &Progress) -> Markup {
     let l = state.language;
     let none = html! {};
-    let found = run(state, project, candidate, patience);
+    let found = run(state, project, candidate, progress);
     let is_it = |id: ScenarioId| id == chosen(state, project);
     html! {
         label.inline { (page::scenario(l)) " "

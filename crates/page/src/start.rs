@@ -7,7 +7,7 @@ use project::{Edit, EditFault, Key, Kind, SegmentLaw, edit, key_at, stretch, wri
 use quantities::{Angle, Language, Length, Measure, format_significant, parse_as};
 use questions::list::new::template;
 use questions::list::size::sized;
-use questions::{MechanismId, Patience, Rejected, read_all_watched};
+use questions::{MechanismId, Progress, Rejected, read_all_watched};
 use std::sync::LazyLock;
 use words::{about_text, capitalised, page, short_label, terminal};
 
@@ -178,15 +178,15 @@ fn drawing(begin: &Begin, text: &str, language: Language) -> Markup {
 }
 
 /// Returns the result of an example, for its card.
-pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let l = call.language();
     let kind = call.field("kind").unwrap_or_default();
     let Some(found) = template(&kind, crate::head::USUAL_NAME, l).filter(|found| found.recording.is_none()) else {
         return html! {};
     };
-    let Ok(projects) = read_all_watched(&found.text, shell.files(), patience) else { return html! {} };
+    let Ok(projects) = read_all_watched(&found.text, shell.files(), progress) else { return html! {} };
     let Some((project, sizing)) =
-        projects.first().and_then(|project| Some((project, sized(project, 0, Rejected::None, patience).ok()?)))
+        projects.first().and_then(|project| Some((project, sized(project, 0, Rejected::None, progress).ok()?)))
     else {
         return html! {};
     };

@@ -10,7 +10,7 @@ use order_code::OrderCode;
 use project::{Diagnostic, Edit, Files, Key, Kind, Project, Written, edit, key_at, stretch, written};
 use quantities::Language;
 use questions::list::simulate::ScenarioId;
-use questions::{CandidateId, Draw, Patience, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
+use questions::{CandidateId, Draw, Progress, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
 use std::borrow::Cow;
 use words::{Worded, worded};
 
@@ -311,8 +311,8 @@ impl PageState {
     }
 
     /// Reads the project; a text with faults leaves the last good one.
-    pub(crate) fn hold(&mut self, files: &dyn Files, patience: &Patience) -> ReadProject {
-        let held = self.read(files, patience);
+    pub(crate) fn hold(&mut self, files: &dyn Files, progress: &Progress) -> ReadProject {
+        let held = self.read(files, progress);
         self.axis = self.axis.min(held.projects.len().saturating_sub(1));
         if held.written.iter().any(|key| key.path == "axis[1]") {
             self.prefix = format!("axis[{}].", self.axis + 1);
@@ -320,10 +320,10 @@ impl PageState {
         held
     }
 
-    fn read(&mut self, files: &dyn Files, patience: &Patience) -> ReadProject {
+    fn read(&mut self, files: &dyn Files, progress: &Progress) -> ReadProject {
         let keys = written(&self.text);
         let has_places = keys.is_some();
-        match read_all_watched(&self.text, files, patience) {
+        match read_all_watched(&self.text, files, progress) {
             Ok(projects) => {
                 self.good.clone_from(&self.text);
                 let written = keys.unwrap_or_default();
@@ -341,7 +341,7 @@ impl PageState {
                 let keys_there = keys.as_deref().unwrap_or_default();
                 let faults = placed(&found, (&self.text, keys_there), project::key_at, self.language);
                 let written = keys.or_else(|| written(&self.good)).unwrap_or_default();
-                let (projects, refused) = match read_all_watched(&self.good, files, patience) {
+                let (projects, refused) = match read_all_watched(&self.good, files, progress) {
                     Ok(projects) => (projects, None),
                     Err(Unread::Refused(refusal)) => (Vec::new(), Some(refusal)),
                     Err(Unread::Faults(_)) => (Vec::new(), None),

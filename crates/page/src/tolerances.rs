@@ -11,7 +11,7 @@ use quantities::Language;
 use questions::answer::refusal_text;
 use questions::list::check::scatter;
 use questions::texts::{sampling_text, tolerance_heads, tolerance_lines, tolerance_rows};
-use questions::{Assessment, Candidate, Patience, Refusal};
+use questions::{Assessment, Candidate, Progress, Refusal};
 use words::{capitalised, page};
 
 /// Returns the place of the tolerances; empty if the project has none. It identifies text, axis and actuator, so that a
@@ -39,18 +39,18 @@ pub(crate) fn place(state: &PageState, project: &Project, candidate: &Candidate<
 }
 
 /// Returns the judged tolerances.
-pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
     let l = state.language;
     let stopped =
-        |refusal: &Refusal| html! { p.advice { (waiting::stopped(refusal, false, None, shell, patience, l)) } };
-    let held = state.hold(shell.files(), patience);
+        |refusal: &Refusal| html! { p.advice { (waiting::stopped(refusal, false, None, shell, progress, l)) } };
+    let held = state.hold(shell.files(), progress);
     if let Some(refusal) = &held.refused {
         return stopped(refusal);
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
-    let Some(candidate) = looked_at_alone(&state, project, patience) else { return html! {} };
-    match scatter(project, &candidate, state.draw(), patience) {
+    let Some(candidate) = looked_at_alone(&state, project, progress) else { return html! {} };
+    match scatter(project, &candidate, state.draw(), progress) {
         Ok(Some(assessment)) => found(project, &assessment, l),
         Ok(None) => html! {},
         Err(Refusal::Stopped) => stopped(&Refusal::Stopped),

@@ -7,7 +7,7 @@ mod field;
 mod loads;
 mod record;
 
-use crate::api::asked::put;
+use crate::api::inquiry::put;
 use crate::api::method;
 use crate::call::{Call, Shell, query};
 use crate::form::vals;
@@ -15,8 +15,8 @@ use field::{ToolField, Trouble};
 use figures::Theme;
 use maud::{Markup, html};
 use quantities::Language;
-use questions::list::{Asked, Entry, Unanswered};
-use questions::{Patience, list, read_all_watched, read_code};
+use questions::list::{Entry, Inquiry, Unanswered};
+use questions::{Progress, list, read_all_watched, read_code};
 use std::borrow::Cow;
 use words::{Word, page};
 
@@ -44,7 +44,7 @@ enum Ask {
 }
 
 /// Layout of an answer.
-type Show = fn(&Asked<'_>, &Scene<'_>) -> Result<Markup, Unanswered>;
+type Show = fn(&Inquiry<'_>, &Scene<'_>) -> Result<Markup, Unanswered>;
 
 /// Tools in the order of their use.
 const TOOLS: [Tool; 15] = [
@@ -93,11 +93,11 @@ const TOOLS: [Tool; 15] = [
 ];
 
 /// Returns the pane of the tools: the requested tool and its subject.
-pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let l = call.language();
-    let asked = call.field("tool").unwrap_or_default();
-    let Some(tool) = TOOLS.iter().find(|tool| tool.id == asked).or(TOOLS.first()) else { return html! {} };
-    let scene = Scene::of(call, tool.id, shell, patience);
+    let inquiry = call.field("tool").unwrap_or_default();
+    let Some(tool) = TOOLS.iter().find(|tool| tool.id == inquiry).or(TOOLS.first()) else { return html! {} };
+    let scene = Scene::of(call, tool.id, shell, progress);
     let needs_code = tool.needs_code();
     let about = if needs_code { page::tool_code(l) } else { (tool.title)(l) };
     let shown = match &tool.ask {
@@ -150,7 +150,7 @@ const MARK: &str = "t_";
 struct Scene<'c> {
     call: &'c Call<'c>,
     shell: &'c dyn Shell,
-    patience: &'c Patience,
+    progress: &'c Progress,
     language: Language,
     theme: Theme,
     /// Name in requests.
@@ -162,17 +162,17 @@ struct Scene<'c> {
 }
 
 impl<'c> Scene<'c> {
-    fn of(call: &'c Call<'c>, tool: &'static str, shell: &'c dyn Shell, patience: &'c Patience) -> Self {
+    fn of(call: &'c Call<'c>, tool: &'static str, shell: &'c dyn Shell, progress: &'c Progress) -> Self {
         let about = call.field("about").or_else(|| call.field("code")).map(Cow::into_owned).unwrap_or_default();
         Self {
             call,
             shell,
-            patience,
+            progress,
             language: call.language(),
             theme: call.theme(),
             tool,
             about,
-            is_filled: call.field("asked").is_some_and(|asked| asked == tool),
+            is_filled: call.field("asked").is_some_and(|inquiry| inquiry == tool),
         }
     }
 
@@ -188,7 +188,7 @@ impl<'c> Scene<'c> {
     fn axis(&self) -> Option<String> {
         let place: usize = self.call.field("axis")?.parse().ok()?;
         let text = self.call.field("text")?;
-        let axes = read_all_watched(&text, self.shell.files(), self.patience).ok().filter(|axes| axes.len() > 1)?;
+        let axes = read_all_watched(&text, self.shell.files(), self.progress).ok().filter(|axes| axes.len() > 1)?;
         axes.get(place).map(|axis| axis.name.clone())
     }
 
@@ -258,7 +258,7 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
     let query = query_of(&said, &fields, l);
     let answer_to = |query: &str| {
         let call = Call { method: method(entry), path: entry.path, query, media: None, body, ..*scene.call };
-        put(entry, &call, scene.shell, scene.patience).and_then(|asked| show(&asked, scene))
+        put(entry, &call, scene.shell, scene.progress).and_then(|inquiry| show(&inquiry, scene))
     };
     let answer = answer_to(&query);
     let good = match &answer {
@@ -297,7 +297,7 @@ fn fields_of(fields: &[ToolField], language: Language) -> Markup {
 /// Returns the question as the query that a client of the interface sends.
 fn query_of(said: &[(&str, Option<&str>)], fields: &[ToolField], language: Language) -> String {
     let said = said.iter().filter_map(|(name, value)| Some((*name, (*value)?)));
-    let asked = fields.iter().filter(|field| field.name != UNDER_PROJECT);
-    let typed = asked.flat_map(|field| field.values().map(|value| (field.name.as_str(), value)));
+    let inquiry = fields.iter().filter(|field| field.name != UNDER_PROJECT);
+    let typed = inquiry.flat_map(|field| field.values().map(|value| (field.name.as_str(), value)));
     query(said.chain(typed).chain([("lang", language.id())]))
 }

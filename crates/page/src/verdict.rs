@@ -9,7 +9,7 @@ use quantities::Language;
 use questions::list::check::reserve_unasked;
 use questions::list::size::mends;
 use questions::texts::{mend_text, objection_text, percent, reserve_lines, standing_text};
-use questions::{Candidate, Fit, Patience, Sizing, Verdict};
+use questions::{Candidate, Fit, Progress, Sizing, Verdict};
 use words::{about_text, capitalised, check_title, page, short_label, terminal, terms, verdict_count, without_limit};
 
 /// Number of faults shown at once.
@@ -40,14 +40,14 @@ pub(crate) fn bar(
     found: &Outcome<'_, '_>,
     fields: &str,
     shell: &dyn Shell,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Markup {
     let l = state.language;
     let class = found.candidate.map_or("none", class);
     html! {
         section id="verdict" class={ (class) @if held.is_old { " old" } } aria-label=(capitalised(terms::verdict(l))) {
             @match found.candidate {
-                Some(candidate) => { (line(candidate, l)) (below(found, candidate, &shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()), patience, l)) },
+                Some(candidate) => { (line(candidate, l)) (below(found, candidate, &shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()), progress, l)) },
                 None => p id="standing" role="status" { (page::no_result_yet(l)) },
             }
             (faults(state, held, fields, l))
@@ -91,13 +91,13 @@ fn below(
     found: &Outcome<'_, '_>,
     candidate: &Candidate<'_>,
     version: &str,
-    patience: &Patience,
+    progress: &Progress,
     language: Language,
 ) -> Markup {
     let l = language;
     let keys = candidate.keys_to_state();
     let reserve = match found.project {
-        Some(project) if !candidate.fits() => reserve_unasked(project, candidate, patience).unwrap_or_default(),
+        Some(project) if !candidate.fits() => reserve_unasked(project, candidate, progress).unwrap_or_default(),
         _ => questions::Reserve::default(),
     };
     html! {
@@ -119,11 +119,11 @@ fn below(
 
 /// Returns other gearings with which an actuator fits; requested after the page is shown, because it needs several
 /// judgements of the catalogue.
-pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
     let l = state.language;
-    let held = state.hold(shell.files(), patience);
-    let found = held.projects.get(state.axis).and_then(|project| mends(project, patience).ok()).unwrap_or_default();
+    let held = state.hold(shell.files(), progress);
+    let found = held.projects.get(state.axis).and_then(|project| mends(project, progress).ok()).unwrap_or_default();
     html! { @if !found.is_empty() {
         (capitalised(terminal::would_fit_with_other_gearing(l))) ": "
         @for (place, mend) in found.iter().enumerate() { @if place > 0 { "; " } (mend_text(mend, l)) }

@@ -5,7 +5,7 @@ use crate::form::vals;
 use maud::{Markup, html};
 use quantities::{Language, format_number};
 use questions::answer::refusal_text;
-use questions::{Patience, Refusal};
+use questions::{Progress, Refusal};
 use words::{capitalised, page, requests, terminal};
 
 /// Returns the place that shows the progress of a long work, with a button to cancel it.
@@ -47,11 +47,11 @@ pub(crate) fn stopped(
     before: bool,
     again: Option<&str>,
     shell: &dyn Shell,
-    patience: &Patience,
+    progress: &Progress,
     language: Language,
 ) -> Markup {
     let is_stopped = *refusal == Refusal::Stopped;
-    let why = match shell.time_limit().filter(|_| patience.is_late()) {
+    let why = match shell.time_limit().filter(|_| progress.is_late()) {
         _ if !is_stopped => refusal_text(refusal, None, language),
         Some(limit) => requests::not_in_time(&limit.as_secs(), language),
         None => page::was_cancelled(language).to_owned(),

@@ -8,7 +8,7 @@
 use _antrieb::{SourceText, SweepCall};
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let why = |why: questions::list::Unanswered| why.record(None, Language::En);
     let sweep = call.prepared(&table.schema(), std::slice::from_ref(&table)).map_err(why)?;
     let memory = call.memory_allowed().map_err(why)?;
-    let answers = sweep.whole(&[table], 0, memory, &Patience::endless()).map_err(why)?;
+    let answers = sweep.whole(&[table], 0, memory, &Progress::endless()).map_err(why)?;
     println!("{:.4} {}", begin.elapsed().as_secs_f64(), answers.iter().map(RecordBatch::num_rows).sum::<usize>());
     Ok(())
 }

@@ -4,8 +4,8 @@ use antrieb::SourceFile;
 use page::{Reply, Shell};
 use project::{Files, NoFiles};
 use quantities::Language;
-use questions::Patience;
-use questions::list::{ArgumentKind, Asked, Entry, Given, LIST, Unanswered};
+use questions::Progress;
+use questions::list::{ArgumentKind, Entry, Given, Inquiry, LIST, Unanswered};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -55,30 +55,30 @@ pub enum CallOutcome {
 impl QuestionCall {
     /// Returns the cancellation of the call, with a time limit if the call has one.
     #[must_use]
-    pub fn patience(&self) -> Patience {
-        if self.deadline.is_some() { Patience::limited() } else { Patience::endless() }
+    pub fn progress(&self) -> Progress {
+        if self.deadline.is_some() { Progress::limited() } else { Progress::endless() }
     }
 
     /// Answers the call.
     #[must_use]
-    pub fn answer(&self, patience: &Patience) -> CallOutcome {
-        self.answered(patience).map_or_else(|why| self.refused(&why), CallOutcome::Answered)
+    pub fn answer(&self, progress: &Progress) -> CallOutcome {
+        self.answered(progress).map_or_else(|why| self.refused(&why), CallOutcome::Answered)
     }
 
-    fn answered(&self, patience: &Patience) -> Result<Reply, Unanswered> {
+    fn answered(&self, progress: &Progress) -> Result<Reply, Unanswered> {
         let entry = entry(&self.command)?;
         let memory = antrieb::memory_allowed(self.memory.clone(), self.language)?;
         let read = self.texts.iter().map(|text| text.read(memory, self.language));
         let files: Vec<SourceFile> = read.collect::<Result<_, _>>()?;
-        let asked = Asked {
+        let inquiry = Inquiry {
             given: Given::of(entry.arguments, self.given(entry), self.language)?,
             sources: files.iter().map(SourceFile::source).collect(),
             days_since_1970: antrieb::days_since_1970(),
-            patience,
+            progress,
             refuses_long: self.deadline.is_none(),
             language: self.language,
         };
-        page::reply(entry, &asked, &Here { files: files.first() })
+        page::reply(entry, &inquiry, &Here { files: files.first() })
     }
 
     fn given<'c>(&'c self, entry: &Entry) -> Vec<(Cow<'c, str>, Cow<'c, str>)> {

@@ -8,7 +8,7 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::intern;
 use pyo3::prelude::*;
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use std::borrow::Cow;
 use std::path::PathBuf;
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -21,7 +21,7 @@ const TICK: Duration = Duration::from_millis(20);
 /// step.
 pub(crate) fn beside<T: Send>(
     py: Python<'_>,
-    patience: &Patience,
+    progress: &Progress,
     deadline: Option<Duration>,
     work: impl FnOnce() -> T + Send,
 ) -> PyResult<T> {
@@ -36,13 +36,13 @@ pub(crate) fn beside<T: Send>(
             let mut interrupted = None;
             while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
                 if deadline.is_some_and(|most| begin.elapsed() > most) {
-                    patience.expire();
+                    progress.expire();
                 }
                 if interrupted.is_none()
                     && let Err(interrupt) = Python::attach(|py| py.check_signals())
                 {
                     interrupted = Some(interrupt);
-                    patience.cancel();
+                    progress.cancel();
                 }
             }
             let found = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
@@ -106,8 +106,8 @@ mod _antrieb {
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, language)))?;
         let texts = texts.into_iter().map(text).collect();
         let call = QuestionCall { command, texts, pairs, deadline, memory, language };
-        let patience = call.patience();
-        match beside(py, &patience, deadline, || call.answer(&patience))? {
+        let progress = call.progress();
+        match beside(py, &progress, deadline, || call.answer(&progress))? {
             CallOutcome::Answered(reply) => Ok((reply.media, reply.body.into())),
             CallOutcome::Refused(record) => Err(refused(py, &record)),
         }

@@ -128,8 +128,8 @@ mod tests {
     use crate::commission::{DriveForm, usual_ambient};
     use crate::upkeep::read_date;
     use catalogue::Topic;
-    use installation::mount::{MountAsked, mount as mounting};
-    use installation::upkeep::UpkeepAsked;
+    use installation::mount::{MountInputs, mount as mounting};
+    use installation::upkeep::UpkeepInputs;
     use order_code::OrderCode;
 
     #[test]
@@ -155,7 +155,7 @@ mod tests {
     fn every_document_that_the_chapters_of_a_code_cite_is_listed() {
         let code = order_code::parse("CHA-25A-100-H-M512P-B").unwrap().code;
         let mounted = {
-            let asked = MountAsked::default();
+            let asked = MountInputs::default();
             mount(&answer::mount(&mounting(&code, &asked).unwrap(), &asked, None, Language::En), Language::En)
         };
         let about = crate::commission::commission(&code).unwrap();
@@ -173,7 +173,7 @@ mod tests {
     fn a_report_states_each_hazard_once() {
         let code = order_code::parse("CHA-25A-100-H-M512P-B").unwrap().code;
         for language in Language::ALL {
-            let asked = MountAsked::default();
+            let asked = MountInputs::default();
             let wired = installation::wiring::wiring(&code).unwrap();
             let about = crate::commission::commission(&code).unwrap();
             let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), language);
@@ -209,7 +209,7 @@ mod tests {
                 wiring(&answer::wiring(&installation::wiring::wiring(code)?, None, language), Vec::new(), language)
             }
             Topic::Mount => {
-                let asked = MountAsked::default();
+                let asked = MountInputs::default();
                 mount(&answer::mount(&mounting(code, &asked)?, &asked, None, language), language)
             }
             Topic::Commission => {
@@ -219,7 +219,7 @@ mod tests {
             }
             Topic::Upkeep => {
                 let delivered = read_date("2026-03-01", language).ok()?;
-                let asked = UpkeepAsked { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
+                let asked = UpkeepInputs { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
                 upkeep(&answer::upkeep(&crate::upkeep::upkeep(code, &asked, language).ok()?, language), language)
             }
             Topic::Safety => return None,

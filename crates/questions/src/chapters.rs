@@ -1,6 +1,6 @@
 //! Single chapters as separate answers: output bearing, battery.
 
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_part};
 use actuator::BatteryLife;
 use configurator::catalogue_actuators;
@@ -8,7 +8,7 @@ use order_code::Size;
 use project::Project;
 use quantities::unit::HOUR;
 use quantities::{Language, Measure, Time, parse_as};
-use sizing::{Check, Part, Watch as _};
+use sizing::{Check, Part, StepObserver as _};
 
 /// Reads a quantity from the command line.
 ///
@@ -50,17 +50,17 @@ pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = 
 /// [`Refusal::Stopped`]
 pub fn bearing_of_each_size<'p>(
     project: &'p Project,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Vec<(Size, Candidate<'p>)>, Refusal> {
     let mut found: Vec<(Size, Candidate<'_>)> = Vec::new();
     for (code, _) in catalogue_actuators() {
         if found.iter().all(|(size, _)| *size != code.size) {
-            patience.step()?;
+            progress.step()?;
             if let Ok(candidate) = check_part(project, code, Part::OutputBearing) {
                 found.push((code.size, candidate));
             }
         }
     }
-    patience.step()?;
+    progress.step()?;
     Ok(found)
 }

@@ -1,7 +1,7 @@
 //! Several actuators on one axis, and one actuator on two revisions of it.
 
 use crate::list::size::sized;
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, check, check_own};
 use crate::texts::margin_share;
 use order_code::OrderCode;
@@ -12,7 +12,7 @@ use quantities::unit::{
     REVOLUTION_PER_MINUTE,
 };
 use quantities::{Measure, Unit};
-use sizing::{Check, CheckId, Verdict, Watch as _};
+use sizing::{Check, CheckId, StepObserver as _, Verdict};
 
 /// Relative difference below which two figures are equal: above the rounding of a double, below the digits shown.
 const SAME: f64 = 1e-9;
@@ -98,10 +98,10 @@ pub struct Comparison<'p> {
 pub fn compare<'p>(
     project: &'p Project,
     codes: &[OrderCode],
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Comparison<'p>, (usize, Refusal)> {
     let judged = |(index, code): (usize, &OrderCode)| {
-        let goes_on = patience.step().map_err(Refusal::from);
+        let goes_on = progress.step().map_err(Refusal::from);
         goes_on.and_then(|()| check(project, code)).map_err(|refusal| (index, refusal))
     };
     let candidates: Vec<Candidate<'p>> = codes.iter().enumerate().map(judged).collect::<Result<_, _>>()?;
@@ -251,9 +251,9 @@ pub fn difference<'p>(
     old: &'p Project,
     new: &'p Project,
     code: Option<&OrderCode>,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Difference<'p>, Refusal> {
-    let ranked = |project| sized(project, 0, Rejected::Nearest, patience);
+    let ranked = |project| sized(project, 0, Rejected::Nearest, progress);
     let (sized_before, sized_after) = (ranked(old)?, ranked(new)?);
     let best = |sizing: &Sizing<'_>| sizing.answer().map(|answer| answer.id.clone());
     let own = code.is_none() && old.actuator.is_some() && new.actuator.is_some();

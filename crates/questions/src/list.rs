@@ -6,9 +6,9 @@
 //! transport.
 
 mod argument;
-mod asked;
 mod cost;
 mod given;
+mod inquiry;
 mod unanswered;
 
 pub mod battery;
@@ -55,9 +55,9 @@ pub mod wiring_check;
 
 pub use answers::Record;
 pub use argument::{AXIS, Argument, ArgumentForm, ArgumentKind, CODE, FILE, LANG};
-pub use asked::{Answer, Asked, PlacedAxis, ReferencedText, media};
 pub use cost::Cost;
 pub use given::{Given, Hinted, bounded};
+pub use inquiry::{Answer, Inquiry, PlacedAxis, ReferencedText, media};
 pub use unanswered::Unanswered;
 
 use words::{Word, help};
@@ -128,7 +128,7 @@ pub fn records() -> Vec<Record> {
 }
 
 /// Function that answers a question.
-pub type Function = fn(&Asked<'_>) -> Result<Answer, Unanswered>;
+pub type Function = fn(&Inquiry<'_>) -> Result<Answer, Unanswered>;
 
 /// A use case.
 #[derive(Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Changes with which an actuator fits where none does: another gearing of the load.
 
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, size_watched};
 use project::{Gearing, Project};
 use quantities::Unit;
@@ -69,14 +69,14 @@ pub const GEARING_INSTANTS_MOST: usize = 10_000;
 /// samples.
 ///
 /// [`Refusal::Stopped`] if the search was cancelled.
-pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusal> {
+pub fn mends(project: &Project, progress: &Progress) -> Result<Vec<Mend>, Refusal> {
     let instants = project.axis.instants();
     let [on_flange, recorded] = project.axis.flange_instants();
     #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
     if instants as f64 + FLANGE_SHARE * (on_flange + recorded) > GEARING_INSTANTS_MOST as f64 {
         return Ok(Vec::new());
     }
-    let here = Ranked::of(project, patience)?;
+    let here = Ranked::of(project, progress)?;
     if here.best.is_some() {
         return Ok(Vec::new());
     }
@@ -84,7 +84,7 @@ pub fn mends(project: &Project, patience: &Patience) -> Result<Vec<Mend>, Refusa
     let fine = (EFFORT / instants.max(1)).clamp(least, most);
     let mut found = Vec::new();
     let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<Project>| {
-        let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, patience));
+        let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, progress));
         if let Some((si, (code, fit, proviso))) = nearest(&ranked, stated, &here, unit, fine)? {
             found.push(Mend { path: path.to_owned(), is_stated, si, unit, code, fit, proviso });
         }
@@ -118,8 +118,8 @@ impl Default for Ranked {
 }
 
 impl Ranked {
-    fn of(project: &Project, patience: &Patience) -> Result<Self, Refusal> {
-        let sizing = size_watched(project, 0, Rejected::None, patience)?;
+    fn of(project: &Project, progress: &Progress) -> Result<Self, Refusal> {
+        let sizing = size_watched(project, 0, Rejected::None, progress)?;
         let is_met = |candidate: &&Candidate<'_>| candidate.objections.is_empty();
         let farther = sizing.candidates.iter().filter(is_met).filter_map(farther).reduce(f64::min);
         Ok(Self {
@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn a_lead_or_a_stage_is_proposed_where_nothing_fits() {
         let project = crate::read(LIFT).unwrap();
-        let found = mends(&project, &Patience::endless()).unwrap();
+        let found = mends(&project, &Progress::endless()).unwrap();
         let paths: Vec<&str> = found.iter().map(|mend| mend.path.as_str()).collect();
         assert_eq!(paths, ["mechanism.screw.lead", "stage.ratio"]);
         assert!(found[0].si > 0.020 && found[1].si < 1.0, "{found:?}");
@@ -239,19 +239,19 @@ mod tests {
                 true => project.with_value(&mend.path, mend.si),
                 false => project.with_stage(mend.si),
             };
-            let best = Ranked::of(&with.unwrap(), &Patience::endless()).unwrap().best;
+            let best = Ranked::of(&with.unwrap(), &Progress::endless()).unwrap().best;
             assert_eq!(best, Some((mend.code.clone(), mend.fit, mend.proviso)));
         }
         // A stage of ratio r turns the screw like a lead longer by 1/r.
         assert!((found[0].si / 0.020 * found[1].si - 1.0).abs() < 0.15, "{found:?}");
         // A stated stage is varied in the same way.
         let staged = crate::read(&format!("{LIFT}[stage]\nkind = \"gear\"\nratio = 1\n")).unwrap();
-        let varied = mends(&staged, &Patience::endless()).unwrap();
+        let varied = mends(&staged, &Progress::endless()).unwrap();
         assert_eq!(varied.iter().map(|mend| mend.is_stated).collect::<Vec<_>>(), [true, true], "{varied:?}");
         assert_eq!((varied[1].path.as_str(), varied[1].si), ("stage.ratio", found[1].si));
         assert_eq!(varied[1].code, found[1].code);
         let fitting = LIFT.replace("20 mm", "100 mm");
-        assert!(mends(&crate::read(&fitting).unwrap(), &Patience::endless()).unwrap().is_empty());
+        assert!(mends(&crate::read(&fitting).unwrap(), &Progress::endless()).unwrap().is_empty());
     }
 
     /// Two moves of 160 instants each, and a stated stage: a longer lead or a stage that gears up would make an
@@ -261,7 +261,7 @@ mod tests {
         let tilter = "format = 1\n[mechanism.screw]\nlead = \"10 mm\"\nmass = \"120 kg\"\ninclination = \"90 deg\"\n\
             [stage]\nkind = \"belt\"\nratio = 2\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"200 mm\"\n\
             time = \"1.5 s\"\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"-200 mm\"\ntime = \"2 s\"\n";
-        let found = mends(&crate::read(tilter).unwrap(), &Patience::endless()).unwrap();
+        let found = mends(&crate::read(tilter).unwrap(), &Progress::endless()).unwrap();
         let paths: Vec<&str> = found.iter().map(|mend| mend.path.as_str()).collect();
         assert_eq!(paths, ["mechanism.screw.lead", "stage.ratio"], "{found:?}");
         assert!((found[0].si / 0.010 * found[1].si / 2.0 - 1.0).abs() < 0.15, "{found:?}");

@@ -10,13 +10,13 @@ mod project_tests;
 mod stage_tests;
 
 use crate::list::Cost;
-use crate::patience::{Patience, Stopped};
+use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
 use crate::tolerance::Draw;
 use project::{Diagnostic, Files, Grant, Project, RatioAnswer};
 use quantities::Language;
 use serde_json::Value;
-use sizing::{Unwatched, Watch, finished, rank};
+use sizing::{StepObserver, Unobserved, finished, rank};
 use std::cell::Cell;
 use std::io::Read;
 use std::sync::Arc;
@@ -27,7 +27,7 @@ use std::sync::atomic::AtomicBool;
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
 pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
-    Project::read(text, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
+    Project::read(text, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
 /// Reads a project file with one axis or several, in their order, and the files that it refers to.
@@ -35,7 +35,7 @@ pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
 pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagnostic>> {
-    Project::read_all(text, files, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
+    Project::read_all(text, files, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
 /// Reasons why there is no project.
@@ -52,23 +52,23 @@ pub enum Unread {
 ///
 /// # Errors
 /// [`Unread`].
-pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> Result<Vec<Project>, Unread> {
+pub fn read_all_watched(text: &str, files: &dyn Files, progress: &Progress) -> Result<Vec<Project>, Unread> {
     let refused = Cell::new(None);
     let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
-        let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !patience.is_limited());
+        let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !progress.is_limited());
         // This work precedes that of the question itself.
         let ranking = Cost::Ranking { complete: 0, draw: Draw::default() };
         let quick = first.map_or(Ok(()), |first| ranking.is_quick_for(&first, ratios.len()));
-        let found = quick.and_then(|()| best_ratio(ratios, with, patience).map_err(Refusal::from));
+        let found = quick.and_then(|()| best_ratio(ratios, with, progress).map_err(Refusal::from));
         found.unwrap_or_else(|refusal| {
             refused.set(Some(refusal));
             None
         })
     };
-    let cancellable = Cancellable { files, patience, opened: Cell::new(false) };
+    let cancellable = Cancellable { files, progress, opened: Cell::new(false) };
     let read = Project::read_all(text, &cancellable, &choose);
     // Only the reading of a file can be interrupted; the faults of a text alone are complete.
-    let stopped = || (read.is_err() && cancellable.opened.get() && patience.is_over()).then(|| Refusal::from(Stopped));
+    let stopped = || (read.is_err() && cancellable.opened.get() && progress.is_over()).then(|| Refusal::from(Stopped));
     refused
         .take()
         .or_else(stopped)
@@ -78,7 +78,7 @@ pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> R
 /// Files that can be read until the call is cancelled.
 struct Cancellable<'f> {
     files: &'f dyn Files,
-    patience: &'f Patience,
+    progress: &'f Progress,
     opened: Cell<bool>,
 }
 
@@ -93,7 +93,7 @@ impl Files for Cancellable<'_> {
     }
 
     fn cancelled(&self) -> Option<Arc<AtomicBool>> {
-        Some(self.patience.flag())
+        Some(self.progress.flag())
     }
 
     fn grant(&self) -> Grant {
@@ -115,7 +115,7 @@ pub(crate) fn schema(language: Language) -> Value {
 ///
 /// # Errors
 /// If it was cancelled.
-fn best_ratio<W: Watch>(
+fn best_ratio<W: StepObserver>(
     ratios: &[f64],
     with: &dyn Fn(f64) -> Option<Project>,
     watch: &W,

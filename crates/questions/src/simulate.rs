@@ -1,6 +1,6 @@
 //! A run of the digital twin of an axis with an actuator.
 
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_one};
 use actuator::{Parameters as Actuator, natural_frequency, natural_frequency_free};
 use installation::wiring::Role;
@@ -10,7 +10,7 @@ use project::Project;
 use provenance::{Grade, Source};
 use quantities::unit::{AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia, Unit};
-use sizing::{CheckId, Verdict, Watch as _};
+use sizing::{CheckId, StepObserver as _, Verdict};
 use twin::{
     Averaged, Event, EventKind, Failed, Fault, Gains, LoopResponse, Operation, Parameters, Sample, Scenario,
     ScenarioId, Setup, Summary, Supply, Twin,
@@ -146,12 +146,12 @@ pub(crate) fn steps_least(project: &Project, cycles: u32, cold: bool, days: bool
 
 /// Runs a part of the twin that polls for cancellation by the caller.
 fn watched<T>(
-    patience: &Patience,
+    progress: &Progress,
     run: impl FnOnce(&mut dyn FnMut() -> bool) -> Result<T, Fault>,
 ) -> Result<T, NotRun> {
     let mut stopped = false;
     let found = run(&mut || {
-        stopped = patience.step().is_err();
+        stopped = progress.step().is_err();
         !stopped
     })?;
     if stopped { Err(Refusal::Stopped.into()) } else { Ok(found) }
@@ -163,7 +163,7 @@ pub(crate) fn simulate<'p>(
     code: Option<&OrderCode>,
     wanted: Wanted,
     refuses_long: bool,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Simulated<'p>, NotRun> {
     let candidate = check_one(project, code)?;
     let ready = Ready::of(project, &candidate);
@@ -207,11 +207,11 @@ pub(crate) fn simulate<'p>(
     let start_k = if wanted.scenario.cold || wanted.scenario.id == ScenarioId::ColdGrease {
         None
     } else {
-        watched(patience, |goes_on| twin::settled(&setup, goes_on))?
+        watched(progress, |goes_on| twin::settled(&setup, goes_on))?
     };
     let averaged = match wanted.operation {
         Some(operation) => {
-            let found = watched(patience, |goes_on| twin::averaged(&setup, operation, goes_on))?;
+            let found = watched(progress, |goes_on| twin::averaged(&setup, operation, goes_on))?;
             found.map(|found| (operation, found))
         }
         None => None,
@@ -228,7 +228,7 @@ pub(crate) fn simulate<'p>(
     }
     while !twin.is_over() {
         if since_poll >= AT_ONCE {
-            patience.step().map_err(Refusal::from)?;
+            progress.step().map_err(Refusal::from)?;
             since_poll = 0;
         }
         twin.advance(chunk);

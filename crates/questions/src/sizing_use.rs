@@ -1,7 +1,7 @@
 //! Ranking of the catalogue for an axis, and judgement of one actuator.
 
 use crate::cited::Cited;
-use crate::patience::Stopped;
+use crate::progress::Stopped;
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, actuator, actuators, availability};
 use order_code::{Option1, Option2, OrderCode};
@@ -11,7 +11,7 @@ use quantities::Measure;
 use rayon::prelude::*;
 use sizing::{
     Check, CheckId, Course, Depth, Fit, Judge, Judgement, Part, RankKey, Reserve, SAMPLES_ANEW, Scope, Standing,
-    Unwatched, Verdict, Watch, finished, reserve_watched,
+    StepObserver, Unobserved, Verdict, finished, reserve_watched,
 };
 use std::sync::Arc;
 
@@ -186,7 +186,7 @@ pub(crate) fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderC
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    finished(size_watched(project, usize::MAX, Rejected::All, &Unwatched))
+    finished(size_watched(project, usize::MAX, Rejected::All, &Unobserved))
 }
 
 /// Judges and ranks like [`size`], but can be cancelled; only the first `complete_count` are judged by every check, the
@@ -194,7 +194,7 @@ pub fn size(project: &Project) -> Sizing<'_> {
 ///
 /// # Errors
 /// If it was cancelled.
-pub(crate) fn size_watched<'p, W: Watch>(
+pub(crate) fn size_watched<'p, W: StepObserver>(
     project: &'p Project,
     complete_count: usize,
     rejected: Rejected,
@@ -239,7 +239,11 @@ pub(crate) fn size_watched<'p, W: Watch>(
 /// Judges by every check the candidates that may come first if none fits, so that the actuator with the smallest excess
 /// is that of [`Rejected::All`]. A candidate judged up to its first failing check exceeds the limits at least by this
 /// check, so the remaining ones rank behind the result.
-fn settle_nearest<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>], watch: &W) -> Result<(), W::Stop> {
+fn settle_nearest<W: StepObserver>(
+    project: &Project,
+    candidates: &mut [Candidate<'_>],
+    watch: &W,
+) -> Result<(), W::Stop> {
     let mut judging = Judging::of(project, Scope::Deciding, Depth::Complete);
     let mut settle = |candidates: &mut [Candidate<'_>], counts: fn(&Candidate<'_>) -> bool| {
         let keys = candidates.iter().map(|candidate| RankKey::of(&candidate.standing)).zip(0..);
@@ -317,7 +321,7 @@ fn by_drivetrain(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Par
 }
 
 /// Judges each actuator as a candidate, with the options that the project requires.
-fn judged<'p, W: Watch>(
+fn judged<'p, W: StepObserver>(
     judging: &mut Judging<'p>,
     actuators: &'p [(OrderCode, Parameters)],
     watch: &W,
@@ -431,7 +435,7 @@ pub fn course_seen(project: &Project, candidate: &Candidate<'_>, window: Option<
 /// effort.
 #[must_use]
 pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
-    finished(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, &Unwatched))
+    finished(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, &Unobserved))
 }
 
 /// Judges actuators one after the other for the axis of a project; the checks cite the keys of its file.

@@ -21,12 +21,12 @@ pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
 
 use crate::codes::read_code;
 use crate::list::Unanswered;
-use crate::patience::{Patience, Stopped};
+use crate::progress::{Progress, Stopped};
 use order_code::OrderCode;
 use project::{Edit, Files, Heading, edit};
 use quantities::Language;
 use rayon::prelude::*;
-use sizing::{CheckId, Watch};
+use sizing::{CheckId, StepObserver};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use template::{Judge, Template, Templates};
@@ -161,7 +161,7 @@ impl Sweep {
     ///
     /// # Errors
     /// If the work was cancelled.
-    pub fn judge(&self, cells: &[Cells<'_>], patience: &Patience) -> Result<Vec<Answer>, Stopped> {
+    pub fn judge(&self, cells: &[Cells<'_>], progress: &Progress) -> Result<Vec<Answer>, Stopped> {
         let rows = cells.iter().map(Cells::len).min().unwrap_or(0);
         // Few rows with long answers occupy every thread too.
         let share = rows.div_ceil(4 * rayon::current_num_threads()).clamp(1, PART);
@@ -182,7 +182,7 @@ impl Sweep {
                 let (words, template) = match opened {
                     Ok(opened) => opened,
                     Err(why) => {
-                        patience.step()?;
+                        progress.step()?;
                         found.push(Err(why));
                         continue;
                     }
@@ -193,7 +193,7 @@ impl Sweep {
                     if values.as_ref().is_ok_and(|values| self.words(values) != words) {
                         break;
                     }
-                    patience.step()?;
+                    progress.step()?;
                     found.push(values.and_then(|values| judge.row(&values)));
                 }
                 drop(judge);

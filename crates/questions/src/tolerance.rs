@@ -10,7 +10,7 @@ use crate::sizing_use::{Candidate, CandidateId, Objection, Refusal};
 use draws::Draws;
 use project::{Project, Variant, Varied};
 use rayon::prelude::*;
-use sizing::{CheckId, Depth, Fit, Judge, Judgement, Scope, Unwatched, Watch, finished};
+use sizing::{CheckId, Depth, Fit, Judge, Judgement, Scope, StepObserver, Unobserved, finished};
 use statistics::{Ranks, wilson};
 use std::ops::Range;
 
@@ -166,14 +166,14 @@ impl Assessment {
 /// every corner is reported instead
 #[must_use]
 pub fn assess(project: &Project, candidates: &[&Candidate<'_>], sampling: Sampling) -> Vec<Assessment> {
-    finished(assess_watched(project, candidates, sampling, &Unwatched))
+    finished(assess_watched(project, candidates, sampling, &Unobserved))
 }
 
 /// Judges like [`assess`], but can be cancelled.
 ///
 /// # Errors
 /// If it was cancelled.
-pub(crate) fn assess_watched<W: Watch>(
+pub(crate) fn assess_watched<W: StepObserver>(
     project: &Project,
     candidates: &[&Candidate<'_>],
     sampling: Sampling,
@@ -182,7 +182,7 @@ pub(crate) fn assess_watched<W: Watch>(
     assess_with(project, candidates, sampling, (PARTS, watch))
 }
 
-fn assess_with<W: Watch>(
+fn assess_with<W: StepObserver>(
     project: &Project,
     candidates: &[&Candidate<'_>],
     sampling: Sampling,
@@ -388,7 +388,7 @@ impl Sampled {
 
 /// Judges every sample, in fixed parts that are joined in their order. A sample depends on the seed and its number
 /// alone, so the result is independent of the number and the speed of the threads.
-fn sample<W: Watch>(
+fn sample<W: StepObserver>(
     varied: &Varied<'_>,
     judged: &[Judged<'_>],
     (draws, samples): (Draws, usize),
@@ -406,7 +406,7 @@ fn sample<W: Watch>(
     Ok(found.into_iter().reduce(join).unwrap_or_default())
 }
 
-fn judge_samples<W: Watch>(
+fn judge_samples<W: StepObserver>(
     mut varied: Varied<'_>,
     judged: &[Judged<'_>],
     draws: Draws,

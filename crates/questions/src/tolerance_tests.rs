@@ -13,7 +13,7 @@ fn own(inertia: &str, friction: &str, rest: &str) -> Project {
 
 fn assess_own(project: &Project, sampling: Sampling, parts: usize) -> Assessment {
     let candidate = check_own(project).unwrap();
-    let mut found = finished(assess_with(project, &[&candidate], sampling, (parts, &Unwatched)));
+    let mut found = finished(assess_with(project, &[&candidate], sampling, (parts, &Unobserved)));
     assert_eq!(found.len(), 1);
     found.remove(0)
 }
@@ -71,11 +71,11 @@ fn the_bits_do_not_depend_on_the_parts_and_threads() {
     let mut all: Vec<&Candidate<'_>> = sizing.candidates.iter().take(4).collect();
     all.push(&candidate);
     let sampling = Sampling { samples: 333, seed: 7 };
-    let one = finished(assess_with(&project, &all, sampling, (1, &Unwatched)));
+    let one = finished(assess_with(&project, &all, sampling, (1, &Unobserved)));
     for threads in [1, 2, 8] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         for parts in [2, 3, 500] {
-            let found = pool.install(|| finished(assess_with(&project, &all, sampling, (parts, &Unwatched))));
+            let found = pool.install(|| finished(assess_with(&project, &all, sampling, (parts, &Unobserved))));
             assert_eq!(found, one, "{threads} threads, {parts} parts");
         }
         let ranked =
@@ -85,7 +85,7 @@ fn the_bits_do_not_depend_on_the_parts_and_threads() {
     }
     let alone: Vec<Assessment> = all.iter().flat_map(|each| assess(&project, &[each], sampling)).collect();
     assert_eq!(alone, one, "an actuator's answer does not depend on the others");
-    assert_ne!(finished(assess_with(&project, &all, Sampling { seed: 8, ..sampling }, (1, &Unwatched))), one);
+    assert_ne!(finished(assess_with(&project, &all, Sampling { seed: 8, ..sampling }, (1, &Unobserved))), one);
 }
 
 /// The numbers of one seed, so that no platform and no other version of the generator draws others unnoticed.

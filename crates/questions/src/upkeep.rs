@@ -2,7 +2,7 @@
 
 use chrono::NaiveDate;
 use installation::calendar::{Interval, read_date as date, read_interval as interval};
-use installation::upkeep::{Storage, Upkeep, UpkeepAsked};
+use installation::upkeep::{Storage, Upkeep, UpkeepInputs};
 use order_code::OrderCode;
 use quantities::Language;
 use words::upkeep::{date_fault, interval_fault, upkeep_fault};
@@ -14,7 +14,7 @@ pub(crate) type OptionFault = (&'static str, String, Option<String>);
 ///
 /// # Errors
 /// The option concerned, its fault, and a hint.
-pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked, language: Language) -> Result<Upkeep, OptionFault> {
+pub fn upkeep(code: &OrderCode, asked: &UpkeepInputs, language: Language) -> Result<Upkeep, OptionFault> {
     installation::upkeep::upkeep(code, asked).map_err(|fault| upkeep_fault(&fault, language))
 }
 

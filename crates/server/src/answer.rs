@@ -17,7 +17,7 @@ use hyper::{Method, Request, Response};
 use page::{Call, Reply, Shell};
 use percent_encoding::percent_decode_str;
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use std::net::SocketAddr;
 use std::pin::pin;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ use tokio::sync::{Semaphore, SemaphorePermit};
 use words::requests;
 
 /// Answers a call.
-pub(crate) type Respond = fn(&Call<'_>, &dyn Shell, &Patience) -> Reply;
+pub(crate) type Respond = fn(&Call<'_>, &dyn Shell, &Progress) -> Reply;
 
 /// State shared by all connections.
 pub(crate) struct Responder {
@@ -90,14 +90,14 @@ const LAST_WORDS: Duration = Duration::from_secs(2);
 
 /// Cancels the work on a timeout or when the client has disconnected.
 struct Waits {
-    patience: Arc<Patience>,
+    progress: Arc<Progress>,
     named: Option<String>,
     workplace: Arc<Workplace>,
 }
 
 impl Drop for Waits {
     fn drop(&mut self) {
-        self.patience.cancel();
+        self.progress.cancel();
         if let Some(name) = &self.named {
             self.workplace.ended(name);
         }
@@ -174,8 +174,8 @@ impl Responder {
                             let file = self.open.get(&path).map_or_else(
                                 || {
                                     let question = Question { parts, path: path.clone(), query, body, language };
-                                    let patience = Patience::limited();
-                                    self.open.kept(&path, question.put(self.respond, &self.workplace, &patience))
+                                    let progress = Progress::limited();
+                                    self.open.kept(&path, question.put(self.respond, &self.workplace, &progress))
                                 },
                                 Ok,
                             );
@@ -245,23 +245,23 @@ impl Responder {
     async fn respond(&self, question: Question) -> Reply {
         let language = question.language;
         let (respond, workplace) = (self.respond, Arc::clone(&self.workplace));
-        let patience = Arc::new(Patience::limited());
+        let progress = Arc::new(Progress::limited());
         if AT_ONCE.contains(&question.path.as_str()) {
-            return question.put(respond, &workplace, &patience);
+            return question.put(respond, &workplace, &progress);
         }
         let name = question.parts.headers.get(WORK).and_then(|name| name.to_str().ok());
-        let named = name.filter(|name| workplace.begun(name, &patience)).map(str::to_owned);
+        let named = name.filter(|name| workplace.begun(name, &progress)).map(str::to_owned);
         let says_what_is_there = named.is_some();
-        let _waits = Waits { patience: Arc::clone(&patience), named, workplace: Arc::clone(&workplace) };
+        let _waits = Waits { progress: Arc::clone(&progress), named, workplace: Arc::clone(&workplace) };
         let Ok(place) = self.places.try_acquire() else { return busy(language) };
-        let ends = Arc::clone(&patience);
-        let put = move |patience: &Patience| {
-            if patience.is_over() && !says_what_is_there {
+        let ends = Arc::clone(&progress);
+        let put = move |progress: &Progress| {
+            if progress.is_over() && !says_what_is_there {
                 return busy(language);
             }
-            question.put(respond, &workplace, patience)
+            question.put(respond, &workplace, progress)
         };
-        let mut work = pin!(self.lanes.computed(Arc::new(put), patience, || drop(place)));
+        let mut work = pin!(self.lanes.computed(Arc::new(put), progress, || drop(place)));
         let mut found = tokio::time::timeout(self.limits.answer_time, work.as_mut()).await;
         if found.is_err() && says_what_is_there {
             ends.expire();
@@ -280,7 +280,7 @@ impl Responder {
 
 impl Question {
     /// Passes the question on as a call.
-    fn put(&self, respond: Respond, shell: &Workplace, patience: &Patience) -> Reply {
+    fn put(&self, respond: Respond, shell: &Workplace, progress: &Progress) -> Reply {
         let call = Call {
             method: if self.parts.method == Method::POST { page::Method::Post } else { page::Method::Get },
             path: &self.path,
@@ -289,7 +289,7 @@ impl Question {
             body: self.body.bytes(),
             language: self.language,
         };
-        respond(&call, shell, patience)
+        respond(&call, shell, progress)
     }
 }
 

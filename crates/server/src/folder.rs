@@ -5,7 +5,7 @@ use page::{
     FileEntry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names,
 };
 use project::{Files, Grant, PROJECT_MAX_BYTES, Reach};
-use questions::Patience;
+use questions::Progress;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
@@ -32,7 +32,7 @@ pub(crate) struct Workplace {
     /// server intervenes.
     saving: Mutex<()>,
     /// Running works with a name, at most as many as admitted requests.
-    works: Mutex<BTreeMap<String, Arc<Patience>>>,
+    works: Mutex<BTreeMap<String, Arc<Progress>>>,
 }
 
 /// Largest number of bytes of the name of a work.
@@ -54,13 +54,13 @@ impl Workplace {
 
     /// Registers a running work under a name; returns `false` if the name is invalid or belongs to another running
     /// work.
-    pub(crate) fn begun(&self, name: &str, patience: &Arc<Patience>) -> bool {
+    pub(crate) fn begun(&self, name: &str, progress: &Arc<Progress>) -> bool {
         let is_name = (1..=WORK_NAME_MOST).contains(&name.len())
             && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-');
         let mut works = self.works.lock().unwrap_or_else(PoisonError::into_inner);
         let is_free = is_name && !works.contains_key(name);
         if is_free {
-            let _ = works.insert(name.to_owned(), Arc::clone(patience));
+            let _ = works.insert(name.to_owned(), Arc::clone(progress));
         }
         is_free
     }
@@ -70,7 +70,7 @@ impl Workplace {
         let _ = self.works.lock().unwrap_or_else(PoisonError::into_inner).remove(name);
     }
 
-    fn work(&self, name: &str) -> Option<Arc<Patience>> {
+    fn work(&self, name: &str) -> Option<Arc<Progress>> {
         self.works.lock().unwrap_or_else(PoisonError::into_inner).get(name).cloned()
     }
 }
@@ -93,8 +93,8 @@ impl Shell for Workplace {
     }
 
     fn cancel(&self, work: &str) -> bool {
-        self.work(work).is_some_and(|patience| {
-            patience.cancel();
+        self.work(work).is_some_and(|progress| {
+            progress.cancel();
             true
         })
     }

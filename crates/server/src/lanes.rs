@@ -7,7 +7,7 @@
 
 use crate::limits::RequestLimits;
 use page::Reply;
-use questions::Patience;
+use questions::Progress;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::time::Duration;
@@ -15,7 +15,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::task::JoinHandle;
 
 /// A work that can be begun more than once.
-type Work = dyn Fn(&Patience) -> Reply + Send + Sync;
+type Work = dyn Fn(&Progress) -> Reply + Send + Sync;
 
 /// The lanes.
 pub(crate) struct Lanes {
@@ -25,7 +25,7 @@ pub(crate) struct Lanes {
     /// Thread pools of finished works, for reuse.
     pools: Arc<Mutex<Vec<ThreadPool>>>,
     /// Running works.
-    under_way: Mutex<Vec<Weak<Patience>>>,
+    under_way: Mutex<Vec<Weak<Progress>>>,
 }
 
 /// Turn of a work, held until the work ends, after a disconnection of its client too.
@@ -51,13 +51,13 @@ impl Lanes {
     pub(crate) async fn computed(
         &self,
         work: Arc<Work>,
-        patience: Arc<Patience>,
+        progress: Arc<Progress>,
         begins: impl FnOnce(),
     ) -> Option<Reply> {
         let turn = Arc::clone(&self.short).acquire_owned().await.ok()?;
         begins();
-        self.note(&patience);
-        let (held, mut running) = self.begun(&work, &patience, turn);
+        self.note(&progress);
+        let (held, mut running) = self.begun(&work, &progress, turn);
         if let Ok(done) = tokio::time::timeout(self.short_time, &mut running).await {
             return done.ok();
         }
@@ -66,15 +66,15 @@ impl Lanes {
             *held.lock().unwrap_or_else(PoisonError::into_inner) = Some(turn);
             return running.await.ok();
         }
-        patience.displace();
+        progress.displace();
         let done = running.await.ok();
-        if !patience.resume() {
+        if !progress.resume() {
             return done;
         }
         // The turn among the short ones is freed before the work waits for another.
         drop(held);
         let turn = Arc::clone(&self.long).acquire_owned().await.ok()?;
-        let (_held, running) = self.begun(&work, &patience, turn);
+        let (_held, running) = self.begun(&work, &progress, turn);
         running.await.ok()
     }
 
@@ -83,33 +83,33 @@ impl Lanes {
     fn begun(
         &self,
         work: &Arc<Work>,
-        patience: &Arc<Patience>,
+        progress: &Arc<Progress>,
         turn: OwnedSemaphorePermit,
     ) -> (Turn, JoinHandle<Reply>) {
         let held: Turn = Arc::new(Mutex::new(Some(turn)));
-        let (turn, work, patience, pools) =
-            (Arc::clone(&held), Arc::clone(work), Arc::clone(patience), Arc::clone(&self.pools));
+        let (turn, work, progress, pools) =
+            (Arc::clone(&held), Arc::clone(work), Arc::clone(progress), Arc::clone(&self.pools));
         let running = tokio::task::spawn_blocking(move || {
             let _turn = turn;
             let kept = pools.lock().unwrap_or_else(PoisonError::into_inner).pop();
             // Without a pool of its own it uses the global one.
-            let Some(pool) = kept.or_else(|| ThreadPoolBuilder::new().build().ok()) else { return work(&patience) };
-            let reply = pool.install(|| work(&patience));
+            let Some(pool) = kept.or_else(|| ThreadPoolBuilder::new().build().ok()) else { return work(&progress) };
+            let reply = pool.install(|| work(&progress));
             pools.lock().unwrap_or_else(PoisonError::into_inner).push(pool);
             reply
         });
         (held, running)
     }
 
-    fn note(&self, patience: &Arc<Patience>) {
+    fn note(&self, progress: &Arc<Progress>) {
         let mut under_way = self.under_way.lock().unwrap_or_else(PoisonError::into_inner);
         under_way.retain(|work| work.strong_count() > 0);
-        under_way.push(Arc::downgrade(patience));
+        under_way.push(Arc::downgrade(progress));
     }
 
     /// Cancels every running work.
     pub(crate) fn cancel_all(&self) {
         let under_way = self.under_way.lock().unwrap_or_else(PoisonError::into_inner);
-        under_way.iter().filter_map(Weak::upgrade).for_each(|patience| patience.cancel());
+        under_way.iter().filter_map(Weak::upgrade).for_each(|progress| progress.cancel());
     }
 }

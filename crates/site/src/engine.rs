@@ -3,7 +3,7 @@
 use crate::Store;
 use page::{Call, Method, Reply, respond};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use serde::{Deserialize, Serialize};
 
 /// A message of the browser.
@@ -93,7 +93,7 @@ impl PageEngine {
             language: Language::of_id(&question.language).unwrap_or_default(),
         };
         // A client that cancels stops the worker in which this runs.
-        respond(&call, &self.store, &Patience::endless())
+        respond(&call, &self.store, &Progress::endless())
     }
 }
 

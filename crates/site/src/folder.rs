@@ -7,7 +7,7 @@ use flate2::write::DeflateEncoder;
 use maud::{DOCTYPE, PreEscaped, html};
 use page::{Call, Method, respond};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use std::io::Write;
 use words::requests;
 
@@ -41,7 +41,7 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
         let path = format!("/{name}");
         let call =
             Call { method: Method::Get, path: &path, query: "", media: None, body: &[], language: Language::default() };
-        let reply = respond(&call, &crate::Store::default(), &Patience::endless());
+        let reply = respond(&call, &crate::Store::default(), &Progress::endless());
         files.push((name, reply.body));
     }
     let worker = kept(&files);

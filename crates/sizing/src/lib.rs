@@ -26,6 +26,7 @@ mod joint_checks;
 mod judge;
 mod list;
 mod notes;
+mod observer;
 mod operation;
 mod rank;
 mod requirements;
@@ -38,7 +39,6 @@ mod screen;
 mod stage;
 mod supply;
 mod swings;
-mod watch;
 mod workings;
 
 pub use axis::{Axis, BearingDuty, Moments, OperatingCondition, TooManyInstants};
@@ -52,6 +52,7 @@ pub use flange::{DerivedLoads, FlangeSample};
 pub use judge::{Depth, Judge, Judgement, Naming, Proviso, Scope, governing, judge};
 pub use list::Shaft;
 pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds, RopeSlack};
+pub use observer::{StepObserver, Unobserved, finished};
 pub use operation::{DutyType, MotorSide, Operation, SegmentLoad};
 pub use rank::{RankKey, Standing, rank};
 pub use requirements::{AxisRequirements, MountingPosition, SpecialApplication};
@@ -59,4 +60,3 @@ pub use reserve::{Reach, Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watch
 pub use screen::{Entrant, Found, Ranked, Screen, Screening};
 pub use supply::{MainsPhases, Supply, SupplyFrom};
 pub use trace::INSTANTS_MOST;
-pub use watch::{Unwatched, Watch, finished};

@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::brake_times::carried;
 use crate::check::{Check, CheckId, Fit, Verdict};
 use crate::judge::{Judgement, Proviso, Scope, judge};
-use crate::watch::{Unwatched, Watch, finished};
+use crate::observer::{StepObserver, Unobserved, finished};
 use actuator::Parameters;
 use numeric::border;
 use quantities::unit::{DEGREE_CELSIUS, ONE, SECOND};
@@ -86,7 +86,7 @@ const AMBIENT_STEP: f64 = 5.0;
 /// most twenty, with the motion prepared anew for each.
 #[must_use]
 pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
-    finished(reserve_watched(axis, actuator, usize::MAX, &Unwatched))
+    finished(reserve_watched(axis, actuator, usize::MAX, &Unobserved))
 }
 
 /// Searches the reserves with cancellation; changes for which each step computes the load of more than `most` samples
@@ -94,7 +94,7 @@ pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
 ///
 /// # Errors
 /// The reason of a cancellation.
-pub fn reserve_watched<W: Watch>(
+pub fn reserve_watched<W: StepObserver>(
     axis: &Axis,
     actuator: &Parameters,
     most: usize,
@@ -439,7 +439,7 @@ mod tests {
     fn what_costs_too_much_is_not_sought_and_said() {
         let found = |mechanism: &Mechanism, with_torque: bool, most: usize| {
             let axis = Axis::new(mechanism.clone(), recorded(with_torque), Vec::new());
-            finished(reserve_watched(&axis, &actuator(), most, &Unwatched))
+            finished(reserve_watched(&axis, &actuator(), most, &Unobserved))
         };
         // Views of one survey cover every load and every pace.
         let all = found(&arm(1.0), false, 0);

@@ -7,7 +7,7 @@ use project::{Files, Project, TabularFault};
 use quantities::unit::MILLIMETRE;
 use questions::list::Unanswered;
 use questions::sweep::{self, Answer, Best, Every, Judged, OnFront, Options, TableFaults, Wanted};
-use questions::{CheckId, Patience, Refusal};
+use questions::{CheckId, Progress, Refusal};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -119,7 +119,7 @@ impl BatchSweep {
         batches: &[RecordBatch],
         first_row: u64,
         memory: u64,
-        patience: &Patience,
+        progress: &Progress,
     ) -> Result<Vec<RecordBatch>, Unanswered> {
         let rows: u64 = batches.iter().map(|batch| batch.num_rows() as u64).sum();
         let most = self.rows_held(memory);
@@ -133,7 +133,7 @@ impl BatchSweep {
         for batch in batches {
             for from in (0..batch.num_rows()).step_by(part) {
                 let rows = batch.slice(from, part.min(batch.num_rows() - from));
-                answers.push(self.batch(&rows, first_row, patience)?);
+                answers.push(self.batch(&rows, first_row, progress)?);
                 first_row += rows.num_rows() as u64;
             }
         }
@@ -150,8 +150,8 @@ impl BatchSweep {
     ///
     /// # Errors
     /// [`Refusal::Stopped`] after a cancellation.
-    pub fn batch(&self, batch: &RecordBatch, first_row: u64, patience: &Patience) -> Result<RecordBatch, Unanswered> {
-        let answers = self.sweep.judge(&cells(batch), patience).map_err(Refusal::from)?;
+    pub fn batch(&self, batch: &RecordBatch, first_row: u64, progress: &Progress) -> Result<RecordBatch, Unanswered> {
+        let answers = self.sweep.judge(&cells(batch), progress).map_err(Refusal::from)?;
         let columns = match &self.sweep.options().wanted {
             Wanted::Best => best(&answers, first_row),
             Wanted::Every(checks) => every(&answers, first_row, checks),

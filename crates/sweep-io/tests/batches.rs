@@ -5,7 +5,7 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
 use project::NoFiles;
-use questions::Patience;
+use questions::Progress;
 use std::sync::Arc;
 use sweep_io::{BatchHead, BatchSweep, Options, TableFaults, Wanted};
 
@@ -32,7 +32,7 @@ fn a_table_is_answered_row_by_row() {
     let mut faults = TableFaults::default();
     sweep.check(&table, 0, &mut faults);
     assert!(faults.is_empty(), "{faults:?}");
-    let answer = sweep.batch(&table, 1000, &Patience::endless()).unwrap();
+    let answer = sweep.batch(&table, 1000, &Progress::endless()).unwrap();
     assert_eq!(answer.schema(), sweep.schema());
     let names: Vec<_> = answer.schema().fields().iter().map(|field| field.name().clone()).collect();
     assert_eq!(names, ["row", "fit", "code", "utilisation", "tightest", "error", "fit_if_estimate"]);
@@ -51,12 +51,12 @@ fn a_table_is_answered_row_by_row() {
 fn every_code_and_the_front_stand_in_lines_of_their_own() {
     let table = batch(vec![("load.inertia [kg m^2]", Arc::new(Float32Array::from(vec![1.0, 2.0])) as ArrayRef)]);
     let every = sweep(&table, Wanted::Every(vec![questions::CheckId::PeakTorque]));
-    let answer = every.batch(&table, 0, &Patience::endless()).unwrap();
+    let answer = every.batch(&table, 0, &Progress::endless()).unwrap();
     assert!(answer.num_rows() > 500 && answer.num_rows().is_multiple_of(2));
     assert_eq!(answer.schema().field(5).name(), "peak_torque.verdict");
     assert!(["pass", "fail"].contains(&answer.column(5).as_string::<i32>().value(0)));
     let front = sweep(&table, Wanted::Front);
-    let answer = front.batch(&table, 0, &Patience::endless()).unwrap();
+    let answer = front.batch(&table, 0, &Progress::endless()).unwrap();
     assert!((2..200).contains(&answer.num_rows()), "{}", answer.num_rows());
     assert!(answer.column(2).as_primitive::<Float64Type>().iter().all(|mass| mass.is_some_and(|mass| mass > 0.5)));
     // The errata of the mass stand beside it, and those of no other figure.
@@ -87,7 +87,7 @@ fn the_rows_of_a_part_are_those_of_the_memory() {
     assert!(small >= 1 && large >= 8 * small && large < 200, "{small} {large}");
     assert_eq!(every.rows_within(0, 1 << 14), 1);
     // The estimate holds the arrays of the answer and its judgement: 24 bytes a check.
-    let answer = every.batch(&table, 0, &Patience::endless()).unwrap();
+    let answer = every.batch(&table, 0, &Progress::endless()).unwrap();
     let judged = answer.num_rows() * questions::CheckId::ALL.len() * 24;
     let held = (answer.get_array_memory_size() + judged) as u64;
     let counted = (512_u64 << 20) / 4 / large as u64 * 8;
@@ -114,14 +114,14 @@ fn a_table_whose_answers_exceed_the_memory_is_refused_before_work() {
     let most = usize::try_from(every.rows_held(MEMORY)).unwrap();
     assert!((2..20).contains(&most), "{most}");
     let table = [rows(1), rows(most - 1)];
-    let answers = every.whole(&table, 7, MEMORY, &Patience::endless()).unwrap();
+    let answers = every.whole(&table, 7, MEMORY, &Progress::endless()).unwrap();
     // Few rows at a time, in the order of the table and with the cells of one batch.
     assert!(
         answers.len() > 2 && answers.len() >= most.div_ceil(every.rows_within(MEMORY, usize::MAX)),
         "{}",
         answers.len()
     );
-    let one = every.batch(&rows(most), 7, &Patience::endless()).unwrap();
+    let one = every.batch(&rows(most), 7, &Progress::endless()).unwrap();
     let mut line = 0;
     for answer in &answers {
         assert_eq!(*answer, one.slice(line, answer.num_rows()));
@@ -129,7 +129,7 @@ fn a_table_whose_answers_exceed_the_memory_is_refused_before_work() {
     }
     assert_eq!(line, one.num_rows());
     // A cancelled call would end at its first row: what is refused was refused before.
-    let cancelled = Patience::limited();
+    let cancelled = Progress::limited();
     cancelled.cancel();
     let why = every.whole(&[rows(most + 1)], 0, MEMORY, &cancelled).err().unwrap();
     let message = why.faults(None, quantities::Language::En).errors[0].message.clone();
@@ -143,7 +143,7 @@ fn a_table_whose_answers_exceed_the_memory_is_refused_before_work() {
     {
         let table = rows(64);
         let sweep = sweep(&table, wanted.clone());
-        let answer = sweep.batch(&table, 0, &Patience::endless()).unwrap();
+        let answer = sweep.batch(&table, 0, &Progress::endless()).unwrap();
         let counted = MEMORY as f64 * 64.0 / sweep.rows_held(MEMORY * 1024) as f64 * 1024.0;
         let held = answer.get_array_memory_size() as f64;
         assert!(held <= counted, "{wanted:?}: {held} bytes, {counted} counted");

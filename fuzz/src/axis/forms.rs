@@ -4,7 +4,7 @@ use super::Case;
 use crate::text::tells;
 use figures::{By, Figure, Style, draw};
 use parquet::file::reader::{FileReader, SerializedFileReader};
-use questions::{Candidate, Patience, Sampling, Sizing, answer, assess, reserve_of};
+use questions::{Candidate, Progress, Sampling, Sizing, answer, assess, reserve_of};
 use report::{AxisContent, Content, Settings};
 use serde_json::Value;
 use tables::{Front, NAMES, Subject, Table};
@@ -66,7 +66,7 @@ fn parquet_rows(table: &Table) -> Option<usize> {
 /// Checks that every picture is well-formed and has its texts.
 pub(super) fn figures(case: &Case<'_>, best: &Candidate<'_>) {
     for figure in Figure::ALL {
-        let Ok(drawing) = draw(figure, case.project, best, By::Mass, &Patience::endless(), case.language) else {
+        let Ok(drawing) = draw(figure, case.project, best, By::Mass, &Progress::endless(), case.language) else {
             continue;
         };
         [&drawing.title, &drawing.caption, &drawing.description].into_iter().for_each(|text| tells(text));

@@ -6,16 +6,16 @@ use crate::table::{Align, TextTable, paragraph};
 use answers::{Fit, Recorded};
 use quantities::Language;
 use questions::chapter;
-use questions::list::{Asked, Unanswered, commission_record};
+use questions::list::{Inquiry, Unanswered, commission_record};
 use words::{capitalised, commission, terms, verdict_word};
 
 /// `antrieb commission CODE --record FILE`: 0 nothing is off, 1 something is, 2 the record cannot be read.
-pub(crate) fn recorded(call: &Call<'_>, asked: &Asked<'_>) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn recorded(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let has_file = |name: &&str| call.path(name).is_some();
     if call.text("for").is_some() || ["out", "checklist", "blank"].iter().any(has_file) {
         return Err(Unanswered::message(commission::record_alone(call.language)));
     }
-    let found = commission_record::found(asked)?;
+    let found = commission_record::found(inquiry)?;
     Ok(CommandAnswer::data(text(&found, call.language)).fits(found.verdict == Fit::Fits))
 }
 

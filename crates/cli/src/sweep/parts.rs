@@ -5,7 +5,7 @@ use super::run::SweepRun;
 use crate::fault::path_text;
 use disk::PartsTrouble;
 use quantities::Language;
-use questions::list::{Asked, Unanswered};
+use questions::list::{Inquiry, Unanswered};
 use questions::sweep::Tally;
 use std::ffi::OsString;
 use std::fs::File;
@@ -90,19 +90,19 @@ impl SweepParts {
         table: &Table<'_>,
         sweep: &BatchSweep,
         rows: u64,
-        asked: &Asked<'_>,
+        inquiry: &Inquiry<'_>,
     ) -> Result<(), Unanswered> {
         let mut index = self.kept;
         let mut first = index * self.rows as u64;
         if first >= rows {
             return Ok(());
         }
-        asked.patience.expect_steps(usize::try_from(rows - first).unwrap_or(usize::MAX));
+        inquiry.progress.expect_steps(usize::try_from(rows - first).unwrap_or(usize::MAX));
         let mut batches = table.open(first, self.rows)?;
         while first < rows {
             let batch = batches.next(self.language).map_err(|why| table.refused(&why.text(self.language)))?;
             let Some(batch) = batch else { break };
-            let answers = sweep.batch(&batch, first, asked.patience)?;
+            let answers = sweep.batch(&batch, first, inquiry.progress)?;
             let bytes = sweep_io::part(&answers).map_err(|why| self.unread(&why))?;
             self.parts.put(index, &bytes).map_err(|trouble| self.failed(trouble))?;
             first += batch.num_rows() as u64;

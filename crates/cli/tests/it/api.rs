@@ -6,7 +6,7 @@ use crate::run;
 use page::{Call, Method, Reply, Shell};
 use project::Files;
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use run::{root, run_with};
 use std::io::Read;
 
@@ -49,7 +49,7 @@ fn asked(path: &str, query: &[(&str, &str)], body: Option<&[u8]>) -> Reply {
         body: body.unwrap_or_default(),
         language: Language::default(),
     };
-    page::respond(&call, &InTheRepository, &Patience::endless())
+    page::respond(&call, &InTheRepository, &Progress::endless())
 }
 
 /// Holds an answer to that of the command: the same bytes, and 422 where the command exits with 2.

@@ -5,8 +5,8 @@ use catalogue::Topic;
 use installation::calendar::{Interval, read_date};
 use installation::fit::{Bore, FitKind, Side, read_bore};
 use installation::joint::LoadCase;
-use installation::mount::{MountAsked, mount};
-use installation::upkeep::{Storage, Task, UpkeepAsked, upkeep};
+use installation::mount::{MountInputs, mount};
+use installation::upkeep::{Storage, Task, UpkeepInputs, upkeep};
 use installation::wiring::{Absent, wiring};
 use order_code::{Brake, OrderCode};
 use quantities::unit::HOUR;
@@ -20,7 +20,7 @@ fn codes() -> impl Iterator<Item = &'static OrderCode> {
 fn every_code_with_data_can_be_mounted_and_no_other() {
     let mut with_data = 0;
     for code in codes() {
-        let found = mount(code, &MountAsked::default());
+        let found = mount(code, &MountInputs::default());
         assert_eq!(found.is_some(), configurator::parameters(code).is_some(), "{code}");
         let Some(found) = found else { continue };
         with_data += 1;
@@ -62,7 +62,7 @@ fn clearances_span_both_tolerances() {
     let bores = ["H7", "K7", "N7", "+0.012/-0.003 mm"].map(|text| read_bore(text).unwrap());
     for code in codes().filter(|code| configurator::parameters(code).is_some()) {
         for bore in [None, Some(bores[0]), Some(bores[1]), Some(bores[2]), Some(bores[3])] {
-            let asked = MountAsked { bore_load: bore, bore_housing: bore, ..MountAsked::default() };
+            let asked = MountInputs { bore_load: bore, bore_housing: bore, ..MountInputs::default() };
             for fit in mount(code, &asked).unwrap().fits {
                 let (pilot, bore_limits) = (fit.pilot.value, fit.bore_deviations);
                 let width = (pilot.upper - pilot.lower + bore_limits.upper - bore_limits.lower).si();
@@ -82,7 +82,7 @@ fn clearances_span_both_tolerances() {
 #[test]
 fn every_joint_carries_the_peak_torque() {
     for code in codes() {
-        let Some(found) = mount(code, &MountAsked::default()) else { continue };
+        let Some(found) = mount(code, &MountInputs::default()) else { continue };
         for joint in &found.joints {
             assert!(joint.clamp_force.known().unwrap().value.si() > 1000.0, "{code}");
             let cases: Vec<LoadCase> = joint.cases.iter().map(|case| case.case).collect();
@@ -110,8 +110,8 @@ fn every_joint_carries_the_peak_torque() {
     }
 }
 
-fn asked() -> UpkeepAsked {
-    UpkeepAsked {
+fn asked() -> UpkeepInputs {
+    UpkeepInputs {
         delivered: read_date("2026-03-01").unwrap(),
         storage: Some(Storage::For(Interval::Months(6))),
         hours_per_day: Some(Time::new_in(10.0, &HOUR)),
@@ -166,7 +166,7 @@ fn shutting_down_has_its_order() {
 #[test]
 fn a_storage_longer_than_two_years_is_reported() {
     let code = order_code::parse("CHA-14A-50-E-M128S").unwrap().code;
-    let stored = |storage| upkeep(&code, &UpkeepAsked { storage: Some(storage), ..asked() });
+    let stored = |storage| upkeep(&code, &UpkeepInputs { storage: Some(storage), ..asked() });
     assert!(stored(Storage::For(Interval::Months(24))).unwrap().storage_permitted);
     assert!(!stored(Storage::Until(read_date("2028-03-02").unwrap())).unwrap().storage_permitted);
     assert!(stored(Storage::Until(read_date("2026-02-28").unwrap())).is_err());
@@ -179,7 +179,7 @@ fn a_storage_longer_than_two_years_is_reported() {
 fn today_moves_the_series_and_marks_what_has_passed() {
     let code = order_code::parse("CHA-14A-50-E-M128S").unwrap().code;
     let today = read_date("2033-01-15").unwrap();
-    let found = upkeep(&code, &UpkeepAsked { today: Some(today), ..asked() }).unwrap();
+    let found = upkeep(&code, &UpkeepInputs { today: Some(today), ..asked() }).unwrap();
     for line in &found.plan {
         assert_eq!(line.passed, line.next < today, "{:?}", line.task);
         let is_series = line.interval.is_some();
@@ -196,7 +196,7 @@ fn the_storage_ends_for_what_is_stored_alone() {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     let has = |storage: Option<Storage>, today: Option<&str>| {
         let today = today.map(|text| read_date(text).unwrap());
-        let found = upkeep(&code, &UpkeepAsked { storage, today, ..asked() }).unwrap();
+        let found = upkeep(&code, &UpkeepInputs { storage, today, ..asked() }).unwrap();
         found.plan.iter().any(|line| line.task == Task::StorageEnd)
     };
     // Delivered on 2026-03-01, in service from 2026-09-01 on.
@@ -298,7 +298,7 @@ fn every_fact_on_mounting_and_upkeep_is_shown_for_some_code() {
     for code in with_data {
         let plan = upkeep(code, &asked()).unwrap();
         let of_plan = [plan.storage, plan.service, plan.shutdown, plan.disposal].concat();
-        for fact in mount(code, &MountAsked::default()).unwrap().facts.iter().chain(&of_plan) {
+        for fact in mount(code, &MountInputs::default()).unwrap().facts.iter().chain(&of_plan) {
             if !shown.contains(&fact.id) {
                 shown.push(fact.id);
             }

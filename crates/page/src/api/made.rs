@@ -1,11 +1,11 @@
 //! Answers that are drawn, typeset or written as tables.
 
-use crate::{Reply, ReportAsked, Shell};
+use crate::{Reply, ReportInputs, Shell};
 use figures::{By, Drawing, Figure, NoFigure, Size, Theme};
 use quantities::{Language, Length};
 use questions::answer::written;
 use questions::list::{
-    Asked, Cost, Unanswered, commission_checklist, export, media, plot, report, simulate, upkeep_calendar,
+    Cost, Inquiry, Unanswered, commission_checklist, export, media, plot, report, simulate, upkeep_calendar,
 };
 use questions::{Refusal, Rejected};
 use std::borrow::Cow;
@@ -14,7 +14,7 @@ use tables::{Format, Front, Subject};
 use words::{requests, simulation, terminal};
 
 /// Makes an answer.
-type Makes = fn(&Asked<'_>, &dyn Shell) -> Result<Reply, Unanswered>;
+type Makes = fn(&Inquiry<'_>, &dyn Shell) -> Result<Reply, Unanswered>;
 
 /// The questions answered here, by command.
 const MADE: [(&str, Makes); 7] = [
@@ -28,9 +28,9 @@ const MADE: [(&str, Makes); 7] = [
 ];
 
 /// Returns the reply to a question answered here.
-pub(super) fn reply(command: &str, asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+pub(super) fn reply(command: &str, inquiry: &Inquiry<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
     let made = MADE.iter().find(|(made, _)| *made == command);
-    made.map_or(Err(Refusal::NoData.into()), |(_, make)| make(asked, shell))
+    made.map_or(Err(Refusal::NoData.into()), |(_, make)| make(inquiry, shell))
 }
 
 /// Returns `true` if the answer to a question is made here.
@@ -39,22 +39,22 @@ pub(super) fn is_made(command: &str) -> bool {
     MADE.iter().any(|(made, _)| *made == command)
 }
 
-fn openapi(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
-    Ok(Reply::of(200, media::JSON, written(&super::openapi::document(asked.language))))
+fn openapi(inquiry: &Inquiry<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
+    Ok(Reply::of(200, media::JSON, written(&super::openapi::document(inquiry.language))))
 }
 
-fn drawn(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
-    let args = plot::Args::read(&asked.given)?;
-    let project = args.drawn(asked)?;
-    let candidate = args.candidate(&project, asked)?;
+fn drawn(inquiry: &Inquiry<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
+    let args = plot::Args::read(&inquiry.given)?;
+    let project = args.drawn(inquiry)?;
+    let candidate = args.candidate(&project, inquiry)?;
     let figure = args.figure.as_deref().and_then(Figure::of_id).ok_or(Refusal::NoData)?;
     let by = if args.by == Some(true) { By::Length } else { By::Mass };
-    let drawing = figures::draw(figure, &project, &candidate, by, asked.patience, asked.language);
+    let drawing = figures::draw(figure, &project, &candidate, by, inquiry.progress, inquiry.language);
     let drawing = drawing.map_err(|fault| match fault {
         NoFigure::Refused(refusal) => refusal.into(),
-        other => Unanswered::message(other.message(None, asked.language)),
+        other => Unanswered::message(other.message(None, inquiry.language)),
     })?;
-    picture(&drawing, args.theme, [args.width, args.height], asked.language)
+    picture(&drawing, args.theme, [args.width, args.height], inquiry.language)
 }
 
 /// Returns a picture with the stated colours, width and height.
@@ -75,46 +75,46 @@ fn picture(
     Ok(Reply::of(200, media::SVG, svg))
 }
 
-fn typeset(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
-    let language = asked.language;
+fn typeset(inquiry: &Inquiry<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+    let language = inquiry.language;
     let write = shell.report().ok_or_else(|| Unanswered::message(terminal::built_without_report(language)))?;
-    let args = report::Args::read(&asked.given)?;
-    let axes = args.axes(asked)?;
-    let bytes = write(&ReportAsked {
-        text: asked.source()?.text(language)?,
+    let args = report::Args::read(&inquiry.given)?;
+    let axes = args.axes(inquiry)?;
+    let bytes = write(&ReportInputs {
+        text: inquiry.source()?.text(language)?,
         axes: &axes,
         args: &args,
         language,
-        patience: asked.patience,
+        progress: inquiry.progress,
     });
     Ok(Reply::of(200, media::PDF, bytes.map_err(Unanswered::message)?).saved_as("antrieb.pdf"))
 }
 
-fn checklist(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
-    let language = asked.language;
+fn checklist(inquiry: &Inquiry<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+    let language = inquiry.language;
     let write = shell.checklist().ok_or_else(|| Unanswered::message(terminal::built_without_report(language)))?;
-    let sheet = commission_checklist::found(asked)?;
+    let sheet = commission_checklist::found(inquiry)?;
     let bytes = write(&sheet, language).map_err(Unanswered::message)?;
     Ok(Reply::of(200, media::PDF, bytes).saved_as(&format!("{}.pdf", sheet.code)))
 }
 
-fn calendar(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
-    let (plan, found, name) = upkeep_calendar::found(asked)?;
-    let text = tables::calendar(&plan, &found, name.as_deref(), asked.language);
+fn calendar(inquiry: &Inquiry<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
+    let (plan, found, name) = upkeep_calendar::found(inquiry)?;
+    let text = tables::calendar(&plan, &found, name.as_deref(), inquiry.language);
     Ok(Reply::of(200, media::CALENDAR, text).saved_as(&format!("{}.ics", found.code)))
 }
 
 /// Returns the record of a run, its course as a table, or a picture of it.
-fn simulated(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
-    let language = asked.language;
-    let args = simulate::Args::read(&asked.given)?;
+fn simulated(inquiry: &Inquiry<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
+    let language = inquiry.language;
+    let args = simulate::Args::read(&inquiry.given)?;
     let stated = |name: &'static str, why: &str| Unanswered::option(name, (why.to_owned(), None));
     if args.format.as_deref() == Some(simulate::PICTURE_FORMAT) {
         if !args.signals.is_empty() {
             return Err(stated("signals", simulation::signals_need_a_format(language)));
         }
-        let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
-        let run = args.simulated(&project, asked, true)?;
+        let (_, project) = inquiry.axis(args.axis.as_deref(), Cost::Other)?;
+        let run = args.simulated(&project, inquiry, true)?;
         let drawing = figures::of_a_run(args.figure.as_deref(), &run, language);
         return picture(&drawing, args.theme, [args.width, args.height], language);
     }
@@ -124,13 +124,13 @@ fn simulated(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     let format = args.format.as_deref().and_then(Format::of_ending).filter(|format| *format != Format::Json);
     let Some(format) = format else {
         if args.signals.is_empty() {
-            let answer = simulate::record(&args, asked)?;
+            let answer = simulate::record(&args, inquiry)?;
             return Ok(Reply::of(200, answer.media, answer.text));
         }
         return Err(stated("signals", simulation::signals_need_a_format(language)));
     };
-    let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
-    let run = args.simulated(&project, asked, true)?;
+    let (_, project) = inquiry.axis(args.axis.as_deref(), Cost::Other)?;
+    let run = args.simulated(&project, inquiry, true)?;
     let (media, bytes) = match format {
         Format::Parquet => {
             let bytes = tables::parquet(&tables::trace(&run.course, &args.signals, language));
@@ -149,9 +149,9 @@ fn simulated(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
     Ok(Reply::of(200, media, bytes).saved_as(&format!("trace.{}", format.ending())))
 }
 
-fn tabled(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
-    let language = asked.language;
-    let args = export::Args::read(&asked.given)?;
+fn tabled(inquiry: &Inquiry<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+    let language = inquiry.language;
+    let args = export::Args::read(&inquiry.given)?;
     let table = args.table.as_deref();
     let usual = if table.is_some() { Format::Json } else { Format::Workbook };
     let format = args.format.as_deref().and_then(Format::of_ending).unwrap_or(usual);
@@ -162,11 +162,11 @@ fn tabled(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
         }
         (Format::Workbook, None) | (Format::Json | Format::Csv | Format::Parquet, Some(_)) => {}
     }
-    let (axis, project) = args.axis(asked)?;
+    let (axis, project) = args.axis(inquiry)?;
     format.within(&project, table, shell.files().grant().memory)?;
-    let sizing = questions::list::size::sized(&project, args.top, Rejected::All, asked.patience)?;
+    let sizing = questions::list::size::sized(&project, args.top, Rejected::All, inquiry.progress)?;
     let chosen = questions::candidate_for(&project, args.code.as_ref(), || Ok(Cow::Borrowed(&sizing)))?;
-    let source = asked.source()?;
+    let source = inquiry.source()?;
     let (text, top) = (source.text(language)?, args.top);
     let subject = Subject { text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
     let not_written = |error: tables::WriteError| Unanswered::message(error.message(language));

@@ -25,7 +25,7 @@ impl Shell for Alone {
 
 fn sent(method: Method, path: &str, query: &str, media: Option<&str>, body: &[u8]) -> Reply {
     let call = Call { method, path, query, media, body, language: Language::default() };
-    crate::respond(&call, &Alone(None), &Patience::limited())
+    crate::respond(&call, &Alone(None), &Progress::limited())
 }
 
 fn get(path: &str, query: &str) -> Reply {
@@ -182,8 +182,8 @@ fn a_picture_is_svg() {
 
 #[test]
 fn whoever_does_not_wait_gets_no_answer() {
-    let patience = Patience::limited();
-    patience.cancel();
+    let progress = Progress::limited();
+    progress.cancel();
     let call = Call {
         method: Method::Post,
         path: "/api/v1/size",
@@ -192,7 +192,7 @@ fn whoever_does_not_wait_gets_no_answer() {
         body: PROJECT.as_bytes(),
         language: Language::default(),
     };
-    assert_eq!(crate::respond(&call, &Alone(None), &patience).status, 503);
+    assert_eq!(crate::respond(&call, &Alone(None), &progress).status, 503);
 }
 
 #[test]
@@ -207,7 +207,7 @@ fn a_delivery_that_has_not_been_is_no_matter_of_a_shell_without_a_clock() {
             body: b"",
             language: Language::default(),
         };
-        crate::respond(&call, &Alone(days), &Patience::limited()).status
+        crate::respond(&call, &Alone(days), &Progress::limited()).status
     };
     assert_eq!([asked(None), asked(Some(20_514)), asked(Some(20_511))], [200, 200, 422]);
 }
@@ -292,14 +292,14 @@ fn a_report_has_the_title_page_of_its_request() {
     let media = Some("application/toml");
     let (method, path, body) = (Method::Post, "/api/v1/report", PROJECT.as_bytes());
     let call = Call { method, path, query, media, body, language: Language::default() };
-    let reply = crate::respond(&call, &Asking, &Patience::limited());
+    let reply = crate::respond(&call, &Asking, &Progress::limited());
     let told = String::from_utf8(reply.body).unwrap();
     assert_eq!((reply.status, reply.media), (200, media::PDF), "{told}");
     for part in ["Kunde AG", "4711", "\"Hub\"", "\"Last\"", "archive: true", "full: true", "installation: false"] {
         assert!(told.contains(part), "{part}: {told}");
     }
     let call = Call { query: "change=only%20a%20text", ..call };
-    assert_eq!(crate::respond(&call, &Asking, &Patience::limited()).status, 422);
+    assert_eq!(crate::respond(&call, &Asking, &Progress::limited()).status, 422);
 }
 
 /// Every argument of the report but those that the page gives itself has a field in its menu.
@@ -309,7 +309,7 @@ fn the_menu_has_a_field_for_every_argument_of_the_report() {
     let media = Some("application/x-www-form-urlencoded");
     let (method, path, language) = (Method::Post, "/work", Language::default());
     let call = Call { method, path, query: "", media, body: body.as_bytes(), language };
-    let reply = crate::respond(&call, &Asking, &Patience::limited());
+    let reply = crate::respond(&call, &Asking, &Progress::limited());
     let html = String::from_utf8(reply.body).unwrap();
     for argument in questions::list::report::Args::ARGUMENTS {
         let is_given = ["axis", "code", "date"].contains(&argument.name);

@@ -8,7 +8,7 @@ use maud::{Markup, PreEscaped, html};
 use project::BODY_SHAPES;
 use quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Language, Measure, Torque, format_significant};
-use questions::list::{Asked, Unanswered};
+use questions::list::{Inquiry, Unanswered};
 use questions::texts::{battery_lines, torsion_lines};
 use questions::{PerformanceCurve, answer, chapter, curve_rows, list};
 use words::{
@@ -25,18 +25,18 @@ pub(super) fn picture(drawing: &Drawing, name: &str, theme: Theme, language: Lan
     html! { figure.plot { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
 }
 
-pub(super) fn curve(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let l = asked.language;
-    let (code, plane) = list::curve::found(asked)?;
+pub(super) fn curve(inquiry: &Inquiry<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let l = inquiry.language;
+    let (code, plane) = list::curve::found(inquiry)?;
     Ok(html! {
         (picture(&figures::curves(&code, &plane, l), "tool-curve", scene.theme, l))
         @for curve in &plane.curves { (curve_table(curve, l)) }
     })
 }
 
-pub(super) fn encoder(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let l = asked.language;
-    let found = list::encoder::found(asked)?;
+pub(super) fn encoder(inquiry: &Inquiry<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let l = inquiry.language;
+    let found = list::encoder::found(inquiry)?;
     let title = capitalised(words::encoder::turn_the_shaft(l));
     let angle = found.motor.shaft.angle_deg.0;
     Ok(html! {
@@ -70,28 +70,30 @@ fn curve_table(curve: &PerformanceCurve, language: Language) -> Markup {
     }
 }
 
-pub(super) fn torsion(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let l = asked.language;
-    let (code, found) = list::torsion::found(asked)?;
+pub(super) fn torsion(inquiry: &Inquiry<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let l = inquiry.language;
+    let (code, found) = list::torsion::found(inquiry)?;
     let drawing = figures::torsion_curve(&code.to_string(), &found.at(), l);
     Ok(html! {
         @for (place, line) in torsion_lines(&code, &found, l).iter().enumerate() {
             p { @if place == 0 { strong { (line) } } @else { (capitalised(line)) } }
         }
-        p.small { (answer::torsion(&code, &found, asked.language).source) }
+        p.small { (answer::torsion(&code, &found, inquiry.language).source) }
         (picture(&drawing, "tool-torsion", scene.theme, l))
     })
 }
 
-pub(super) fn battery(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let found = list::battery::found(asked)?;
-    let source = source_text(&found.life.source, asked.language);
-    Ok(html! { @for line in battery_lines(&found, asked.language) { p { (capitalised(&line)) } } p.small { (source) } })
+pub(super) fn battery(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let found = list::battery::found(inquiry)?;
+    let source = source_text(&found.life.source, inquiry.language);
+    Ok(
+        html! { @for line in battery_lines(&found, inquiry.language) { p { (capitalised(&line)) } } p.small { (source) } },
+    )
 }
 
-pub(super) fn inertia(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let l = asked.language;
-    let found = list::inertia::found(asked)?;
+pub(super) fn inertia(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let l = inquiry.language;
+    let found = list::inertia::found(inquiry)?;
     let number = |value: f64| format_significant(value, 4, l);
     let total = &found.total;
     let heads = ["z", "m [kg]", "r [mm]", "φ [°]", "J_own [kgm²]", "m r² [kgm²]", "J [kgm²]"];
@@ -136,9 +138,9 @@ fn shapes(language: Language) -> Markup {
     }
 }
 
-pub(super) fn wiring(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let l = asked.language;
-    let (found, record) = list::wiring::found(asked)?;
+pub(super) fn wiring(inquiry: &Inquiry<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let l = inquiry.language;
+    let (found, record) = list::wiring::found(inquiry)?;
     let drawn = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
     let drawings: Vec<Markup> = drawn
         .map(|connector| {
@@ -150,19 +152,19 @@ pub(super) fn wiring(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Una
     Ok(html! { div.faces { @for each in &drawings { (each) } } (laid_out(&chapter::wiring(&record, Vec::new(), l))) })
 }
 
-pub(super) fn mount(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
-    Ok(laid_out(&chapter::mount(&list::mount::found(asked)?, asked.language)))
+pub(super) fn mount(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    Ok(laid_out(&chapter::mount(&list::mount::found(inquiry)?, inquiry.language)))
 }
 
 /// Returns the mounting under the loads of the project.
-pub(super) fn mount_in_project(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
-    Ok(laid_out(&chapter::mount(&list::mount_project::found(asked)?, asked.language)))
+pub(super) fn mount_in_project(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    Ok(laid_out(&chapter::mount(&list::mount_project::found(inquiry)?, inquiry.language)))
 }
 
-pub(super) fn commission(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let l = asked.language;
-    let (sheet, objects) = list::commission::found(asked)?;
-    let ambient = asked.given.all("ambient").next().map(|text| ("ambient", text));
+pub(super) fn commission(inquiry: &Inquiry<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let l = inquiry.language;
+    let (sheet, objects) = list::commission::found(inquiry)?;
+    let ambient = inquiry.given.all("ambient").next().map(|text| ("ambient", text));
     let file = |what: &str, more: &[(&str, &str)]| {
         let own = [("code", sheet.code.as_str()), ("lang", l.id())];
         format!("/api/v1/{what}?{}", query(own.iter().chain(more).copied()))
@@ -181,11 +183,11 @@ pub(super) fn commission(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup,
     })
 }
 
-pub(super) fn upkeep(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let l = asked.language;
-    let (_, found) = list::upkeep::found(asked)?;
+pub(super) fn upkeep(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let l = inquiry.language;
+    let (_, found) = list::upkeep::found(inquiry)?;
     let said = ["code", "delivered", "storage", "hours-per-day", "inspect", "today"];
-    let said = said.into_iter().filter_map(|name| Some((name, asked.given.all(name).next()?)));
+    let said = said.into_iter().filter_map(|name| Some((name, inquiry.given.all(name).next()?)));
     Ok(html! {
         p.downloads { a.button href={ "/api/v1/upkeep/calendar?" (query(said.chain([("lang", l.id())]))) } download { (page::calendar_file(l)) } }
         (laid_out(&chapter::upkeep(&found, l)))

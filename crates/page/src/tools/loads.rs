@@ -34,7 +34,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     let text = fields
         .iter()
         .fold(AROUND.to_owned(), |text, field| edit(&text, &field.name, Edit::Value(&field.value)).unwrap_or(text));
-    let read = |text: &str| read_all_watched(text, scene.shell.files(), scene.patience);
+    let read = |text: &str| read_all_watched(text, scene.shell.files(), scene.progress);
     let (projects, troubles) = match read(&text) {
         Ok(projects) => (projects, Vec::new()),
         Err(Unread::Faults(found)) => {
@@ -78,7 +78,7 @@ fn field(path: &str, first: &str, scene: &Scene<'_>) -> Option<ToolField> {
 fn answer(project: &Project, scene: &Scene<'_>) -> Markup {
     let l = scene.language;
     // A cancelled answer is not shown.
-    let Ok(sizes) = bearing_of_each_size(project, scene.patience) else { return html! {} };
+    let Ok(sizes) = bearing_of_each_size(project, scene.progress) else { return html! {} };
     let of_code = read_code(&scene.about, l).ok().map(|reading| reading.parsed.code.size);
     if sizes.iter().all(|(_, candidate)| bearing_checks(candidate).next().is_none()) {
         return html! { p.unchecked { (terms::no_flange_loads(l)) } };

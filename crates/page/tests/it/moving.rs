@@ -4,7 +4,7 @@
 use page::{Call, Method, Reply, Shell, respond};
 use project::Files;
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use questions::list::new::template;
 use std::io::{Cursor, Error, ErrorKind, Read, Result};
 use std::time::Duration;
@@ -42,7 +42,7 @@ impl Shell for OneRecording {
 
 const LOG: &str = "zeit [s];gemessen;drehmoment [Nm];M [Nm]\n0,0;0;1;2\n0,1;5;1;2\n0,2;10;1;2\n0,3;5;1;2\n0,4;0;1;2\n";
 
-fn ask(path: &str, fields: &[(&str, &str)], patience: &Patience) -> Reply {
+fn ask(path: &str, fields: &[(&str, &str)], progress: &Progress) -> Reply {
     let one = |(key, value): &(&str, &str)| {
         let code = |text: &str| text.bytes().map(|byte| format!("%{byte:02x}")).collect::<String>();
         format!("{}={}", code(key), code(value))
@@ -50,11 +50,11 @@ fn ask(path: &str, fields: &[(&str, &str)], patience: &Patience) -> Reply {
     let body = fields.iter().map(one).collect::<Vec<_>>().join("&");
     let media = Some("application/x-www-form-urlencoded");
     let call = Call { method: Method::Post, path, query: "", media, body: body.as_bytes(), language: Language::En };
-    respond(&call, &OneRecording(LOG), patience)
+    respond(&call, &OneRecording(LOG), progress)
 }
 
 fn page(path: &str, fields: &[(&str, &str)]) -> String {
-    let reply = ask(path, fields, &Patience::endless());
+    let reply = ask(path, fields, &Progress::endless());
     assert_eq!(reply.status, 200);
     String::from_utf8(reply.body).unwrap()
 }
@@ -82,13 +82,13 @@ fn work_that_ends_early_takes_the_change_and_leaves_the_result_in_its_place() {
     let text = belt();
     let fields = [("text", text.as_str()), ("path", "mechanism.belt.mass"), ("value", "21 kg")];
     for (is_late, words) in [(true, "answered within 7 s"), (false, "Cancelled")] {
-        let patience = Patience::limited();
+        let progress = Progress::limited();
         if is_late {
-            patience.expire()
+            progress.expire()
         } else {
-            patience.cancel()
+            progress.cancel()
         };
-        let reply = ask("/work", &fields, &patience);
+        let reply = ask("/work", &fields, &progress);
         assert!(reply.headers.contains(&("hx-reswap", String::from("none"))), "{:?}", reply.headers);
         let html = String::from_utf8(reply.body).unwrap();
         assert!(html.contains(words) && html.contains("the one before the change") && html.contains("id=\"again\""));
@@ -101,7 +101,7 @@ fn work_that_ends_early_takes_the_change_and_leaves_the_result_in_its_place() {
             assert!(html.contains(&format!("hx-target=\"{target}\"")), "{target}");
         }
     }
-    let over = Patience::limited();
+    let over = Progress::limited();
     over.cancel();
     let first = String::from_utf8(ask("/", &[("text", &text)], &over).body).unwrap();
     assert!(
@@ -116,12 +116,12 @@ fn progress_is_told_in_words_and_a_work_is_cancelled_by_its_name() {
     let get = |query: &str| {
         let call =
             Call { method: Method::Get, path: page::PROGRESS, query, media: None, body: &[], language: Language::De };
-        let reply = respond(&call, &OneRecording(LOG), &Patience::endless());
+        let reply = respond(&call, &OneRecording(LOG), &Progress::endless());
         (reply.status, String::from_utf8(reply.body).unwrap())
     };
     assert_eq!(get("work=mine"), (200, String::from("Rechnet 25 %")));
     assert_eq!(get("work=other").0, 404);
-    let cancel = |work| ask(page::CANCEL, &[("work", work)], &Patience::endless()).status;
+    let cancel = |work| ask(page::CANCEL, &[("work", work)], &Progress::endless()).status;
     assert_eq!((cancel("mine"), cancel("other")), (200, 404));
 }
 

@@ -6,7 +6,7 @@ use crate::shell;
 
 use page::{Call, Method, respond};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use questions::list::new::{template, template_kinds};
 use shell::{Alone, form, get, page};
 use testkit::readers::{english, identifiers, text_of};
@@ -15,7 +15,7 @@ fn worked(path: &str, fields: &[(&str, &str)], language: Language) -> String {
     let body = form(fields);
     let media = Some("application/x-www-form-urlencoded");
     let call = Call { method: Method::Post, path, query: "", media, body: body.as_bytes(), language };
-    page(&respond(&call, &Alone, &Patience::endless()))
+    page(&respond(&call, &Alone, &Progress::endless()))
 }
 
 fn faults(place: &str, html: &str, language: Language) -> Vec<String> {

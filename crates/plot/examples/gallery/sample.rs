@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use plot::{
-    Area, Axis, Bar, BarChart, Dash, Hatch, Label, Line, Markers, Note, Panel, Picture, Reference, Shape, StackedChart,
-    Style, Tone, Verdict, Width, XyChart,
+    Area, Bar, BarChart, Dash, Hatch, Label, Line, Markers, Note, Panel, Picture, PlaneAxis, Reference, Shape,
+    StackedChart, Style, Tone, Verdict, Width, XyChart,
 };
 use quantities::{Language, format_number};
 
@@ -47,8 +47,8 @@ fn plane(language: Language, style: &Style) -> Picture {
         })
         .collect();
     let mut chart = XyChart::new(
-        Axis::new("n_out", "min⁻¹").name(say(language, "Output speed", "Abtriebsdrehzahl")).minor_ticks(),
-        Axis::new("T_out", "Nm").name(say(language, "Output torque", "Abtriebsdrehmoment")).minor_ticks(),
+        PlaneAxis::new("n_out", "min⁻¹").name(say(language, "Output speed", "Abtriebsdrehzahl")).minor_ticks(),
+        PlaneAxis::new("T_out", "Nm").name(say(language, "Output torque", "Abtriebsdrehmoment")).minor_ticks(),
     )
     .title(say(
         language,
@@ -106,8 +106,8 @@ fn torsion(language: Language, style: &Style) -> Picture {
     };
     let points = (-200..=200).map(|i| f64::from(i) * 0.15).map(|t| (t, curve(t)));
     XyChart::new(
-        Axis::new("T", "Nm").name(say(language, "Torque", "Drehmoment")),
-        Axis::new("φ", "arcmin").name(say(language, "Torsion", "Verdrehung")),
+        PlaneAxis::new("T", "Nm").name(say(language, "Torque", "Drehmoment")),
+        PlaneAxis::new("φ", "arcmin").name(say(language, "Torsion", "Verdrehung")),
     )
     .title(say(language, "Torsion of the gear", "Torsion des Getriebes"))
     .with(
@@ -143,18 +143,18 @@ fn stacked(language: Language, style: &Style) -> Picture {
             Some((t, *sum))
         })
         .collect();
-    StackedChart::new(Axis::new("t", "s").name(say(language, "Time", "Zeit")).minor_ticks())
+    StackedChart::new(PlaneAxis::new("t", "s").name(say(language, "Time", "Zeit")).minor_ticks())
         .title(say(language, "Cycle of the turntable", "Zyklus des Drehtisches"))
         .segment(0.0, 0.4, say(language, "accelerate", "Beschleunigen"))
         .segment(0.4, 0.9, say(language, "constant speed", "Konstante Drehzahl"))
         .segment(0.9, 1.3, say(language, "brake", "Bremsen"))
         .segment(1.3, 2.0, say(language, "dwell, held by the motor", "Stillstand, vom Motor gehalten"))
         .panel(
-            Panel::new(Axis::new("φ", "°").name(say(language, "Angle", "Winkel")))
+            Panel::new(PlaneAxis::new("φ", "°").name(say(language, "Angle", "Winkel")))
                 .with(Line::new(angle).tone(Tone::Trace)),
         )
         .panel(
-            Panel::new(Axis::new("n_out", "min⁻¹").name(say(language, "Speed", "Drehzahl")))
+            Panel::new(PlaneAxis::new("n_out", "min⁻¹").name(say(language, "Speed", "Drehzahl")))
                 .with(Line::new(times().map(|t| (t, speed(t)))))
                 .with(
                     Reference::horizontal(52.0)
@@ -164,7 +164,7 @@ fn stacked(language: Language, style: &Style) -> Picture {
                 ),
         )
         .panel(
-            Panel::new(Axis::new("T_out", "Nm").name(say(language, "Torque", "Drehmoment")))
+            Panel::new(PlaneAxis::new("T_out", "Nm").name(say(language, "Torque", "Drehmoment")))
                 .with(Line::new(times().map(|t| (t, torque(t)))).label(say(language, "demand", "Bedarf")))
                 .with(Line::new(times().map(|t| (t, torque(t) * 0.8 + 3.0))).tone(Tone::Series(1)).label(say(
                     language,
@@ -178,12 +178,14 @@ fn stacked(language: Language, style: &Style) -> Picture {
                 ))),
         )
         .panel(
-            Panel::new(Axis::new("I", "A").name(say(language, "Current", "Strom")))
+            Panel::new(PlaneAxis::new("I", "A").name(say(language, "Current", "Strom")))
                 .with(Line::new(times().map(|t| (t, current(t)))).tone(Tone::Series(0))),
         )
         .panel(
             Panel::new(
-                Axis::new("ϑ_w", "°C").name(say(language, "Winding temperature", "Wicklungstemperatur")).without_zero(),
+                PlaneAxis::new("ϑ_w", "°C")
+                    .name(say(language, "Winding temperature", "Wicklungstemperatur"))
+                    .without_zero(),
             )
             .with(
                 Line::new(times().map(|t| (t, 70.0 + 4.0 * (1.0 - (-t).exp()) + 0.6 * (t * 5.0).sin())))
@@ -220,7 +222,7 @@ fn bars(language: Language, style: &Style) -> Picture {
         ("Life L10", "Lebensdauer L10", Pass, 8.2),
         ("Screw joint", "Schraubverbindung", NotChecked, 0.0),
     ];
-    let mut chart = BarChart::new(Axis::new("", "%").name(say(language, "Utilisation", "Auslastung"))).title(say(
+    let mut chart = BarChart::new(PlaneAxis::new("", "%").name(say(language, "Utilisation", "Auslastung"))).title(say(
         language,
         "Checks",
         "Nachweise",
@@ -261,8 +263,8 @@ fn map(language: Language, style: &Style) -> Picture {
         .collect();
     let of = |from: f64, to: f64| points.iter().filter(move |p| p.1 >= from && p.1 < to).cloned().collect::<Vec<_>>();
     XyChart::map(
-        Axis::new("m", "kg").name(say(language, "Mass", "Masse")),
-        Axis::new("", "%").name(say(language, "Highest utilisation", "Höchste Auslastung")),
+        PlaneAxis::new("m", "kg").name(say(language, "Mass", "Masse")),
+        PlaneAxis::new("", "%").name(say(language, "Highest utilisation", "Höchste Auslastung")),
     )
     .title(say(language, "Candidates", "Kandidaten"))
     .class(say(language, "fits", "geeignet"), Tone::Series(0), of(0.0, 80.0))

@@ -16,7 +16,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyCapsule, PyDict, PyFloat, PyInt, PyList, PyString};
 use quantities::Language;
 use questions::list::Unanswered;
-use questions::{Patience, Refusal};
+use questions::{Progress, Refusal};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -260,8 +260,8 @@ impl Sweep {
         let py = batch.py();
         let (schema, batches) = capsules::table(batch)?;
         self.is_of(py, &schema)?;
-        let patience = Patience::endless();
-        let found = beside(py, &patience, None, || self.sweep.whole(&batches, first_row, self.memory, &patience))?;
+        let progress = Progress::endless();
+        let found = beside(py, &progress, None, || self.sweep.whole(&batches, first_row, self.memory, &progress))?;
         let batches = found.map_err(|why| refused(py, &why.record(None, self.language)))?;
         Ok(Table { schema: self.sweep.schema(), batches })
     }
@@ -294,7 +294,7 @@ impl Sweep {
         };
         let call = SweepCall { text: text(handed), pairs, memory, language };
         let ready = || Ok((call.prepared(schema, batches)?, call.memory_allowed()?));
-        let ready = beside(py, &Patience::endless(), None, ready)?;
+        let ready = beside(py, &Progress::endless(), None, ready)?;
         let (sweep, memory) = ready.map_err(|why: Unanswered| refused(py, &why.record(None, language)))?;
         Ok(Self { sweep, memory, language, made_of })
     }
@@ -303,12 +303,12 @@ impl Sweep {
     fn judged(&self, py: Python<'_>, batches: &[RecordBatch], deadline: Option<&str>, checks: bool) -> PyResult<Table> {
         let deadline = deadline.map(|text| antrieb::deadline_of(text, self.language)).transpose();
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, self.language)))?;
-        let patience = if deadline.is_some() { Patience::limited() } else { Patience::endless() };
-        let found = beside(py, &patience, deadline, || {
+        let progress = if deadline.is_some() { Progress::limited() } else { Progress::endless() };
+        let found = beside(py, &progress, deadline, || {
             if checks {
                 checked(&self.sweep, batches)?;
             }
-            self.sweep.whole(batches, 0, self.memory, &patience)
+            self.sweep.whole(batches, 0, self.memory, &progress)
         })?;
         let waited_s = deadline.map(|most| most.as_secs_f64());
         let batches = found.map_err(|why| refused(py, &why.record(waited_s, self.language)))?;

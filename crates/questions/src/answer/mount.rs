@@ -5,7 +5,7 @@ use answers::{CitedErratum, Fit, Id, Joint, JointCase, MountValue, Number, Pilot
 use catalogue::Cell;
 use installation::fit::{Bore, FitKind};
 use installation::joint::{CaseAnswer, LoadCase};
-use installation::mount::{Mount, MountAsked};
+use installation::mount::{Mount, MountInputs};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::unit::{KILOGRAM, MICROMETRE, MILLIMETRE, NEWTON, NEWTON_METRE, ONE};
 use quantities::{Language, Measure, Unit};
@@ -24,7 +24,7 @@ const TOLERANCES_DRAWN_IN: &str = "55.2";
 
 /// Returns the mounting data of an actuator; with the name of an axis, its loads replace the limits of the manual.
 #[must_use]
-pub fn mount(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: Language) -> answers::Mount {
+pub fn mount(mount: &Mount, asked: &MountInputs, axis: Option<&str>, language: Language) -> answers::Mount {
     let joints: Vec<Joint> = mount.joints.iter().map(|each| joint(each, language)).collect();
     let slips = joints.iter().flat_map(|joint| &joint.cases).any(|case| *case.verdict == Verdict::Fail);
     let millimetres = |symbol, datum: &Datum<_>| value(symbol, datum, &MILLIMETRE, language);
@@ -70,7 +70,7 @@ pub fn mount(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: La
     }
 }
 
-fn notes(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: Language) -> Vec<String> {
+fn notes(mount: &Mount, asked: &MountInputs, axis: Option<&str>, language: Language) -> Vec<String> {
     let mut notes: Vec<String> = mount.uncovered.iter().map(|what| describe_uncovered(*what, language)).collect();
     let named_otherwise = mount.fits.iter().find_map(|fit| match fit.bore {
         Bore::Zone(zone) if zone == fit.recommended.value && fit.kind != FitKind::Transition => {

@@ -1,7 +1,7 @@
 //! `battery`: the life of the battery of a buffered encoder.
 
 use super::given::{arguments, one, some};
-use super::{Answer, Argument, Asked, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::{battery, read_hours, read_quantity};
 use actuator::BatteryLife;
@@ -30,15 +30,15 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Battery>("battery")),
     writes: &[],
     example: "--hours-per-day 10",
-    answer: Some(|asked| Ok(Answer::record(&answer::battery(&found(asked)?)))),
+    answer: Some(|inquiry| Ok(Answer::record(&answer::battery(&found(inquiry)?)))),
 };
 
 /// Returns the life of the battery.
 ///
 /// # Errors
 /// Every fault of the arguments.
-pub fn found(asked: &Asked<'_>) -> Result<BatteryLife, Unanswered> {
-    let Args { hours_per_day, storage } = Args::read(&asked.given)?;
-    battery(hours_per_day, storage.unwrap_or_else(|| Time::from_si(0.0)), asked.language)
+pub fn found(inquiry: &Inquiry<'_>) -> Result<BatteryLife, Unanswered> {
+    let Args { hours_per_day, storage } = Args::read(&inquiry.given)?;
+    battery(hours_per_day, storage.unwrap_or_else(|| Time::from_si(0.0)), inquiry.language)
         .map_err(|message| Unanswered::option("hours-per-day", (message, None)))
 }

@@ -4,7 +4,7 @@ use super::given::{arguments, text};
 use super::{AXIS, Cost, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::chapters::{bearing_checks, bearing_of_each_size};
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::sizing_use::Candidate;
 use order_code::Size;
 use project::Project;
@@ -34,7 +34,7 @@ pub static ENTRY: Entry = Entry {
         let args = Args::read(&asked.given)?;
         let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
         asked.record_of_each(&axes, |project| {
-            let found = sizes(project, asked.patience, asked.language)?;
+            let found = sizes(project, asked.progress, asked.language)?;
             Ok((answer::bearings(&found, asked.language), answers::Fit::of(fits(&found))))
         })
     }),
@@ -46,14 +46,14 @@ pub static ENTRY: Entry = Entry {
 /// If the project has no loads on the flange, or the work was cancelled.
 pub fn sizes<'p>(
     project: &'p Project,
-    patience: &Patience,
+    progress: &Progress,
     language: Language,
 ) -> Result<Vec<(Size, Candidate<'p>)>, Unanswered> {
     // Without a load no size differs from another.
     if !project.axis.bearing.as_ref().is_some_and(|duty| duty.has_loads) {
         return Err(Unanswered::message(terms::no_flange_loads(language)));
     }
-    Ok(bearing_of_each_size(project, patience)?)
+    Ok(bearing_of_each_size(project, progress)?)
 }
 
 /// Returns `true` if the bearing of at least one size carries the loads.

@@ -4,7 +4,7 @@ use super::given::{arguments, number, some_code_among, text};
 use super::size::{SAMPLES, SEED, draw};
 use super::{AXIS, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_one};
 use crate::tolerance::{Assessment, Draw, assess_watched};
 use order_code::OrderCode;
@@ -41,7 +41,7 @@ pub static ENTRY: Entry = Entry {
         let args = Args::read(&asked.given)?;
         let axes = asked.axes(args.axis.as_deref(), args.cost())?;
         asked.record_of_each(&axes, |project| {
-            let found = args.verification(project, asked.patience)?;
+            let found = args.verification(project, asked.progress)?;
             Ok((found.record(asked.language), answer::fit(&found.candidate)))
         })
     }),
@@ -58,8 +58,8 @@ impl Args {
     ///
     /// # Errors
     /// As [`verification`].
-    pub fn verification<'p>(&self, project: &'p Project, patience: &Patience) -> Result<Verification<'p>, Refusal> {
-        verification(project, self.code.as_ref(), draw(self.samples, self.seed), patience)
+    pub fn verification<'p>(&self, project: &'p Project, progress: &Progress) -> Result<Verification<'p>, Refusal> {
+        verification(project, self.code.as_ref(), draw(self.samples, self.seed), progress)
     }
 }
 
@@ -84,10 +84,10 @@ pub fn verification<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
     draw: Draw,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Verification<'p>, Refusal> {
     let candidate = check_one(project, code)?;
-    let (reserve, assessment) = margins(project, &candidate, draw, patience)?;
+    let (reserve, assessment) = margins(project, &candidate, draw, progress)?;
     Ok(Verification { project, candidate, reserve, assessment })
 }
 
@@ -100,12 +100,12 @@ pub fn margins(
     project: &Project,
     candidate: &Candidate<'_>,
     draw: Draw,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<(Reserve, Option<Assessment>), Refusal> {
     // The step that may be refused comes first.
-    draw.sampling(project, 1, patience.is_limited())?;
-    let reserve = reserve_within(project, candidate, patience)?;
-    Ok((reserve, scatter(project, candidate, draw, patience)?))
+    draw.sampling(project, 1, progress.is_limited())?;
+    let reserve = reserve_within(project, candidate, progress)?;
+    Ok((reserve, scatter(project, candidate, draw, progress)?))
 }
 
 /// Computes the effect of the tolerances of a project on a candidate; `None` without tolerances.
@@ -116,10 +116,10 @@ pub fn scatter(
     project: &Project,
     candidate: &Candidate<'_>,
     draw: Draw,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Option<Assessment>, Refusal> {
-    let sampling = draw.sampling(project, 1, patience.is_limited())?;
-    Ok(assess_watched(project, &[candidate], sampling, patience)?.into_iter().next())
+    let sampling = draw.sampling(project, 1, progress.is_limited())?;
+    Ok(assess_watched(project, &[candidate], sampling, progress)?.into_iter().next())
 }
 
 /// Computes the largest permissible change of one quantity up to which a candidate fits: in full if the call states a
@@ -127,19 +127,19 @@ pub fn scatter(
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
-pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Result<Reserve, Refusal> {
-    if !patience.is_limited() {
-        return reserve_unasked(project, candidate, patience);
+pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, progress: &Progress) -> Result<Reserve, Refusal> {
+    if !progress.is_limited() {
+        return reserve_unasked(project, candidate, progress);
     }
-    Ok(reserve_watched(&project.axis, candidate.parameters, usize::MAX, patience)?)
+    Ok(reserve_watched(&project.axis, candidate.parameters, usize::MAX, progress)?)
 }
 
 /// Computes the reserve of [`reserve_within`] within the default effort.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
-pub fn reserve_unasked(project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Result<Reserve, Refusal> {
-    Ok(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, patience)?)
+pub fn reserve_unasked(project: &Project, candidate: &Candidate<'_>, progress: &Progress) -> Result<Reserve, Refusal> {
+    Ok(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, progress)?)
 }
 
 impl Verification<'_> {

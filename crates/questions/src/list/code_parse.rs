@@ -1,7 +1,7 @@
 //! `code parse CODE`: meaning of an ordering code, field by field.
 
 use super::given::{arguments, text};
-use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::codes::explain_code;
 use crate::codes::{CodeReading, read_code};
@@ -26,14 +26,14 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::CodeReading>("code parse")),
     writes: &[],
     example: "CHA-20A-100-H-C1024-B",
-    answer: Some(|asked| Ok(Answer::record(&answer::code_reading(&reading(asked)?, asked.language)))),
+    answer: Some(|inquiry| Ok(Answer::record(&answer::code_reading(&reading(inquiry)?, inquiry.language)))),
 };
 
 /// Reads the code.
 ///
 /// # Errors
 /// The reason why the text is no code.
-pub fn reading(asked: &Asked<'_>) -> Result<CodeReading, Unanswered> {
-    let text = Args::read(&asked.given)?.code.unwrap_or_default();
-    read_code(&text, asked.language).map_err(|refusal| Unanswered::Code { text, refusal, among: false })
+pub fn reading(inquiry: &Inquiry<'_>) -> Result<CodeReading, Unanswered> {
+    let text = Args::read(&inquiry.given)?.code.unwrap_or_default();
+    read_code(&text, inquiry.language).map_err(|refusal| Unanswered::Code { text, refusal, among: false })
 }

@@ -1,7 +1,7 @@
 //! `commission CODE`: values for the drive, and checklists.
 
 use super::given::{arguments, by_id, code, some, word};
-use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentKind, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
 pub use crate::commission::{Commissioning, DriveForm, commission, usual_ambient};
@@ -61,9 +61,9 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::CommissionAnswer>("commission")),
     writes: &[],
     example: "CHA-25A-100-H-M512P-B --for sinamics",
-    answer: Some(|asked| {
-        let (sheet, objects) = found(asked)?;
-        let is_objects = Args::read(&asked.given)?.form == Some(DriveForm::Cia402);
+    answer: Some(|inquiry| {
+        let (sheet, objects) = found(inquiry)?;
+        let is_objects = Args::read(&inquiry.given)?.form == Some(DriveForm::Cia402);
         Ok(Answer::record(&if is_objects {
             CommissionAnswer::Objects(objects)
         } else {
@@ -76,12 +76,12 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; no data in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<(answers::Commissioning, Vec<answers::DriveObject>), Unanswered> {
-    let Args { code, form, ambient } = Args::read(&asked.given)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(answers::Commissioning, Vec<answers::DriveObject>), Unanswered> {
+    let Args { code, form, ambient } = Args::read(&inquiry.given)?;
     let about = about(&code)?;
     let form = form.unwrap_or(DriveForm::Plain);
-    let objects = if form == DriveForm::Cia402 { answer::drive_objects(&about, asked.language) } else { Vec::new() };
-    Ok((answer::commissioning(&about, form, ambient.unwrap_or_else(usual_ambient), asked.language), objects))
+    let objects = if form == DriveForm::Cia402 { answer::drive_objects(&about, inquiry.language) } else { Vec::new() };
+    Ok((answer::commissioning(&about, form, ambient.unwrap_or_else(usual_ambient), inquiry.language), objects))
 }
 
 /// Returns the data for the commissioning of a code.

@@ -1,7 +1,7 @@
 //! `commission CODE --checklist FILE`: the checklists as a form to fill in; a face typesets it.
 
 use super::given::{arguments, code, some};
-use super::{Asked, CODE, Entry, Gives, OutputFile, Reads, Unanswered, commission, media};
+use super::{CODE, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, commission, media};
 use crate::answer;
 use crate::commission::{DriveForm, usual_ambient};
 use order_code::OrderCode;
@@ -35,8 +35,8 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; no data in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<answers::Commissioning, Unanswered> {
-    let Args { code, ambient } = Args::read(&asked.given)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<answers::Commissioning, Unanswered> {
+    let Args { code, ambient } = Args::read(&inquiry.given)?;
     let ambient = ambient.unwrap_or_else(usual_ambient);
-    Ok(answer::commissioning(&commission::about(&code)?, DriveForm::Plain, ambient, asked.language))
+    Ok(answer::commissioning(&commission::about(&code)?, DriveForm::Plain, ambient, inquiry.language))
 }

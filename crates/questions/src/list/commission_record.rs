@@ -1,7 +1,7 @@
 //! `commission CODE --record FILE`: measured values, judged.
 
 use super::given::{arguments, code};
-use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered, commission};
+use super::{Answer, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered, commission};
 use crate::answer;
 pub use crate::commission::{judge, measured};
 use crate::reading::Unread;
@@ -27,8 +27,8 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Recorded>("commission --record")),
     writes: &[],
     example: "",
-    answer: Some(|asked| {
-        let found = found(asked)?;
+    answer: Some(|inquiry| {
+        let found = found(inquiry)?;
         Ok(Answer::record(&found).fits(found.verdict == Fit::Fits))
     }),
 };
@@ -37,11 +37,11 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Faults of the code and of the record.
-pub fn found(asked: &Asked<'_>) -> Result<Recorded, Unanswered> {
-    let about = commission::about(&Args::read(&asked.given)?.code)?;
-    let source = asked.source()?;
-    let text = source.text(asked.language)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<Recorded, Unanswered> {
+    let about = commission::about(&Args::read(&inquiry.given)?.code)?;
+    let source = inquiry.source()?;
+    let text = source.text(inquiry.language)?;
     let measured = measured(text)
-        .map_err(|faults| Unanswered::unread(Unread::Faults(faults), &source.name, text, asked.language))?;
-    Ok(answer::recorded(&about, &judge(&about, &measured), asked.language))
+        .map_err(|faults| Unanswered::unread(Unread::Faults(faults), &source.name, text, inquiry.language))?;
+    Ok(answer::recorded(&about, &judge(&about, &measured), inquiry.language))
 }

@@ -1,7 +1,7 @@
 //! `compare PROJECT`: comparison of several actuators.
 
 use super::given::{arguments, codes, text};
-use super::{AXIS, Asked, Cost, Entry, Gives, PlacedAxis, Reads, Record, Unanswered, argument};
+use super::{AXIS, Cost, Entry, Gives, Inquiry, PlacedAxis, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckRow, Comparison, DatumRow, compare, errata_of};
 use crate::sizing_use::Refusal;
@@ -33,12 +33,12 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Answered<answers::Comparison>>("compare")),
     writes: &[],
     example: "axis.toml --code CHA-25A-50-H-C1024 --code CHA-32A-50-H-C1024",
-    answer: Some(|asked| {
-        let (args, axes) = put(asked)?;
-        asked.record_of_each(&axes, |project| {
-            let found = args.comparison(project, asked)?;
+    answer: Some(|inquiry| {
+        let (args, axes) = put(inquiry)?;
+        inquiry.record_of_each(&axes, |project| {
+            let found = args.comparison(project, inquiry)?;
             let best = found.candidates.iter().map(answer::fit).min().unwrap_or(Fit::DoesNotFit);
-            Ok((answer::comparison(&found, &project.name, asked.language), best))
+            Ok((answer::comparison(&found, &project.name, inquiry.language), best))
         })
     }),
 };
@@ -47,13 +47,13 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of them.
-pub fn put(asked: &Asked<'_>) -> Result<(Args, Vec<PlacedAxis>), Unanswered> {
-    let count = asked.given.all("code").count();
+pub fn put(inquiry: &Inquiry<'_>) -> Result<(Args, Vec<PlacedAxis>), Unanswered> {
+    let count = inquiry.given.all("code").count();
     if !COMPARED.contains(&count) {
-        return Err(Unanswered::message(terminal::two_to_five_codes(&count, asked.language)));
+        return Err(Unanswered::message(terminal::two_to_five_codes(&count, inquiry.language)));
     }
-    let args = Args::read(&asked.given)?;
-    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+    let args = Args::read(&inquiry.given)?;
+    let axes = inquiry.axes(args.axis.as_deref(), Cost::Other)?;
     Ok((args, axes))
 }
 
@@ -62,8 +62,8 @@ impl Args {
     ///
     /// # Errors
     /// The reason why one of them cannot be judged, with its code.
-    pub fn comparison<'p>(&self, project: &'p Project, asked: &Asked<'_>) -> Result<Comparison<'p>, Unanswered> {
-        compare(project, &self.codes, asked.patience).map_err(|(index, refusal)| {
+    pub fn comparison<'p>(&self, project: &'p Project, inquiry: &Inquiry<'_>) -> Result<Comparison<'p>, Unanswered> {
+        compare(project, &self.codes, inquiry.progress).map_err(|(index, refusal)| {
             let code = self.codes.get(index).filter(|_| refusal != Refusal::Stopped);
             Unanswered::Refused(refusal, code.copied())
         })

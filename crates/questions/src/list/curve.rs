@@ -1,7 +1,7 @@
 //! `curve CODE`: the curves of the torque-speed plane.
 
 use super::given::{arguments, code, some};
-use super::{Answer, Argument, ArgumentForm, Asked, CODE, Entry, Gives, PICTURE, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, PICTURE, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
 use crate::plane::{Plane, plane_of};
@@ -31,9 +31,9 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Curves>("curve")),
     writes: &PICTURE,
     example: "CHA-20A-100-H-C1024 --voltage \"220 V\"",
-    answer: Some(|asked| {
-        let (code, plane) = found(asked)?;
-        Ok(Answer::record(&answer::curves(&code, &plane.curves, asked.language)))
+    answer: Some(|inquiry| {
+        let (code, plane) = found(inquiry)?;
+        Ok(Answer::record(&answer::curves(&code, &plane.curves, inquiry.language)))
     }),
 };
 
@@ -41,8 +41,8 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; no data in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, Plane), Unanswered> {
-    let Args { code, voltage } = Args::read(&asked.given)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(OrderCode, Plane), Unanswered> {
+    let Args { code, voltage } = Args::read(&inquiry.given)?;
     let plane = plane_of(&code, voltage).and_then(Result::ok).ok_or(Refusal::NoData)?;
     Ok((code, plane))
 }

@@ -1,7 +1,7 @@
 //! `data CODE`: the data sheet of an actuator.
 
 use super::given::{arguments, code};
-use super::{Answer, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::sheet::{Sheet, SheetMarks, SheetNote, SheetSection, sheet};
 use crate::sizing_use::Refusal;
@@ -26,13 +26,13 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Sheet>("data")),
     writes: &[],
     example: "CHA-20A-100-H-C1024",
-    answer: Some(|asked| Ok(Answer::record(&answer::sheet(&found(asked)?, asked.language)))),
+    answer: Some(|inquiry| Ok(Answer::record(&answer::sheet(&found(inquiry)?, inquiry.language)))),
 };
 
 /// Returns the data sheet.
 ///
 /// # Errors
 /// Faults of the code; no data in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<Sheet, Unanswered> {
-    Ok(sheet(&Args::read(&asked.given)?.code).ok_or(Refusal::NoData)?)
+pub fn found(inquiry: &Inquiry<'_>) -> Result<Sheet, Unanswered> {
+    Ok(sheet(&Args::read(&inquiry.given)?.code).ok_or(Refusal::NoData)?)
 }

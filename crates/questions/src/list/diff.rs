@@ -1,7 +1,7 @@
 //! `diff OLD NEW`: effect of another revision of a project on an actuator.
 
 use super::given::{arguments, some_code, text};
-use super::{AXIS, Asked, Cost, Entry, Gives, PlacedAxis, Reads, Record, Unanswered, argument};
+use super::{AXIS, Cost, Entry, Gives, Inquiry, PlacedAxis, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckChange, Difference, difference};
 use crate::subject::paired;
@@ -30,14 +30,14 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Answered<answers::Difference>>("diff")),
     writes: &[],
     example: "before.toml after.toml",
-    answer: Some(|asked| {
-        let revisions = revisions(asked)?;
+    answer: Some(|inquiry| {
+        let revisions = revisions(inquiry)?;
         let record = |name: &str, found: &Difference<'_>, inputs: &[InputChange]| {
-            (answer::difference(found, inputs, name, asked.language), answer::fit(&found.after))
+            (answer::difference(found, inputs, name, inquiry.language), answer::fit(&found.after))
         };
-        let (records, fits): (Vec<_>, Vec<Fit>) = revisions.each(asked, record)?.into_iter().unzip();
+        let (records, fits): (Vec<_>, Vec<Fit>) = revisions.each(inquiry, record)?.into_iter().unzip();
         let verdict = Fit::of_all(fits);
-        let remarks = revisions.unpaired(asked);
+        let remarks = revisions.unpaired(inquiry);
         Ok(super::Answer { remarks, ..super::Answer::record(&Answered::of(records, verdict)).fits(verdict.fits()) })
     }),
 };
@@ -61,10 +61,10 @@ pub struct Revisions<'a> {
 impl Revisions<'_> {
     /// Returns a line for each axis that exists in one revision only.
     #[must_use]
-    pub fn unpaired(&self, asked: &Asked<'_>) -> String {
+    pub fn unpaired(&self, inquiry: &Inquiry<'_>) -> String {
         let line = |axis: &PlacedAxis, place: usize| {
-            let file = asked.sources.get(place).map_or("", |source| source.name.as_str());
-            format!("{}\n", terminal::axis_is_only_in(&axis.1.name, &file, asked.language))
+            let file = inquiry.sources.get(place).map_or("", |source| source.name.as_str());
+            format!("{}\n", terminal::axis_is_only_in(&axis.1.name, &file, inquiry.language))
         };
         let old = self.old.iter().enumerate().filter(|(place, _)| self.paired.iter().all(|pair| pair.0 != *place));
         let new = self.new.iter().enumerate().filter(|(place, _)| self.paired.iter().all(|pair| pair.1 != *place));
@@ -78,17 +78,17 @@ impl Revisions<'_> {
     /// If there are no corresponding axes, or there is no answer about some of them.
     pub fn each<T>(
         &self,
-        asked: &Asked<'_>,
+        inquiry: &Inquiry<'_>,
         one: impl Fn(&str, &Difference<'_>, &[InputChange]) -> T,
     ) -> Result<Vec<T>, Unanswered> {
         if self.paired.is_empty() {
-            return Err(none(asked));
+            return Err(none(inquiry));
         }
         let (mut answers, mut faults) = (Vec::new(), Vec::new());
         for (before, after) in &self.paired {
             let (Some(before), Some(after)) = (self.old.get(*before), self.new.get(*after)) else { continue };
             let inputs = input_changes((self.old_text, before.0), (self.new_text, after.0));
-            match difference(&before.1, &after.1, self.code.as_ref(), asked.patience) {
+            match difference(&before.1, &after.1, self.code.as_ref(), inquiry.progress) {
                 Ok(found) => answers.push(one(&after.1.name, &found, &inputs)),
                 Err(refusal) => faults.push(refusal.into()),
             }
@@ -98,21 +98,21 @@ impl Revisions<'_> {
 }
 
 /// Returns the fault that no axis exists in both revisions.
-fn none(asked: &Asked<'_>) -> Unanswered {
-    Unanswered::message(terminal::no_common_axis(asked.language))
+fn none(inquiry: &Inquiry<'_>) -> Unanswered {
+    Unanswered::message(terminal::no_common_axis(inquiry.language))
 }
 
 /// Reads both revisions.
 ///
 /// # Errors
 /// Every fault of the arguments, else those of the projects.
-pub fn revisions<'a>(asked: &'a Asked<'_>) -> Result<Revisions<'a>, Unanswered> {
-    let args = Args::read(&asked.given)?;
-    let [before, after] = asked.sources.as_slice() else { return Err(none(asked)) };
-    let (old_text, new_text) = (before.text(asked.language)?, after.text(asked.language)?);
+pub fn revisions<'a>(inquiry: &'a Inquiry<'_>) -> Result<Revisions<'a>, Unanswered> {
+    let args = Args::read(&inquiry.given)?;
+    let [before, after] = inquiry.sources.as_slice() else { return Err(none(inquiry)) };
+    let (old_text, new_text) = (before.text(inquiry.language)?, after.text(inquiry.language)?);
     let wanted = args.axis.as_deref();
-    let (old, new) = (asked.axes_of(before, wanted)?, asked.axes_of(after, wanted)?);
-    asked.within(Cost::Other, old.iter().chain(&new))?;
+    let (old, new) = (inquiry.axes_of(before, wanted)?, inquiry.axes_of(after, wanted)?);
+    inquiry.within(Cost::Other, old.iter().chain(&new))?;
     let paired = paired(&old, &new);
     Ok(Revisions { old, new, paired, old_text, new_text, code: args.code })
 }

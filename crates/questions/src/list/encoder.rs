@@ -1,7 +1,7 @@
 //! `encoder CODE`: signals and words of the encoders at an angle, and decoding of a word.
 
 use super::given::{Hinted, arguments, code, flag, number, one, some};
-use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentKind, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
 use crate::sizing_use::Refusal;
@@ -64,8 +64,8 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Encoder>("encoder")),
     writes: &[],
     example: "CHA-25A-100-H-M512P --angle \"12.5 deg\" --turn 3",
-    answer: Some(|asked| {
-        let found = found(asked)?;
+    answer: Some(|inquiry| {
+        let found = found(inquiry)?;
         let fits = is_right(&found);
         Ok(Answer::record(&found).fits(fits))
     }),
@@ -81,10 +81,10 @@ pub fn is_right(found: &answers::Encoder) -> bool {
 ///
 /// # Errors
 /// Every fault of the arguments; a word, an error or a battery that the encoders do not have; no data in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<answers::Encoder, Unanswered> {
-    let args = Args::read(&asked.given)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<answers::Encoder, Unanswered> {
+    let args = Args::read(&inquiry.given)?;
     let fitted = fitted(&args.code, args.seed)?;
-    let language = asked.language;
+    let language = inquiry.language;
     let absolute = || fitted.iter().filter_map(|each| each.encoder.absolute());
     let has_endat = absolute().any(|absolute| absolute.protocol == Protocol::EnDat);
     let is_buffered = fitted.iter().any(|each| each.feedback.buffered_by_battery);

@@ -2,7 +2,7 @@
 
 use super::encoder::{ANGLE, SEED, SPEED, TURN, fitted, read_angle, read_speed, read_turn};
 use super::given::{Hinted, arguments, by_id, code, number, one, word};
-use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, OutputFile, Reads, Unanswered, media};
+use super::{Answer, Argument, ArgumentKind, CODE, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, media};
 use crate::chapters::read_quantity;
 use feedback::endat::ErrorBits;
 use feedback::{EDGES_MOST, Shaft, Trace};
@@ -57,8 +57,8 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Media(&[media::PLAIN]),
     writes: &[OutputFile::of("vcd", &[media::PLAIN], help::encoder_vcd)],
     example: "",
-    answer: Some(|asked| {
-        let (code, trace) = found(asked)?;
+    answer: Some(|inquiry| {
+        let (code, trace) = found(inquiry)?;
         Ok(Answer::text(media::PLAIN, trace.vcd(&code.to_string())).saved_as(format!("{code}.vcd")))
     }),
 };
@@ -67,9 +67,9 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; an encoder that the code does not have, or without digital signals; too many edges.
-pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, Trace), Unanswered> {
-    let Args { code, angle, turn, speed, seed, time, endat, connector } = Args::read(&asked.given)?;
-    let language = asked.language;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(OrderCode, Trace), Unanswered> {
+    let Args { code, angle, turn, speed, seed, time, endat, connector } = Args::read(&inquiry.given)?;
+    let language = inquiry.language;
     let role = connector.unwrap_or(Role::Feedback);
     let Some(each) = fitted(&code, seed)?.into_iter().find(|each| each.role == role) else {
         return Err(Unanswered::option("connector", (encoder::no_output_encoder(language).to_owned(), None)));

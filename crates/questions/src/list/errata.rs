@@ -1,7 +1,7 @@
 //! `errata`: errors and doubtful statements of the manual, and the values in use.
 
 use super::given::{arguments, label};
-use super::{Answer, Argument, ArgumentForm, Asked, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::errata::ErrataFound;
 pub use crate::errata::{ErrataRefusal, errata_about};
@@ -28,16 +28,16 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Errata>("errata")),
     writes: &[],
     example: "CHA-25A-50-H-M512P",
-    answer: Some(|asked| Ok(Answer::record(&answer::errata(&found(asked)?, asked.language)))),
+    answer: Some(|inquiry| Ok(Answer::record(&answer::errata(&found(inquiry)?, inquiry.language)))),
 };
 
 /// Returns the errata.
 ///
 /// # Errors
 /// If the text names nothing that has errata.
-pub fn found(asked: &Asked<'_>) -> Result<ErrataFound, Unanswered> {
-    let text = Args::read(&asked.given)?.about.unwrap_or_default();
-    errata_about(Some(&text), asked.language).map_err(|refusal| match refusal {
+pub fn found(inquiry: &Inquiry<'_>) -> Result<ErrataFound, Unanswered> {
+    let text = Args::read(&inquiry.given)?.about.unwrap_or_default();
+    errata_about(Some(&text), inquiry.language).map_err(|refusal| match refusal {
         ErrataRefusal::Code(refusal) => Unanswered::Code { text, refusal, among: false },
         ErrataRefusal::NoData => Refusal::NoData.into(),
         ErrataRefusal::Unknown { message, hint } => {

@@ -4,12 +4,12 @@ use super::given::{arguments, by_id, some_code_among, text, word};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
 pub use crate::explain::derivation;
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, explain, explain_own};
 use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
-use sizing::{Check, CheckId, Watch as _};
+use sizing::{Check, CheckId, StepObserver as _};
 use words::help;
 use words::help::values;
 
@@ -40,7 +40,7 @@ pub static ENTRY: Entry = Entry {
         let args = Args::read(&asked.given)?;
         let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
         asked.record_of_each(&axes, |project| {
-            let found = args.explanation(project, asked.patience)?;
+            let found = args.explanation(project, asked.progress)?;
             Ok((found.record(asked.language), answer::fit(&found.candidate)))
         })
     }),
@@ -51,8 +51,8 @@ impl Args {
     ///
     /// # Errors
     /// As [`explanation`].
-    pub fn explanation<'p>(&self, project: &'p Project, patience: &Patience) -> Result<Explanation<'p>, Refusal> {
-        explanation(project, self.code.as_ref(), self.check, patience)
+    pub fn explanation<'p>(&self, project: &'p Project, progress: &Progress) -> Result<Explanation<'p>, Refusal> {
+        explanation(project, self.code.as_ref(), self.check, progress)
     }
 }
 
@@ -76,9 +76,9 @@ pub fn explanation<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
     wanted: Option<CheckId>,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Explanation<'p>, Refusal> {
-    patience.step()?;
+    progress.step()?;
     let candidate = match code {
         Some(code) => explain(project, code)?,
         None => explain_own(project)?,

@@ -2,7 +2,7 @@
 
 use super::given::{arguments, count, label, some_code, text};
 use super::{
-    AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, OutputFile, PlacedAxis, Reads, Record, Unanswered,
+    AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Record, Unanswered,
     argument, media,
 };
 use order_code::OrderCode;
@@ -54,11 +54,11 @@ impl Args {
     ///
     /// # Errors
     /// Faults of the project, several axes without a name.
-    pub fn axis(&self, asked: &Asked<'_>) -> Result<PlacedAxis, Unanswered> {
-        let axes = asked.axes_of(asked.source()?, self.axis.as_deref())?;
-        let axis = asked.only(axes, |names| terminal::export_is_of_one_axis(&names, asked.language))?;
+    pub fn axis(&self, inquiry: &Inquiry<'_>) -> Result<PlacedAxis, Unanswered> {
+        let axes = inquiry.axes_of(inquiry.source()?, self.axis.as_deref())?;
+        let axis = inquiry.only(axes, |names| terminal::export_is_of_one_axis(&names, inquiry.language))?;
         let cost = if self.table.as_deref() == Some("course") { Cost::Course } else { Cost::Workbook };
-        asked.within(cost, [&axis])?;
+        inquiry.within(cost, [&axis])?;
         Ok(axis)
     }
 }

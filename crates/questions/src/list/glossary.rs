@@ -1,7 +1,7 @@
 //! `glossary`: words and symbols with their meaning.
 
 use super::given::{arguments, label};
-use super::{Answer, Argument, ArgumentForm, Asked, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer::not_in_glossary;
 pub use crate::glossary::{glossary, meaning_of_symbol, meaning_of_word};
 use answers::Glossary;
@@ -26,16 +26,16 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Glossary>("glossary")),
     writes: &[],
     example: "T_rms",
-    answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
+    answer: Some(|inquiry| Ok(Answer::record(&found(inquiry)?))),
 };
 
 /// Returns the terms.
 ///
 /// # Errors
 /// If there is no term with this name.
-pub fn found(asked: &Asked<'_>) -> Result<Glossary, Unanswered> {
-    let term = Args::read(&asked.given)?.term;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<Glossary, Unanswered> {
+    let term = Args::read(&inquiry.given)?.term;
     let wanted = term.as_deref();
-    glossary(wanted, asked.language)
-        .map_err(|nearest| Unanswered::Message(not_in_glossary(wanted.unwrap_or_default(), &nearest, asked.language)))
+    glossary(wanted, inquiry.language)
+        .map_err(|nearest| Unanswered::Message(not_in_glossary(wanted.unwrap_or_default(), &nearest, inquiry.language)))
 }

@@ -5,7 +5,8 @@ mod reading;
 
 use super::given::{arguments, some_code_among, text};
 use super::{
-    AXIS, Answer, Argument, ArgumentForm, ArgumentKind, Asked, Cost, Entry, Gives, Reads, Record, Unanswered, argument,
+    AXIS, Answer, Argument, ArgumentForm, ArgumentKind, Cost, Entry, Gives, Inquiry, Reads, Record, Unanswered,
+    argument,
 };
 use crate::simulate::replaced;
 use crate::sizing_use::{check_one, known_si};
@@ -21,7 +22,7 @@ use quantities::unit::{
 use quantities::{Language, Measure, Unit, format_significant};
 use schemars::JsonSchema;
 use serde::Serialize;
-use sizing::Watch;
+use sizing::StepObserver;
 use twin::{
     Column as Signal, Delay, Doubt, Estimate, HeldColumn, Identified, Misread, Open, Stated, Zero, identify_while,
 };
@@ -49,8 +50,8 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<Identification>("identify")),
     writes: &[],
     example: "run.csv axis.toml --code CHA-25A-50-H-C1024",
-    answer: Some(|asked| {
-        let found = found(asked)?;
+    answer: Some(|inquiry| {
+        let found = found(inquiry)?;
         Ok(Answer::record(&found).fits(found.doubts.is_empty()))
     }),
 };
@@ -143,18 +144,18 @@ pub struct Identified95 {
 ///
 /// # Errors
 /// Faults of the project and of the run.
-pub fn found(asked: &Asked<'_>) -> Result<Identification, Unanswered> {
-    let args = Args::read(&asked.given)?;
-    let language = asked.language;
-    let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<Identification, Unanswered> {
+    let args = Args::read(&inquiry.given)?;
+    let language = inquiry.language;
+    let (_, project) = inquiry.axis(args.axis.as_deref(), Cost::Other)?;
     let candidate = check_one(&project, args.code.as_ref())?;
-    let reading::RecordedRun { observed, lines } = reading::run(asked, &args.trace.unwrap_or_default())?;
+    let reading::RecordedRun { observed, lines } = reading::run(inquiry, &args.trace.unwrap_or_default())?;
     let samples = observed.time_s.len();
     let parameters = replaced(&project, twin::Parameters::of(candidate.parameters));
     let axis = &project.axis;
     let stated =
         Stated { parameters: &parameters, mechanism: &axis.mechanism, motion: &axis.motion, extras: &axis.extras };
-    let goes_on = || asked.patience.step().is_ok();
+    let goes_on = || inquiry.progress.step().is_ok();
     let found = identify_while(observed, &stated, &goes_on).map_err(|why| reading::refused(&lines, &why, language))?;
     // An external torque may contain the zero of the torque.
     let is_known = |each: &Estimate| {

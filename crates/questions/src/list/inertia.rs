@@ -1,7 +1,7 @@
 //! `inertia BODY…`: the moment of inertia of solid bodies.
 
 use super::given::{arguments, lines};
-use super::{Answer, Argument, ArgumentForm, Asked, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::reading::Unread;
 use project::{InertiaAnswer, inertia};
@@ -25,14 +25,14 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Inertia>("inertia")),
     writes: &[],
     example: "\"disc diameter=200mm length=20mm density=7850kg/m^3\"",
-    answer: Some(|asked| Ok(Answer::record(&answer::inertia(&found(asked)?)))),
+    answer: Some(|inquiry| Ok(Answer::record(&answer::inertia(&found(inquiry)?)))),
 };
 
 /// Computes the moment of inertia.
 ///
 /// # Errors
 /// Every fault of the bodies.
-pub fn found(asked: &Asked<'_>) -> Result<InertiaAnswer, Unanswered> {
-    let text = Args::read(&asked.given)?.body;
-    inertia(&text).map_err(|faults| Unanswered::unread(Unread::Faults(faults), "body", &text, asked.language))
+pub fn found(inquiry: &Inquiry<'_>) -> Result<InertiaAnswer, Unanswered> {
+    let text = Args::read(&inquiry.given)?.body;
+    inertia(&text).map_err(|faults| Unanswered::unread(Unread::Faults(faults), "body", &text, inquiry.language))
 }

@@ -1,14 +1,14 @@
 //! `mount CODE`: mounting of an actuator under the limits of the manual.
 
 use super::given::{arguments, code_among, some};
-use super::{Answer, Argument, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::mount::joint_loads;
 use crate::mount::read_bore;
 use crate::sizing_use::Refusal;
 use answers::{Fit, Mount};
 use installation::fit::Bore;
-pub use installation::mount::{MountAsked, mount};
+pub use installation::mount::{MountInputs, mount};
 use order_code::OrderCode;
 use quantities::Language;
 use words::help;
@@ -43,11 +43,11 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Mount>("mount")),
     writes: &[],
     example: "CHA-25A-100-H-M512P-B --bore K7",
-    answer: Some(|asked| found(asked).map(|found| mounted(&found))),
+    answer: Some(|inquiry| found(inquiry).map(|found| mounted(&found))),
 };
 
-pub(super) fn bores(both: Option<Bore>, load: Option<Bore>, housing: Option<Bore>, under: MountAsked) -> MountAsked {
-    MountAsked { bore_load: load.or(both), bore_housing: housing.or(both), ..under }
+pub(super) fn bores(both: Option<Bore>, load: Option<Bore>, housing: Option<Bore>, under: MountInputs) -> MountInputs {
+    MountInputs { bore_load: load.or(both), bore_housing: housing.or(both), ..under }
 }
 
 pub(super) fn mounted(found: &Mount) -> Answer {
@@ -58,16 +58,16 @@ pub(super) fn mounted(found: &Mount) -> Answer {
 ///
 /// # Errors
 /// Every fault of the arguments; no data in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<Mount, Unanswered> {
-    let Args { code, bore, bore_load, bore_housing } = Args::read(&asked.given)?;
-    let question = bores(bore, bore_load, bore_housing, MountAsked::default());
-    under(&code, &question, None, asked.language)
+pub fn found(inquiry: &Inquiry<'_>) -> Result<Mount, Unanswered> {
+    let Args { code, bore, bore_load, bore_housing } = Args::read(&inquiry.given)?;
+    let question = bores(bore, bore_load, bore_housing, MountInputs::default());
+    under(&code, &question, None, inquiry.language)
 }
 
 /// Returns the mounting of an actuator, under the loads of an axis if one is named.
 pub(super) fn under(
     code: &OrderCode,
-    question: &MountAsked,
+    question: &MountInputs,
     axis: Option<&str>,
     language: Language,
 ) -> Result<Mount, Unanswered> {

@@ -2,11 +2,11 @@
 
 use super::given::{arguments, code_among, some, text};
 use super::mount::{BORE, BORE_HOUSING, BORE_LOAD, bores, mounted};
-use super::{AXIS, Asked, CODE, Cost, Entry, Gives, Reads, Record, Unanswered};
+use super::{AXIS, CODE, Cost, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::mount::{joint_loads, read_bore};
 use answers::Mount;
 use installation::fit::Bore;
-use installation::mount::MountAsked;
+use installation::mount::MountInputs;
 use order_code::OrderCode;
 use words::requests;
 
@@ -36,17 +36,17 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Mount>("mount")),
     writes: &[],
     example: "",
-    answer: Some(|asked| found(asked).map(|found| mounted(&found))),
+    answer: Some(|inquiry| found(inquiry).map(|found| mounted(&found))),
 };
 
 /// Returns the mounting of the actuator.
 ///
 /// # Errors
 /// Every fault of the arguments, else those of the project.
-pub fn found(asked: &Asked<'_>) -> Result<Mount, Unanswered> {
-    let Args { code, bore, bore_load, bore_housing, axis } = Args::read(&asked.given)?;
-    let (_, project) = asked.axis(axis.as_deref(), Cost::Other)?;
-    let loads = MountAsked { axis: joint_loads(&project, &code)?, ..MountAsked::default() };
+pub fn found(inquiry: &Inquiry<'_>) -> Result<Mount, Unanswered> {
+    let Args { code, bore, bore_load, bore_housing, axis } = Args::read(&inquiry.given)?;
+    let (_, project) = inquiry.axis(axis.as_deref(), Cost::Other)?;
+    let loads = MountInputs { axis: joint_loads(&project, &code)?, ..MountInputs::default() };
     let question = bores(bore, bore_load, bore_housing, loads);
-    super::mount::under(&code, &question, Some(&project.name), asked.language)
+    super::mount::under(&code, &question, Some(&project.name), inquiry.language)
 }

@@ -1,7 +1,9 @@
 //! `new KIND`: a commented project file to fill in.
 
 use super::given::{arguments, by_id, count, lines, text, word};
-use super::{Answer, Argument, ArgumentForm, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Unanswered, media};
+use super::{
+    Answer, Argument, ArgumentForm, ArgumentKind, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, media,
+};
 use crate::sizing_use::Refusal;
 pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
 pub use crate::templates::{Template, template, template_kinds};
@@ -43,10 +45,10 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Media(&[media::TOML, media::CSV]),
     writes: &[OutputFile::of("out", &[media::TOML, media::CSV], help::new_out)],
     example: "arm --out axis.toml",
-    answer: Some(|asked| {
-        let is_table = asked.given.all("kind").any(|kind| kind == SWEEP);
+    answer: Some(|inquiry| {
+        let is_table = inquiry.given.all("kind").any(|kind| kind == SWEEP);
         let media = if is_table { media::CSV } else { media::TOML };
-        Ok(Answer::text(media, found(asked, USUAL_NAME)?.text))
+        Ok(Answer::text(media, found(inquiry, USUAL_NAME)?.text))
     }),
 };
 
@@ -73,13 +75,13 @@ pub const USUAL_NAME: &str = "axis.toml";
 ///
 /// # Errors
 /// If the kind does not exist.
-pub fn found(asked: &Asked<'_>, file: &str) -> Result<Template, Unanswered> {
-    let args = Args::read(&asked.given)?;
+pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> {
+    let args = Args::read(&inquiry.given)?;
     let kind = args.kind.unwrap_or_default();
     if kind == SWEEP {
         let text =
-            table(args.key.lines(), args.by.unwrap_or_default(), args.samples, args.seed as u64, asked.language)?;
+            table(args.key.lines(), args.by.unwrap_or_default(), args.samples, args.seed as u64, inquiry.language)?;
         return Ok(Template { text, recording: None });
     }
-    Ok(template(&kind, file, asked.language).ok_or(Refusal::NoData)?)
+    Ok(template(&kind, file, inquiry.language).ok_or(Refusal::NoData)?)
 }

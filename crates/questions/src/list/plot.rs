@@ -1,7 +1,7 @@
 //! `plot PROJECT`: a picture of an axis with an actuator; a face draws it.
 
 use super::given::{arguments, some, some_code, text, word};
-use super::{AXIS, Argument, ArgumentKind, Asked, Cost, Entry, Gives, PICTURE, Reads, Unanswered, argument, media};
+use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, PICTURE, Reads, Unanswered, argument, media};
 use crate::chapters::read_quantity;
 use crate::sizing_use::{Candidate, Rejected};
 use crate::subject::candidate_for;
@@ -63,8 +63,8 @@ impl Args {
     ///
     /// # Errors
     /// The reason why it cannot be judged.
-    pub fn candidate<'p>(&self, project: &'p Project, asked: &Asked<'_>) -> Result<Candidate<'p>, Unanswered> {
-        let sizing = || super::size::sized(project, 0, Rejected::Nearest, asked.patience).map(Cow::Owned);
+    pub fn candidate<'p>(&self, project: &'p Project, inquiry: &Inquiry<'_>) -> Result<Candidate<'p>, Unanswered> {
+        let sizing = || super::size::sized(project, 0, Rejected::Nearest, inquiry.progress).map(Cow::Owned);
         Ok(candidate_for(project, self.code.as_ref(), sizing)?)
     }
 
@@ -72,7 +72,7 @@ impl Args {
     ///
     /// # Errors
     /// Faults of the project, several axes without a name.
-    pub fn drawn(&self, asked: &Asked<'_>) -> Result<Project, Unanswered> {
-        asked.axis(self.axis.as_deref(), Cost::Other).map(|(_, project)| project)
+    pub fn drawn(&self, inquiry: &Inquiry<'_>) -> Result<Project, Unanswered> {
+        inquiry.axis(self.axis.as_deref(), Cost::Other).map(|(_, project)| project)
     }
 }

@@ -1,7 +1,7 @@
 //! `report PROJECT`: the results as a PDF to sign; a face typesets it.
 
 use super::given::{Given, arguments, bounded, flag, label, some_code, text};
-use super::{AXIS, Argument, Asked, Cost, Entry, Gives, OutputFile, PlacedAxis, Reads, Unanswered, argument, media};
+use super::{AXIS, Argument, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Unanswered, argument, media};
 use crate::subject::names;
 use order_code::OrderCode;
 use words::{help, help::values, terminal};
@@ -86,11 +86,11 @@ impl Args {
     ///
     /// # Errors
     /// Faults of the project, a code for several axes.
-    pub fn axes(&self, asked: &Asked<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
-        let axes = asked.axes(self.axis.as_deref(), Cost::Report)?;
+    pub fn axes(&self, inquiry: &Inquiry<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
+        let axes = inquiry.axes(self.axis.as_deref(), Cost::Report)?;
         if axes.len() > 1 && self.code.is_some() {
             let names = names(axes.iter().map(|(_, project)| project));
-            return Err(Unanswered::message(terminal::code_is_for_one_axis(&names, asked.language)));
+            return Err(Unanswered::message(terminal::code_is_for_one_axis(&names, inquiry.language)));
         }
         Ok(axes)
     }

@@ -3,12 +3,12 @@
 use super::given::{arguments, by_id, count, flag, number, some, some_code_among, text, word};
 use super::plot::{HEIGHT, THEME, WIDTH};
 use super::{
-    AXIS, Answer, Argument, ArgumentKind, Asked, Cost, Entry, Given, Gives, OutputFile, PlacedAxis, Reads, Record,
+    AXIS, Answer, Argument, ArgumentKind, Cost, Entry, Given, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Record,
     Unanswered, argument, media,
 };
 use crate::answer;
 use crate::chapters::{read_hours, read_quantity};
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::signal::Signal;
 use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate, steps_least};
 use feedback::Failure;
@@ -118,11 +118,11 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Faults of project and arguments; reasons why nothing is simulated.
-pub fn record(args: &Args, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
-    let axes = args.axes(asked)?;
-    asked.record_of_each(&axes, |project| {
-        let found = args.simulated(project, asked, false)?;
-        Ok((answer::simulation(&found, asked.language), answers::Fit::of(found.fits())))
+pub fn record(args: &Args, inquiry: &Inquiry<'_>) -> Result<Answer, Unanswered> {
+    let axes = args.axes(inquiry)?;
+    inquiry.record_of_each(&axes, |project| {
+        let found = args.simulated(project, inquiry, false)?;
+        Ok((answer::simulation(&found, inquiry.language), answers::Fit::of(found.fits())))
     })
 }
 
@@ -134,16 +134,16 @@ impl Args {
     ///
     /// # Errors
     /// Faults of the project; more steps than permitted without a time limit.
-    pub fn axes(&self, asked: &Asked<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
-        let axes = asked.axes(self.axis.as_deref(), Cost::Other)?;
+    pub fn axes(&self, inquiry: &Inquiry<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
+        let axes = inquiry.axes(self.axis.as_deref(), Cost::Other)?;
         let of = |(_, project): &PlacedAxis| {
             let stated = &project.twin.scenario;
             let cold = self.cold || stated.cold || self.scenario.unwrap_or(stated.id) == ScenarioId::ColdGrease;
             steps_least(project, self.cycles(project), cold, self.days.is_some())
         };
         let steps = axes.iter().map(of).fold(0, u64::saturating_add);
-        if asked.refuses_long && steps > STEPS_MOST {
-            return Err(Unanswered::message(said(&NotRun::Steps(steps), asked.language)));
+        if inquiry.refuses_long && steps > STEPS_MOST {
+            return Err(Unanswered::message(said(&NotRun::Steps(steps), inquiry.language)));
         }
         Ok(axes)
     }
@@ -159,14 +159,14 @@ impl Args {
     pub fn simulated<'p>(
         &self,
         project: &'p Project,
-        asked: &Asked<'_>,
+        inquiry: &Inquiry<'_>,
         with_course: bool,
     ) -> Result<Simulated<'p>, Unanswered> {
         let stated = &project.twin.scenario;
         let every = self.every.map_or(ROWS_USUAL_S, Time::si);
         let scenario = self.scenario.unwrap_or(stated.id);
         let hours = self.hours_per_day.map_or(24.0, |time| time.in_unit(&HOUR));
-        let language = asked.language;
+        let language = inquiry.language;
         let period_us = format_significant(1e6 / CURRENT_RATE_HZ, 4, language);
         Unanswered::unless_right([
             (
@@ -205,9 +205,9 @@ impl Args {
             seed: self.seed as u64,
             every_s: with_course.then_some(every),
         };
-        simulate(project, self.code.as_ref(), wanted, asked.refuses_long, asked.patience).map_err(|why| match why {
+        simulate(project, self.code.as_ref(), wanted, inquiry.refuses_long, inquiry.progress).map_err(|why| match why {
             NotRun::Refused(refusal) => refusal.into(),
-            other => Unanswered::message(said(&other, asked.language)),
+            other => Unanswered::message(said(&other, inquiry.language)),
         })
     }
 }
@@ -219,14 +219,14 @@ impl Args {
 pub fn of_the_project<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
-    patience: &Patience,
+    progress: &Progress,
     language: Language,
 ) -> Option<Result<Simulated<'p>, String>> {
     if !project.twin.stated {
         return None;
     }
     let wanted = Wanted { scenario: project.twin.scenario, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
-    Some(simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language)))
+    Some(simulate(project, code, wanted, true, progress).map_err(|why| said(&why, language)))
 }
 
 /// Returns the run of a scenario with its course; all other data as stated by the project.
@@ -237,12 +237,12 @@ pub fn of_scenario<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
     id: ScenarioId,
-    patience: &Patience,
+    progress: &Progress,
     language: Language,
 ) -> Result<Simulated<'p>, String> {
     let wanted =
         Wanted { scenario: Scenario { id, ..project.twin.scenario }, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
-    simulate(project, code, wanted, true, patience).map_err(|why| said(&why, language))
+    simulate(project, code, wanted, true, progress).map_err(|why| said(&why, language))
 }
 
 fn said(why: &NotRun, language: Language) -> String {

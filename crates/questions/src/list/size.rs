@@ -4,7 +4,7 @@ use super::given::{arguments, count, flag, number, text};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads, Record, argument, media};
 use crate::answer;
 pub use crate::mends::{Mend, mends};
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
 use project::Project;
@@ -46,7 +46,7 @@ pub static ENTRY: Entry = Entry {
         let args = Args::read(&asked.given)?;
         let axes = asked.axes(args.axis.as_deref(), args.cost())?;
         asked.record_of_each(&axes, |project| {
-            let found = args.ranking(project, asked.patience)?;
+            let found = args.ranking(project, asked.progress)?;
             Ok((found.record(asked.language), found.sizing.fit().into()))
         })
     }),
@@ -73,8 +73,8 @@ impl Args {
     ///
     /// # Errors
     /// As [`ranking`].
-    pub fn ranking<'p>(&self, project: &'p Project, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
-        ranking(project, self.complete(), self.draw(), patience)
+    pub fn ranking<'p>(&self, project: &'p Project, progress: &Progress) -> Result<Ranking<'p>, Refusal> {
+        ranking(project, self.complete(), self.draw(), progress)
     }
 }
 
@@ -106,15 +106,15 @@ pub struct Ranking<'p> {
 ///
 /// # Errors
 /// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
-pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
+pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, progress: &Progress) -> Result<Ranking<'p>, Refusal> {
     let complete = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
-    let sampling = draw.sampling(project, complete, patience.is_limited())?;
-    let sizing = sized(project, top, Rejected::Reasons, patience)?;
+    let sampling = draw.sampling(project, complete, progress.is_limited())?;
+    let sizing = sized(project, top, Rejected::Reasons, progress)?;
     let chosen: Vec<&Candidate<'_>> = sizing.fitting().iter().take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
     // Without tolerances there is no assessment and no pair.
-    let found = assess_watched(project, &chosen, sampling, patience)?;
+    let found = assess_watched(project, &chosen, sampling, progress)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
-    let mends = if sizing.fits() { Vec::new() } else { mends(project, patience)? };
+    let mends = if sizing.fits() { Vec::new() } else { mends(project, progress)? };
     Ok(Ranking { project, sizing, top, mends, assessed })
 }
 
@@ -128,9 +128,9 @@ pub fn sized<'p>(
     project: &'p Project,
     complete: usize,
     rejected: Rejected,
-    patience: &Patience,
+    progress: &Progress,
 ) -> Result<Sizing<'p>, Refusal> {
-    Ok(size_watched(project, complete, rejected, patience)?)
+    Ok(size_watched(project, complete, rejected, progress)?)
 }
 
 impl Ranking<'_> {

@@ -2,7 +2,7 @@
 
 use super::given::{arguments, by_id, flag, text};
 use super::{
-    AXIS, Answer, Argument, ArgumentKind, Asked, Entry, Gives, OutputFile, Reads, Record, ReferencedText, Unanswered,
+    AXIS, Answer, Argument, ArgumentKind, Entry, Gives, Inquiry, OutputFile, Reads, Record, ReferencedText, Unanswered,
     media,
 };
 use crate::sizing_use::Refusal;
@@ -46,7 +46,7 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<SweepSummary>("sweep")),
     writes: &[OutputFile::of("out", &[media::CSV, media::PARQUET], help::sweep_out).required()],
     example: "axis.toml --table tasks.parquet --out best.parquet",
-    answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
+    answer: Some(|inquiry| Ok(Answer::record(&found(inquiry)?))),
 };
 
 /// Largest number of rows if the answers are not written to a file.
@@ -83,12 +83,12 @@ impl Args {
 ///
 /// # Errors
 /// Faults of the project and of the table; a table that is too long.
-pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
-    let args = Args::read(&asked.given)?;
-    let language = asked.language;
-    let source = asked.source()?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
+    let args = Args::read(&inquiry.given)?;
+    let language = inquiry.language;
+    let source = inquiry.source()?;
     let text = source.text(language)?;
-    let projects = source.projects(asked.patience, language);
+    let projects = source.projects(inquiry.progress, language);
     let name = args.table.clone().unwrap_or_default();
     let (mut lines, shelf) = match (opened(source, &name, language), Shelf::of(source, projects.as_deref(), language)) {
         (Ok(lines), Ok(shelf)) => (lines, shelf),
@@ -138,7 +138,7 @@ pub fn found(asked: &Asked<'_>) -> Result<SweepSummary, Unanswered> {
     if rows > most as u64 {
         return Err(Unanswered::message(sweeps::too_many_rows(&rows, &most, language)));
     }
-    let answers = sweep.judge(&cells(&columns), asked.patience).map_err(Refusal::from)?;
+    let answers = sweep.judge(&cells(&columns), inquiry.progress).map_err(Refusal::from)?;
     let mut tally = Tally::default();
     answers.iter().for_each(|answer| tally.add(answer));
     let rows = (0..).zip(&answers).flat_map(|(row, answer)| SweepRow::of(row, answer));

@@ -1,7 +1,7 @@
 //! `torsion CODE`: the torsion of a gear under a torque, or the torque of an angle.
 
 use super::given::{arguments, code, text};
-use super::{Answer, Argument, ArgumentForm, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::torsion::{TorsionAnswer, read_twist, torsion};
@@ -31,9 +31,9 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Torsion>("torsion")),
     writes: &[],
     example: "CHA-20A-100-H-C1024 --torque \"60 N m\"",
-    answer: Some(|asked| {
-        let (code, found) = found(asked)?;
-        Ok(Answer::record(&answer::torsion(&code, &found, asked.language)))
+    answer: Some(|inquiry| {
+        let (code, found) = found(inquiry)?;
+        Ok(Answer::record(&answer::torsion(&code, &found, inquiry.language)))
     }),
 };
 
@@ -41,9 +41,9 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; no stiffness in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, TorsionAnswer), Unanswered> {
-    let Args { code, torque, angle } = Args::read(&asked.given)?;
-    let twist = read_twist(torque.as_deref(), angle.as_deref(), asked.language)
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(OrderCode, TorsionAnswer), Unanswered> {
+    let Args { code, torque, angle } = Args::read(&inquiry.given)?;
+    let twist = read_twist(torque.as_deref(), angle.as_deref(), inquiry.language)
         .map_err(|(option, fault)| Unanswered::option(option, fault))?;
     Ok((code, torsion(&code, twist).ok_or(Refusal::NoData)?))
 }

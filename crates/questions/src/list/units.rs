@@ -2,7 +2,7 @@
 
 use super::argument::near;
 use super::given::{Hinted, arguments, some};
-use super::{Answer, Argument, ArgumentForm, Asked, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentForm, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use answers::Number;
 use quantities::{Dimension, Language, Unit};
 use schemars::JsonSchema;
@@ -29,7 +29,7 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<Units>("units")),
     writes: &[],
     example: "torque",
-    answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
+    answer: Some(|inquiry| Ok(Answer::record(&found(inquiry)?))),
 };
 
 /// Units by the quantity that they measure.
@@ -71,9 +71,9 @@ pub struct UnitRead {
 ///
 /// # Errors
 /// If the text is neither a quantity nor a unit.
-pub fn found(asked: &Asked<'_>) -> Result<Units, Unanswered> {
-    let dimensions = Args::read(&asked.given)?.quantity.unwrap_or_else(|| Dimension::ALL.to_vec());
-    Ok(of(&dimensions, asked.language))
+pub fn found(inquiry: &Inquiry<'_>) -> Result<Units, Unanswered> {
+    let dimensions = Args::read(&inquiry.given)?.quantity.unwrap_or_else(|| Dimension::ALL.to_vec());
+    Ok(of(&dimensions, inquiry.language))
 }
 
 /// Returns the quantities with a name in either language, or with a spelling of a unit.

@@ -1,7 +1,7 @@
 //! `upkeep CODE`: maintenance of an actuator, tasks and dates.
 
 use super::given::{arguments, code_among, one, some};
-use super::{Answer, Argument, ArgumentKind, Asked, CODE, Entry, Gives, Reads, Record, Unanswered};
+use super::{Answer, Argument, ArgumentKind, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_hours;
 use crate::sheet::sheet;
@@ -12,7 +12,7 @@ use answers::Fit;
 pub use chrono::NaiveDate as Date;
 pub use installation::calendar::Interval;
 use installation::upkeep::Storage;
-pub use installation::upkeep::{Planned, Upkeep, UpkeepAsked};
+pub use installation::upkeep::{Planned, Upkeep, UpkeepInputs};
 use order_code::OrderCode;
 use quantities::Time;
 use words::help;
@@ -53,8 +53,8 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Upkeep>("upkeep")),
     writes: &[],
     example: "CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10",
-    answer: Some(|asked| {
-        let (_, found) = found(asked)?;
+    answer: Some(|inquiry| {
+        let (_, found) = found(inquiry)?;
         Ok(Answer::record(&found).fits(found.verdict == Fit::Fits))
     }),
 };
@@ -63,11 +63,11 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; a delivery in the future.
-pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswered> {
-    let language = asked.language;
-    let Args { code, delivered, storage, hours_per_day, inspect, today } = Args::read(&asked.given)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswered> {
+    let language = inquiry.language;
+    let Args { code, delivered, storage, hours_per_day, inspect, today } = Args::read(&inquiry.given)?;
     let earlier = |day: Date| (delivered > day).then_some(day);
-    if let Some(now) = today.map_or_else(|| before(delivered, asked), earlier) {
+    if let Some(now) = today.map_or_else(|| before(delivered, inquiry), earlier) {
         let [day, now] = [delivered, now].map(words::upkeep::date_text);
         let hint = words::upkeep::give_today(language).to_owned();
         let fault = (words::upkeep::delivered_in_the_future(&day, &now, language), Some(hint));
@@ -76,7 +76,7 @@ pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswered>
     if sheet(&code).is_none() {
         return Err(Refusal::NoData.into());
     }
-    let question = UpkeepAsked { delivered, storage, hours_per_day, inspect, today };
+    let question = UpkeepInputs { delivered, storage, hours_per_day, inspect, today };
     let plan = upkeep(&code, &question, language)
         .map_err(|(name, message, hint)| Unanswered::option(name, (message, hint)))?;
     let record = answer::upkeep(&plan, language);
@@ -85,8 +85,8 @@ pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswered>
 
 /// Returns the day of the clock if another day is in the future everywhere on earth: in the far east it may already be
 /// tomorrow.
-fn before(day: Date, asked: &Asked<'_>) -> Option<Date> {
-    let days = asked.days_since_1970?;
+fn before(day: Date, inquiry: &Inquiry<'_>) -> Option<Date> {
+    let days = inquiry.days_since_1970?;
     let tomorrow = day_of_clock(days.checked_add(1)?)?;
     if day > tomorrow { day_of_clock(days) } else { None }
 }

@@ -2,7 +2,7 @@
 
 use super::given::{arguments, label};
 use super::upkeep::{DELIVERED, HOURS, INSPECT, STORAGE, TODAY};
-use super::{Argument, Asked, CODE, Entry, Gives, OutputFile, Reads, Unanswered, media};
+use super::{Argument, CODE, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, media};
 use installation::upkeep::Upkeep;
 use words::{help, help::values, requests};
 
@@ -33,8 +33,8 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; a delivery in the future.
-pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep, Option<String>), Unanswered> {
-    let name = Args::read(&asked.given)?.name;
-    let (plan, record) = super::upkeep::found(asked)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(Upkeep, answers::Upkeep, Option<String>), Unanswered> {
+    let name = Args::read(&inquiry.given)?.name;
+    let (plan, record) = super::upkeep::found(inquiry)?;
     Ok((plan, record, name))
 }

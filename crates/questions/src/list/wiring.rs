@@ -1,7 +1,7 @@
 //! `wiring CODE`: connectors, pins and cables.
 
 use super::given::{arguments, code, some};
-use super::{Answer, Argument, Asked, CODE, Entry, Gives, PICTURE, Reads, Record, Unanswered};
+use super::{Answer, Argument, CODE, Entry, Gives, Inquiry, PICTURE, Reads, Record, Unanswered};
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::wiring::{cable_length, cross_section};
@@ -34,16 +34,16 @@ pub static ENTRY: Entry = Entry {
     gives: Gives::Record(Record::of::<answers::Wiring>("wiring")),
     writes: &PICTURE,
     example: "CHA-25A-100-H-M512P-B --check pins.csv",
-    answer: Some(|asked| Ok(Answer::record(&found(asked)?.1))),
+    answer: Some(|inquiry| Ok(Answer::record(&found(inquiry)?.1))),
 };
 
 /// Returns the wiring, and its record.
 ///
 /// # Errors
 /// Every fault of the arguments; no data in the manual.
-pub fn found(asked: &Asked<'_>) -> Result<(CodeWiring, answers::Wiring), Unanswered> {
-    let Args { code, length, cross_section } = Args::read(&asked.given)?;
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(CodeWiring, answers::Wiring), Unanswered> {
+    let Args { code, length, cross_section } = Args::read(&inquiry.given)?;
     let found = wiring(&code).ok_or(Refusal::NoData)?;
-    let record = answer::wiring(&found, length.map(|length| (length, cross_section)), asked.language);
+    let record = answer::wiring(&found, length.map(|length| (length, cross_section)), inquiry.language);
     Ok((found, record))
 }

@@ -73,7 +73,7 @@ fn sized(text: &str) -> Result<Best, String> {
 fn a_row_is_answered_as_the_project_with_its_values() {
     let sweep = sweep(MOVE, &["load.inertia [kg m^2]", "motion[1].time [ms]"]).unwrap();
     let found = sweep
-        .judge(&[numbers(&[1.0, 0.1, 400.0, -1.0]), numbers(&[500.0, 200.0, 100.0, 100.0])], &Patience::endless())
+        .judge(&[numbers(&[1.0, 0.1, 400.0, -1.0]), numbers(&[500.0, 200.0, 100.0, 100.0])], &Progress::endless())
         .unwrap();
     for (answer, (inertia, time)) in found.iter().zip([("1", "500"), ("0.1", "200"), ("400", "100")]) {
         let text = MOVE.replace("1 kg m^2", &format!("{inertia} kg m^2")).replace("0.5 s", &format!("{time} ms"));
@@ -97,7 +97,7 @@ fn a_row_names_the_check_of_the_place_that_excludes_every_code() {
     for (place, check) in places {
         let text = format!("{MOVE}[requirements]\n{place}");
         let sweep = sweep(&text, &["load.inertia [kg m^2]"]).unwrap();
-        let found = sweep.judge(&[numbers(&[1.0, 400.0])], &Patience::endless()).unwrap();
+        let found = sweep.judge(&[numbers(&[1.0, 400.0])], &Progress::endless()).unwrap();
         for (answer, inertia) in found.iter().zip(["1", "400"]) {
             let found = best(answer);
             assert_eq!(found, sized(&text.replace("1 kg m^2", &format!("{inertia} kg m^2"))).unwrap(), "{place}");
@@ -142,7 +142,7 @@ fn every_example_with_seeded_values_is_answered_as_by_size() {
             let values: Vec<f64> =
                 inputs.iter().map(|input| input.amount.unwrap().0 * (spread * (2.0 * share() - 1.0)).exp()).collect();
             let cells: Vec<Cells<'_>> = values.iter().map(|value| numbers(&[*value])).collect();
-            let found = sweep.judge(&cells, &Patience::endless()).unwrap().remove(0);
+            let found = sweep.judge(&cells, &Progress::endless()).unwrap().remove(0);
             let mut with_them = text.clone();
             for (input, value) in inputs.iter().zip(&values) {
                 let written = Heading::read(&heading(input), Counted::FromOne, None).unwrap().written(*value);

@@ -2,13 +2,13 @@
 
 use super::{Judged, Point, PointKind, Worst};
 use project::{ALL_CORNERS_MOST, Project, Varied, sign};
-use sizing::Watch;
+use sizing::StepObserver;
 
 /// Largest number of passes of a search over all quantities; each pass but the last finds a worse corner.
 const PASSES_MOST: usize = 20;
 
 /// Returns the worst corner for each actuator.
-pub(super) fn worst<W: Watch>(
+pub(super) fn worst<W: StepObserver>(
     (project, varied): (&Project, &Varied<'_>),
     judged: &[Judged<'_>],
     rising: &[Vec<f64>],
@@ -33,7 +33,7 @@ fn values(project: &Project, sign: impl Fn(usize) -> f64) -> Vec<f64> {
 }
 
 /// Returns the worst of all corners, each created once for all actuators; among equally bad ones the first.
-fn of_all<W: Watch>(
+fn of_all<W: StepObserver>(
     project: &Project,
     varied: &mut Varied<'_>,
     judged: &[Judged<'_>],
@@ -64,7 +64,7 @@ fn of_all<W: Watch>(
 /// towards which the samples become worse.
 ///
 /// `looks`: number of evaluations after which the search ends; the starts are always evaluated.
-fn searched<W: Watch>(
+fn searched<W: StepObserver>(
     (project, varied): (&Project, &mut Varied<'_>),
     judged: &Judged<'_>,
     rising: &[f64],

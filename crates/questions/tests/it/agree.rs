@@ -6,7 +6,7 @@ use project::{Counted, Edit, Heading, Input, NoFiles, Project, edit, inputs};
 use quantities::{Language, Measure};
 use questions::list::size::{mends, sized};
 use questions::sweep::{Cells, Judged, Options, Sweep};
-use questions::{Candidate, CandidateId, Check, Fit, Patience, Rejected, Sizing, Verdict, check};
+use questions::{Candidate, CandidateId, Check, Fit, Progress, Rejected, Sizing, Verdict, check};
 use sizing::{CheckId, Note, RankKey};
 
 /// Seeded values of each example.
@@ -146,7 +146,7 @@ fn every_answer_says_the_same_of_a_code() {
             rejected += usize::from(!each.fits());
             inside += usize::from(each.fit() == Fit::FitsIfEstimate);
         }
-        let by_reasons = sized(&project, 3, Rejected::Reasons, &Patience::endless()).unwrap().candidates;
+        let by_reasons = sized(&project, 3, Rejected::Reasons, &Progress::endless()).unwrap().candidates;
         assert_eq!(by_reasons.len(), sizing.candidates.len());
         for (some, each) in by_reasons.iter().zip(&sizing.candidates) {
             assert_eq!((&some.id, said(some)), (&each.id, said(each)), "{text}");
@@ -165,7 +165,7 @@ fn every_answer_says_the_same_of_a_code() {
         let sweep = sweep.unwrap_or_else(|why| panic!("{why:?}"));
         let named: Vec<Option<std::borrow::Cow<'_, str>>> =
             sizing.candidates.iter().step_by(40).map(|each| Some(each.id.to_string().into())).collect();
-        let rows = sweep.judge(&[Cells::Texts(named)], &Patience::endless()).unwrap();
+        let rows = sweep.judge(&[Cells::Texts(named)], &Progress::endless()).unwrap();
         for (row, each) in rows.iter().zip(sizing.candidates.iter().step_by(40)) {
             let Ok(Judged::Best(row)) = row else { continue };
             let governing = each.governing().map(|check| check.id);
@@ -179,7 +179,7 @@ fn every_answer_says_the_same_of_a_code() {
         assert_eq!(found, nearest(&project, &sizing), "{text}");
         if sizing.fitting().is_empty() {
             nothing_fits += 1;
-            let quick = sized(&project, 0, Rejected::Nearest, &Patience::endless()).unwrap();
+            let quick = sized(&project, 0, Rejected::Nearest, &Progress::endless()).unwrap();
             assert_eq!(quick.nearest_miss().map(|miss| miss.id.clone()), found, "{text}");
             let named = |sizing: &Sizing<'_>| sizing.named().map(|each| each.id.clone());
             assert_eq!(named(&quick), named(&sizing), "{text}");
@@ -256,7 +256,7 @@ fn a_proposed_gearing_fits_as_it_is_printed() {
     let mut seen = 0;
     for text in &texts() {
         let project = questions::read(text).unwrap();
-        for mend in mends(&project, &Patience::endless()).unwrap() {
+        for mend in mends(&project, &Progress::endless()).unwrap() {
             let value = mend.unit.from_si(mend.si);
             let scale = 10_f64.powf(2.0 - value.abs().log10().floor());
             let digits = value * scale;

@@ -2,8 +2,8 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use quantities::Language;
-use questions::Patience;
-use questions::list::{Asked, Entry, Given, Unanswered, encoder, encoder_trace};
+use questions::Progress;
+use questions::list::{Entry, Given, Inquiry, Unanswered, encoder, encoder_trace};
 use serde_json::Value;
 use std::borrow::Cow;
 
@@ -11,18 +11,18 @@ const M512P: (&str, &str) = ("code", "CHA-25A-100-H-M512P");
 const M128S: (&str, &str) = ("code", "CHA-17A-100-H-M128S");
 
 fn text(entry: &Entry, pairs: &[(&str, &str)]) -> Result<(String, bool), Unanswered> {
-    let patience = Patience::endless();
+    let progress = Progress::endless();
     let pairs = pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
     let given = Given::of(entry.arguments, pairs, Language::En)?;
-    let asked = Asked {
+    let inquiry = Inquiry {
         given,
         sources: Vec::new(),
         days_since_1970: None,
-        patience: &patience,
+        progress: &progress,
         refuses_long: true,
         language: Language::En,
     };
-    let answer = entry.answer.unwrap()(&asked)?;
+    let answer = entry.answer.unwrap()(&inquiry)?;
     Ok((answer.text, answer.fits))
 }
 

@@ -6,8 +6,8 @@ use order_code::OrderCode;
 use project::NoFiles;
 use provenance::Source as Origin;
 use quantities::Language;
-use questions::Patience;
-use questions::list::{Asked, Entry, Given, Gives, LIST, Reads, ReferencedText};
+use questions::Progress;
+use questions::list::{Entry, Given, Gives, Inquiry, LIST, Reads, ReferencedText};
 use serde_json::Value;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,7 +45,7 @@ fn doubts(code: &OrderCode) -> BTreeMap<String, BTreeSet<&'static str>> {
 }
 
 fn answered(entry: &Entry, pairs: &[(&str, &str)]) -> Option<Value> {
-    let patience = Patience::endless();
+    let progress = Progress::endless();
     let cow = |text| Cow::Borrowed(text);
     let given =
         Given::of(entry.arguments, pairs.iter().map(|(name, value)| (cow(*name), cow(*value))), Language::En).ok()?;
@@ -55,15 +55,15 @@ fn answered(entry: &Entry, pairs: &[(&str, &str)]) -> Option<Value> {
         Reads::Project => vec![source()],
         Reads::Pins | Reads::Measured | Reads::TwoProjects => return None,
     };
-    let asked = Asked {
+    let inquiry = Inquiry {
         given,
         sources,
         days_since_1970: None,
-        patience: &patience,
+        progress: &progress,
         refuses_long: false,
         language: Language::En,
     };
-    let answer = entry.answer?(&asked).ok()?;
+    let answer = entry.answer?(&inquiry).ok()?;
     serde_json::from_str(&answer.text).ok()
 }
 

@@ -7,8 +7,8 @@ use order_code::OrderCode;
 use quantities::{Language, Unit, parse_german};
 use questions::answer;
 use questions::list::compare::compare;
-use questions::list::mount::{MountAsked, mount};
-use questions::{Patience, read};
+use questions::list::mount::{MountInputs, mount};
+use questions::{Progress, read};
 
 const AXIS: &str = "format = 1\n[load]\ninertia = \"0.05 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"20 1/min\"\n\
     accelerate = \"0.2 s\"\nrun = \"0.5 s\"\nbrake = \"0.2 s\"\npause = \"0.5 s\"\n";
@@ -44,7 +44,7 @@ fn a_comparison_marks_what_is_not_printed() {
     let project = read(AXIS).unwrap();
     let mut marked = 0;
     for pair in codes().chunks(2).filter(|pair| pair.len() == 2) {
-        let found = compare(&project, pair, &Patience::endless()).unwrap();
+        let found = compare(&project, pair, &Progress::endless()).unwrap();
         let record = answer::comparison(&found, "", Language::En);
         for row in &record.data {
             for (place, value) in row.values.iter().enumerate() {
@@ -105,7 +105,7 @@ fn shown(found: &Mount) -> Vec<(&'static str, &'static str, f64, &[&'static str]
 fn a_mounting_marks_what_is_not_printed() {
     let (mut marked, mut seen) = (0, 0);
     for code in codes() {
-        let asked = MountAsked::default();
+        let asked = MountInputs::default();
         let found = answer::mount(&mount(&code, &asked).unwrap(), &asked, None, Language::En);
         for (symbol, unit, value, errata) in shown(&found) {
             let printed = printed(&code, symbol, unit);
@@ -126,7 +126,7 @@ fn a_mounting_marks_what_is_not_printed() {
 #[test]
 fn the_torque_of_m8_is_marked_in_the_text() {
     let code = order_code::parse("CHA-50A-80-H-C1024").unwrap().code;
-    let asked = MountAsked::default();
+    let asked = MountInputs::default();
     let found = answer::mount(&mount(&code, &asked).unwrap(), &asked, None, Language::De);
     let text = format!("{:?}", questions::chapter::mount(&found, Language::De));
     assert!(text.contains("42 †") && text.contains("† T79.1-M8-torque: "), "{text}");

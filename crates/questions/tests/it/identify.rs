@@ -5,8 +5,8 @@
 use project::{Files, Project};
 use quantities::Language;
 use questions::list::identify::Identification;
-use questions::list::{Argument, Asked, Given, ReferencedText, identify, simulate};
-use questions::{Patience, TwinSample};
+use questions::list::{Argument, Given, Inquiry, ReferencedText, identify, simulate};
+use questions::{Progress, TwinSample};
 use std::borrow::Cow;
 use std::io::Read;
 
@@ -65,19 +65,19 @@ impl Files for One {
     }
 }
 
-fn asked<'a>(
+fn inquiry<'a>(
     arguments: &'static [Argument],
     pairs: &[(&'static str, &'static str)],
     text: &'a str,
     files: &'a dyn Files,
-    patience: &'a Patience,
-) -> Asked<'a> {
+    progress: &'a Progress,
+) -> Inquiry<'a> {
     let pairs = pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
-    Asked {
+    Inquiry {
         given: Given::of(arguments, pairs, Language::En).unwrap(),
         sources: vec![ReferencedText { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files }],
         days_since_1970: None,
-        patience,
+        progress,
         refuses_long: true,
         language: Language::En,
     }
@@ -89,11 +89,11 @@ fn course(text: &str) -> String {
 }
 
 fn course_of(text: &str, code: &'static str) -> String {
-    let (patience, none) = (Patience::endless(), One(String::new()));
-    let asked = asked(simulate::Args::ARGUMENTS, &[("code", code), ("cold", "true")], text, &none, &patience);
-    let (_, project): (_, Project) = asked.axis(None, questions::list::Cost::Other).unwrap();
-    let args = simulate::Args::read(&asked.given).unwrap();
-    let run = args.simulated(&project, &asked, true).unwrap();
+    let (progress, none) = (Progress::endless(), One(String::new()));
+    let inquiry = inquiry(simulate::Args::ARGUMENTS, &[("code", code), ("cold", "true")], text, &none, &progress);
+    let (_, project): (_, Project) = inquiry.axis(None, questions::list::Cost::Other).unwrap();
+    let args = simulate::Args::read(&inquiry.given).unwrap();
+    let run = args.simulated(&project, &inquiry, true).unwrap();
     let row = |s: &TwinSample| {
         format!(
             "{},{},{},{},{},{},{}\n",
@@ -109,9 +109,9 @@ fn identified(text: &str, trace: String) -> Identification {
 }
 
 fn identified_of(text: &str, trace: String, code: &'static str) -> Identification {
-    let (patience, files) = (Patience::endless(), One(trace));
+    let (progress, files) = (Progress::endless(), One(trace));
     let pairs = [("code", code), ("trace", "run.csv")];
-    identify::found(&asked(identify::Args::ARGUMENTS, &pairs, text, &files, &patience)).unwrap()
+    identify::found(&inquiry(identify::Args::ARGUMENTS, &pairs, text, &files, &progress)).unwrap()
 }
 
 fn value(found: &Identification, id: &str) -> (f64, f64, Option<f64>) {
@@ -204,9 +204,9 @@ fn the_overrides_make_a_wrong_project_run_like_the_right_one() {
 fn other_headings_are_answered_alike_in_either_format() {
     let text = arm("2.4 kg m^2", "5 kg", "");
     let refused = |trace: &[u8]| {
-        let (patience, files) = (Patience::endless(), Bytes(trace.to_vec()));
-        let asked = asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &patience);
-        let faults = identify::found(&asked).unwrap_err().faults(None, Language::En).errors;
+        let (progress, files) = (Progress::endless(), Bytes(trace.to_vec()));
+        let inquiry = inquiry(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &progress);
+        let faults = identify::found(&inquiry).unwrap_err().faults(None, Language::En).errors;
         faults.into_iter().map(|fault| fault.message).collect::<Vec<_>>()
     };
     let parquet = include_bytes!("../../../recording/tests/data/pyarrow_gzip.parquet");
@@ -222,9 +222,9 @@ fn other_headings_are_answered_alike_in_either_format() {
 fn every_wrong_cell_of_a_run_is_reported() {
     let text = arm("2.4 kg m^2", "5 kg", "");
     let refused = |trace: String| {
-        let (patience, files) = (Patience::endless(), One(trace));
-        let asked = asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &patience);
-        let faults = identify::found(&asked).unwrap_err().faults(None, Language::En).errors;
+        let (progress, files) = (Progress::endless(), One(trace));
+        let inquiry = inquiry(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &progress);
+        let faults = identify::found(&inquiry).unwrap_err().faults(None, Language::En).errors;
         faults.into_iter().map(|fault| fault.message).collect::<Vec<_>>()
     };
     let head = "time_s,position_rad,speed_rad_s,acceleration_rad_s2,motor_speed_rad_s,torque_nm,current_q_a\n";
@@ -255,9 +255,9 @@ fn every_wrong_cell_of_a_run_is_reported() {
 fn what_to_write_for_a_foreign_run_is_said() {
     let text = arm("2.4 kg m^2", "5 kg", "");
     let refused = |trace: &str| {
-        let (patience, files) = (Patience::endless(), One(trace.to_owned()));
-        let asked = asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &patience);
-        let faults = identify::found(&asked).unwrap_err().faults(None, Language::En).errors;
+        let (progress, files) = (Progress::endless(), One(trace.to_owned()));
+        let inquiry = inquiry(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, &progress);
+        let faults = identify::found(&inquiry).unwrap_err().faults(None, Language::En).errors;
         faults.into_iter().map(|fault| fault.message).collect::<Vec<_>>()
     };
     let holds = |trace: &str, parts: &[&str]| {
@@ -418,10 +418,10 @@ fn a_run_partly_at_the_limit_gives_no_impossible_values() {
 fn a_measured_load_that_replaces_nothing_is_refused() {
     let crank = include_str!("../../../../examples/slider-crank.toml");
     let text = format!("{crank}\n[twin.measured]\nload_inertia = \"1 kg m^2\"\n");
-    let (patience, none) = (Patience::endless(), One(String::new()));
-    let asked = asked(simulate::Args::ARGUMENTS, &[CODE], &text, &none, &patience);
-    let args = simulate::Args::read(&asked.given).unwrap();
-    let why = simulate::record(&args, &asked).unwrap_err();
+    let (progress, none) = (Progress::endless(), One(String::new()));
+    let inquiry = inquiry(simulate::Args::ARGUMENTS, &[CODE], &text, &none, &progress);
+    let args = simulate::Args::read(&inquiry.given).unwrap();
+    let why = simulate::record(&args, &inquiry).unwrap_err();
     let faults = why.faults(None, Language::En);
     assert!(faults.errors[0].message.contains("measured.load_inertia"), "{faults:?}");
 }
@@ -559,10 +559,10 @@ fn a_run_is_read_alike_in_every_dialect() {
 fn a_long_run_is_counted_before_the_work() {
     let text = arm("2.4 kg m^2", "5 kg", "");
     let run = course(&text);
-    let answered = |trace: Vec<u8>, refuses_long: bool, patience: &Patience| {
+    let answered = |trace: Vec<u8>, refuses_long: bool, progress: &Progress| {
         let files = Bytes(trace);
-        let arguments = asked(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, patience);
-        identify::found(&Asked { refuses_long, ..arguments }).map_err(|why| {
+        let arguments = inquiry(identify::Args::ARGUMENTS, &[CODE, ("trace", "run.csv")], &text, &files, progress);
+        identify::found(&Inquiry { refuses_long, ..arguments }).map_err(|why| {
             let faults = why.faults(Some(7.0), Language::En).errors;
             faults.into_iter().map(|fault| fault.message).collect::<String>()
         })
@@ -575,18 +575,18 @@ fn a_long_run_is_counted_before_the_work() {
         testkit::parquet::file(rows, &names.map(column))
     };
     let most = 1 << 21;
-    let refused = answered(parquet(most + 1), true, &Patience::endless()).unwrap_err();
+    let refused = answered(parquet(most + 1), true, &Progress::endless()).unwrap_err();
     assert!(refused.starts_with("2097153 rows of the run take more than about 10 seconds"), "{refused}");
     assert!(refused.contains("at most 2097152") && refused.contains("--deadline"), "{refused}");
     for (rows, refuses_long) in [(most, true), (most + 1, false)] {
-        let other = answered(parquet(rows), refuses_long, &Patience::endless()).unwrap_err();
+        let other = answered(parquet(rows), refuses_long, &Progress::endless()).unwrap_err();
         assert!(!other.contains("seconds"), "{other}");
     }
-    let patience = Patience::endless();
-    assert!(answered(run.clone().into_bytes(), true, &patience).is_ok());
-    let (steps, _) = patience.progress();
+    let progress = Progress::endless();
+    assert!(answered(run.clone().into_bytes(), true, &progress).is_ok());
+    let (steps, _) = progress.progress();
     assert!(steps > 30, "a step is a window: {steps}");
-    let patience = Patience::endless();
-    patience.displace();
-    assert!(answered(run.into_bytes(), false, &patience).unwrap_err().contains("7"));
+    let progress = Progress::endless();
+    progress.displace();
+    assert!(answered(run.into_bytes(), false, &progress).unwrap_err().contains("7"));
 }

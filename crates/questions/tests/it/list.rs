@@ -4,15 +4,15 @@
 use project::NoFiles;
 use quantities::Language;
 use questions::list::{
-    ArgumentForm, ArgumentKind, Asked, Entry, Given, Gives, LIST, Reads, ReferencedText, Unanswered, size,
+    ArgumentForm, ArgumentKind, Entry, Given, Gives, Inquiry, LIST, Reads, ReferencedText, Unanswered, size,
 };
-use questions::{Patience, Refusal};
+use questions::{Progress, Refusal};
 use std::borrow::Cow;
 
 const PROJECT: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2 ± 5 %\"\n[[motion]]\nlaw = \"manual\"\n\
     speed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n";
 
-fn asked<'a>(entry: &Entry, pairs: &[(&'a str, &'a str)], patience: &'a Patience) -> Result<Asked<'a>, Unanswered> {
+fn inquiry<'a>(entry: &Entry, pairs: &[(&'a str, &'a str)], progress: &'a Progress) -> Result<Inquiry<'a>, Unanswered> {
     let pairs = pairs.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
     let given = Given::of(entry.arguments, pairs, Language::En)?;
     let source =
@@ -22,13 +22,13 @@ fn asked<'a>(entry: &Entry, pairs: &[(&'a str, &'a str)], patience: &'a Patience
         Reads::Project => vec![source()],
         Reads::TwoProjects => vec![source(), source()],
     };
-    Ok(Asked { given, sources, days_since_1970: None, patience, refuses_long: true, language: Language::En })
+    Ok(Inquiry { given, sources, days_since_1970: None, progress, refuses_long: true, language: Language::En })
 }
 
 fn answered(command: &str, pairs: &[(&str, &str)]) -> Result<serde_json::Value, Unanswered> {
     let entry = LIST.iter().find(|entry| entry.command == command).unwrap();
-    let patience = Patience::endless();
-    let answer = entry.answer.unwrap()(&asked(entry, pairs, &patience)?)?;
+    let progress = Progress::endless();
+    let answer = entry.answer.unwrap()(&inquiry(entry, pairs, &progress)?)?;
     Ok(serde_json::from_str(&answer.text).unwrap())
 }
 
@@ -100,7 +100,7 @@ fn every_fault_of_the_arguments_is_reported_at_once() {
     assert!(options.len() >= 3 && options.contains(&Some("length".into())), "{options:?}");
     let needs = answered("wiring", &[("code", "CHA-25A-100-H-M512P-B"), ("cross-section", "1 mm^2")]).unwrap_err();
     assert!(matches!(needs, Unanswered::Usage(errors) if errors[0].option.as_deref() == Some("length")));
-    let patience = Patience::endless();
-    let args = size::Args::read(&asked(&size::ENTRY, &[], &patience).unwrap().given).unwrap();
+    let progress = Progress::endless();
+    let args = size::Args::read(&inquiry(&size::ENTRY, &[], &progress).unwrap().given).unwrap();
     assert_eq!((args.top, args.all, args.samples, args.axis), (10, false, None, None));
 }

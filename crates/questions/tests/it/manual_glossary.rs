@@ -5,7 +5,7 @@ use installation::commission::ParameterId;
 use quantities::Language;
 use questions::list::commission::commission;
 use questions::list::glossary::glossary;
-use questions::list::mount::{MountAsked, mount};
+use questions::list::mount::{MountInputs, mount};
 use questions::{answer, read_code};
 
 /// The headings of chapter 11.1 in their order, each with our symbol. One that the print gives twice, for grease and oil or for
@@ -100,7 +100,7 @@ fn every_symbol_of_an_answer_about_a_code_is_in_the_glossary() {
     for text in ["CHA-25A-100-H-M512P-B", "CHA-14A-50-E-M128S", "CHA-20A-100-N-D2048", "CHA-32A-50-H-C1024-B-EC"] {
         let Ok(reading) = read_code(text, Language::En) else { continue };
         let code = reading.parsed.code;
-        let asked = MountAsked::default();
+        let asked = MountInputs::default();
         if let Some(found) = mount(&code, &asked) {
             let record = serde_json::to_value(answer::mount(&found, &asked, None, Language::En)).unwrap();
             collect(&record, &mut symbols);

@@ -3,7 +3,7 @@
 
 use configurator::catalogue_actuators;
 use project::Files;
-use questions::{Candidate, Patience, Rejected, Verdict};
+use questions::{Candidate, Progress, Rejected, Verdict};
 use sizing::{Check, Depth, Judge, Scope};
 
 struct Examples;
@@ -159,7 +159,7 @@ fn a_ranking_is_the_same_however_many_are_reported_in_full() {
     let (mut left_out, mut decided) = (0, 0);
     for project in &projects {
         let all = questions::size(project).candidates;
-        let some = questions::list::size::sized(project, 3, Rejected::All, &Patience::endless()).unwrap().candidates;
+        let some = questions::list::size::sized(project, 3, Rejected::All, &Progress::endless()).unwrap().candidates;
         assert_eq!(all.len(), some.len());
         for (place, (full, short)) in all.iter().zip(&some).enumerate() {
             let energy = |each: &Candidate<'_>| {

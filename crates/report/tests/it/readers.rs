@@ -8,8 +8,8 @@ use answers::Picture;
 use figures::{PinTexts, Style, Theme};
 use quantities::Language;
 use questions::list::commission::{DriveForm, usual_ambient};
-use questions::list::mount::MountAsked;
-use questions::list::upkeep::{UpkeepAsked, read_date};
+use questions::list::mount::MountInputs;
+use questions::list::upkeep::{UpkeepInputs, read_date};
 use questions::{answer, chapter};
 use report::Content;
 use samples::read::is_readable;
@@ -34,7 +34,7 @@ fn with_chapters(content: &mut Content) {
             });
             axis.chapters.push(chapter::wiring(&answer::wiring(&found, None, language), faces.collect(), language));
         }
-        let asked = MountAsked::default();
+        let asked = MountInputs::default();
         if let Some(found) = questions::list::mount::mount(&code, &asked) {
             axis.chapters.push(chapter::mount(&answer::mount(&found, &asked, None, language), language));
         }
@@ -43,7 +43,7 @@ fn with_chapters(content: &mut Content) {
             axis.chapters.push(chapter::commission(&sheet, &[], language));
         }
         let delivered = read_date("2026-03-01", language).unwrap();
-        let asked = UpkeepAsked { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
+        let asked = UpkeepInputs { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
         let plan = questions::list::upkeep::upkeep(&code, &asked, language).unwrap();
         axis.chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
         axis.dossier.documents.extend(chapter::documents(&axis.chapters, language));

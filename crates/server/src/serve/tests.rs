@@ -1,6 +1,6 @@
 use super::*;
 use page::{Call, Reply, Shell};
-use questions::Patience;
+use questions::Progress;
 use std::io::{Read, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -86,7 +86,7 @@ fn short() -> RequestLimits {
     }
 }
 
-fn panics(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+fn panics(call: &Call<'_>, _: &dyn Shell, _: &Progress) -> Reply {
     assert!(call.path != "/panics", "the secret of the request");
     Reply::text(200, "here")
 }
@@ -104,8 +104,8 @@ fn a_fault_inside_is_an_answer_without_detail() {
 static STOPPED: AtomicUsize = AtomicUsize::new(0);
 
 /// Works until it is cancelled.
-fn endless(call: &Call<'_>, _: &dyn Shell, patience: &Patience) -> Reply {
-    while call.path != "/" && !patience.is_over() {
+fn endless(call: &Call<'_>, _: &dyn Shell, progress: &Progress) -> Reply {
+    while call.path != "/" && !progress.is_over() {
         std::thread::sleep(Duration::from_millis(5));
     }
     if call.path != "/" {
@@ -148,7 +148,7 @@ static GATE: Mutex<()> = Mutex::new(());
 static INSIDE: AtomicUsize = AtomicUsize::new(0);
 static MOST_INSIDE: AtomicUsize = AtomicUsize::new(0);
 
-fn slow(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+fn slow(_: &Call<'_>, _: &dyn Shell, _: &Progress) -> Reply {
     let now = INSIDE.fetch_add(1, Ordering::SeqCst) + 1;
     MOST_INSIDE.fetch_max(now, Ordering::SeqCst);
     drop(GATE.lock().unwrap_or_else(PoisonError::into_inner));
@@ -213,7 +213,7 @@ fn needs_a_token(listen: IpAddr) {
 }
 
 /// Replies with path and query of the call.
-fn repeats(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+fn repeats(call: &Call<'_>, _: &dyn Shell, _: &Progress) -> Reply {
     Reply::text(200, &format!("{} {}", call.path, call.query))
 }
 
@@ -337,7 +337,7 @@ fn a_stranger_without_the_token_sends_no_body() {
 static MADE: AtomicUsize = AtomicUsize::new(0);
 
 /// Counts how often a file is made.
-fn made(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+fn made(_: &Call<'_>, _: &dyn Shell, _: &Progress) -> Reply {
     MADE.fetch_add(1, Ordering::Relaxed);
     Reply::text(200, &"a rule of the style\n".repeat(400))
 }
@@ -360,13 +360,13 @@ static BEGUN: AtomicUsize = AtomicUsize::new(0);
 static ENOUGH: AtomicBool = AtomicBool::new(false);
 
 /// A long work ends when it is enough or when it is cancelled.
-fn long_or_short(call: &Call<'_>, _: &dyn Shell, patience: &Patience) -> Reply {
+fn long_or_short(call: &Call<'_>, _: &dyn Shell, progress: &Progress) -> Reply {
     if call.path == "/short" {
         return Reply::text(200, "short");
     }
     BEGUN.fetch_add(1, Ordering::SeqCst);
     while !ENOUGH.load(Ordering::SeqCst) {
-        if patience.is_over() {
+        if progress.is_over() {
             return Reply::text(503, "cancelled");
         }
         std::thread::sleep(Duration::from_millis(5));
@@ -402,7 +402,7 @@ fn long_works_do_not_keep_a_short_one_waiting() {
 
 static FINISHED: AtomicBool = AtomicBool::new(false);
 
-fn takes_a_while(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+fn takes_a_while(_: &Call<'_>, _: &dyn Shell, _: &Progress) -> Reply {
     std::thread::sleep(Duration::from_millis(300));
     FINISHED.store(true, Ordering::SeqCst);
     Reply::text(200, "here")
@@ -422,16 +422,16 @@ fn what_has_begun_is_finished_when_the_end_comes() {
 }
 
 /// A work that runs until it is stopped and returns the reason; else the list of known works.
-fn named(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+fn named(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let work = call.field("work").unwrap_or_default();
     match call.path {
         page::PROGRESS => Reply::text(if shell.progress(&work).is_some() { 200 } else { 404 }, ""),
         page::CANCEL => Reply::text(if shell.cancel(&work) { 200 } else { 404 }, ""),
         _ => {
-            while !patience.is_over() {
+            while !progress.is_over() {
                 std::thread::sleep(Duration::from_millis(5));
             }
-            Reply::text(200, if patience.is_late() { "late" } else { "cancelled" })
+            Reply::text(200, if progress.is_late() { "late" } else { "cancelled" })
         }
     }
 }

@@ -2,13 +2,13 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 use quantities::Language;
-use questions::list::upkeep::{UpkeepAsked, read_date, read_interval, upkeep};
+use questions::list::upkeep::{UpkeepInputs, read_date, read_interval, upkeep};
 use questions::{answer, read_code};
 
 fn calendar(delivered: &str, inspect: &str, name: Option<&str>) -> String {
     let language = Language::En;
     let code = read_code("CHA-14A-50-E-M128S", language).unwrap().parsed.code;
-    let asked = UpkeepAsked {
+    let asked = UpkeepInputs {
         delivered: read_date(delivered, language).unwrap(),
         storage: None,
         hours_per_day: None,

@@ -6,7 +6,7 @@
 use page::{Call, FileEntry, Folder, Method, Reply, SaveFault, Shell, respond};
 use project::{Files, NoFiles};
 use quantities::Language;
-use questions::Patience;
+use questions::Progress;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 #[allow(unused_imports, reason = "each test takes what it needs")]
@@ -37,12 +37,12 @@ pub fn post(path: &str, fields: &[(&str, &str)]) -> Reply {
     let body = form(fields);
     let media = Some("application/x-www-form-urlencoded");
     let call = Call { method: Method::Post, path, query: "", media, body: body.as_bytes(), language: Language::En };
-    respond(&call, &Alone, &Patience::endless())
+    respond(&call, &Alone, &Progress::endless())
 }
 
 pub fn get(path: &str, query: &str) -> Reply {
     let call = Call { method: Method::Get, path, query, media: None, body: &[], language: Language::En };
-    respond(&call, &Alone, &Patience::endless())
+    respond(&call, &Alone, &Progress::endless())
 }
 
 pub fn page(reply: &Reply) -> String {
@@ -108,12 +108,12 @@ impl InMemory {
         let body = form(fields);
         let media = Some("application/x-www-form-urlencoded");
         let call = Call { method: Method::Post, path, query: "", media, body: body.as_bytes(), language: Language::En };
-        respond(&call, self, &Patience::endless())
+        respond(&call, self, &Progress::endless())
     }
 
     /// Returns the reply to a query.
     pub fn get(&self, path: &str, query: &str) -> Reply {
         let call = Call { method: Method::Get, path, query, media: None, body: &[], language: Language::En };
-        respond(&call, self, &Patience::endless())
+        respond(&call, self, &Progress::endless())
     }
 }

@@ -1,9 +1,9 @@
 //! Columns of a recorded run, read and checked row by row.
 
-use super::super::{Asked, Unanswered};
+use super::super::{Inquiry, Unanswered};
 use super::headings;
 use crate::Refusal;
-use crate::patience::Stopped;
+use crate::progress::Stopped;
 use quantities::{Language, format_significant, seen};
 use recording::{Bytes, Content, Fault, Memory, Records};
 use std::io::Read;
@@ -71,13 +71,13 @@ struct Columns {
 ///
 /// # Errors
 /// Every fault, each with its line and column.
-pub(super) fn run(asked: &Asked<'_>, name: &str) -> Result<RecordedRun, Unanswered> {
-    let language = asked.language;
+pub(super) fn run(inquiry: &Inquiry<'_>, name: &str) -> Result<RecordedRun, Unanswered> {
+    let language = inquiry.language;
     let unread = |_| Unanswered::message(simulation::no_such_trace(&seen(name), language));
-    let source = asked.source()?;
-    let mut memory = Memory::new(source.files.grant().memory).until(Some(asked.patience.flag()));
+    let source = inquiry.source()?;
+    let mut memory = Memory::new(source.files.grant().memory).until(Some(inquiry.progress.flag()));
     let (content, file) = source.files.open(name).and_then(recording::opened).map_err(unread)?;
-    let most = if asked.refuses_long { ROWS_MOST as u64 } else { u64::MAX };
+    let most = if inquiry.refuses_long { ROWS_MOST as u64 } else { u64::MAX };
     // One byte above the limit shows that the file is larger.
     let mut file = file.take(TRACE_MOST + 1);
     let columns = match content {
@@ -92,7 +92,7 @@ pub(super) fn run(asked: &Asked<'_>, name: &str) -> Result<RecordedRun, Unanswer
     if file.limit() == 0 {
         return Err(Unanswered::message(simulation::trace_too_large(&seen(name), &(TRACE_MOST >> 20), language)));
     }
-    if asked.patience.is_over() {
+    if inquiry.progress.is_over() {
         return Err(Unanswered::Refused(Refusal::from(Stopped), None));
     }
     if let Some(rows) = columns.too_many {

@@ -3,8 +3,8 @@
 
 use project::NoFiles;
 use quantities::Language;
-use questions::Patience;
-use questions::list::{Asked, Given, ReferencedText, Unanswered, simulate};
+use questions::Progress;
+use questions::list::{Given, Inquiry, ReferencedText, Unanswered, simulate};
 use std::borrow::Cow;
 
 /// Returns the answer of `simulate` as JSON, and whether the actuator fits.
@@ -14,8 +14,8 @@ use std::borrow::Cow;
 pub(crate) fn simulated(text: &str, options: &[(&str, &str)]) -> Result<(serde_json::Value, bool), Unanswered> {
     let pairs = options.iter().map(|(name, value)| (Cow::Borrowed(*name), Cow::Borrowed(*value)));
     let given = Given::of(simulate::Args::ARGUMENTS, pairs, Language::En)?;
-    let patience = Patience::endless();
-    let asked = Asked {
+    let progress = Progress::endless();
+    let inquiry = Inquiry {
         given,
         sources: vec![ReferencedText {
             name: "axis.toml".to_owned(),
@@ -23,10 +23,10 @@ pub(crate) fn simulated(text: &str, options: &[(&str, &str)]) -> Result<(serde_j
             files: &NoFiles,
         }],
         days_since_1970: None,
-        patience: &patience,
+        progress: &progress,
         refuses_long: true,
         language: Language::En,
     };
-    let answer = simulate::record(&simulate::Args::read(&asked.given)?, &asked)?;
+    let answer = simulate::record(&simulate::Args::read(&inquiry.given)?, &inquiry)?;
     Ok((serde_json::from_str(&answer.text).unwrap(), answer.fits))
 }

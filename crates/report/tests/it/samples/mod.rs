@@ -81,8 +81,8 @@ pub fn made_in(text: &str, code: Option<&str>, languages: &[Language], pictures:
         let chosen = questions::check(project, &code).unwrap();
         let reserve = questions::reserve_of(project, &chosen);
         let assessed = questions::assess(project, &[&chosen], Sampling::default());
-        let patience = questions::Patience::endless();
-        let mends = if ranked.fits() { Vec::new() } else { questions::list::size::mends(project, &patience).unwrap() };
+        let progress = questions::Progress::endless();
+        let mends = if ranked.fits() { Vec::new() } else { questions::list::size::mends(project, &progress).unwrap() };
         for content in &mut contents {
             let language = content.language;
             let (text, program) = ((text, place, "antrieb 0.1.0"), (&reserve, assessed.first(), &mends[..]));
@@ -102,7 +102,7 @@ fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, la
         (DiagramPlace::Gear, figures::Figure::Torsion),
     ];
     let drawn = kinds.iter().filter_map(|(place, kind)| {
-        Some((*place, figures::draw(*kind, project, chosen, By::Mass, &questions::Patience::endless(), language).ok()?))
+        Some((*place, figures::draw(*kind, project, chosen, By::Mass, &questions::Progress::endless(), language).ok()?))
     });
     let map = figures::has_points(ranked, By::Mass)
         .then(|| figures::candidate_map(ranked, By::Mass, Some(&chosen.id), language));

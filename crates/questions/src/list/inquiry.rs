@@ -4,7 +4,7 @@ use super::cost::Cost;
 use super::given::Given;
 use super::unanswered::Unanswered;
 use crate::answer::written;
-use crate::patience::Patience;
+use crate::progress::Progress;
 use crate::reading::read_all_watched;
 use crate::subject::{names, picked};
 use answers::{Answered, Fit};
@@ -48,15 +48,15 @@ impl ReferencedText<'_> {
     ///
     /// # Errors
     /// Faults of the text, or the reason why it is not read.
-    pub fn projects(&self, patience: &Patience, language: Language) -> Result<Vec<Project>, Unanswered> {
+    pub fn projects(&self, progress: &Progress, language: Language) -> Result<Vec<Project>, Unanswered> {
         let text = self.text(language)?;
-        read_all_watched(text, self.files, patience)
+        read_all_watched(text, self.files, progress)
             .map_err(|unread| Unanswered::unread(unread, &self.name, text, language))
     }
 }
 
 /// A call of a question.
-pub struct Asked<'a> {
+pub struct Inquiry<'a> {
     /// Values of the arguments.
     pub given: Given,
     /// Texts of the call: none, a project, two revisions of one, a list or a record.
@@ -64,14 +64,14 @@ pub struct Asked<'a> {
     /// Days since 1 January 1970; `None` without a clock.
     pub days_since_1970: Option<u64>,
     /// Cancellation of the work.
-    pub patience: &'a Patience,
+    pub progress: &'a Progress,
     /// `true` if an answer that takes long is refused before its work begins.
     pub refuses_long: bool,
     /// Language of the texts.
     pub language: Language,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> Inquiry<'a> {
     /// Returns the text of the call.
     ///
     /// # Errors
@@ -95,14 +95,14 @@ impl<'a> Asked<'a> {
     /// # Errors
     /// Faults of the project, an unknown axis.
     pub fn axes_of(&self, source: &ReferencedText<'_>, wanted: Option<&str>) -> Result<Vec<PlacedAxis>, Unanswered> {
-        let projects = source.projects(self.patience, self.language)?;
+        let projects = source.projects(self.progress, self.language)?;
         picked(projects, wanted, self.language).map_err(Unanswered::message)
     }
 
     /// Returns the only axis, or the one with a name.
     ///
     /// # Errors
-    /// As [`Asked::axes`], and several axes without a name.
+    /// As [`Inquiry::axes`], and several axes without a name.
     pub fn axis(&self, wanted: Option<&str>, cost: Cost) -> Result<PlacedAxis, Unanswered> {
         let axes = self.axes(wanted, cost)?;
         self.only(axes, |names| terminal::several_axes(&names, self.language))

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use project::{NoFiles, Project};
-use questions::{Draw, Patience, Refusal, Unread};
+use questions::{Draw, Progress, Refusal, Unread};
 
 /// An arm that swings many times, each time otherwise, so that no move stands for another.
 fn long(count: u32) -> Project {
@@ -29,25 +29,25 @@ fn code() -> order_code::OrderCode {
 #[test]
 fn what_is_cancelled_before_it_begins_does_nothing() {
     let project = long(300);
-    let patience = Patience::limited();
-    patience.cancel();
-    assert_eq!(questions::list::size::ranking(&project, 10, Draw::default(), &patience).unwrap_err(), Refusal::Stopped);
-    let one = questions::list::check::verification(&project, Some(&code()), Draw::default(), &patience);
+    let progress = Progress::limited();
+    progress.cancel();
+    assert_eq!(questions::list::size::ranking(&project, 10, Draw::default(), &progress).unwrap_err(), Refusal::Stopped);
+    let one = questions::list::check::verification(&project, Some(&code()), Draw::default(), &progress);
     assert_eq!(one.unwrap_err(), Refusal::Stopped);
-    assert!((2..=20).contains(&patience.progress().0), "a step or two of each thread: {:?}", patience.progress());
+    assert!((2..=20).contains(&progress.progress().0), "a step or two of each thread: {:?}", progress.progress());
 }
 
 #[test]
 fn work_is_cancelled_from_elsewhere() {
     let project = long(300);
-    let patience = Patience::endless();
+    let progress = Progress::endless();
     std::thread::scope(|scope| {
         let worker =
-            scope.spawn(|| questions::list::check::verification(&project, Some(&code()), Draw::default(), &patience));
-        while patience.progress().0 < 3 {
+            scope.spawn(|| questions::list::check::verification(&project, Some(&code()), Draw::default(), &progress));
+        while progress.progress().0 < 3 {
             std::thread::yield_now();
         }
-        patience.cancel();
+        progress.cancel();
         assert_eq!(worker.join().unwrap().unwrap_err(), Refusal::Stopped);
     });
 }
@@ -56,26 +56,26 @@ fn work_is_cancelled_from_elsewhere() {
 #[test]
 fn the_choice_among_ratios_is_cancelled_too() {
     let text = format!("{}\n[stage]\nkind = \"belt\"\nratios = [1, 1.5, 2, 2.5, 3]\n", swings(2));
-    let read = |patience: &Patience| questions::read_all_watched(&text, &NoFiles, patience);
-    let patience = Patience::endless();
-    let chosen = read(&patience).unwrap();
+    let read = |progress: &Progress| questions::read_all_watched(&text, &NoFiles, progress);
+    let progress = Progress::endless();
+    let chosen = read(&progress).unwrap();
     assert_eq!((chosen.len(), chosen[0].ratios.len()), (1, 5));
-    let (steps, _) = patience.progress();
+    let (steps, _) = progress.progress();
     assert_eq!(steps, 5 * 276, "the catalogue for each ratio");
-    let patience = Patience::limited();
-    patience.cancel();
-    assert_eq!(read(&patience).unwrap_err(), Unread::Refused(Refusal::Stopped));
-    assert!((1..=50).contains(&patience.progress().0), "a step or two of each thread, and no other ratio");
+    let progress = Progress::limited();
+    progress.cancel();
+    assert_eq!(read(&progress).unwrap_err(), Unread::Refused(Refusal::Stopped));
+    assert!((1..=50).contains(&progress.progress().0), "a step or two of each thread, and no other ratio");
     // A fault of the file is reported all the same.
     let wrong = text.replace("0.7 s", "0.7 m");
-    assert!(matches!(questions::read_all_watched(&wrong, &NoFiles, &patience), Err(Unread::Faults(_))));
+    assert!(matches!(questions::read_all_watched(&wrong, &NoFiles, &progress), Err(Unread::Faults(_))));
 }
 
 #[test]
 fn samples_that_cost_too_much_are_refused_where_no_time_is_named() {
     let project = long(100);
     let draw = Draw { samples: Some(1_000_000), seed: 1 };
-    let unlimited = Patience::endless();
+    let unlimited = Progress::endless();
     let Err(Refusal::TooManySamples { asked, most }) =
         questions::list::check::verification(&project, Some(&code()), draw, &unlimited)
     else {
@@ -83,7 +83,7 @@ fn samples_that_cost_too_much_are_refused_where_no_time_is_named() {
     };
     assert!(asked == 1_000_000 && (100..1_000_000).contains(&most), "{most}");
     // Within a time it is the time that ends it.
-    let limited = Patience::limited();
+    let limited = Progress::limited();
     limited.cancel();
     assert_eq!(
         questions::list::check::verification(&project, Some(&code()), draw, &limited).unwrap_err(),

@@ -1,6 +1,6 @@
 //! Progress and cancellation of an answer.
 
-use sizing::Watch;
+use sizing::StepObserver;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -11,7 +11,7 @@ pub struct Stopped;
 /// Progress and cancellation of an answer. Shared between threads: one works, another displays the progress or cancels,
 /// for example at a deadline; the work itself reads no clock.
 #[derive(Debug, Default)]
-pub struct Patience {
+pub struct Progress {
     limited: bool,
     cancelled: Arc<AtomicBool>,
     late: AtomicBool,
@@ -21,7 +21,7 @@ pub struct Patience {
     expected: AtomicUsize,
 }
 
-impl Patience {
+impl Progress {
     /// Creates a state without a time limit.
     #[must_use]
     pub fn endless() -> Self {
@@ -100,7 +100,7 @@ impl Patience {
     }
 }
 
-impl Watch for Patience {
+impl StepObserver for Progress {
     type Stop = Stopped;
 
     fn expect(&self, steps: usize) {

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 
 /// Caller's side of a long computation. Each long loop polls it before every step, and a step is short: one judgement
 /// of an actuator, or one cycle computed again, at the limits some tens of milliseconds.
-pub trait Watch: Sync {
+pub trait StepObserver: Sync {
     /// Reason of a cancellation.
     type Stop: Send;
 
@@ -20,9 +20,9 @@ pub trait Watch: Sync {
 
 /// A watch that never cancels: the work runs to its end.
 #[derive(Clone, Copy, Debug)]
-pub struct Unwatched;
+pub struct Unobserved;
 
-impl Watch for Unwatched {
+impl StepObserver for Unobserved {
     type Stop = Infallible;
 
     fn expect(&self, _: usize) {}

@@ -3,8 +3,8 @@
 use super::misdirected;
 use crate::{Call, Reply, Shell};
 use quantities::{Language, seen};
-use questions::Patience;
-use questions::list::{Asked, Entry, Given, Reads, ReferencedText, Unanswered, media};
+use questions::Progress;
+use questions::list::{Entry, Given, Inquiry, Reads, ReferencedText, Unanswered, media};
 use serde::Deserialize;
 use std::borrow::Cow;
 use words::requests;
@@ -20,8 +20,8 @@ pub(crate) fn put<'a>(
     entry: &Entry,
     call: &Call<'a>,
     shell: &'a dyn Shell,
-    patience: &'a Patience,
-) -> Result<Asked<'a>, Unanswered> {
+    progress: &'a Progress,
+) -> Result<Inquiry<'a>, Unanswered> {
     let language = call.query_language();
     let given = Given::of(&super::parameters(entry), call.query_fields(), language)?;
     let source = |name: String, bytes| ReferencedText { name, bytes, files: shell.files() };
@@ -39,7 +39,7 @@ pub(crate) fn put<'a>(
         }
     };
     let days_since_1970 = shell.days_since_1970();
-    Ok(Asked { given, sources, days_since_1970, patience, refuses_long: false, language })
+    Ok(Inquiry { given, sources, days_since_1970, progress, refuses_long: false, language })
 }
 
 /// The two texts of a JSON body.
