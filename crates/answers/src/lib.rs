@@ -5,11 +5,11 @@
 //! the name `title`, `name`, `meaning`, `message`, `hint`, `notes`, `source` … is a text in the requested language.
 //! This crate computes nothing, and no record is created from JSON.
 
-mod beside;
 mod chapters;
 mod check;
 mod code;
 mod commission;
+mod comparison;
 mod demand;
 mod dossier;
 mod encoder;
@@ -34,7 +34,6 @@ mod units;
 mod upkeep;
 mod wiring;
 
-pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
 pub use chapters::{
     Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, TorqueExceeded, Torsion,
 };
@@ -45,6 +44,7 @@ pub use commission::{
     Commissioning, DriveObject, DriveParameter, EncoderValue, OverloadSupervision, OverloadTrip, Recorded,
     RecordedValue, SensorThreshold,
 };
+pub use comparison::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{
     CheckCounts, Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, Missing,

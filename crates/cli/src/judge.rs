@@ -77,8 +77,8 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
     let _ = writeln!(out, "{}", fitting_text(sizing, language));
-    if !found.mends.is_empty() {
-        let all: Vec<String> = found.mends.iter().map(|mend| mend_text(mend, language)).collect();
+    if !found.gearing_proposals.is_empty() {
+        let all: Vec<String> = found.gearing_proposals.iter().map(|mend| mend_text(mend, language)).collect();
         out.push_str(&labelled(terminal::would_fit_with_other_gearing(language), &all.join("; ")));
     }
     out.push('\n');

@@ -172,12 +172,13 @@ fn content<'p>(
             figures()
         });
         let (reserve, assessment) = questions::list::check::margins(project, &candidate, Draw::default(), progress)?;
-        let mends = if sizing.fits() { Vec::new() } else { questions::list::size::mends(project, progress)? };
+        let gearing_proposals =
+            if sizing.fits() { Vec::new() } else { questions::list::size::gearing_proposals(project, progress)? };
         let dossier = answer::dossier(
             project,
             &sizing,
             &candidate,
-            (&reserve, assessment.as_ref(), &mends),
+            (&reserve, assessment.as_ref(), &gearing_proposals),
             (text, place, concat!("antrieb ", env!("CARGO_PKG_VERSION"))),
             language,
         );

@@ -169,7 +169,7 @@ pub(crate) fn view(
         div id="view" role="tabpanel" aria-labelledby={ "view-" (state.view.id()) } {
             @if is_over_time { (overlay::controls(project.axis.motion.duration().si(), state.window.is_some(), l)) }
             @match state.view {
-                View::Cycle => (drawn("cycle", &marks, &if is_old { html! {} } else { overlay::grips(state, project) })),
+                View::Cycle => (drawn("cycle", &marks, &if is_old { html! {} } else { overlay::segment_handles(state, project) })),
                 View::TorqueSpeed => (drawn("torque-speed", &none, &none)),
                 View::Heat => (drawn("heat", &marks, &none)),
                 View::Energy => { (power(project, candidate, l)) (drawn("energy", &marks, &none)) }

@@ -81,14 +81,14 @@ pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
 }
 
 /// Returns the ends of the segments in the picture of the position, moved by pointer or arrow keys.
-pub(crate) fn grips(state: &PageState, project: &Project) -> Markup {
+pub(crate) fn segment_handles(state: &PageState, project: &Project) -> Markup {
     let l = state.language;
-    let found = questions::grips(project);
+    let found = questions::segment_handles(project);
     let prefix = &state.prefix;
     let moves = moves(project);
     let shown = |value: f64| format_significant(value, 4, l);
     html! {
-        @for grip in &found.grips {
+        @for grip in &found.segment_handles {
             @let law = moves.moves.get(grip.segment).map(|each| law_text(each.law, l)).unwrap_or_default();
             @let number = grip.segment + 1;
             @let title = page::ends_at(&shown(grip.to.0), &shown(grip.to.1), &found.unit.symbol_in(l), l);
@@ -97,6 +97,6 @@ pub(crate) fn grips(state: &PageState, project: &Project) -> Markup {
                 aria-label=(capitalised(&page::end_of_segment(&number, &law, l)))
                 aria-valuenow=(if grip.goes { grip.to.1 } else { grip.to.0 }) aria-valuetext=(title) aria-describedby="grips-about" title=(title) {}
         }
-        @if !found.grips.is_empty() { span.unseen id="grips-about" { (page::grips_about(l)) } }
+        @if !found.segment_handles.is_empty() { span.unseen id="grips-about" { (page::grips_about(l)) } }
     }
 }

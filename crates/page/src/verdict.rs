@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use project::{Project, key_at};
 use quantities::Language;
 use questions::list::check::reserve_unasked;
-use questions::list::size::mends;
+use questions::list::size::gearing_proposals;
 use questions::texts::{mend_text, objection_text, percent, reserve_lines, standing_text};
 use questions::{Candidate, Fit, Progress, Sizing, Verdict};
 use words::{about_text, capitalised, check_title, page, short_label, terminal, terms, verdict_count, without_limit};
@@ -123,7 +123,8 @@ pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, progress: &Progress)
     let mut state = PageState::of(call);
     let l = state.language;
     let held = state.hold(shell.files(), progress);
-    let found = held.projects.get(state.axis).and_then(|project| mends(project, progress).ok()).unwrap_or_default();
+    let found =
+        held.projects.get(state.axis).and_then(|project| gearing_proposals(project, progress).ok()).unwrap_or_default();
     html! { @if !found.is_empty() {
         (capitalised(terminal::would_fit_with_other_gearing(l))) ": "
         @for (place, mend) in found.iter().enumerate() { @if place > 0 { "; " } (mend_text(mend, l)) }

@@ -1,10 +1,10 @@
 //! The results of the use cases as records of `answers`, with their texts in the requested language.
 
-mod beside;
 mod chapters;
 mod check;
 mod code;
 mod commission;
+mod comparison;
 mod dossier;
 mod encoder;
 mod errata;
@@ -22,15 +22,15 @@ mod upkeep;
 mod wiring;
 mod written;
 
-pub use beside::{comparison, difference};
 pub use chapters::{battery, bearings, curves, inertia, torsion};
 pub use check::{check, explained, explanations};
 pub use code::{code_faults, code_reading, completion, listed};
 pub use commission::{commissioning, drive_objects};
+pub use comparison::{comparison, difference};
 pub(crate) use dossier::document;
 pub use dossier::dossier;
 pub use encoder::encoder;
-pub(crate) use errata::{cited, cited_once};
+pub(crate) use errata::{cited_erratum, cited_once};
 pub use errata::{errata, erratum};
 pub use facts::facts;
 pub use fault::{code_worded, fault, faults, file_fault, not_in_glossary, option_fault, refusal_text, table_faults};

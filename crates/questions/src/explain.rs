@@ -1,6 +1,6 @@
 //! The derivation of a check as a tree: formula, figures put in, value, source and grade of everything.
 
-use crate::answer::cited;
+use crate::answer::cited_erratum;
 use answers::{Derivation, Id, Node, Number};
 use provenance::{Grade, Source};
 use quantities::{Language, Unit};
@@ -80,7 +80,7 @@ fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> 
         page: step.source.page(),
         model: step.source.model(),
         grade: (!is_stated(step)).then_some(Id(step.grade)),
-        errata: step.errata.iter().map(|id| cited(id, language)).collect(),
+        errata: step.errata.iter().map(|id| cited_erratum(id, language)).collect(),
         operands: operands.iter().filter_map(|index| node(steps, *index, seen, language)).collect(),
         repeated,
     })

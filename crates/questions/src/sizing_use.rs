@@ -1,6 +1,6 @@
 //! Ranking of the catalogue for an axis, and judgement of one actuator.
 
-use crate::cited::Cited;
+use crate::input_keys::InputKeys;
 use crate::progress::Stopped;
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, actuator, actuators, availability};
@@ -442,20 +442,20 @@ pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
 struct Judging<'p> {
     project: &'p Project,
     judge: Judge<'p>,
-    cited: Cited<'p>,
+    cited: InputKeys<'p>,
 }
 
 impl<'p> Judging<'p> {
     fn of(project: &'p Project, scope: Scope, depth: Depth) -> Self {
-        Self { project, judge: Judge::new(&project.axis, scope, depth), cited: Cited::of(project) }
+        Self { project, judge: Judge::new(&project.axis, scope, depth), cited: InputKeys::of(project) }
     }
 
     fn of_part(project: &'p Project, part: Part) -> Self {
-        Self { project, judge: Judge::of_part(&project.axis, part), cited: Cited::of(project) }
+        Self { project, judge: Judge::of_part(&project.axis, part), cited: InputKeys::of(project) }
     }
 
     fn explaining(project: &'p Project) -> Self {
-        Self { project, judge: Judge::explaining(&project.axis), cited: Cited::of(project) }
+        Self { project, judge: Judge::explaining(&project.axis), cited: InputKeys::of(project) }
     }
 
     fn judge(&mut self, parameters: &Parameters) -> Judgement {

@@ -9,8 +9,8 @@ pub use tolerances::{
     dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines, tolerance_rows, worst_text,
 };
 
+use crate::gearing_proposals::GearingProposal;
 use crate::limits::{NeededLimit, limits_needed};
-use crate::mends::Mend;
 use crate::sizing_use::{Candidate, CandidateId, Objection, Reason, Sizing};
 use crate::torsion::TorsionAnswer;
 use actuator::BatteryLife;
@@ -335,7 +335,7 @@ pub fn reserve_lines(
 
 /// Describes another gearing with which an actuator fits: the key with its value, or a stage to add, and the code.
 #[must_use]
-pub fn mend_text(mend: &Mend, language: Language) -> String {
+pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
     let value = unpadded(mend.unit.from_si(mend.si), 5, language);
     let what = if mend.is_stated {
         format!("{} {value} {}", mend.path, mend.unit.symbol_in(language)).trim_end_matches(" 1").to_owned()

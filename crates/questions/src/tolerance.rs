@@ -218,7 +218,7 @@ fn assess_with<W: StepObserver>(
         let beyond = (sampled.worst.fit, sampled.worst.utilisation) > (worst.fit, worst.utilisation * (1.0 + 1e-9));
         if beyond {
             let values = draws.sample(sampled.worst.index, &project.tolerances);
-            worst = Point::look(&mut varied.clone(), judged, &values).at(values, PointKind::Sample);
+            worst = Point::judged_at(&mut varied.clone(), judged, &values).at(values, PointKind::Sample);
         }
         let quantile = |share: f64| ranks.quantile(share).map_or(0.0, f64::from_bits);
         answers.push(Assessment {
@@ -324,7 +324,7 @@ impl Point {
         Self { fit, utilisation: number(judgement.utilisation()), check }
     }
 
-    fn look(varied: &mut Varied<'_>, judged: &Judged<'_>, values: &[f64]) -> Self {
+    fn judged_at(varied: &mut Varied<'_>, judged: &Judged<'_>, values: &[f64]) -> Self {
         let project = varied.project();
         varied.at(values).map_or(Self::IMPOSSIBLE, |variant| Self::of(judged, project, &variant))
     }

@@ -90,7 +90,7 @@ impl<'s> Screening<'s> {
         self.bounds.resize_with(conditions.fours.len(), || Bounds::UNKNOWN);
         for (bounds, four) in self.bounds.iter_mut().zip(&conditions.fours) {
             if has_outline {
-                bounds.look(figures, four);
+                bounds.update(figures, four);
             } else {
                 *bounds = Bounds::UNKNOWN;
             }

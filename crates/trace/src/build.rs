@@ -1,8 +1,8 @@
 //! Construction of a trace in one pass over the motion.
 
-use super::alike;
 use super::kinks::{kink_passes, passes, recorded_passes};
 use super::recording::Strip;
+use super::repeats;
 use super::rule::rule;
 use super::short::Straight;
 use super::{BLOCK, Block, BlockPanels, Carried, Extent, GROUP, Gram, Group, Kept, Node, Run, Share, Trace};
@@ -111,7 +111,7 @@ impl<'a> Builder<'a> {
         }
         self.close_block();
         if self.seeks_alike {
-            alike::find(&self.nodes, &mut self.panels);
+            repeats::find(&self.nodes, &mut self.panels);
         }
         let (inertia, holding) = self.extremes();
         let both = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
@@ -378,7 +378,7 @@ impl<'a> Builder<'a> {
             travelled += self.times * weight * (to - from) * output.speed_rad_s * direction;
             self.see(output.position_rad, piece.segment);
         }
-        let bow = bow(self.nodes.get(first..).unwrap_or_default());
+        let bow = curvature(self.nodes.get(first..).unwrap_or_default());
         self.panels.push(Kept::of(&self.nodes, first, to - from, bow));
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += Angle::from_si(travelled);
@@ -396,7 +396,7 @@ impl<'a> Builder<'a> {
 /// docs/theory/moments.md
 /// # Valid
 /// with up to four nodes the signals of a law are straight
-fn bow(nodes: &[Node]) -> [f64; 4] {
+fn curvature(nodes: &[Node]) -> [f64; 4] {
     let mut bow = [0.0; 4];
     if nodes.len() <= STRAIGHT {
         return bow;

@@ -1,14 +1,14 @@
 //! First-order lags of quadratic forms over a cycle in the steady periodic state.
 
+mod batches;
 mod course;
-mod lots;
 
 use super::gains::{Gain, GainTables, Gains, Products, rounded, sum, sum_of_magnitudes, swing};
 use super::recording::Strip;
 use super::rule::{SHORT, short};
 use super::{Form, Node, Panel, Run, Trace};
+use batches::{Batch, Batches};
 use course::{Bounds, Course, may_turn, turn};
-use lots::{Lot, Lots};
 use numeric::{EQUAL, First};
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
@@ -34,7 +34,7 @@ pub struct Peak {
 /// Cached data of the stored panels for lags.
 #[derive(Debug, Default)]
 pub(super) struct LagCache {
-    lots: OnceLock<Lots>,
+    batches: OnceLock<Batches>,
     gains: GainTables,
 }
 
@@ -148,16 +148,16 @@ impl Trace {
                     (q, strip.survey().gains.of(tau_s, |tau_s| strip.gains(tau_s)))
                 }
                 Run::Kept(_) | Run::Repeated(..) => {
-                    (lag.form.factors(), self.lags.gains.of(lag.tau_s, |tau_s| self.lots().gains(self, tau_s)))
+                    (lag.form.factors(), self.lags.gains.of(lag.tau_s, |tau_s| self.batches().gains(self, tau_s)))
                 }
             };
             let through = |gain: &Gain| (gain.decay, sum(&q, &gain.gain));
-            let (places, lots) = self.lots().of_run(number);
+            let (places, batches) = self.batches().of_run(number);
             let within = found.stretches().get(places).unwrap_or_default();
             match run {
                 Run::Kept(_) => stretches.extend(within.iter().map(through)),
-                Run::Repeated(_, times) => stretches.extend(within.iter().zip(lots).map(|(once, lot)| {
-                    let period = Period::of(once, &q, lag.tau_s, lot.duration);
+                Run::Repeated(_, times) => stretches.extend(within.iter().zip(batches).map(|(once, batch)| {
+                    let period = Period::of(once, &q, lag.tau_s, batch.duration);
                     (period.decay(*times), period.added(*times))
                 })),
                 Run::Recorded(_) => stretches.extend(found.stretches().iter().map(through)),
@@ -169,8 +169,8 @@ impl Trace {
         Flow { tau_s: lag.tau_s, stretches, factors, gains, start: gathered / -(-self.duration / lag.tau_s).exp_m1() }
     }
 
-    fn lots(&self) -> &Lots {
-        self.lags.lots.get_or_init(|| Lots::of(self))
+    fn batches(&self) -> &Batches {
+        self.lags.batches.get_or_init(|| Batches::of(self))
     }
 
     /// Returns the instant at which a stored panel ends \[s\].
@@ -184,20 +184,20 @@ impl Trace {
         let mut before = 0;
         for (number, run) in self.runs.iter().enumerate() {
             let within = index - before;
-            let (_, lots) = self.lots().of_run(number);
+            let (_, batches) = self.batches().of_run(number);
             match run {
                 Run::Kept(_) => {
-                    if let Some(lot) = lots.get(within) {
-                        return self.end_of_panel(lot.panels.end - 1);
+                    if let Some(batch) = batches.get(within) {
+                        return self.end_of_panel(batch.panels.end - 1);
                     }
-                    before += lots.len();
+                    before += batches.len();
                 }
                 Run::Repeated(range, times) => {
-                    if let Some(lot) = lots.get(within) {
+                    if let Some(batch) = batches.get(within) {
                         let first = self.panels.get(range.start).and_then(|kept| self.nodes.get(kept.nodes.start));
-                        return first.map_or(0.0, |node| node.time_s) + times * lot.duration;
+                        return first.map_or(0.0, |node| node.time_s) + times * batch.duration;
                     }
-                    before += lots.len();
+                    before += batches.len();
                 }
                 Run::Recorded(strip) => {
                     let blocks = self.strips.get(*strip).map_or(&[][..], |strip| strip.raw_blocks());
@@ -236,27 +236,28 @@ impl Search<'_> {
         for (number, run) in self.trace.runs.iter().enumerate() {
             match run {
                 Run::Kept(_) => {
-                    let (places, lots) = self.trace.lots().of_run(number);
-                    let most = self.rise(number, &self.trace.lots().largest_swings(number), 1.0);
-                    for (place, lot) in places.zip(lots) {
-                        let (through, own) = (|flow: &Flow| flow.stretch(index), || self.rise(number, &lot.swing, 1.0));
-                        if self.may_rise((&self.states, self.now_s), through, lot.duration, most, own) {
-                            if lot.panels.len() == 1 {
+                    let (places, batches) = self.trace.batches().of_run(number);
+                    let most = self.rise(number, &self.trace.batches().largest_swings(number), 1.0);
+                    for (place, batch) in places.zip(batches) {
+                        let (through, own) =
+                            (|flow: &Flow| flow.stretch(index), || self.rise(number, &batch.swing, 1.0));
+                        if self.may_rise((&self.states, self.now_s), through, batch.duration, most, own) {
+                            if batch.panels.len() == 1 {
                                 let steps: Vec<(f64, f64)> = self.flows.iter().map(through).collect();
-                                self.inside_kept(lot.panels.start, &self.states.clone(), &steps);
+                                self.inside_kept(batch.panels.start, &self.states.clone(), &steps);
                             } else {
-                                self.inside_lot((number, place), lot);
+                                self.inside_lot((number, place), batch);
                             }
                         }
-                        self.step(index, lot.duration);
+                        self.step(index, batch.duration);
                         index += 1;
                     }
                 }
                 Run::Repeated(range, times) => {
-                    let (places, lots) = self.trace.lots().of_run(number);
-                    for (place, lot) in places.zip(lots) {
-                        self.inside_repeated((number, place), range, (*times, lot.duration));
-                        self.step(index, times * lot.duration);
+                    let (places, batches) = self.trace.batches().of_run(number);
+                    for (place, batch) in places.zip(batches) {
+                        self.inside_repeated((number, place), range, (*times, batch.duration));
+                        self.step(index, times * batch.duration);
                         index += 1;
                     }
                 }
@@ -281,19 +282,19 @@ impl Search<'_> {
     }
 
     /// Searches the panels of a batch: first their ends, then the values between them.
-    fn inside_lot(&mut self, (run, place): (usize, usize), lot: &Lot) {
+    fn inside_lot(&mut self, (run, place): (usize, usize), batch: &Batch) {
         let (trace, flows) = (self.trace, self.flows);
         let count = flows.len();
-        let mut steps = vec![(1.0, 0.0); lot.panels.len() * count];
+        let mut steps = vec![(1.0, 0.0); batch.panels.len() * count];
         for (number, flow) in flows.iter().enumerate() {
             let (Some(q), Some(gains)) = (flow.factors.get(run), flow.gains.get(run)) else { return };
-            let parts = gains.parts(place, || trace.lots().part_gains(trace, place, rounded(flow.tau_s)));
+            let parts = gains.parts(place, || trace.batches().part_gains(trace, place, rounded(flow.tau_s)));
             for (step, gain) in steps.iter_mut().skip(number).step_by(count).zip(parts) {
                 *step = (gain.decay, sum(q, &gain.gain));
             }
         }
         let mut states = self.states.clone();
-        for (panel, steps) in lot.panels.clone().zip(steps.chunks(count)) {
+        for (panel, steps) in batch.panels.clone().zip(steps.chunks(count)) {
             pass(&mut states, steps);
             let value = states.iter().sum();
             if value > self.enough(self.now_s) {
@@ -301,7 +302,7 @@ impl Search<'_> {
             }
         }
         states.clone_from(&self.states);
-        for (panel, steps) in lot.panels.clone().zip(steps.chunks(count)) {
+        for (panel, steps) in batch.panels.clone().zip(steps.chunks(count)) {
             let Some(kept) = trace.panels.get(panel) else { return };
             let rise = self.rise(run, &swing(&trace.panel(kept)), 1.0);
             let mut through = steps.iter();

@@ -5,18 +5,18 @@
 //! evaluating the motion again. The actuator is unknown here, except for the part of each rest during which it carries
 //! the load ([`Carried`]).
 
-mod alike;
+mod bisection;
 mod build;
 mod carried;
 mod cubes;
 mod form;
 mod gains;
-mod halves;
 mod kinks;
 mod lags;
-mod near;
+mod neighbours;
 mod panel;
 mod recording;
+mod repeats;
 mod rule;
 mod search;
 mod short;
@@ -35,7 +35,7 @@ pub use smooth::Smooth;
 use lags::LagCache;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
-use near::Near;
+use neighbours::NeighbourTree;
 use panel::Kept;
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
 use short::Straight;
@@ -380,7 +380,7 @@ pub struct Trace {
     blocks: Vec<Block>,
     groups: Vec<Group>,
     /// Search tree over the stored panels, built on first use.
-    near: OnceLock<Near>,
+    near: OnceLock<NeighbourTree>,
     /// The trace was derived from another one of the same recordings and uses its cells.
     is_changed: bool,
     runs: Vec<Run>,

@@ -124,7 +124,7 @@ impl Strip {
         if strip.straight().is_none() {
             strip.loads = Arc::new(strip.find_loads());
         }
-        strip.survey = Arc::new(strip.look());
+        strip.survey = Arc::new(strip.evaluate());
         strip
     }
 
@@ -196,7 +196,7 @@ impl Strip {
             let mut nodes = [Node::default(); NODES];
             nodes.iter_mut().zip(panel.nodes).for_each(|(node, raw)| *node = self.view.node(raw));
             let nodes = nodes.get(..panel.nodes.len()).unwrap_or_default();
-            look(Panel::passing(nodes, panel.duration_s * self.view.stretch, self.view.bow(panel.bow)));
+            look(Panel::passing(nodes, panel.duration_s * self.view.stretch, self.view.curvature(panel.bow)));
         });
     }
 
@@ -267,7 +267,7 @@ impl Strip {
     }
 
     /// Evaluates all samples in one pass.
-    fn look(&self) -> Survey {
+    fn evaluate(&self) -> Survey {
         let (intervals, most) = (self.placed.intervals(), self.block_intervals());
         let ranges: Vec<Range<usize>> =
             (0..intervals).step_by(most).map(|from| from..(from + most).min(intervals)).collect();

@@ -1,7 +1,7 @@
 //! Search for the largest value of a signal over the cycle: bounds of panels with close signals first, then nodes, then
 //! the curve between them.
 
-use super::near::{Branch, Near};
+use super::neighbours::{Branch, NeighbourTree};
 use super::recording::{Cell, Inside, Strip};
 use super::{Block, Extent, Group, Kept, Node, Panel, STRETCH, Trace};
 use numeric::First;
@@ -133,9 +133,9 @@ impl Trace {
                 let above = if kept.like.is_copy { f64::NEG_INFINITY } else { sought.bound(&kept.extent) };
                 (above, from(kept))
             };
-            in_order(&self.panels, bound, &mut best, |kept, best| best.look(&self.panel(kept), sought));
+            in_order(&self.panels, bound, &mut best, |kept, best| best.evaluate(&self.panel(kept), sought));
         } else {
-            let near = self.near.get_or_init(|| Near::of(&self.panels, &self.nodes));
+            let near = self.near.get_or_init(|| NeighbourTree::of(&self.panels, &self.nodes));
             best.descend(&(self, near), near.root(), sought);
         }
         if is_once && !self.is_changed {
@@ -144,7 +144,7 @@ impl Trace {
                 let blocks = self.blocks.get(group.blocks.clone()).unwrap_or_default();
                 let bound = |block: &Block| (sought.bound(&block.extent), block.from_s);
                 in_order(blocks, bound, best, |block, best| {
-                    self.panels(block, &mut |panel| best.look(&panel, sought));
+                    self.panels(block, &mut |panel| best.evaluate(&panel, sought));
                 });
             });
         } else {
@@ -190,7 +190,7 @@ impl Parted for Strip {
     }
 }
 
-impl Parted for (&Trace, &Near) {
+impl Parted for (&Trace, &NeighbourTree) {
     type Part = Branch;
 
     #[inline]
@@ -252,7 +252,7 @@ impl Best {
 
     /// Searches a part, beginning with the half with the higher bound.
     fn within<T: Parted>(&mut self, tree: &T, part: &T::Part, sought: &impl Sought) {
-        let Some(halves) = tree.open(part, &mut |panel| self.look(&panel, sought)) else { return };
+        let Some(halves) = tree.open(part, &mut |panel| self.evaluate(&panel, sought)) else { return };
         let mut halves = halves.map(|half| {
             let half = half?;
             let (bound, from) = tree.bound(half, sought);
@@ -270,7 +270,7 @@ impl Best {
         }
     }
 
-    fn look<S: Sought>(&mut self, panel: &Panel<'_>, sought: &S) {
+    fn evaluate<S: Sought>(&mut self, panel: &Panel<'_>, sought: &S) {
         if panel.is_straight() {
             if let [a, .., b] = panel.nodes {
                 self.line(a, b, sought);

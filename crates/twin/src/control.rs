@@ -48,7 +48,7 @@ impl Gains {
     /// # Valid
     /// measured speed of the motor, position of the motor or at the output
     #[must_use]
-    pub(crate) fn usual(plant: &Plant, load_kgm2: f64, stiffness_nm: f64, delay: bool, at_output: bool) -> Self {
+    pub(crate) fn standard(plant: &Plant, load_kgm2: f64, stiffness_nm: f64, delay: bool, at_output: bool) -> Self {
         let period = 1.0 / CURRENT_RATE_HZ;
         let current_sum = period * if delay { 1.5 } else { 0.5 };
         let speed_period = 4.0 * period;

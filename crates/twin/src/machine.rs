@@ -103,11 +103,11 @@ impl Machine {
         }
         let brake = &actuator.brake;
         let brake = brake.holding_torque.known().map(|torque| {
-            let mut time = |datum: &Datum<Time>, symbol, usual: f64| match datum.known() {
+            let mut time = |datum: &Datum<Time>, symbol, standard: f64| match datum.known() {
                 Some(known) => known.value.si(),
                 None => {
                     left_out.push(symbol);
-                    usual
+                    standard
                 }
             };
             let coil = brake.voltage.known().zip(brake.holding_current.known());

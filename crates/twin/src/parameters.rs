@@ -152,7 +152,7 @@ const STIFFNESS: [&str; 3] = ["gear_stiffness_1", "gear_stiffness_2", "gear_stif
 
 /// Defines the parameters of the model, one per line: name, quantity, default value and grade.
 macro_rules! model {
-    ($($(#[$about:meta])* $name:ident: $dimension:ident = $usual:expr, $grade:ident;)*) => {
+    ($($(#[$about:meta])* $name:ident: $dimension:ident = $standard:expr, $grade:ident;)*) => {
         /// Parameters that the manufacturer's tables lack, in SI. A value without evidence is `assumed`.
         #[derive(Clone, Debug, PartialEq)]
         pub struct Model {
@@ -161,8 +161,8 @@ macro_rules! model {
 
         impl Default for Model {
             fn default() -> Self {
-                let usual = |value, grade| Sourced { value, source: Source::Model { name: "twin" }, grade, errata: &[] };
-                Self { $($name: usual($usual, Grade::$grade),)* }
+                let standard = |value, grade| Sourced { value, source: Source::Model { name: "twin" }, grade, errata: &[] };
+                Self { $($name: standard($standard, Grade::$grade),)* }
             }
         }
 

@@ -110,7 +110,7 @@ impl Gathered {
     }
 
     /// Evaluates the position, at the rate of the position loop.
-    pub(crate) fn look(&mut self, time: f64, wanted: &[f64; 3], position: f64) {
+    pub(crate) fn update(&mut self, time: f64, wanted: &[f64; 3], position: f64) {
         let [place, speed, acceleration] = *wanted;
         let error = place - position;
         self.following[0] = self.following[0].max(error.abs());

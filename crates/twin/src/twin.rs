@@ -205,14 +205,14 @@ impl<'a> Twin<'a> {
         let closed = start.braked.is_some();
         let brake = BrakeState::new(machine.brake, closed, scenario == ScenarioId::BrakeStuck);
         plant.brake_nm = brake.torque_nm();
-        let usual = Gains::usual(
+        let standard = Gains::standard(
             &plant,
             local.inertia_kgm2,
             plant.spring.stiffness_at(twist),
             setup.switches.delay,
             setup.loop_at_output,
         );
-        let gains = setup.gains.unwrap_or(usual);
+        let gains = setup.gains.unwrap_or(standard);
         let control = Control::at_rest(gains, &plant, setup.switches.delay, theta, holding);
         let resting = brake.closed && start.braked.is_some();
         let pulses = !resting;
@@ -420,7 +420,7 @@ impl<'a> Twin<'a> {
             let [position, ..] = self.point.state;
             match self.phase {
                 Phase::Running | Phase::Resting => {
-                    self.gathered.look(time, &self.point.state, self.state.x[4]);
+                    self.gathered.update(time, &self.point.state, self.state.x[4]);
                 }
                 Phase::Commanded(Demand::Position(wanted)) => self.point.state = wanted,
                 Phase::Commanded(Demand::Speed(wanted)) => self.point.state = [self.state.x[4], wanted, 0.0],

@@ -1,12 +1,12 @@
 //! The dossier: content of a report as one record.
 
 use super::check::{check, explained};
-use super::errata::cited;
+use super::errata::cited_erratum;
 use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
 use super::operation::{data_sheet, operation};
 use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
-use crate::mends::Mend;
+use crate::gearing_proposals::GearingProposal;
 use crate::sizing_use::{Candidate, CandidateId, Sizing, by_importance};
 use crate::texts::{self, Rejections};
 use crate::tolerance::Assessment;
@@ -33,7 +33,7 @@ pub fn dossier(
     project: &Project,
     ranked: &Sizing<'_>,
     chosen: &Candidate<'_>,
-    (found, assessment, mends): (&Reserve, Option<&Assessment>, &[Mend]),
+    (found, assessment, gearing_proposals): (&Reserve, Option<&Assessment>, &[GearingProposal]),
     (text, place, program): (&str, usize, &str),
     language: Language,
 ) -> Dossier {
@@ -58,7 +58,7 @@ pub fn dossier(
         judgement,
         counts: CheckCounts { passed, advised, failed, not_checked, without_limit, requirements_open },
         single_move: inputs.iter().any(is_single),
-        sizing: sizing(ranked, project, &[], mends, usize::MAX, language),
+        sizing: sizing(ranked, project, &[], gearing_proposals, usize::MAX, language),
         rejections: rejections(ranked, language),
         mechanism: mechanism(project, &inputs, language),
         inputs: tables(&inputs, language),
@@ -133,8 +133,10 @@ fn errata(
     language: Language,
 ) -> Vec<ErratumUsed> {
     let of_mass = chosen.parameters.mass.known().into_iter().flat_map(|mass| mass.errata);
-    let used =
-        |id: &&'static str| ErratumUsed { erratum: cited(id, language), check: capitalised(terms::mass(language)) };
+    let used = |id: &&'static str| ErratumUsed {
+        erratum: cited_erratum(id, language),
+        check: capitalised(terms::mass(language)),
+    };
     let mut found: Vec<ErratumUsed> = of_mass.map(used).collect();
     for check in checks {
         let noted = check.notes.iter().filter_map(|note| match note {
@@ -143,13 +145,14 @@ fn errata(
         });
         for id in check.workings.iter().flat_map(|step| step.errata.iter().copied()).chain(noted) {
             if found.iter().all(|known| known.erratum.id != id) {
-                found.push(ErratumUsed { erratum: cited(id, language), check: title_of_check(check, language) });
+                found
+                    .push(ErratumUsed { erratum: cited_erratum(id, language), check: title_of_check(check, language) });
             }
         }
     }
     for (line, id) in sheet.iter().flat_map(|line| line.errata.iter().map(move |id| (line, *id))) {
         if found.iter().all(|known| known.erratum.id != id) {
-            found.push(ErratumUsed { erratum: cited(id, language), check: capitalised(&line.name) });
+            found.push(ErratumUsed { erratum: cited_erratum(id, language), check: capitalised(&line.name) });
         }
     }
     found

@@ -13,7 +13,7 @@ pub fn errata(found: &ErrataFound, language: Language) -> Errata {
 }
 
 /// Returns an erratum as cited by figures.
-pub(crate) fn cited(id: &str, language: Language) -> CitedErratum {
+pub(crate) fn cited_erratum(id: &str, language: Language) -> CitedErratum {
     CitedErratum { id: id.to_owned(), evidence: evidence_text(id, language).to_owned() }
 }
 
@@ -22,7 +22,7 @@ pub(crate) fn cited_once(ids: impl IntoIterator<Item = &'static str>, language: 
     let mut found: Vec<CitedErratum> = Vec::new();
     for id in ids {
         if found.iter().all(|known| known.id != id) {
-            found.push(cited(id, language));
+            found.push(cited_erratum(id, language));
         }
     }
     found

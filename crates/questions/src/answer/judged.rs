@@ -3,8 +3,8 @@
 use super::check::{assumptions, check, demand};
 use super::code::names;
 use super::motion;
+use crate::gearing_proposals::GearingProposal;
 use crate::limits::{NeededLimit, limits_needed};
-use crate::mends::Mend;
 use crate::sizing_use::{Candidate, CandidateId, Sizing};
 use crate::texts::{objection_text, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
@@ -95,7 +95,7 @@ pub fn sizing(
     sizing: &Sizing<'_>,
     project: &Project,
     assessed: &[(CandidateId, Assessment)],
-    mends: &[Mend],
+    gearing_proposals: &[GearingProposal],
     top: usize,
     language: Language,
 ) -> answers::Sizing {
@@ -118,14 +118,14 @@ pub fn sizing(
         rejected: sizing.rejected().iter().map(|each| rejection(each, language)).collect(),
         nearest_miss: sizing.nearest_miss().map(|miss| miss.id.to_string()),
         own: sizing.own.as_ref().map(judged),
-        would_fit_with: mends.iter().map(would_fit).collect(),
+        would_fit_with: gearing_proposals.iter().map(would_fit).collect(),
         assumptions: assumptions(sizing.assumptions, language),
         stage: stage(project),
         motion: motion(&crate::moves(project), language),
     }
 }
 
-fn would_fit(mend: &Mend) -> WouldFit {
+fn would_fit(mend: &GearingProposal) -> WouldFit {
     WouldFit {
         key: mend.path.clone(),
         stated: mend.is_stated,

@@ -1,6 +1,6 @@
 //! Mounting as a record.
 
-use crate::answer::{cited, facts};
+use crate::answer::{cited_erratum, facts};
 use answers::{CitedErratum, Fit, Id, Joint, JointCase, MountValue, Number, Pilot, TableCell, Units};
 use catalogue::Cell;
 use installation::fit::{Bore, FitKind};
@@ -107,7 +107,7 @@ fn errata(values: &[MountValue], joints: &[Joint], language: Language) -> Vec<Ci
             ids.push(id);
         }
     }
-    ids.into_iter().map(|id| cited(id, language)).collect()
+    ids.into_iter().map(|id| cited_erratum(id, language)).collect()
 }
 
 fn pilot(fit: &installation::fit::PilotFit, language: Language) -> Pilot {

@@ -1,6 +1,6 @@
 //! Maintenance as a record.
 
-use crate::answer::{battery, cited, facts};
+use crate::answer::{battery, cited_erratum, facts};
 use answers::{Fit, Id, Planned};
 use installation::calendar::Interval;
 use installation::upkeep::Upkeep;
@@ -27,7 +27,7 @@ pub fn upkeep(upkeep: &Upkeep, language: Language) -> answers::Upkeep {
         service: facts(&upkeep.service, language),
         shutdown: facts(&upkeep.shutdown, language),
         disposal: facts(&upkeep.disposal, language),
-        errata: vec![cited(GENERIC_TEXT, language)],
+        errata: vec![cited_erratum(GENERIC_TEXT, language)],
         calendar: None,
     }
 }

@@ -3,7 +3,7 @@
 use super::given::{arguments, count, flag, number, text};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads, Record, argument, media};
 use crate::answer;
-pub use crate::mends::{Mend, mends};
+pub use crate::gearing_proposals::{GearingProposal, gearing_proposals};
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
@@ -96,7 +96,7 @@ pub struct Ranking<'p> {
     /// Number of candidates reported in full.
     pub top: usize,
     /// Values of the gearing with which an actuator fits, if none does.
-    pub mends: Vec<Mend>,
+    pub gearing_proposals: Vec<GearingProposal>,
     /// Tolerances judged for the first of these candidates and for the project's own actuator; empty without
     /// tolerances.
     pub assessed: Vec<(CandidateId, Assessment)>,
@@ -114,8 +114,8 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, progress: &Prog
     // Without tolerances there is no assessment and no pair.
     let found = assess_watched(project, &chosen, sampling, progress)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
-    let mends = if sizing.fits() { Vec::new() } else { mends(project, progress)? };
-    Ok(Ranking { project, sizing, top, mends, assessed })
+    let gearing_proposals = if sizing.fits() { Vec::new() } else { gearing_proposals(project, progress)? };
+    Ok(Ranking { project, sizing, top, gearing_proposals, assessed })
 }
 
 /// Judges and ranks the catalogue for an axis, without its tolerances; it can be cancelled. The first `complete` are
@@ -143,6 +143,6 @@ impl Ranking<'_> {
     /// Returns the record of the ranking.
     #[must_use]
     pub fn record(&self, language: Language) -> answers::Sizing {
-        answer::sizing(&self.sizing, self.project, &self.assessed, &self.mends, self.top, language)
+        answer::sizing(&self.sizing, self.project, &self.assessed, &self.gearing_proposals, self.top, language)
     }
 }

@@ -78,7 +78,7 @@ fn searched<W: StepObserver>(
         let mut look = |signs: &[f64]| {
             watch.step()?;
             let at = values(project, |index| signs.get(index).copied().unwrap_or(1.0));
-            Ok(Point::look(varied, judged, &at))
+            Ok(Point::judged_at(varied, judged, &at))
         };
         let mut here = look(&signs)?;
         'search: for _ in 0..PASSES_MOST {

@@ -4,7 +4,7 @@
 
 use project::{Counted, Edit, Heading, Input, NoFiles, Project, edit, inputs};
 use quantities::{Language, Measure};
-use questions::list::size::{mends, sized};
+use questions::list::size::{gearing_proposals, sized};
 use questions::sweep::{Cells, Judged, Options, Sweep};
 use questions::{Candidate, CandidateId, Check, Fit, Progress, Rejected, Sizing, Verdict, check};
 use sizing::{CheckId, Note, RankKey};
@@ -256,7 +256,7 @@ fn a_proposed_gearing_fits_as_it_is_printed() {
     let mut seen = 0;
     for text in &texts() {
         let project = questions::read(text).unwrap();
-        for mend in mends(&project, &Progress::endless()).unwrap() {
+        for mend in gearing_proposals(&project, &Progress::endless()).unwrap() {
             let value = mend.unit.from_si(mend.si);
             let scale = 10_f64.powf(2.0 - value.abs().log10().floor());
             let digits = value * scale;

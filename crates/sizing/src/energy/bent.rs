@@ -172,7 +172,7 @@ impl<'a, 'p> Walk<'a, 'p> {
                 let share = from + s * length;
                 *point = (share, -smooth.at(share));
             }
-            self.look(points.get(..rule.len()).unwrap_or_default());
+            self.update(points.get(..rule.len()).unwrap_or_default());
         }
     }
 
@@ -186,7 +186,7 @@ impl<'a, 'p> Walk<'a, 'p> {
         }
         self.parts.push(taken * length * self.duration());
         if taken < 0.0 && self.may_be_higher() {
-            self.look(back.get(..rule.len()).unwrap_or_default());
+            self.update(back.get(..rule.len()).unwrap_or_default());
         }
     }
 
@@ -198,7 +198,7 @@ impl<'a, 'p> Walk<'a, 'p> {
 
     /// Updates the largest regenerated power of a part: at one of the known instants, or at the vertex of a parabola
     /// through it and its neighbours, recomputed from the nodes.
-    fn look(&mut self, points: &[(f64, f64)]) {
+    fn update(&mut self, points: &[(f64, f64)]) {
         let Course { panel, power, .. } = self.course;
         let back = |s: f64| -power.with(&panel.at(s), self.driven);
         let mut peak = points.iter().fold(self.peak, |peak, (_, value)| peak.max(*value));

@@ -147,7 +147,7 @@ impl Bounds {
     };
 
     /// Updates the upper bounds and, if they leave checks undecided, the lower bounds.
-    pub(super) fn look(&mut self, figures: &Figures, four: &Four) {
+    pub(super) fn update(&mut self, figures: &Figures, four: &Four) {
         let of_drives = four.drives.map(|drive| figures.of_drive(drive));
         let above = f64x4::from(of_drives.map(|of_drive| of_drive.above));
         self.limits = [all(1.0 + figures.room), all(1.0 - figures.room)];

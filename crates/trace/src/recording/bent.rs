@@ -125,14 +125,14 @@ impl Strip {
             };
         }
         let nodes = nodes.get(..count).unwrap_or_default();
-        look(Panel::passing(nodes, duration, [0.0, bow(nodes), 0.0, 0.0]));
+        look(Panel::passing(nodes, duration, [0.0, curvature(nodes), 0.0, 0.0]));
     }
 }
 
 /// Computes a bound on the rise of a smooth load above the straight line between two neighbouring nodes from its
 /// largest second difference: a parabola rises above its chord by an eighth of the second derivative times the square
 /// of the chord's duration.
-fn bow(nodes: &[Node]) -> f64 {
+fn curvature(nodes: &[Node]) -> f64 {
     let triples = nodes.iter().zip(nodes.iter().skip(1)).zip(nodes.iter().skip(2));
     let most = triples.fold(0.0_f64, |most, ((a, b), c)| {
         let (left, right) = (b.time_s - a.time_s, c.time_s - b.time_s);

@@ -4,8 +4,8 @@
 
 use super::straight::{Sums, bounds};
 use super::{SHARED_FROM, Strip, in_two};
+use crate::bisection::{Point, halve, scale};
 use crate::cubes::{self, Moments};
-use crate::halves::{Point, halve, scale};
 use crate::{Extent, Gram, Panel};
 use mechanism::Plain;
 

@@ -58,7 +58,7 @@ impl View {
 
     /// Scales the deviations from the chord; only R is curved.
     #[inline]
-    pub(super) fn bow(&self, [acceleration, load, direction, speed]: [f64; 4]) -> [f64; 4] {
+    pub(super) fn curvature(&self, [acceleration, load, direction, speed]: [f64; 4]) -> [f64; 4] {
         [acceleration, self.weight.abs() * load, direction, speed]
     }
 

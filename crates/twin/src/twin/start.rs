@@ -37,7 +37,7 @@ pub(super) fn link_most(setup: &Setup<'_>) -> f64 {
 
 /// Returns the instant of the scenario's event \[s\].
 pub(super) fn happens(setup: &Setup<'_>, course: &Course<'_>) -> Result<Option<f64>, Fault> {
-    let usual = match setup.scenario.id {
+    let standard = match setup.scenario.id {
         ScenarioId::Cycle
         | ScenarioId::BrakeStuck
         | ScenarioId::BatteryLoss
@@ -51,7 +51,7 @@ pub(super) fn happens(setup: &Setup<'_>, course: &Course<'_>) -> Result<Option<f
         | ScenarioId::LinkSag
         | ScenarioId::Collision => course.fastest_s(),
     };
-    let at = setup.scenario.at_s.unwrap_or(usual);
+    let at = setup.scenario.at_s.unwrap_or(standard);
     if !at.is_finite() || at < 0.0 {
         return Err(Fault::OutOfRange("at"));
     }

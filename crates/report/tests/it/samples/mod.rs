@@ -82,10 +82,15 @@ pub fn made_in(text: &str, code: Option<&str>, languages: &[Language], pictures:
         let reserve = questions::reserve_of(project, &chosen);
         let assessed = questions::assess(project, &[&chosen], Sampling::default());
         let progress = questions::Progress::endless();
-        let mends = if ranked.fits() { Vec::new() } else { questions::list::size::mends(project, &progress).unwrap() };
+        let gearing_proposals = if ranked.fits() {
+            Vec::new()
+        } else {
+            questions::list::size::gearing_proposals(project, &progress).unwrap()
+        };
         for content in &mut contents {
             let language = content.language;
-            let (text, program) = ((text, place, "antrieb 0.1.0"), (&reserve, assessed.first(), &mends[..]));
+            let (text, program) =
+                ((text, place, "antrieb 0.1.0"), (&reserve, assessed.first(), &gearing_proposals[..]));
             let dossier = questions::answer::dossier(project, &ranked, &chosen, program, text, language);
             let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
             content.axes.push(AxisContent { dossier, figures, chapters: Vec::new() });

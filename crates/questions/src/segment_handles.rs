@@ -7,7 +7,7 @@ use quantities::unit::{DEGREE, MILLIMETRE};
 
 /// The end of a segment in the picture of the position over time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grip {
+pub struct SegmentHandle {
     /// Index of the segment, from zero.
     pub segment: usize,
     /// Instant \[s\] and position of the beginning, in the unit of the handles.
@@ -20,18 +20,18 @@ pub struct Grip {
 
 /// The handles of a motion.
 #[derive(Clone, Debug)]
-pub struct Grips {
+pub struct SegmentHandles {
     /// Unit of the positions: that of the picture.
     pub unit: &'static Unit,
     /// Handles in the order of the segments; segments without a handle are left out.
-    pub grips: Vec<Grip>,
+    pub segment_handles: Vec<SegmentHandle>,
 }
 
 /// Returns the handles of a motion: for rest and constant speed in time, for a move from rest to rest in time and
 /// distance. A recording cannot be dragged, nor can a move that begins or ends in motion, since it depends on its
 /// neighbours.
 #[must_use]
-pub fn grips(project: &Project) -> Grips {
+pub fn segment_handles(project: &Project) -> SegmentHandles {
     let moves = moves(project);
     let (unit, per_output) = if moves.turns { (&DEGREE, 1.0) } else { (&MILLIMETRE, moves.per_output) };
     let pieces = project.axis.motion.pieces();
@@ -48,18 +48,18 @@ pub fn grips(project: &Project) -> Grips {
         let start = quantities::Measure::si(each.start);
         let (from, to) = (shown(first.position_rad), shown(end.position_rad));
         let until = start + quantities::Measure::si(each.duration);
-        Some(Grip { segment, from: (start, from), to: (until, to), goes: goes && from != to })
+        Some(SegmentHandle { segment, from: (start, from), to: (until, to), goes: goes && from != to })
     };
-    Grips { unit, grips: moves.moves.iter().enumerate().filter_map(grip).collect() }
+    SegmentHandles { unit, segment_handles: moves.moves.iter().enumerate().filter_map(grip).collect() }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn found(motion: &str) -> Grips {
+    fn found(motion: &str) -> SegmentHandles {
         let text = format!("format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n{motion}");
-        grips(&crate::read(&text).unwrap())
+        segment_handles(&crate::read(&text).unwrap())
     }
 
     #[test]
@@ -70,7 +70,7 @@ mod tests {
              brake = \"0.1 s\"\npause = \"0.2 s\"\n",
         );
         assert_eq!(found.unit.symbol, "°");
-        let ends: Vec<_> = found.grips.iter().map(|grip| (grip.segment, grip.to, grip.goes)).collect();
+        let ends: Vec<_> = found.segment_handles.iter().map(|grip| (grip.segment, grip.to, grip.goes)).collect();
         let expected = [(0, (0.5, 90.0), true), (1, (1.5, 90.0), false), (2, (2.3, 0.0), true)];
         assert_eq!(ends.len(), 3);
         for ((segment, to, goes), wanted) in ends.into_iter().zip(expected) {
@@ -87,6 +87,9 @@ mod tests {
              law = \"trapezoid\"\ndistance = \"90 deg\"\nspeed = \"20 1/min\"\nacceleration = \"30 rad/s^2\"\n\
              end_speed = \"0 1/min\"\n",
         );
-        assert_eq!(found.grips.iter().map(|grip| (grip.segment, grip.goes)).collect::<Vec<_>>(), [(1, false)]);
+        assert_eq!(
+            found.segment_handles.iter().map(|grip| (grip.segment, grip.goes)).collect::<Vec<_>>(),
+            [(1, false)]
+        );
     }
 }

@@ -9,7 +9,7 @@ use sizing::{Check, CheckId, Fit, Proviso, Verdict};
 
 /// A value of the gearing with which an actuator fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mend {
+pub struct GearingProposal {
     /// Key of the value: `mechanism.screw.lead`, `stage.ratio`.
     pub path: String,
     /// `true` if the project states the value; a missing stage would be added.
@@ -69,7 +69,7 @@ pub const GEARING_INSTANTS_MOST: usize = 10_000;
 /// samples.
 ///
 /// [`Refusal::Stopped`] if the search was cancelled.
-pub fn mends(project: &Project, progress: &Progress) -> Result<Vec<Mend>, Refusal> {
+pub fn gearing_proposals(project: &Project, progress: &Progress) -> Result<Vec<GearingProposal>, Refusal> {
     let instants = project.axis.instants();
     let [on_flange, recorded] = project.axis.flange_instants();
     #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
@@ -86,7 +86,7 @@ pub fn mends(project: &Project, progress: &Progress) -> Result<Vec<Mend>, Refusa
     let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<Project>| {
         let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, progress));
         if let Some((si, (code, fit, proviso))) = nearest(&ranked, stated, &here, unit, fine)? {
-            found.push(Mend { path: path.to_owned(), is_stated, si, unit, code, fit, proviso });
+            found.push(GearingProposal { path: path.to_owned(), is_stated, si, unit, code, fit, proviso });
         }
         Ok::<_, Refusal>(())
     };
@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn a_lead_or_a_stage_is_proposed_where_nothing_fits() {
         let project = crate::read(LIFT).unwrap();
-        let found = mends(&project, &Progress::endless()).unwrap();
+        let found = gearing_proposals(&project, &Progress::endless()).unwrap();
         let paths: Vec<&str> = found.iter().map(|mend| mend.path.as_str()).collect();
         assert_eq!(paths, ["mechanism.screw.lead", "stage.ratio"]);
         assert!(found[0].si > 0.020 && found[1].si < 1.0, "{found:?}");
@@ -246,12 +246,12 @@ mod tests {
         assert!((found[0].si / 0.020 * found[1].si - 1.0).abs() < 0.15, "{found:?}");
         // A stated stage is varied in the same way.
         let staged = crate::read(&format!("{LIFT}[stage]\nkind = \"gear\"\nratio = 1\n")).unwrap();
-        let varied = mends(&staged, &Progress::endless()).unwrap();
+        let varied = gearing_proposals(&staged, &Progress::endless()).unwrap();
         assert_eq!(varied.iter().map(|mend| mend.is_stated).collect::<Vec<_>>(), [true, true], "{varied:?}");
         assert_eq!((varied[1].path.as_str(), varied[1].si), ("stage.ratio", found[1].si));
         assert_eq!(varied[1].code, found[1].code);
         let fitting = LIFT.replace("20 mm", "100 mm");
-        assert!(mends(&crate::read(&fitting).unwrap(), &Progress::endless()).unwrap().is_empty());
+        assert!(gearing_proposals(&crate::read(&fitting).unwrap(), &Progress::endless()).unwrap().is_empty());
     }
 
     /// Two moves of 160 instants each, and a stated stage: a longer lead or a stage that gears up would make an
@@ -261,7 +261,7 @@ mod tests {
         let tilter = "format = 1\n[mechanism.screw]\nlead = \"10 mm\"\nmass = \"120 kg\"\ninclination = \"90 deg\"\n\
             [stage]\nkind = \"belt\"\nratio = 2\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"200 mm\"\n\
             time = \"1.5 s\"\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"-200 mm\"\ntime = \"2 s\"\n";
-        let found = mends(&crate::read(tilter).unwrap(), &Progress::endless()).unwrap();
+        let found = gearing_proposals(&crate::read(tilter).unwrap(), &Progress::endless()).unwrap();
         let paths: Vec<&str> = found.iter().map(|mend| mend.path.as_str()).collect();
         assert_eq!(paths, ["mechanism.screw.lead", "stage.ratio"], "{found:?}");
         assert!((found[0].si / 0.010 * found[1].si / 2.0 - 1.0).abs() < 0.15, "{found:?}");

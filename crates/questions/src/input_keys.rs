@@ -6,7 +6,7 @@ use sizing::{Check, CheckId};
 
 /// Cached keys of a project: every candidate requires the same few.
 #[derive(Debug)]
-pub(crate) struct Cited<'p> {
+pub(crate) struct InputKeys<'p> {
     project: &'p Project,
     known: Vec<Known>,
 }
@@ -22,7 +22,7 @@ struct Known {
     key: Option<Key>,
 }
 
-impl<'p> Cited<'p> {
+impl<'p> InputKeys<'p> {
     pub(crate) const fn of(project: &'p Project) -> Self {
         Self { project, known: Vec::new() }
     }

@@ -1,7 +1,7 @@
 //! The stored panels as a k-d tree over their bounds, so that neighbours are close in the signals, not in time. Close
 //! bounds are found for any number of different moves, and a search visits few branches.
 
-use crate::halves::{Point, halve, scale};
+use crate::bisection::{Point, halve, scale};
 use crate::{Extent, Kept, Node};
 
 /// Maximum number of panels in a branch that is not split.
@@ -27,12 +27,12 @@ enum Inside {
 
 /// The tree, its root last.
 #[derive(Clone, Debug)]
-pub(super) struct Near {
+pub(super) struct NeighbourTree {
     branches: Vec<Branch>,
     order: Vec<usize>,
 }
 
-impl Near {
+impl NeighbourTree {
     /// Builds the tree over the panels that are not copies of others.
     ///
     /// Cost: O(n log n)
@@ -124,7 +124,7 @@ mod tests {
     #[test]
     fn every_panel_lies_in_one_leaf_and_within_the_bounds_of_all_above() {
         let trace = swings();
-        let near = Near::of(&trace.panels, &trace.nodes);
+        let near = NeighbourTree::of(&trace.panels, &trace.nodes);
         let mut all: Vec<usize> = near.order.clone();
         all.sort_unstable();
         assert!(all.len() > 100 && all.iter().copied().eq(0..trace.panels.len()));

@@ -1,7 +1,7 @@
 //! Comparisons and differences as records.
 
 use super::check::check;
-use super::errata::cited;
+use super::errata::cited_erratum;
 use super::judged::{fit, objections};
 use crate::compare::{CheckChange, Comparison, DatumRow, Difference, errata_of};
 use crate::sizing_use::Candidate;
@@ -46,7 +46,7 @@ pub fn comparison(found: &Comparison<'_>, axis: &str, language: Language) -> ans
         better: found.better,
         demand: rows(&found.demand),
         data: rows(&found.data),
-        errata: errata_of(&found.data).into_iter().map(|id| cited(id, language)).collect(),
+        errata: errata_of(&found.data).into_iter().map(|id| cited_erratum(id, language)).collect(),
         checks: checks.collect(),
     }
 }

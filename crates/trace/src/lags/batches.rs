@@ -5,7 +5,7 @@ use crate::{Panel, Run, Trace};
 use std::ops::Range;
 
 /// Number of panels in a batch of a long run.
-const LOT: usize = 16;
+const BATCH: usize = 16;
 
 /// Number of panels up to which each panel of a run is a batch of its own: evaluating all of them is cheaper than a
 /// bound per batch first.
@@ -13,7 +13,7 @@ const FEW: usize = 32;
 
 /// A batch of neighbouring panels of one run.
 #[derive(Debug)]
-pub(super) struct Lot {
+pub(super) struct Batch {
     pub(super) panels: Range<usize>,
     /// Duration of the panels of one repetition \[s\].
     pub(super) duration: f64,
@@ -23,26 +23,26 @@ pub(super) struct Lot {
 
 /// Panels of a trace and the batches they form.
 #[derive(Debug)]
-pub(super) struct Lots {
+pub(super) struct Batches {
     /// Lag data of the panels; empty for a changed trace, for which only the lags of one actuator are requested and
     /// integrating the panels again costs less than storing this data.
     panels: Vec<LagBlock>,
-    lots: Vec<Lot>,
+    batches: Vec<Batch>,
     /// Batches of each run, and the largest of their swings; empty for a recording.
     of_run: Vec<(Range<usize>, Products)>,
 }
 
-impl Lots {
+impl Batches {
     pub(super) fn of(trace: &Trace) -> Self {
         let is_kept = !trace.is_changed;
         let mut panels = Vec::with_capacity(if is_kept { trace.panels.len() } else { 0 });
-        let mut blocks = Vec::with_capacity(LOT);
-        let mut lots = Vec::with_capacity(trace.panels.len().min(FEW) + trace.panels.len() / LOT);
+        let mut blocks = Vec::with_capacity(BATCH);
+        let mut batches = Vec::with_capacity(trace.panels.len().min(FEW) + trace.panels.len() / BATCH);
         let mut of_run = Vec::with_capacity(trace.runs.len());
         for run in &trace.runs {
-            let from = lots.len();
+            let from = batches.len();
             let (range, at_once) = match run {
-                Run::Kept(range) => (range.clone(), if range.len() <= FEW { 1 } else { LOT }),
+                Run::Kept(range) => (range.clone(), if range.len() <= FEW { 1 } else { BATCH }),
                 // A repeated part is passed period by period.
                 Run::Repeated(range, _) => (range.clone(), range.len().max(1)),
                 Run::Recorded(_) => (0..0, 1),
@@ -52,22 +52,22 @@ impl Lots {
                 let kept = trace.panels.get(within.clone()).unwrap_or_default();
                 blocks.extend(kept.iter().map(|kept| LagBlock::of_panel(&trace.panel(kept), is_kept)));
                 let duration = kept.iter().map(|kept| kept.duration).sum();
-                lots.push(Lot { panels: within, duration, swing: most_on_the_way(&blocks, duration) });
+                batches.push(Batch { panels: within, duration, swing: most_on_the_way(&blocks, duration) });
                 if is_kept {
                     panels.append(&mut blocks);
                 }
                 blocks.clear();
             }
-            let own = lots.get(from..).unwrap_or_default();
-            of_run.push((from..lots.len(), largest(own.iter().map(|lot| &lot.swing))));
+            let own = batches.get(from..).unwrap_or_default();
+            of_run.push((from..batches.len(), largest(own.iter().map(|batch| &batch.swing))));
         }
-        Self { panels, lots, of_run }
+        Self { panels, batches, of_run }
     }
 
     /// Returns the indices of the batches of a run and the batches.
-    pub(super) fn of_run(&self, run: usize) -> (Range<usize>, &[Lot]) {
+    pub(super) fn of_run(&self, run: usize) -> (Range<usize>, &[Batch]) {
         let range = self.of_run.get(run).map_or(0..0, |(range, _)| range.clone());
-        (range.clone(), self.lots.get(range).unwrap_or_default())
+        (range.clone(), self.batches.get(range).unwrap_or_default())
     }
 
     /// Returns the largest swings of the batches of a run.
@@ -76,9 +76,9 @@ impl Lots {
     }
 
     /// Iterates over the gains of the panels of a batch.
-    fn gains_within<'a>(&'a self, trace: &'a Trace, lot: &Lot, tau_s: f64) -> impl Iterator<Item = Gain> + 'a {
+    fn gains_within<'a>(&'a self, trace: &'a Trace, batch: &Batch, tau_s: f64) -> impl Iterator<Item = Gain> + 'a {
         let mut lagging = Lagging::of(tau_s);
-        lot.panels.clone().map(move |index| {
+        batch.panels.clone().map(move |index| {
             let panel = |look: &mut dyn FnMut(Panel<'_>)| {
                 trace.panels.get(index).into_iter().for_each(|kept| look(trace.panel(kept)));
             };
@@ -92,18 +92,18 @@ impl Lots {
     }
 
     /// Returns the gains of the panels of a batch.
-    pub(super) fn part_gains(&self, trace: &Trace, lot: usize, tau_s: f64) -> Vec<Gain> {
-        self.lots.get(lot).map(|lot| self.gains_within(trace, lot, tau_s).collect()).unwrap_or_default()
+    pub(super) fn part_gains(&self, trace: &Trace, batch: usize, tau_s: f64) -> Vec<Gain> {
+        self.batches.get(batch).map(|batch| self.gains_within(trace, batch, tau_s).collect()).unwrap_or_default()
     }
 
     /// Returns the gain of each batch; of a repeated one for a single period.
     pub(super) fn gains(&self, trace: &Trace, tau_s: f64) -> Vec<Gain> {
-        let through = |lot: &Lot| {
+        let through = |batch: &Batch| {
             let mut whole = Gain::NONE;
-            self.gains_within(trace, lot, tau_s).for_each(|gain| whole.then(&gain));
+            self.gains_within(trace, batch, tau_s).for_each(|gain| whole.then(&gain));
             whole
         };
-        self.lots.iter().map(through).collect()
+        self.batches.iter().map(through).collect()
     }
 }
 
@@ -142,17 +142,17 @@ mod tests {
     fn a_lot_does_what_its_panels_do_one_after_the_other() {
         let trace = trace();
         for trace in [&trace, &changed(&trace)] {
-            let lots = trace.lots();
-            let (_, first) = lots.of_run(0);
-            assert!(first.iter().any(|lot| lot.panels.len() == LOT), "lots of several panels");
+            let batches = trace.batches();
+            let (_, first) = batches.of_run(0);
+            assert!(first.iter().any(|batch| batch.panels.len() == BATCH), "lots of several panels");
             for tau_s in [0.4, 30.0, 2400.0] {
-                for (place, (lot, gain)) in lots.lots.iter().zip(lots.gains(trace, tau_s)).enumerate() {
+                for (place, (batch, gain)) in batches.batches.iter().zip(batches.gains(trace, tau_s)).enumerate() {
                     let mut plain = Gain::NONE;
-                    for kept in trace.panels.get(lot.panels.clone()).unwrap() {
+                    for kept in trace.panels.get(batch.panels.clone()).unwrap() {
                         plain.pass(&trace.panel(kept), tau_s);
                     }
                     let mut parts = Gain::NONE;
-                    lots.part_gains(trace, place, tau_s).iter().for_each(|part| parts.then(part));
+                    batches.part_gains(trace, place, tau_s).iter().for_each(|part| parts.then(part));
                     for found in [&gain, &parts] {
                         assert!((found.decay - plain.decay).abs() < 1e-13, "{tau_s}");
                         for (a, b) in found.gain.iter().zip(plain.gain) {
@@ -168,9 +168,9 @@ mod tests {
     #[test]
     fn no_course_within_a_lot_swings_farther() {
         let trace = trace();
-        for lot in &trace.lots().lots {
+        for batch in &trace.batches().batches {
             let panels: Vec<Panel<'_>> =
-                trace.panels.get(lot.panels.clone()).unwrap().iter().map(|kept| trace.panel(kept)).collect();
+                trace.panels.get(batch.panels.clone()).unwrap().iter().map(|kept| trace.panel(kept)).collect();
             let fine = 200;
             let mut course: Vec<(f64, Products)> = vec![(0.0, [0.0; 10])];
             for panel in &panels {
@@ -184,8 +184,8 @@ mod tests {
             }
             let whole = course.last().unwrap().1;
             for (at, sums) in &course {
-                for ((sum, whole), swing) in sums.iter().zip(whole).zip(lot.swing) {
-                    let away = (sum - whole * at / lot.duration).abs();
+                for ((sum, whole), swing) in sums.iter().zip(whole).zip(batch.swing) {
+                    let away = (sum - whole * at / batch.duration).abs();
                     // Error of the midpoint sum.
                     assert!(away <= swing + 1e-4 * (whole.abs() + swing), "{away} {swing}");
                 }
