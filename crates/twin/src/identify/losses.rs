@@ -119,27 +119,24 @@ impl Losses {
         let factors = self.sided.each_ref().map(|sided| slope(sided) / inertia);
         let factors = factors.map(|factor| if factor.is_finite() { factor } else { 1.0 });
         let swings = (inertia / (inertia + flange_kgm2)).clamp(0.0, 1.0);
-        let at = |offset: f64| Sides::of(run, window, offset, swings, factors);
         let offsets = self.offsets(window, flange_kgm2);
-        #[allow(clippy::cast_precision_loss, reason = "at most three")]
-        let middle = offsets.iter().sum::<f64>() / offsets.len() as f64;
-        let sides = at(middle)?;
-        let is_other = |offset: &f64| at(*offset).is_none_or(|other| (other.driven - sides.driven).abs() > OTHER_SIDE);
-        if offsets.iter().any(is_other) || sides.turns > OTHER_SIDE || sides.noise(noise_nm) > OTHER_SIDE {
-            return None;
-        }
+        let [time, factor, swing_nm] = match one_side(run, window, &offsets, swings, noise_nm)? {
+            Some(false) => [0.0, factors[0], 0.0],
+            Some(true) => [1.0, factors[1], 0.0],
+            None => both_sides(run, window, &offsets, swings, noise_nm, factors)?,
+        };
         let without = self.without.loading(first);
         let part = |sided: &Mechanism| {
             let loading = sided.loading(extra);
             mean(run, window, &|output| loading.at(&output).torque_nm - friction(&without, output))
         };
         let [driving, driven] = self.sided.each_ref();
-        let own = match sides.time {
+        let own = match time {
             0.0 => part(driving),
             1.0 => part(driven),
             share => (1.0 - share) * part(driving) + share * part(driven),
         };
-        Some(Part { own: own + sides.swing_nm, factor: sides.factor })
+        Some(Part { own: own + swing_nm, factor })
     }
 
     /// Returns the torques that may lie in front of the losses, in the direction of motion \[Nm\].
@@ -150,6 +147,48 @@ impl Losses {
         let stage = self.stage_kgm2.map(|stage| stage * acceleration);
         frictions.chain(stage).map(|torque| flange_kgm2 * acceleration + torque).collect()
     }
+}
+
+/// Standard deviations of the noise from the torque of zero at which it moves less than 10⁻⁶ of a torque to the other side.
+const CLEAR: f64 = 5.0;
+
+/// Returns `true` if all samples of a window are driven, `false` if all drive, beyond the noise and for each torque in front of the
+/// losses; `None` within `Some` if there are both.
+#[allow(clippy::option_option, reason = "no samples, or both sides")]
+fn one_side(run: &Observed, window: &Window, offsets: &[f64], swings: f64, noise_nm: f64) -> Option<Option<bool>> {
+    let torque = run.torque_nm.get(window.samples.clone())?;
+    let ends = torque.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], torque_nm| {
+        let ahead = window.sign * torque_nm;
+        [low.min(ahead), high.max(ahead)]
+    });
+    let mean = window.torque * window.sign;
+    let [low, high] = ends.map(|ahead| mean + swings * (ahead - mean));
+    let [least, most] =
+        offsets.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| [least.min(*x), most.max(*x)]);
+    let drives = low - most > CLEAR * noise_nm;
+    let is_driven = high - least < -CLEAR * noise_nm;
+    Some((drives || is_driven).then_some(is_driven))
+}
+
+/// Returns the share of the driven samples, the mean factor and the torque from the swing of a window on both sides of the power;
+/// `None` if its direction depends on noise or on a torque in front of the losses.
+fn both_sides(
+    run: &Observed,
+    window: &Window,
+    offsets: &[f64],
+    swings: f64,
+    noise_nm: f64,
+    factors: [f64; 2],
+) -> Option<[f64; 3]> {
+    let at = |offset: f64| Sides::of(run, window, offset, swings, factors);
+    #[allow(clippy::cast_precision_loss, reason = "at most three")]
+    let middle = offsets.iter().sum::<f64>() / offsets.len() as f64;
+    let sides = at(middle)?;
+    if sides.turns > OTHER_SIDE || sides.noise(noise_nm) > OTHER_SIDE {
+        return None;
+    }
+    let is_other = |offset: &f64| at(*offset).is_none_or(|other| (other.driven - sides.driven).abs() > OTHER_SIDE);
+    (!offsets.iter().any(is_other)).then_some([sides.time, sides.factor, sides.swing_nm])
 }
 
 /// Directions of power in a window.
