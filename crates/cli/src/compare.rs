@@ -7,7 +7,7 @@ use project::Project;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
 use questions::list::{Inquiry, Unanswered, compare};
-use questions::texts::{checked_text, governing_text, margin_text, unit_text, verdict_of};
+use questions::texts::{ValuesInRow, governing_text, margin_text, verdict_of};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
 use words::{
@@ -94,13 +94,13 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
     }
     let mut table = TextTable::new(heads);
     for row in &found.checks {
-        let unit = row.checks.iter().flatten().find_map(|check: &Check| check.value.or(check.limit));
-        let mut cells = vec![check_title(row.id, language), unit_text(unit, language).to_owned()];
+        let values = ValuesInRow::of(row.checks.iter().map(Option::as_ref));
+        let mut cells = vec![check_title(row.id, language), values.unit(language).to_owned()];
         for index in part {
             match row.checks.get(*index).and_then(Option::as_ref) {
                 Some(check) => {
                     let better = if row.better == Some(*index) { '*' } else { ' ' };
-                    cells.push(checked_text(check.id, check.value, language));
+                    cells.push(values.value(check, language));
                     cells.push(format!("{better}{} {}", margin_text(check, language), sign(check)));
                 }
                 None => cells.extend(["–".to_owned(), "–  ".to_owned()]),

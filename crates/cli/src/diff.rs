@@ -8,7 +8,7 @@ use project::InputChange;
 use quantities::{Language, format_number};
 use questions::list::diff::{CheckChange, Difference, revisions};
 use questions::list::{Inquiry, Unanswered};
-use questions::texts::{checked_text, margin_share, percent, verdict_text};
+use questions::texts::{ValuesInRow, margin_share, percent, verdict_text};
 use questions::{CandidateId, Check, answer};
 use std::fmt::Write as _;
 use words::{check_title, terminal, terms};
@@ -120,12 +120,10 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
 fn changed(change: &CheckChange, language: Language) -> [String; 8] {
     let none = || "–".to_owned();
     let word = |check: &Option<Check>| check.as_ref().map_or_else(none, |check| verdict_text(check, language));
-    let value = |check: &Option<Check>| {
-        check.as_ref().map_or_else(|| "–".into(), |check| checked_text(check.id, check.value, language))
-    };
+    let values = ValuesInRow::of([change.before.as_ref(), change.after.as_ref()]);
+    let value = |check: &Option<Check>| check.as_ref().map_or_else(none, |check| values.value(check, language));
     let share = |check: &Option<Check>| percent(check.as_ref().and_then(margin_share), language);
     let (before, after) = (word(&change.before), word(&change.after));
-    let unit = [&change.after, &change.before].into_iter().flatten().find_map(|check| check.value.or(check.limit));
     let by = change.change().map_or_else(none, |by| {
         format!("{}{}", if by > 0.0 { "+" } else { "" }, format_number(by * 100.0, 1, language))
     });
@@ -134,8 +132,7 @@ fn changed(change: &CheckChange, language: Language) -> [String; 8] {
         if before == after { after } else { format!("{before} → {after}") },
         value(&change.before),
         value(&change.after),
-        unit.map_or("–", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol_in(language) })
-            .to_owned(),
+        values.unit(language).to_owned(),
         share(&change.before),
         share(&change.after),
         by,

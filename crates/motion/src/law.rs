@@ -62,6 +62,11 @@ pub struct Solved {
 /// Largest rounding of a distance relative to the positions it is computed from \[1\].
 const ROUNDING: f64 = 1e-13;
 
+/// Returns a distance, 0 if it is the rounding of positions up to the farthest: a return to the start.
+pub(crate) fn without_rounding(distance: f64, farthest: f64) -> f64 {
+    if distance.abs() < ROUNDING * farthest { 0.0 } else { distance }
+}
+
 impl Solved {
     /// Returns distance, time, peak speed and peak acceleration of a move.
     pub(crate) fn of(pieces: &[Piece]) -> Self {
@@ -85,12 +90,8 @@ impl Solved {
             travelled = piece.end().position_rad - start;
             farthest = farthest.max(travelled.abs()).max(start.abs());
         }
-        // A return to the start leaves the rounding of the positions between.
-        if travelled.abs() < ROUNDING * farthest {
-            travelled = 0.0;
-        }
         Self {
-            distance: Angle::from_si(travelled),
+            distance: Angle::from_si(without_rounding(travelled, farthest)),
             time: Time::from_si(time),
             speed: AngularVelocity::from_si(speed),
             acceleration: AngularAcceleration::from_si(acceleration),

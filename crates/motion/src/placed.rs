@@ -1,5 +1,6 @@
 //! Recordings on the time axis of a cycle, interval by interval.
 
+use crate::law::without_rounding;
 use crate::recorded::Recorded;
 use std::sync::Arc;
 
@@ -83,11 +84,15 @@ impl Placed {
     #[must_use]
     pub fn course(&self) -> [f64; 3] {
         let (first, last) = self.recorded.ends_rad();
+        let farthest = self.recorded.position_rad().iter().fold(0.0, |most: f64, q| most.max(q.abs()));
         let intervals = (0..self.intervals()).filter_map(|index| self.interval(index));
-        intervals.fold([last - first, 0.0, 0.0], |[distance, speed, acceleration], interval| {
-            let fastest = interval.speed_rad_s.into_iter().fold(speed, |most, w| most.max(w.abs()));
-            [distance, fastest, acceleration.max(interval.acceleration_rad_s2().abs())]
-        })
+        intervals.fold(
+            [without_rounding(last - first, farthest), 0.0, 0.0],
+            |[distance, speed, acceleration], interval| {
+                let fastest = interval.speed_rad_s.into_iter().fold(speed, |most, w| most.max(w.abs()));
+                [distance, fastest, acceleration.max(interval.acceleration_rad_s2().abs())]
+            },
+        )
     }
 
     /// Returns the duration on the time axis \[s\].

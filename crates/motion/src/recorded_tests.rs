@@ -158,3 +158,22 @@ fn rest_and_turning_are_those_of_the_intervals() {
         }
     }
 }
+
+/// A recorded speed whose integral returns to the start has no distance, whatever the rounding of its sums.
+#[test]
+fn a_recorded_return_to_the_start_has_no_distance() {
+    for rows in [41_u32, 163, 1001] {
+        for top in [0.1, 3.7, 61.3] {
+            let time: Vec<f64> = (0..rows).map(|k| 0.007 * f64::from(k)).collect();
+            let turn = std::f64::consts::TAU / f64::from(rows - 1);
+            let speed: Vec<f64> = (0..rows).map(|k| top * (turn * f64::from(k)).sin()).collect();
+            let samples = Samples { time_s: time.into(), speed_rad_s: Some(speed.into()), ..Samples::default() };
+            let recorded = Recorded::new(samples, Treatment::default()).unwrap();
+            let placed =
+                crate::Placed { recorded: recorded.into(), start_s: 0.0, offset_rad: 0.3, stretch: 1.0, segment: 0 };
+            let [distance, speed, _] = placed.course();
+            assert_eq!(distance, 0.0, "{rows} {top}");
+            assert!((speed / top - 1.0).abs() < 0.01);
+        }
+    }
+}

@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use quantities::{Language, format_significant};
 use questions::list::compare::{CheckRow, Comparison, DatumRow, errata_of};
 use questions::list::explain::derivation;
-use questions::texts::{checked_text, margin_share, margin_text, node_amount, trust, verdict_text};
+use questions::texts::{ValuesInRow, margin_share, margin_text, node_amount, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
     ERRATUM_MARK, capitalised, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
@@ -103,15 +103,15 @@ pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
 }
 
 fn check_row(row: &CheckRow, language: Language) -> Markup {
-    let unit = row.checks.iter().flatten().find_map(|check: &Check| check.value.or(check.limit));
+    let values = ValuesInRow::of(row.checks.iter().map(Option::as_ref));
     html! {
         tr {
             th scope="row" { (capitalised(&check_title(row.id, language))) }
-            td { (unit.map_or("", |figure| figure.unit.symbol_in(language))) }
+            td { (values.unit(language)) }
             @for (place, check) in row.checks.iter().enumerate() {
                 @match check {
                     Some(check) => td class={ "number " (verdict_class(check.verdict)) } {
-                        (checked_text(check.id, check.value, language)) " "
+                        (values.value(check, language)) " "
                         @if check.verdict == Verdict::NotChecked { (verdict_text(check, language)) } @else if margin_share(check).is_some() { "(" (margin_text(check, language)) " %)" }
                         @if row.better == Some(place) { " *" }
                     },

@@ -198,6 +198,39 @@ pub fn unit_text(figure: Option<Amount>, language: Language) -> &'static str {
     figure.map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol_in(language) })
 }
 
+/// Values of one check of several actuators or revisions, in a row with one unit.
+#[derive(Clone, Copy, Debug)]
+pub struct ValuesInRow {
+    common: Option<Option<Amount>>,
+}
+
+impl ValuesInRow {
+    /// Finds the unit that all values have: a check may state an angle for one actuator and a torque for another.
+    #[must_use]
+    pub fn of<'c>(checks: impl IntoIterator<Item = Option<&'c Check>>) -> Self {
+        let mut figures = checks.into_iter().flatten().filter_map(|check| check.value.or(check.limit));
+        let first = figures.next();
+        let is_common = figures.all(|figure| first.is_some_and(|first| first.unit.symbol == figure.unit.symbol));
+        Self { common: is_common.then_some(first) }
+    }
+
+    /// Returns the symbol of the common unit, as [`unit_text`]; empty if each value has its own.
+    #[must_use]
+    pub fn unit(&self, language: Language) -> &'static str {
+        self.common.map_or("", |figure| unit_text(figure, language))
+    }
+
+    /// Formats the value of a check as [`checked_text`], with its unit if the row has no common one.
+    #[must_use]
+    pub fn value(&self, check: &Check, language: Language) -> String {
+        let value = checked_text(check.id, check.value, language);
+        match check.value {
+            Some(figure) if self.common.is_none() => format!("{value} {}", unit_text(Some(figure), language)),
+            _ => value,
+        }
+    }
+}
+
 /// Formats a utilisation in percent, or as a dash.
 #[must_use]
 pub fn percent(utilisation: Option<f64>, language: Language) -> String {

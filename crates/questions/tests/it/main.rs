@@ -42,4 +42,5 @@ mod rejections;
 mod segment_loads;
 mod simulate;
 mod simulated;
+mod units_in_rows;
 mod workings;
