@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// A table of Arrow: what reads Arrow takes it as it is.
 #[pyclass(frozen, module = "antrieb")]
-pub(crate) struct ArrowTable {
+pub(crate) struct Table {
     schema: SchemaRef,
     batches: Vec<RecordBatch>,
 }
@@ -167,8 +167,8 @@ fn append(values: &Bound<'_, PyList>, array: &ArrayRef) -> PyResult<()> {
 
 /// A sweep over tables of the same columns: the project is read once.
 #[pyclass(frozen, module = "antrieb._antrieb")]
-pub(crate) struct ArrowSweep {
-    sweep: sweep_io::Sweep,
+pub(crate) struct Sweep {
+    sweep: sweep_io::BatchSweep,
     /// Limit of the memory for recordings and answers \[byte\].
     memory: u64,
     language: Language,
