@@ -1,6 +1,6 @@
 //! Tests of the page in a real browser: the same scenarios, served by `antrieb serve` and without a server.
 //!
-//! `cargo xtask browser [NAME…]` builds what is needed and calls this program. A scenario is a function of a [`Stage`],
+//! `cargo xtask browser [NAME…]` builds what is needed and calls this program. A scenario is a function of a [`OpenPage`],
 //! listed in [`ways::ALL`]; it returns a failure as a sentence.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it tells what it found")]
 #![allow(clippy::indexing_slicing, reason = "JSON gives null where there is nothing")]

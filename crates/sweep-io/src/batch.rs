@@ -17,7 +17,7 @@ pub struct BatchSweep {
     schema: SchemaRef,
 }
 
-/// The head of a table before its cells are read: [`sweep::BatchHead`] over record batches.
+/// The head of a table before its cells are read: [`sweep::Head`] over record batches.
 pub struct BatchHead {
     head: sweep::Head,
     schema: SchemaRef,

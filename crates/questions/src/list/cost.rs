@@ -41,7 +41,7 @@ impl Cost {
     }
 
     /// Returns the number of samples of recordings that all axes together may have within this time, in the measure of
-    /// [`sizing::PlacedAxis::samples`].
+    /// [`sizing::Axis::samples`].
     #[must_use]
     pub const fn samples(self) -> usize {
         match self {
