@@ -94,8 +94,10 @@ function points(path) {
 // a pixel can tell. Until then what is read from the line has a sign for it.
 let exact = null;
 let soon = null;
-// An answer may change the lines of a picture and keep its element.
+// An answer may change the lines of a picture and keep its element. While one is on its way, nothing else is asked.
 let answers = 0;
+let asking = null;
+document.addEventListener('htmx:before:request', () => { clearTimeout(soon); asking?.abort(); });
 document.addEventListener('htmx:after:swap', () => { answers += 1; });
 const isExact = () => exact?.answers === answers;
 function soonExact() {
@@ -111,10 +113,14 @@ async function fetchCurves() {
   // What is asked for the same state has the same curves.
   if (exact?.body === body) { exact.answers = answers; if (exact.columns) cursor(); return; }
   const own = exact = { answers, body, columns: null };
-  const reply = await fetch('/curves', { method: 'POST', body: fields }).catch(() => null);
-  if (!reply?.ok || exact !== own) return;
+  asking?.abort();
+  asking = new AbortController();
+  const reply = await fetch('/curves', { method: 'POST', body: fields, signal: asking.signal }).catch(() => null);
+  if (exact !== own) return;
+  const text = reply?.ok ? await reply.text().catch(() => null) : null;
+  if (text === null) { if (exact === own) exact = null; return; }
   const columns = [];
-  for (const block of (await reply.text()).split('\n\n').filter((each) => each.trim())) {
+  for (const block of text.split('\n\n').filter((each) => each.trim())) {
     const rows = block.trim().split('\n').slice(1).map((row) => row.split('\t').map(Number));
     const x = rows.map((row) => row[0]);
     for (let column = 1; column < (rows[0]?.length ?? 0); column++) columns.push({ x, y: rows.map((row) => row[column]) });
