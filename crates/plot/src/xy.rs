@@ -15,8 +15,8 @@ use crate::titled::titled;
 /// A chart of curves, areas and points over two axes.
 ///
 /// ```
-/// use plot::{Axis, Line, Size, Style, Tone, XyChart};
-/// let picture = XyChart::new(Axis::new("n", "min⁻¹"), Axis::new("T", "Nm"))
+/// use plot::{Line, PlaneAxis, Size, Style, Tone, XyChart};
+/// let picture = XyChart::new(PlaneAxis::new("n", "min⁻¹"), PlaneAxis::new("T", "Nm"))
 ///     .title("Limits")
 ///     .with(Line::new([(0.0, 9.0), (3000.0, 9.0), (4500.0, 0.0)]).tone(Tone::Continuous).label("continuous"))
 ///     .render(&Style::new(Size::millimetres(120.0, 80.0)));
