@@ -241,17 +241,20 @@ impl Motion {
         if ratio == 1.0 {
             return self.clone();
         }
+        // A recording that is placed several times remains one.
+        let mut recordings: Vec<Placed> = Vec::with_capacity(self.recordings.len());
+        for placed in &self.recordings {
+            let mut others = self.recordings.iter().zip(&recordings);
+            let known = others.find(|(other, _)| Arc::ptr_eq(&other.recorded, &placed.recorded));
+            let recorded = match known {
+                Some((_, geared)) => Arc::clone(&geared.recorded),
+                None => Arc::new(placed.recorded.geared(ratio)),
+            };
+            recordings.push(Placed { recorded, offset_rad: placed.offset_rad * ratio, ..placed.clone() });
+        }
         Self {
             pieces: self.pieces.iter().map(|piece| piece.geared(ratio)).collect(),
-            recordings: self
-                .recordings
-                .iter()
-                .map(|placed| Placed {
-                    recorded: Arc::new(placed.recorded.geared(ratio)),
-                    offset_rad: placed.offset_rad * ratio,
-                    ..placed.clone()
-                })
-                .collect(),
+            recordings,
             net: Angle::from_si(self.net.si() * ratio),
             stretches: self
                 .stretches

@@ -6,7 +6,7 @@ use crate::flange::{FlangeLoads, needs};
 use crate::key::Variants;
 use crate::mechanism::{Driven, Load};
 use crate::read::Reader;
-use crate::recorded::{Columns, File, Gaps, HeldValues, Ratios, TimeStamps, Units};
+use crate::recorded::{Columns, File, Gaps, HeldValues, Ratios, RecordedMotions, TimeStamps, Units};
 use crate::root::AxisSection;
 use crate::section::{Fields, OfKinds, Section, names, section};
 use crate::stated::{Stated, StatedField};
@@ -305,7 +305,12 @@ impl Segment {
     }
 
     /// Returns the segment at the output; `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
-    fn spec(&self, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<SegmentSpec> {
+    fn spec(
+        &self,
+        travel: Option<f64>,
+        recorded: &mut RecordedMotions,
+        reader: &mut Reader<'_>,
+    ) -> Option<SegmentSpec> {
         let before = reader.fault_count();
         let given = Given {
             distance: turned(&self.distance, travel, reader),
@@ -320,7 +325,7 @@ impl Segment {
         // Their own faults do not depend on the keys of a law.
         let read = match law {
             SegmentLaw::Points => self.through_points(given.end_speed, travel, reader).map(SegmentSpec::Points),
-            SegmentLaw::Recorded => crate::recorded::motion(self, travel, reader).map(SegmentSpec::Recorded),
+            SegmentLaw::Recorded => crate::recorded::motion(self, travel, recorded, reader).map(SegmentSpec::Recorded),
             SegmentLaw::Manual | SegmentLaw::Dwell | SegmentLaw::Law(_) => None,
         };
         if !is_readable {
@@ -491,7 +496,9 @@ fn report_readable(axis: &AxisSection, specs: Vec<Option<SegmentSpec>>, travel: 
 /// Builds the segments, `None` for a faulty one, and reports those of their keys that have no effect on the load.
 fn specs(axis: &AxisSection, travel: Option<f64>, reader: &mut Reader<'_>) -> Vec<Option<SegmentSpec>> {
     let segments = axis.segments();
-    let specs: Vec<Option<SegmentSpec>> = segments.iter().map(|segment| segment.spec(travel, reader)).collect();
+    let mut recorded = RecordedMotions::default();
+    let specs: Vec<Option<SegmentSpec>> =
+        segments.iter().map(|segment| segment.spec(travel, &mut recorded, reader)).collect();
     if let Some(driven) = axis.driven() {
         for segment in segments {
             without_effect(segment, driven, reader);

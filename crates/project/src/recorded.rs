@@ -10,7 +10,7 @@ use crate::section::section;
 use crate::stated::StatedField;
 use crate::value::{KeyValue, choices};
 use ::motion::{Recorded, RecordedFault, Samples, Treatment};
-use quantities::Unit;
+use quantities::{AngularVelocity, Unit};
 use recording::{Along, Bytes, Content, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording, Role, Series};
 use std::io::Read;
 use std::sync::Arc;
@@ -347,15 +347,38 @@ pub(crate) fn samples(segment: &Segment) -> usize {
     segment.recording().map_or(0, |read| read.recording.time_s.len())
 }
 
+/// Recorded motions of the segments of an axis: segments that use one recording alike share its motion.
+#[derive(Default)]
+pub(crate) struct RecordedMotions(Vec<(Arc<Recording>, [f64; 3], Treatment, Arc<Recorded>)>);
+
+impl RecordedMotions {
+    /// Returns the motion of another segment with the same recording, ratios of its columns, and treatment.
+    fn find(&self, of: &Arc<Recording>, factors: [f64; 3], by: &Treatment) -> Option<Arc<Recorded>> {
+        let mut known = self.0.iter();
+        let same = known.find(|known| Arc::ptr_eq(&known.0, of) && known.1 == factors && known.2 == *by)?;
+        Some(Arc::clone(&same.3))
+    }
+}
+
 /// Returns the recorded motion of a segment at the output; `None` after a fault.
 ///
 /// `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
-pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Arc<Recorded>> {
+pub(crate) fn motion(
+    segment: &Segment,
+    travel: Option<f64>,
+    known: &mut RecordedMotions,
+    reader: &mut Reader<'_>,
+) -> Option<Arc<Recorded>> {
     let before = reader.fault_count();
     // Known without the recording.
     let standstill = crate::motion::turned(&segment.standstill, travel, reader);
     let ratios = crate::side::ratios(segment, reader);
     let RecordingRead { file, recording } = segment.recording()?;
+    let treatment = treatment(segment, standstill);
+    let factors = [Role::Position, Role::Speed, Role::Torque].map(|role| ratios.factor(role));
+    if let Some(same) = known.find(recording, factors, &treatment).filter(|_| segment.states_its_motion()) {
+        return Some(same);
+    }
     let mut turned = |series: &Option<Series>, role: Role| -> Option<Arc<Vec<f64>>> {
         let Series { along, values } = series.as_ref()?;
         let factor = match (along, travel) {
@@ -381,22 +404,14 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
     if reader.fault_count() > before {
         return None;
     }
-    let treatment = Treatment {
-        smoothing: segment.smoothing.value(),
-        standstill,
-        held_values: match segment.held_values.value() {
-            Some(HeldValues::Interpolate) => ::motion::HeldValues::Interpolated,
-            None => ::motion::HeldValues::Kept,
-        },
-        time_stamps: match segment.time_stamps.value() {
-            Some(TimeStamps::Even) => ::motion::TimeStamps::Even,
-            None => ::motion::TimeStamps::Kept,
-        },
-    };
     match Recorded::new(samples, treatment) {
         // A refused value has been reported; without it the motion is another one.
         Ok(_) | Err(RecordedFault::Contradiction { .. }) if !segment.states_its_motion() => None,
-        Ok(recorded) => Some(Arc::new(recorded)),
+        Ok(recorded) => {
+            let motion = Arc::new(recorded);
+            known.0.push((Arc::clone(recording), factors, treatment, Arc::clone(&motion)));
+            Some(motion)
+        }
         Err(fault) => {
             let span = match fault {
                 RecordedFault::WindowTooShort { .. } | RecordedFault::WindowTooLong { .. } => segment.smoothing.span(),
@@ -411,6 +426,22 @@ pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader
             reader.fault(span, Fault::Recorded { name: file.clone(), fault }, None);
             None
         }
+    }
+}
+
+/// Returns the stated treatment of a recording; `standstill` is the limit of the speed at the output.
+fn treatment(segment: &Segment, standstill: Option<AngularVelocity>) -> Treatment {
+    Treatment {
+        smoothing: segment.smoothing.value(),
+        standstill,
+        held_values: match segment.held_values.value() {
+            Some(HeldValues::Interpolate) => ::motion::HeldValues::Interpolated,
+            None => ::motion::HeldValues::Kept,
+        },
+        time_stamps: match segment.time_stamps.value() {
+            Some(TimeStamps::Even) => ::motion::TimeStamps::Even,
+            None => ::motion::TimeStamps::Kept,
+        },
     }
 }
 

@@ -9,6 +9,7 @@ use project::Project;
 use quantities::unit::HOUR;
 use quantities::{Language, Measure, Time, parse_as};
 use sizing::{Check, Part, StepObserver as _};
+use std::sync::Arc;
 
 /// Reads a quantity from the command line.
 ///
@@ -41,7 +42,7 @@ pub(crate) fn battery(operation_per_day: Time, storage: Time, language: Language
 
 /// Iterates over the checks of the output bearing of one code.
 pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = &'c Check> {
-    candidate.judgement.checks.iter().filter(|check| check.id.part() == Part::OutputBearing)
+    candidate.judgement.checks.iter().map(Arc::as_ref).filter(|check| check.id.part() == Part::OutputBearing)
 }
 
 /// Judges one code of each size by the checks of its output bearing alone: all codes of a size have the same bearing.

@@ -6,6 +6,7 @@ use project::{Gearing, Project};
 use quantities::Unit;
 use quantities::unit::ONE;
 use sizing::{Check, CheckId, Fit, Proviso, Verdict};
+use std::sync::Arc;
 
 /// A value of the gearing with which an actuator fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,7 +135,7 @@ impl Ranked {
 /// it has a check of its own. The worst instant of the torque-speed trace by the lower edge is not the one at which the
 /// check fails, so its share is not used either.
 fn farther(candidate: &Candidate<'_>) -> Option<f64> {
-    let failing = || candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
+    let failing = || candidate.judgement.checks.iter().map(Arc::as_ref).filter(|check| check.verdict == Verdict::Fail);
     if failing().any(|check| check.id.is_of_the_place()) {
         return None;
     }

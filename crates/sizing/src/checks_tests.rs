@@ -9,6 +9,7 @@ use provenance::{CellRef, Datum, Sourced};
 use quantities::{
     Angle, AngularAcceleration, AngularVelocity, ElectricPotential, Measure, MomentOfInertia, Time, Torque,
 };
+use std::sync::Arc;
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
@@ -64,7 +65,7 @@ fn axis(segments: &[SegmentSpec]) -> Axis {
     Axis::braked(load, Motion::new(segments, None, Closing::Speed).unwrap(), vec![pull; segments.len()], times)
 }
 
-fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Check {
+fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Arc<Check> {
     judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == id).unwrap().clone()
 }
 

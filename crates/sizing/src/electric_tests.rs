@@ -6,6 +6,7 @@ use mechanism::{Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
 use provenance::{CellRef, Datum, Sourced};
 use quantities::{ElectricCurrent, MomentOfInertia, NoLoadCurrentConstant, TorqueConstant};
+use std::sync::Arc;
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
@@ -53,7 +54,7 @@ fn axis(pause: f64, drive: [Option<f64>; 3]) -> Axis {
     axis
 }
 
-fn check(axis: &Axis, actuator: &Parameters) -> Option<Check> {
+fn check(axis: &Axis, actuator: &Parameters) -> Option<Arc<Check>> {
     judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == CheckId::DriveCurrent).cloned()
 }
 

@@ -21,8 +21,8 @@ pub struct Judgement {
     pub demand: Option<Demand>,
     /// Demand by the manual's equations, shown for comparison.
     pub manual: Option<ManualDemand>,
-    /// Results of the checks, in the order in which they are judged.
-    pub checks: Vec<Check>,
+    /// Results of the checks, in the order in which they are judged. One that holds for several actuators is shared.
+    pub checks: Vec<Arc<Check>>,
 }
 
 /// Conditions under which an actuator fits though a check is beyond its limit; none for [`Fit::Fits`].
@@ -46,7 +46,7 @@ impl Judgement {
     pub fn fit(&self) -> Fit {
         if any_fails(&self.checks) {
             Fit::DoesNotFit
-        } else if self.checks.iter().any(Check::is_inside_band) {
+        } else if self.checks.iter().any(|check| check.is_inside_band()) {
             Fit::FitsIfEstimate
         } else {
             Fit::Fits
@@ -56,7 +56,7 @@ impl Judgement {
     /// Returns the conditions of a fitting actuator.
     #[must_use]
     pub fn proviso(&self) -> Proviso {
-        let beyond = || self.checks.iter().filter(|check| check.is_inside_band());
+        let beyond = || self.checks.iter().map(Arc::as_ref).filter(|check| check.is_inside_band());
         Proviso {
             estimate: beyond().any(|check| !check.is_of_another_gear()),
             rating: beyond().any(Check::is_of_another_gear),
@@ -96,21 +96,21 @@ impl Judgement {
 /// Two checks may have the same utilisation, as those of the mean speed at the output and at the motor, up to the
 /// rounding of the machine; of these the last in the order of the checks is returned, on every machine.
 #[must_use]
-pub fn governing(checks: &[Check]) -> Option<&Check> {
+pub fn governing(checks: &[Arc<Check>]) -> Option<&Check> {
     let largest = contenders(checks).map(Check::severity).max_by(f64::total_cmp)?;
     last_of_equal(contenders(checks).map(|check| (check.severity(), check)), largest)
 }
 
 /// Returns the checks among which the governing one is: those that fail; if none fails, those with a margin.
-fn contenders(checks: &[Check]) -> impl Iterator<Item = &Check> {
+fn contenders(checks: &[Arc<Check>]) -> impl Iterator<Item = &Check> {
     let fails = any_fails(checks);
-    checks.iter().filter(move |check| match fails {
+    checks.iter().map(Arc::as_ref).filter(move |check| match fails {
         true => check.verdict == Verdict::Fail,
         false => check.id.has_margin() && check.utilisation.is_some(),
     })
 }
 
-fn any_fails(checks: &[Check]) -> bool {
+fn any_fails(checks: &[Arc<Check>]) -> bool {
     checks.iter().any(|check| check.verdict == Verdict::Fail)
 }
 
@@ -213,7 +213,7 @@ impl<'a> Judge<'a> {
             only_failing: false,
         };
 
-        let mut found: Vec<Check> = Vec::with_capacity(checks.len());
+        let mut found: Vec<Arc<Check>> = Vec::with_capacity(checks.len());
         let mut is_rejected = false;
         for &id in checks {
             if depth == Depth::UntilRejected && is_rejected && id.stage() > Stage::First {
@@ -246,7 +246,7 @@ struct Shared {
     bearing: Option<OutputBearing>,
     /// Index of the governing move, which the sources of all stored answers name.
     governing: usize,
-    answers: Vec<Check>,
+    answers: Vec<Arc<Check>>,
 }
 
 impl Shared {
@@ -272,15 +272,15 @@ impl Shared {
         electrics
     }
 
-    fn get_or_make(&mut self, id: CheckId, make: impl FnOnce() -> Option<Check>) -> Option<Check> {
+    fn get_or_make(&mut self, id: CheckId, make: impl FnOnce() -> Option<Check>) -> Option<Arc<Check>> {
         if id.shared_by() == SharedBy::Nothing {
-            return make();
+            return make().map(Arc::new);
         }
         if let Some(known) = self.answers.iter().find(|check| check.id == id) {
-            return Some(known.clone());
+            return Some(Arc::clone(known));
         }
-        let made = make()?;
-        self.answers.push(made.clone());
+        let made = Arc::new(make()?);
+        self.answers.push(Arc::clone(&made));
         Some(made)
     }
 }
@@ -298,16 +298,16 @@ fn answered(id: CheckId, case: &Case<'_>, explain: bool) -> Option<Check> {
 
 /// Returns `true` if a scope leaves the regenerated energy out: in a ranking if the project does not limit it and it can be
 /// computed; among the deciding checks if by its bounds it is sure to pass with a utilisation below that of another check.
-fn is_energy_left_out(scope: Scope, case: &Case<'_>, found: &[Check]) -> bool {
+fn is_energy_left_out(scope: Scope, case: &Case<'_>, found: &[Arc<Check>]) -> bool {
     match scope {
         Scope::All => false,
         Scope::Ranking => {
             !CheckId::Regeneration.can_fail(case.axis) && !energy::is_missing(case.actuator, case.currents)
         }
         Scope::Deciding => {
-            let has_share = |check: &&Check| check.id.has_margin() && check.id.margin() != Margin::Range;
+            let has_share = |check: &&Arc<Check>| check.id.has_margin() && check.id.margin() != Margin::Range;
             let counted = found.iter().filter(|check| check.verdict == Verdict::Fail || has_share(check));
-            let largest = counted.map(Check::severity).fold(0.0, f64::max);
+            let largest = counted.map(|check| check.severity()).fold(0.0, f64::max);
             energy::is_below(case.axis, case.actuator, case.currents, largest.min(1.0))
         }
     }

@@ -227,7 +227,7 @@ impl<S, F: Fn(f64) -> Result<Judgement, S>> Search<F> {
 /// of zero is exceeded among others, the distance of the others is used.
 fn excess(judgement: &Judgement) -> f64 {
     let most = |of: fn(&Check) -> bool| {
-        let shares = judgement.checks.iter().filter(|check| of(check)).filter_map(Check::share_of_failure);
+        let shares = judgement.checks.iter().filter(|check| of(check)).filter_map(|check| check.share_of_failure());
         shares.reduce(f64::max).map(|share| share - 1.0)
     };
     if judgement.fits() {

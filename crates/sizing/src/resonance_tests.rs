@@ -6,6 +6,7 @@ use motion::{Closing, Given, Law, Motion, SegmentSpec};
 use provenance::{CellRef, Datum};
 use quantities::unit::REVOLUTION_PER_MINUTE as RPM;
 use quantities::{Angle, AngularVelocity, Length, Mass, MomentOfInertia, Time, Torque, TorsionalStiffness};
+use std::sync::Arc;
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
@@ -37,7 +38,7 @@ fn hold(speed: f64, time: f64) -> SegmentSpec {
     SegmentSpec::Move(Law::Constant, given)
 }
 
-fn check(axis: &Axis) -> Check {
+fn check(axis: &Axis) -> Arc<Check> {
     let judged = judge(axis, &actuator(), Scope::All);
     judged.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().clone()
 }

@@ -350,8 +350,12 @@ impl Row<'_> {
             // The bound is below every failing check, so every check is made.
             let judgement = judge(self.axis, &group.representative, Scope::Deciding);
             let excludes = |check: &&Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
-            let excluding =
-                judgement.checks.iter().filter(excludes).max_by(|a, b| a.severity().total_cmp(&b.severity()));
+            let excluding = judgement
+                .checks
+                .iter()
+                .map(Arc::as_ref)
+                .filter(excludes)
+                .max_by(|a, b| a.severity().total_cmp(&b.severity()));
             if excluding.is_some() != elsewhere {
                 continue;
             }

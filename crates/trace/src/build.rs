@@ -161,7 +161,9 @@ impl<'a> Builder<'a> {
         self.close_block();
         let none = Extra::none();
         let extra = self.extras.get(placed.segment).unwrap_or(&none);
-        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, self.known);
+        let others = self.known.iter().chain(&self.strips);
+        let mut strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, others);
+        strip.first = self.strips.iter().position(|other| other.is_like(&strip)).unwrap_or(self.strips.len());
         let mut survey = strip.found(self.strips.len());
         if let Some(share) = self.shares.get_mut(placed.segment) {
             let travelled = survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();

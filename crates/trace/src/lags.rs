@@ -133,7 +133,17 @@ impl Trace {
         let mut best = First::above(least, ());
         best.see(ends.value(), ends.place().map_or(0.0, |index| self.end_of_stretch(index)), ());
         let starts = flows.iter().map(|flow| flow.start).collect();
-        Search { trace: self, lags, flows: &flows, states: starts, now_s: 0.0, best, seen: BTreeMap::new() }.search()
+        Search {
+            trace: self,
+            lags,
+            flows: &flows,
+            states: starts,
+            now_s: 0.0,
+            best,
+            seen: BTreeMap::new(),
+            seen_blocks: BTreeMap::new(),
+        }
+        .search()
     }
 
     /// Computes a lag along all stretches: batches of stored panels and blocks of recordings.
@@ -228,6 +238,14 @@ struct Search<'a> {
     best: First<()>,
     /// States at the start of the first evaluated panel of each kind, by index of the kind.
     seen: BTreeMap<usize, Vec<f64>>,
+    /// States at the start of the first evaluated block of a recording that recurs, by index of the strip and place.
+    seen_blocks: BTreeMap<(usize, usize), Vec<f64>>,
+}
+
+/// Returns `true` if what begins with these states cannot get higher than where it was searched before, since no lag
+/// starts higher: the initial state only adds to the result.
+fn starts_no_higher(states: &[f64], seen: &[f64]) -> bool {
+    states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs())
 }
 
 impl Search<'_> {
@@ -269,7 +287,9 @@ impl Search<'_> {
                         let own = || self.rise(number, &lags.swing, stretch);
                         let through = |flow: &Flow| flow.stretch(index);
                         let duration = lags.duration * stretch;
-                        if self.may_rise((&self.states, self.now_s), through, duration, most, own) {
+                        if self.may_rise((&self.states, self.now_s), through, duration, most, own)
+                            && !self.was_block_seen((strip.first, place))
+                        {
                             self.inside_block(number, strip, place);
                         }
                         self.step(index, duration);
@@ -337,13 +357,19 @@ impl Search<'_> {
         }
     }
 
-    /// Returns `true` if a panel with the same signals was searched before and no lag starts higher now. The remaining
-    /// initial state only adds to the result, so no lag can get higher within the panel either.
+    /// Returns `true` if a block of a recording was searched before at an earlier place of it, see [`starts_no_higher`].
+    fn was_block_seen(&mut self, kind: (usize, usize)) -> bool {
+        if self.seen_blocks.get(&kind).is_some_and(|seen| starts_no_higher(&self.states, seen)) {
+            return true;
+        }
+        self.seen_blocks.insert(kind, self.states.clone());
+        false
+    }
+
+    /// Returns `true` if a panel with the same signals was searched before, see [`starts_no_higher`].
     fn was_seen(&mut self, panel: &Panel<'_>, states: &[f64]) -> bool {
         let Some(like) = panel.like().filter(|like| like.has_others) else { return false };
-        if let Some(seen) = self.seen.get(&like.first)
-            && states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs())
-        {
+        if self.seen.get(&like.first).is_some_and(|seen| starts_no_higher(states, seen)) {
             return true;
         }
         self.seen.insert(like.first, states.to_vec());
@@ -559,7 +585,16 @@ mod tests {
         let (alone, one_of_many) = (trace.panel(&alone), trace.panel(&one_of_many));
         let best = First::above(0.0, ());
         let (states, seen) = (vec![2.0, 3.0], BTreeMap::new());
-        let mut search = Search { trace: &trace, lags: &[], flows: &[], states, now_s: 0.0, best, seen };
+        let mut search = Search {
+            trace: &trace,
+            lags: &[],
+            flows: &[],
+            states,
+            now_s: 0.0,
+            best,
+            seen,
+            seen_blocks: BTreeMap::new(),
+        };
         assert!(!search.was_seen(&alone, &[2.0, 3.0]) && !search.was_seen(&alone, &[2.0, 3.0]));
         assert!(!search.was_seen(&one_of_many, &[2.0, 3.0]) && search.was_seen(&one_of_many, &[2.0, 3.0]));
         assert!(search.was_seen(&one_of_many, &[1.0, 3.0]), "lower");

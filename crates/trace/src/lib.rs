@@ -570,3 +570,6 @@ mod lag_tests;
 #[cfg(test)]
 #[path = "cells_tests.rs"]
 mod cells_tests;
+#[cfg(test)]
+#[path = "recurring_tests.rs"]
+mod recurring_tests;

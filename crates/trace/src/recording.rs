@@ -58,6 +58,9 @@ pub struct Strip {
     /// load.
     loads: Arc<Known>,
     survey: Arc<Survey>,
+    /// Index of the first strip of the trace with the same signals at its own instants: its own index unless the
+    /// recording recurs.
+    pub(super) first: usize,
 }
 
 /// Result of one pass over a recording, in the signals before the view.
@@ -90,7 +93,12 @@ type Part = (f64, f64, f64);
 impl Strip {
     /// Creates the strip of a recording under a load; reuses the survey of one of the known strips if only the view
     /// differs.
-    pub(super) fn new(placed: Placed, mechanism: Mechanism, extra: Extra, known: &[Self]) -> Self {
+    pub(super) fn new<'k>(
+        placed: Placed,
+        mechanism: Mechanism,
+        extra: Extra,
+        known: impl IntoIterator<Item = &'k Self>,
+    ) -> Self {
         let plain = mechanism.plain(&extra);
         let view = match &plain {
             Some(plain) => View {
@@ -107,12 +115,23 @@ impl Strip {
             Some(_) => Placed { start_s: 0.0, stretch: 1.0, ..placed.clone() },
             None => placed.clone(),
         };
-        let known = plain.and_then(|plain| known.iter().find(|other| other.shows(&plain, &placed)));
+        let known = plain.and_then(|plain| known.into_iter().find(|other| other.shows(&plain, &placed)));
         let kinks = mechanism.kinks();
         let surveyed_weight_nm = plain.map_or(0.0, |plain| plain.weight_nm);
         let (loads, survey) = (Arc::default(), Arc::new(Survey::empty()));
-        let mut strip =
-            Self { placed, surveyed, mechanism, extra, plain, surveyed_weight_nm, kinks, view, loads, survey };
+        let mut strip = Self {
+            placed,
+            surveyed,
+            mechanism,
+            extra,
+            plain,
+            surveyed_weight_nm,
+            kinks,
+            view,
+            loads,
+            survey,
+            first: 0,
+        };
         if let Some(known) = known {
             (strip.loads, strip.survey) = (Arc::clone(&known.loads), Arc::clone(&known.survey));
             if known.surveyed_weight_nm != 0.0 {
@@ -140,6 +159,15 @@ impl Strip {
         (self.is_weight_alone() || self.surveyed_weight_nm == plain.weight_nm)
             && own.angle_rad == plain.angle_rad
             && self.placed.offset_rad == placed.offset_rad
+    }
+
+    /// Returns `true` if this strip and another one of the trace have the same signals, each at its own instants: the same
+    /// recording at the same pace, with the same load, at the same positions unless the load is independent of them.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.placed.recorded, &other.placed.recorded)
+            && self.placed.stretch == other.placed.stretch
+            && self.extra == other.extra
+            && (self.placed.offset_rad == other.placed.offset_rad || self.straight().is_some())
     }
 
     /// Returns `true` if the load before the view is a weight alone, so that another weight is a factor.

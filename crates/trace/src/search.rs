@@ -148,7 +148,9 @@ impl Trace {
                 });
             });
         } else {
-            self.strips.iter().for_each(|strip| best.descend(strip, strip.root(), sought));
+            // A recording that recurs has its values at the first time.
+            let anew = self.strips.iter().enumerate().filter(|(index, strip)| strip.first == *index);
+            anew.for_each(|(_, strip)| best.descend(strip, strip.root(), sought));
         }
         best.found()
     }

@@ -19,6 +19,7 @@ use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number};
 use sizing::{Check, Reserve};
+use std::sync::Arc;
 use words::{
     Counts, capitalised, check_missing, describe_token, document_note, document_title, records, short, source_text,
     terms, title_of_check, unpadded, wiring,
@@ -42,7 +43,7 @@ pub fn dossier(
         CandidateId::Own(_) => crate::explain_own(project),
     };
     // If the rules of the code prevent a new judgement, the judgement of the ranking, without workings, is used.
-    let checks: &[Check] = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
+    let checks: &[Arc<Check>] = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
     let inputs = inputs_of_axis(text, place);
     let mut judgement = judgement(project, chosen, found, assessment, language);
     judgement.candidate.checks =
@@ -97,7 +98,7 @@ fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
 }
 
 /// Returns the documents from which the figures of the checks are taken, the manual first.
-fn documents(checks: &[Check], language: Language) -> Vec<Document> {
+fn documents(checks: &[Arc<Check>], language: Language) -> Vec<Document> {
     let mut ids: Vec<&'static str> = vec![MANUAL];
     let sources = checks.iter().flat_map(|check| {
         let own = [&check.limit_source, &check.value_source].into_iter().flatten();
@@ -128,7 +129,7 @@ pub(crate) fn document(found: &catalogue::SourceDocument, language: Language) ->
 /// Every erratum that a figure of the checks, the mass or a line of the data sheet rests on, once, with the first of them that does.
 fn errata(
     chosen: &Candidate<'_>,
-    checks: &[Check],
+    checks: &[Arc<Check>],
     sheet: &[answers::DataLine],
     language: Language,
 ) -> Vec<ErratumUsed> {

@@ -6,16 +6,17 @@ use order_code::OrderCode;
 use quantities::unit::REVOLUTION_PER_MINUTE;
 use quantities::{Language, Unit};
 use sizing::{Check, CheckId, Note};
+use std::sync::Arc;
 use words::operation::{duty_id, duty_name, duty_reason};
 use words::{condition_text, symbol_term};
 
 /// The cycle on an actuator whose checks are these, with the errata of k_TM: energies of the cycle and the largest power are theirs.
 pub(super) fn operation(
     found: &sizing::Operation,
-    (checks, errata): (&[Check], &'static [&'static str]),
+    (checks, errata): (&[Arc<Check>], &'static [&'static str]),
     language: Language,
 ) -> Operation {
-    let energies = checks.iter().find(|check| check.id == CheckId::Regeneration).and_then(energies);
+    let energies = checks.iter().find(|check| check.id == CheckId::Regeneration).and_then(|check| energies(check));
     let found = energies.map_or_else(|| found.clone(), |energies| found.clone().with_energies(energies));
     Operation {
         segments: found.segments.iter().map(load).collect(),

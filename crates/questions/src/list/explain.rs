@@ -10,6 +10,7 @@ use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
 use sizing::{Check, CheckId, StepObserver as _};
+use std::sync::Arc;
 use words::help;
 use words::help::values;
 
@@ -95,7 +96,7 @@ impl Explanation<'_> {
     #[must_use]
     pub fn checks(&self) -> Vec<&Check> {
         let asked = |check: &&Check| self.wanted.is_none_or(|id| check.id == id);
-        self.candidate.judgement.checks.iter().filter(asked).collect()
+        self.candidate.judgement.checks.iter().map(Arc::as_ref).filter(asked).collect()
     }
 
     /// Returns the record of the explanation.

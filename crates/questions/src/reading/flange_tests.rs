@@ -3,6 +3,7 @@
 use crate::{CandidateId, Check, CheckId, Verdict, check, size};
 use project::Project;
 use quantities::Language;
+use std::sync::Arc;
 
 const ARM: &str = r#"format = 1
 [mechanism.arm]
@@ -44,12 +45,12 @@ fn messages(text: &str) -> Vec<String> {
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
-fn checks(project: &Project) -> Vec<Check> {
+fn checks(project: &Project) -> Vec<Arc<Check>> {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn of(project: &Project, id: CheckId) -> Check {
+fn of(project: &Project, id: CheckId) -> Arc<Check> {
     checks(project).into_iter().find(|check| check.id == id).unwrap()
 }
 

@@ -4,6 +4,7 @@ use crate::{Check, CheckId, check, explain, size};
 use project::{Project, RatioAnswer};
 use quantities::unit::{ARCMINUTE, DEGREE};
 use quantities::{Language, Measure};
+use std::sync::Arc;
 
 const ARM: &str = r#"format = 1
 [mechanism.arm]
@@ -39,7 +40,7 @@ fn messages(stage: &str) -> Vec<String> {
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
-fn checks(project: &Project) -> Vec<Check> {
+fn checks(project: &Project) -> Vec<Arc<Check>> {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }

@@ -123,7 +123,8 @@ fn code(candidate: &Candidate<'_>) -> order_code::OrderCode {
 fn nearest(project: &Project, sizing: &Sizing<'_>) -> Option<CandidateId> {
     let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
     let full = sizing.rejected().iter().filter_map(|each| check(project, &code(each)).ok());
-    let near = full.filter(|each| each.objections.is_empty() && !each.judgement.checks.iter().any(of_the_place));
+    let near = full
+        .filter(|each| each.objections.is_empty() && !each.judgement.checks.iter().any(|check| of_the_place(check)));
     near.min_by_key(|each| (RankKey::of(&each.standing), catalogue_place(each))).map(|each| each.id)
 }
 

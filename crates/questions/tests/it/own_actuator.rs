@@ -5,6 +5,7 @@ use project::Project;
 use provenance::Grade;
 use questions::check_own;
 use sizing::{Check, CheckId};
+use std::sync::Arc;
 
 fn project(requirements: &str, actuator: &str) -> Project {
     let text = format!(
@@ -18,7 +19,7 @@ fn project(requirements: &str, actuator: &str) -> Project {
     questions::read(&text).unwrap()
 }
 
-fn check(project: &Project, id: CheckId) -> Check {
+fn check(project: &Project, id: CheckId) -> Arc<Check> {
     let found = check_own(project).unwrap();
     found.judgement.checks.iter().find(|check| check.id == id).unwrap().clone()
 }

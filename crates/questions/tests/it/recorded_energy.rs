@@ -5,6 +5,7 @@
 use project::Files;
 use questions::{Check, CheckId, check};
 use std::fmt::Write as _;
+use std::sync::Arc;
 
 struct Given(String);
 
@@ -27,7 +28,7 @@ fn recording(digits: usize) -> Given {
     Given(text)
 }
 
-fn regeneration(mechanism: &str, files: &Given, requirements: &str) -> Check {
+fn regeneration(mechanism: &str, files: &Given, requirements: &str) -> Arc<Check> {
     let text = format!(
         "format = 1\n[axis]\nname = \"noise\"\n{mechanism}\n[[motion]]\nlaw = \"recorded\"\nfile = \"r.csv\"\n\
          units = {{ time = \"s\", position = \"rad\" }}\n[requirements]\nsupply = \"560 V\"\n{requirements}\n"

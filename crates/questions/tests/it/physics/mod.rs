@@ -10,16 +10,17 @@ mod rope;
 
 use project::Project;
 use questions::{Check, CheckId, check};
+use std::sync::Arc;
 
 fn read(text: &str) -> Project {
     questions::read(text).unwrap_or_else(|faults| panic!("{faults:?}\n{text}"))
 }
 
-fn checks(project: &Project, code: &str) -> Vec<Check> {
+fn checks(project: &Project, code: &str) -> Vec<Arc<Check>> {
     let code = order_code::parse(code).unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn of(project: &Project, code: &str, id: CheckId) -> Check {
+fn of(project: &Project, code: &str, id: CheckId) -> Arc<Check> {
     checks(project, code).into_iter().find(|check| check.id == id).unwrap_or_else(|| panic!("{id:?} is not made"))
 }
