@@ -114,6 +114,9 @@ fn share(time_s: &[f64], even: &Even, signal: &[f64]) -> Option<[f64; 2]> {
     (share.is_finite() && moving >= BLOCKS_LEAST).then(|| [share, variance.sqrt()])
 }
 
+/// Smallest period of updates in rows: one value for each row is none that is held, although a dead stretch repeats it. A choice.
+const HELD_LEAST: f64 = 1.25;
+
 /// A column whose values are held over several rows, with one value for each update.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldSignal {
@@ -130,6 +133,10 @@ impl HeldSignal {
     #[must_use]
     pub fn of(time_s: &[f64], values: &[f64]) -> Option<Self> {
         let period_s = held(time_s, values)?;
+        let row_s = (time_s.last()? - time_s.first()?) / (time_s.len() as f64 - 1.0);
+        if period_s < HELD_LEAST * row_s {
+            return None;
+        }
         let found = interpolated_position(time_s, values)?;
         Some(Self { period_s, values: found.position, updated: found.updated })
     }

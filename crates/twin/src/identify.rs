@@ -5,6 +5,7 @@
 //! windows, `regression` solves them with confidence intervals, `moves` finds the segment of each window, `delay`
 //! finds signals that lag the position, `doubts` signals with another convention.
 
+mod columns;
 mod delay;
 mod doubts;
 mod load;
@@ -13,6 +14,7 @@ mod motor;
 mod moves;
 mod regression;
 mod scale;
+mod sizes;
 mod timing;
 mod windows;
 
@@ -338,7 +340,12 @@ pub fn identify_while(
     stated: &Stated<'_>,
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Identification, IdentifyFault> {
-    let Examined { run, grain, scatter, undecided, held } = timing::examined(prepared(run)?);
+    let run = prepared(run)?;
+    let of_columns = columns::doubts(&run);
+    if !of_columns.is_empty() {
+        return Ok(Identification { doubts: of_columns, ..Identification::default() });
+    }
+    let Examined { run, grain, scatter, undecided, held } = timing::examined(run);
     let strokes = Strokes::of(&run, grain)?;
     let first = Extra::none();
     let extras = if stated.extras.is_empty() { std::slice::from_ref(&first) } else { stated.extras };

@@ -217,8 +217,24 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "das {value}-Fache der Drehzahl aus der Position: die Zeit steht offenbar in Minuten; time_s mit 60 multiplizieren",
         ),
         (_, Misread::Magnitude) => (
-            "never negative, though torque and current of this run change their sign: absolute values, it seems; record the signal with its sign",
-            "nie negativ, obwohl Moment und Strom dieses Laufs das Vorzeichen wechseln: offenbar Beträge; das Signal mit Vorzeichen aufzeichnen",
+            "never negative, though the other signals require both signs: absolute values, it seems; record the signal with its sign",
+            "nie negativ, obwohl die anderen Signale beide Vorzeichen verlangen: offenbar Beträge; das Signal mit Vorzeichen aufzeichnen",
+        ),
+        (_, Misread::Frozen) => (
+            "one value over {value} s, in which the axis moves: the signal was not recorded, or its recording stopped",
+            "ein einziger Wert über {value} s, in denen sich die Achse bewegt: das Signal wurde nicht oder nicht durchgehend aufgezeichnet",
+        ),
+        (_, Misread::Doubled) => (
+            "the same course as that of another column, {value} times its values: one of both is computed from the other or stands in the wrong column; record each signal itself",
+            "derselbe Verlauf wie in einer anderen Spalte, das {value}-Fache ihrer Werte: eines der beiden Signale ist aus dem anderen berechnet oder steht in der falschen Spalte; jedes Signal selbst aufzeichnen",
+        ),
+        (_, Misread::Outlier) => (
+            "single values far beside those before and behind, the first at {value} s: faults of the recording; delete these rows",
+            "einzelne Werte weit neben den Werten davor und danach, der erste bei {value} s: Fehler der Aufzeichnung; diese Zeilen löschen",
+        ),
+        (_, Misread::Jump) => (
+            "jumps at {value} s from one row to the next: the position was set anew, or rows are missing; use the run before or after it",
+            "springt bei {value} s von einer Zeile zur nächsten: die Position wurde neu gesetzt, oder Zeilen fehlen; den Lauf davor oder danach verwenden",
         ),
         (_, Misread::Rms) => (
             "the torque constant is {value} times that of the table, more than motor and gear can give: rms values, it seems; the column is the peak value of a phase, √2 times as large",
@@ -273,8 +289,8 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "Nutzlasten und Prozessmomente der Bewegungen erscheinen mit dem {value}-Fachen der Angabe des Projekts: Lauf und [[motion]] widersprechen sich; in jedem [[motion]] die Nutzlast dieses Laufs angeben, keine, wenn er ohne Nutzlast war",
         ),
         (_, Misread::PayloadUnstated) => (
-            "the load differs from move to move, by up to {value} Nm (rms over a move) beside what the project states: payloads or process torques of this run; state them in each [[motion]]",
-            "die Last unterscheidet sich von Bewegung zu Bewegung, um bis zu {value} Nm (Effektivwert über eine Bewegung) neben den Angaben des Projekts: Nutzlasten oder Prozessmomente dieses Laufs; in jedem [[motion]] angeben",
+            "the load differs from move to move, by up to {value} Nm (rms over a move) beside what the project states: payloads or process torques of this run, to be stated in each [[motion]], or an efficiency that differs from the stated one",
+            "die Last unterscheidet sich von Bewegung zu Bewegung, um bis zu {value} Nm (Effektivwert über eine Bewegung) neben den Angaben des Projekts: Nutzlasten oder Prozessmomente dieses Laufs, in jedem [[motion]] anzugeben, oder ein anderer Wirkungsgrad als der angegebene",
         ),
         (Column::Torque, Misread::Other) => (
             "{value} times what current, payloads and project give: another unit or scale; divide torque_nm by this factor",

@@ -319,7 +319,9 @@ fn signals(found: &twin::Identification, language: Language) -> Vec<SignalDatum>
 /// Returns the doubt with its value in the unit of the sentence.
 fn doubted(doubt: &Doubt, language: Language) -> Doubted {
     let Doubt { column, misread, value, by_convention } = *doubt;
-    let number = |value: f64| format_significant(value, 3, language);
+    // An instant finds its row.
+    let digits = if matches!(misread, Misread::Outlier | Misread::Jump) { 6 } else { 3 };
+    let number = |value: f64| format_significant(value, digits, language);
     let shown = number(match misread {
         Misread::GravityOpposite => value.to_degrees(),
         Misread::TimeStamps => MILLISECOND.from_si(value),

@@ -4,9 +4,9 @@
 use super::load::Shares;
 use super::motor::Tabulated;
 use super::moves::Followed;
-use super::scale;
 use super::windows::{Strokes, Windows};
 use super::{Estimate, Identification, Identified, Observed, Open, Stated};
+use super::{scale, sizes};
 use mechanism::Extra;
 use quantities::identified;
 use std::f64::consts::{PI, SQRT_2};
@@ -87,6 +87,14 @@ identified! {
         NegativeFriction = "negative_friction",
         /// Time stamps that scatter, while no signal shows at which instants the rows were sampled.
         TimeStamps = "time_stamps",
+        /// One value over all rows, or over a reversal of the motion.
+        Frozen = "frozen",
+        /// Values of another column.
+        Doubled = "doubled",
+        /// Single values far beside those before and behind.
+        Outlier = "outlier",
+        /// A position that jumps while the motor does not turn.
+        Jump = "jump",
         /// Unknown convention.
         Other = "other",
     }
@@ -158,7 +166,8 @@ impl Signals {
     ) -> Self {
         let direction = followed.and_then(Followed::direction);
         let followed = followed.filter(|followed| followed.follows());
-        let ratio = Tabulated::of(stated.parameters).map_or(f64::NAN, |tabulated| tabulated.ratio);
+        let tabulated = Tabulated::of(stated.parameters);
+        let ratio = tabulated.as_ref().map_or(f64::NAN, |tabulated| tabulated.ratio);
         let mut doubts = Vec::new();
         if let Some(slope) = followed.map(|followed| followed.slope) {
             // A run may make smaller or larger moves; only ratios with a known cause are doubts.
@@ -207,9 +216,9 @@ impl Signals {
             doubts.push(Doubt::new(Column::Position, Misread::Reversed, -1.0));
             all.iter_mut().for_each(|(_, value)| *value = -*value);
         }
-        doubts.extend(magnitudes(run).map(|column| Doubt::new(column, Misread::Magnitude, 1.0)));
+        doubts.extend(sizes::doubts(run, strokes, tabulated.as_ref()));
         for (column, value) in all {
-            if (value - 1.0).abs() < AGREE || of_position(value) {
+            if (value - 1.0).abs() < AGREE || of_position(value) || !value.is_finite() {
                 continue;
             }
             // A motor speed whose ratio is that of degrees may also be on the motor side, which is more likely.
@@ -220,52 +229,6 @@ impl Signals {
         }
         Self { doubts }
     }
-}
-
-/// Share of the largest value of a signal above which it counts as large, and below which as small. A choice.
-const LARGE: f64 = 0.3;
-const SMALL: f64 = 0.1;
-
-/// Largest mean of the sizes of a signal where the other is small, relative to that where it is large. A choice.
-const SIZED: f64 = 0.5;
-
-/// Returns the signal of torque and current that has lost its sign: large where the other is large with either sign, small
-/// where the other is small.
-fn magnitudes(run: &Observed) -> Option<Column> {
-    let is_of = |own: &[f64], other: &[f64]| {
-        let most = |column: &[f64]| column.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let (of_own, of_other) = (most(own), most(other));
-        // Against the other signal: large negative, small, large positive.
-        let [mut sums, mut counts] = [[0.0_f64; 3], [0.0_f64; 3]];
-        for (own, other) in own.iter().zip(other) {
-            if *own < -0.02 * of_own {
-                return false;
-            }
-            let place = match other / of_other {
-                ratio if ratio < -LARGE => 0,
-                ratio if ratio > LARGE => 2,
-                ratio if ratio.abs() < SMALL => 1,
-                _ => continue,
-            };
-            if let (Some(sum), Some(count)) = (sums.get_mut(place), counts.get_mut(place)) {
-                (*sum, *count) = (*sum + own, *count + 1.0);
-            }
-        }
-        #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
-        let least = 0.02 * own.len() as f64;
-        // A torque of one sign, as of a weight that hangs, has no samples on one of both sides.
-        if counts.iter().any(|count| *count <= least) {
-            return false;
-        }
-        let [negative, small, positive] = std::array::from_fn(|place| {
-            sums.get(place).zip(counts.get(place)).map_or(f64::NAN, |(sum, count)| sum / count)
-        });
-        negative * SIZED > small && positive * SIZED > small
-    };
-    if is_of(&run.torque_nm, &run.current_q_a) {
-        return Some(Column::Torque);
-    }
-    is_of(&run.current_q_a, &run.torque_nm).then_some(Column::Current)
 }
 
 /// Returns the convention with a ratio.

@@ -238,7 +238,7 @@ fn largest(speeds: &[f64]) -> f64 {
 /// # Valid
 /// the fourth differences of the signal without noise are small compared with the noise; the median of their magnitudes
 /// excludes single impacts
-fn noise_of(signal: &[f64]) -> f64 {
+pub(super) fn noise_of(signal: &[f64]) -> f64 {
     let mut sizes: Vec<f64> = signal
         .windows(5)
         .filter_map(|w| if let [a, b, c, d, e] = w { Some((a - 4.0 * b + 6.0 * c - 4.0 * d + e).abs()) } else { None })

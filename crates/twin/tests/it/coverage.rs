@@ -25,7 +25,7 @@ pub(crate) fn tables() -> Plant {
 }
 
 /// Returns the drive of the tables of a code, with the flange in front of the load.
-fn tables_of(code: &str) -> Plant {
+pub(crate) fn tables_of(code: &str) -> Plant {
     let all = parameters(code);
     let si = |key: &str| all.list().into_iter().find(|each| each.key == key).and_then(|each| each.value).unwrap().value;
     let (ratio, inertia) = (si("ratio"), si("inertia_out"));
@@ -176,7 +176,7 @@ fn intervals_hold_the_planted_values_of_a_foreign_belt() {
 }
 
 /// Returns a belt or screw with the weight and the losses of a plant and an efficiency; its other values are off.
-fn transmission(plant: &Plant, efficiency: f64) -> Mechanism {
+pub(crate) fn transmission(plant: &Plant, efficiency: f64) -> Mechanism {
     let travel_m_per_rad = 0.04;
     let weight = plant.external_nm / (travel_m_per_rad * mechanism::gravity_m_s2());
     let linear = Linear {
