@@ -121,8 +121,15 @@ pub enum RecordedFault {
     },
     /// The smoothing window contains too few samples for a parabola at some instant.
     WindowTooShort {
-        /// Width of a window that suffices everywhere.
-        least: Time,
+        /// Width of a window that suffices everywhere; `None` if it would be wider than the recording.
+        least: Option<Time>,
+    },
+    /// The smoothing window is wider than the recording is long.
+    WindowOverMotion {
+        /// Width of the window.
+        window: Time,
+        /// Duration of the recording.
+        duration: Time,
     },
     /// The smoothing window contains too many samples.
     WindowTooLong {

@@ -103,7 +103,41 @@ fn what_is_no_motion_is_reported() {
         new(ramp, Some(ramp), Some(&[57.3, 57.3, 57.3]), None),
         Some(RecordedFault::Contradiction { share, factor: Some(factor) }) if share > 0.9 && (factor - 57.3).abs() < 1e-9
     ));
-    assert!(matches!(new(ramp, Some(ramp), None, Some(1.0)), Some(RecordedFault::WindowTooShort { .. })));
+    assert_eq!(new(ramp, Some(ramp), None, Some(1.0)), Some(RecordedFault::WindowTooShort { least: None }));
+}
+
+/// A smoothing window is accepted up to the duration of the recording and refused beyond it with both durations; the
+/// width that is proposed for a window with too few samples is accepted.
+#[test]
+fn a_window_wider_than_the_recording_is_refused() {
+    for samples in [4_u32, 6, 7, 8, 20, 301] {
+        for interval in [1e-3, 0.05] {
+            let time: Vec<f64> = (0..samples).map(|k| 7.0 + interval * f64::from(k)).collect();
+            let duration = interval * f64::from(samples - 1);
+            let wave: Vec<f64> = time.iter().map(|t| (3.0 * (t - 7.0) / duration).sin()).collect();
+            for is_speed in [false, true] {
+                let with = |window: f64| {
+                    let column = Some(wave.clone().into());
+                    let (position_rad, speed_rad_s) = if is_speed { (None, column) } else { (column, None) };
+                    let samples = Samples { time_s: time.clone().into(), position_rad, speed_rad_s, torque_nm: None };
+                    let treatment = Treatment { smoothing: Some(Time::from_si(window)), ..Treatment::default() };
+                    Recorded::new(samples, treatment).err()
+                };
+                for share in [1.01, 2.0, 1e3] {
+                    let Some(RecordedFault::WindowOverMotion { window, duration: stated }) = with(share * duration)
+                    else {
+                        panic!("{samples} {interval} {share}: {:?}", with(share * duration))
+                    };
+                    assert!((window.si() - share * duration).abs() < 1e-9 * window.si());
+                    assert!((stated.si() - duration).abs() < 1e-9);
+                }
+                let widest = with(duration);
+                let Some(RecordedFault::WindowTooShort { least }) = with(2.0 * interval) else { panic!("{samples}") };
+                assert_eq!((widest.is_none(), least.is_some()), (samples > 6, samples > 6), "{samples}: {widest:?}");
+                assert_eq!(least.and_then(|least| with(least.si())), None);
+            }
+        }
+    }
 }
 
 /// Speeds that differ from the positions by a factor, of a unit or a ratio, are refused with it from 2 % on, also with

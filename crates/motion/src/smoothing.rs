@@ -7,10 +7,16 @@ use std::ops::Range;
 /// Returns value and slope, at each sample, of the parabola fitted to the samples within half a window on both sides.
 ///
 /// Least squares of y = a + b τ + c τ², τ = t − t_k; the window is cut off at the ends. Positions and speeds up to the
-/// second degree are reproduced.
+/// second degree are reproduced. A window wider than the recording is refused: at every instant it would be cut off at an
+/// end, up to one parabola through all samples.
 pub(crate) fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
     // Samples at the edge belong to the window despite rounding of their instants.
     let half = 0.5 * window * (1.0 + 1e-9);
+    let duration = time.first().zip(time.last()).map_or(0.0, |(first, last)| last - first);
+    if window > duration * (1.0 + 1e-9) {
+        let [window, duration] = [window, duration].map(Time::from_si);
+        return Err(RecordedFault::WindowOverMotion { window, duration });
+    }
     let mut fitted = (Vec::with_capacity(time.len()), Vec::with_capacity(time.len()));
     let groups = Sums::of_groups(time, values, half);
     let (mut from, mut to) = (0, 0);
@@ -27,7 +33,8 @@ pub(crate) fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f
         // The window must determine a parabola even where it is cut off at an end.
         if to - from < 4 {
             let gap = time.windows(2).filter_map(|pair| Some(pair.last()? - pair.first()?)).fold(0.0, f64::max);
-            return Err(RecordedFault::WindowTooShort { least: Time::from_si(6.0 * gap) });
+            let least = Some(6.0 * gap).filter(|least| *least <= duration * (1.0 + 1e-9));
+            return Err(RecordedFault::WindowTooShort { least: least.map(Time::from_si) });
         }
         let mut sums = Sums::default();
         let mut take = |range: Range<usize>| {

@@ -69,6 +69,7 @@ pub(crate) const fn recorded(fault: &RecordedFault) -> &'static str {
         RecordedFault::NotIncreasing { .. } => "samples_not_increasing",
         RecordedFault::WindowTooShort { .. } => "smoothing_too_short",
         RecordedFault::WindowTooLong { .. } => "smoothing_too_long",
+        RecordedFault::WindowOverMotion { .. } => "smoothing_over_motion",
         RecordedFault::StampsUneven { .. } => "time_stamps_uneven",
         RecordedFault::Contradiction { .. } => "position_and_speed_contradict",
     }

@@ -414,7 +414,9 @@ pub(crate) fn motion(
         }
         Err(fault) => {
             let span = match fault {
-                RecordedFault::WindowTooShort { .. } | RecordedFault::WindowTooLong { .. } => segment.smoothing.span(),
+                RecordedFault::WindowTooShort { .. }
+                | RecordedFault::WindowTooLong { .. }
+                | RecordedFault::WindowOverMotion { .. } => segment.smoothing.span(),
                 RecordedFault::StampsUneven { .. } => segment.time_stamps.span(),
                 RecordedFault::TooFew { .. }
                 | RecordedFault::NoCourse

@@ -199,13 +199,32 @@ pub(super) fn points_fault(fault: PointsFault, language: Language) -> String {
 pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (String, Option<String>) {
     match fault {
         RecordedFault::WindowTooShort { least } => {
-            let least = shown(least.si(), &SECOND, language);
+            let least = least.map(|least| shown(least.si(), &SECOND, language));
             (
                 said!(language =>
                     "the smoothing window contains fewer than four samples in places"
                     | "im Glättungsfenster liegen stellenweise weniger als vier Abtastwerte"
                 ),
-                Some(said!(language => "at least {least}" | "mindestens {least}")),
+                Some(match least {
+                    Some(least) => said!(language => "at least {least}" | "mindestens {least}"),
+                    None => said!(language =>
+                        "the recording is too short for a window: leave out smoothing"
+                        | "die Aufzeichnung ist zu kurz für ein Fenster: smoothing weglassen"
+                    ),
+                }),
+            )
+        }
+        RecordedFault::WindowOverMotion { window, duration } => {
+            let [window, duration] = [window, duration].map(|time| shown(time.si(), &SECOND, language));
+            (
+                said!(language =>
+                    "the smoothing window of {window} is wider than the recording of {duration}"
+                    | "das Glättungsfenster von {window} ist breiter als die Aufzeichnung von {duration}"
+                ),
+                Some(said!(language =>
+                    "a window far shorter than the shortest acceleration"
+                    | "ein Fenster weit kürzer als die kürzeste Beschleunigung"
+                )),
             )
         }
         RecordedFault::WindowTooLong { most } => (
