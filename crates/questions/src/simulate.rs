@@ -1,5 +1,9 @@
 //! A run of the digital twin of an axis with an actuator.
 
+mod steps;
+
+pub(crate) use steps::{StepLimit, TooManySteps, Work};
+
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_one};
 use actuator::{Parameters as Actuator, natural_frequency, natural_frequency_free};
@@ -16,9 +20,6 @@ use twin::{
     ScenarioId, Setup, Summary, Supply, Twin,
 };
 use words::{Word, simulation};
-
-/// Largest number of steps if the call states no time limit: about ten seconds on one core.
-pub(crate) const STEPS_MOST: u64 = 50_000_000;
 
 /// Largest number of rows of a course: about two hundred bytes each.
 pub(crate) const ROWS_MOST: u64 = 1_000_000;
@@ -47,8 +48,8 @@ pub(crate) enum NotRun {
     Refused(Refusal),
     /// The twin cannot run.
     Fault(Fault),
-    /// The number of steps exceeds the limit without a time limit.
-    Steps(u64),
+    /// The number of steps exceeds the limit.
+    Steps(TooManySteps),
     /// The number of rows exceeds the limit.
     Rows(u64),
 }
@@ -56,6 +57,12 @@ pub(crate) enum NotRun {
 impl From<Refusal> for NotRun {
     fn from(refusal: Refusal) -> Self {
         Self::Refused(refusal)
+    }
+}
+
+impl From<TooManySteps> for NotRun {
+    fn from(fault: TooManySteps) -> Self {
+        Self::Steps(fault)
     }
 }
 
@@ -126,24 +133,6 @@ pub(crate) struct Judged {
     pub(crate) verdict: Verdict,
 }
 
-/// Additional cycles for the settled state, and for days of operation: two at each of three temperatures, and the
-/// settled state.
-const WARM_CYCLES: u32 = 8;
-const DAYS_CYCLES: u32 = 14;
-
-/// Returns the smallest number of steps of a run, known before the actuator is.
-pub(crate) fn steps_least(project: &Project, cycles: u32, cold: bool, days: bool) -> u64 {
-    let besides = if cold { 0 } else { WARM_CYCLES } + if days { DAYS_CYCLES } else { 0 };
-    let cycle = Measure::si(project.axis.motion.duration()) * twin::CURRENT_RATE_HZ * f64::from(twin::SUBSTEPS_USUAL);
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a count; beyond its range there are too many"
-    )]
-    let steps = (cycle * (f64::from(cycles) + f64::from(besides))) as u64;
-    steps
-}
-
 /// Runs a part of the twin that polls for cancellation by the caller.
 fn watched<T>(
     progress: &Progress,
@@ -162,7 +151,7 @@ pub(crate) fn simulate<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
     wanted: Wanted,
-    refuses_long: bool,
+    limit: StepLimit,
     progress: &Progress,
 ) -> Result<Simulated<'p>, NotRun> {
     let candidate = check_one(project, code)?;
@@ -176,21 +165,9 @@ pub(crate) fn simulate<'p>(
         return Err(Fault::Unstable.into());
     }
     let twin = Twin::new(&setup)?;
-    // The settled state requires additional cycles.
-    let warm_cycles = if wanted.scenario.cold {
-        0
-    } else {
-        u64::from(WARM_CYCLES) * twin.steps() / u64::from(wanted.scenario.cycles.max(1))
-    };
-    let of_days = if wanted.operation.is_some() {
-        u64::from(DAYS_CYCLES) * twin.steps() / u64::from(wanted.scenario.cycles.max(1))
-    } else {
-        0
-    };
-    let steps = twin.steps().saturating_add(warm_cycles).saturating_add(of_days);
-    if refuses_long && steps > STEPS_MOST {
-        return Err(NotRun::Steps(steps));
-    }
+    let is_warm = wanted.scenario.starts_warm();
+    let work = Work::of_axis(project, wanted.scenario.cycles.max(1), is_warm, wanted.operation.is_some());
+    Work::within(&[work.with_run(twin.steps())], limit)?;
     let rows_every = wanted.every_s.map(|every| (every * twin::CURRENT_RATE_HZ).round().max(1.0));
     if let Some(every) = rows_every {
         #[allow(
@@ -204,11 +181,8 @@ pub(crate) fn simulate<'p>(
             return Err(NotRun::Rows(rows));
         }
     }
-    let start_k = if wanted.scenario.cold || wanted.scenario.id == ScenarioId::ColdGrease {
-        None
-    } else {
-        watched(progress, |goes_on| twin::settled(&setup, goes_on))?
-    };
+    let start_k =
+        if is_warm { watched(progress, |goes_on| twin::settled(&setup, goes_on))? } else { None };
     let averaged = match wanted.operation {
         Some(operation) => {
             let found = watched(progress, |goes_on| twin::averaged(&setup, operation, goes_on))?;

@@ -75,6 +75,14 @@ pub struct Scenario {
     pub cold: bool,
 }
 
+impl Scenario {
+    /// Returns `true` if the run begins in the settled state of the repeated cycle.
+    #[must_use]
+    pub fn starts_warm(&self) -> bool {
+        !self.cold && self.id != ScenarioId::ColdGrease
+    }
+}
+
 /// Failure of the feedback, and its detection by the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Failed {

@@ -158,8 +158,17 @@ texts! {
     refused_unstable = "with these gains a control loop is unstable" | "mit diesen Reglerparametern schwingt ein Regelkreis auf";
     refused_range(key) = "{key} is out of range" | "{key} liegt außerhalb seines Bereichs";
     too_many_steps(steps, most) =
-        "{steps} steps exceed the limit of {most} without a time limit: simulate fewer cycles or state --deadline"
-        | "{steps} Schritte überschreiten die ohne Zeitgrenze zulässigen {most}: weniger Zyklen rechnen oder --deadline angeben";
+        "{steps} steps exceed the limit of {most}" | "{steps} Schritte überschreiten die Grenze von {most}";
+    too_many_steps_besides(steps, besides, most) =
+        "{steps} steps and up to {besides} for the temperatures at its start exceed the limit of {most}"
+        | "{steps} Schritte und bis zu {besides} für die Temperaturen am Beginn überschreiten die Grenze von {most}";
+    steps_cycles(most, key) = "simulate at most {most} cycles ({key})" | "höchstens {most} Zyklen rechnen ({key})";
+    steps_cold(key) = "start cold ({key})" | "kalt beginnen ({key})";
+    steps_without_days = "leave out the days (--days)" | "die Tage weglassen (--days)";
+    steps_one_axis = "select one axis (--axis)" | "eine Achse wählen (--axis)";
+    steps_time_limit = "state a time limit (--deadline)" | "eine Zeitgrenze angeben (--deadline)";
+    steps_and = " and " | " und ";
+    steps_or = ", or " | " oder ";
     refused_every(period) =
         "the interval between two rows must be at least {period} µs, one period of the current controller"
         | "der Abstand zweier Zeilen muss mindestens {period} µs betragen, eine Periode der Stromregelung";

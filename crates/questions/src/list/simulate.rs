@@ -10,7 +10,7 @@ use crate::answer;
 use crate::chapters::{read_hours, read_quantity};
 use crate::progress::Progress;
 use crate::signal::Signal;
-use crate::simulate::{NotRun, ROWS_MOST, STEPS_MOST, Simulated, Wanted, simulate, steps_least};
+use crate::simulate::{NotRun, ROWS_MOST, Simulated, StepLimit, Wanted, Work, simulate};
 use feedback::Failure;
 use order_code::OrderCode;
 use project::Project;
@@ -138,13 +138,16 @@ impl Args {
         let axes = inquiry.axes(self.axis.as_deref(), Cost::Other)?;
         let of = |(_, project): &PlacedAxis| {
             let stated = &project.twin.scenario;
-            let cold = self.cold || stated.cold || self.scenario.unwrap_or(stated.id) == ScenarioId::ColdGrease;
-            steps_least(project, self.cycles(project), cold, self.days.is_some())
+            let scenario = Scenario {
+                id: self.scenario.unwrap_or(stated.id),
+                cold: self.cold || stated.cold,
+                ..*stated
+            };
+            Work::of_axis(project, self.cycles(project), scenario.starts_warm(), self.days.is_some())
         };
-        let steps = axes.iter().map(of).fold(0, u64::saturating_add);
-        if inquiry.refuses_long && steps > STEPS_MOST {
-            return Err(Unanswered::message(said(&NotRun::Steps(steps), inquiry.language)));
-        }
+        let works: Vec<Work> = axes.iter().map(of).collect();
+        Work::within(&works, StepLimit::of(inquiry.refuses_long))
+            .map_err(|fault| Unanswered::message(fault.said(inquiry.language)))?;
         Ok(axes)
     }
 
@@ -205,7 +208,7 @@ impl Args {
             seed: self.seed as u64,
             every_s: with_course.then_some(every),
         };
-        simulate(project, self.code.as_ref(), wanted, inquiry.refuses_long, inquiry.progress).map_err(|why| match why {
+        simulate(project, self.code.as_ref(), wanted, StepLimit::of(inquiry.refuses_long), inquiry.progress).map_err(|why| match why {
             NotRun::Refused(refusal) => refusal.into(),
             other => Unanswered::message(said(&other, inquiry.language)),
         })
@@ -226,7 +229,7 @@ pub fn of_the_project<'p>(
         return None;
     }
     let wanted = Wanted { scenario: project.twin.scenario, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
-    Some(simulate(project, code, wanted, true, progress).map_err(|why| said(&why, language)))
+    Some(simulate(project, code, wanted, StepLimit::Fixed, progress).map_err(|why| said(&why, language)))
 }
 
 /// Returns the run of a scenario with its course; all other data as stated by the project.
@@ -242,14 +245,14 @@ pub fn of_scenario<'p>(
 ) -> Result<Simulated<'p>, String> {
     let wanted =
         Wanted { scenario: Scenario { id, ..project.twin.scenario }, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
-    simulate(project, code, wanted, true, progress).map_err(|why| said(&why, language))
+    simulate(project, code, wanted, StepLimit::Fixed, progress).map_err(|why| said(&why, language))
 }
 
 fn said(why: &NotRun, language: Language) -> String {
     match why {
         NotRun::Refused(refusal) => answer::refusal_text(refusal, None, language),
         NotRun::Fault(fault) => simulation::simulation_fault(fault, language),
-        NotRun::Steps(steps) => simulation::too_many_steps(steps, &STEPS_MOST, language),
+        NotRun::Steps(fault) => fault.said(language),
         NotRun::Rows(rows) => simulation::too_many_rows(rows, &ROWS_MOST, language),
     }
 }

@@ -1,0 +1,255 @@
+//! Solver steps of a run, counted before it begins, and the changes of a call by which it stays within the limit.
+
+use project::Project;
+use quantities::{Language, Measure};
+use words::simulation;
+
+/// Largest number of steps if the call states no time limit: about ten seconds on one core.
+pub(crate) const STEPS_MOST: u64 = 50_000_000;
+
+/// Additional cycles for the settled state, at most, and for days of operation: two at each of three temperatures, and
+/// the settled state.
+const WARM_CYCLES: u64 = 8;
+const DAYS_CYCLES: u64 = 14;
+
+/// Limit of the steps of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum StepLimit {
+    /// None: the call states a time limit.
+    None,
+    /// [`STEPS_MOST`], unless the call states a time limit.
+    WithoutTimeLimit,
+    /// [`STEPS_MOST`]: a time limit cannot be stated.
+    Fixed,
+}
+
+impl StepLimit {
+    /// Returns the limit of a call.
+    pub(crate) const fn of(refuses_long: bool) -> Self {
+        if refuses_long { Self::WithoutTimeLimit } else { Self::None }
+    }
+}
+
+/// Solver steps of a run and of the cycles besides it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Work {
+    /// Steps of one cycle.
+    pub(crate) cycle: u64,
+    /// Steps of the run behind its cycles.
+    pub(crate) after: u64,
+    /// Number of cycles.
+    pub(crate) cycles: u32,
+    /// The run begins in the settled state.
+    pub(crate) warm: bool,
+    /// Operation over days is computed too.
+    pub(crate) days: bool,
+}
+
+impl Work {
+    /// Returns the work of an axis, known before the actuator is.
+    pub(crate) fn of_axis(project: &Project, cycles: u32, warm: bool, days: bool) -> Self {
+        let duration_s = project.axis.motion.duration().si();
+        let steps = duration_s * twin::CURRENT_RATE_HZ * f64::from(twin::SUBSTEPS_USUAL);
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a count; beyond its range there are too many"
+        )]
+        let cycle = steps as u64;
+        Self { cycle, after: 0, cycles, warm, days }
+    }
+
+    /// Returns the work with the steps of its run as they are known with the actuator.
+    pub(crate) fn with_run(self, run: u64) -> Self {
+        let cycles = u64::from(self.cycles.max(1));
+        let after = run.saturating_sub(self.cycle.saturating_mul(cycles));
+        Self { cycle: (run - after) / cycles, after, ..self }
+    }
+
+    /// Returns the steps of the run itself.
+    fn run(&self) -> u64 {
+        self.cycle.saturating_mul(u64::from(self.cycles)).saturating_add(self.after)
+    }
+
+    /// Returns the largest number of steps besides the run.
+    fn besides(&self) -> u64 {
+        let warm = if self.warm { WARM_CYCLES } else { 0 };
+        let days = if self.days { DAYS_CYCLES } else { 0 };
+        self.cycle.saturating_mul(warm + days)
+    }
+
+    /// Returns the largest number of steps.
+    pub(crate) fn most(&self) -> u64 {
+        self.run().saturating_add(self.besides())
+    }
+
+    /// Returns the fault of runs that exceed a limit together, with the changes that keep within it.
+    ///
+    /// # Errors
+    /// [`TooManySteps`].
+    pub(crate) fn within(works: &[Self], limit: StepLimit) -> Result<(), TooManySteps> {
+        let sum = |of: &dyn Fn(&Self) -> u64| works.iter().map(of).fold(0, u64::saturating_add);
+        if limit == StepLimit::None || sum(&Self::most) <= STEPS_MOST {
+            return Ok(());
+        }
+        let within = |change: &dyn Fn(Self) -> Self| sum(&|work| change(*work).most()) <= STEPS_MOST;
+        let cycles_most = works.iter().map(|work| work.cycles).max().unwrap_or(1);
+        // The largest number of cycles, by bisection: the sum grows with it.
+        let cycles = |change: &dyn Fn(Self) -> Self| {
+            let fits = |most: u32| within(&|work| change(Self { cycles: work.cycles.min(most), ..work }));
+            let (mut low, mut high) = (0, cycles_most);
+            while high - low > 1 {
+                let middle = low + (high - low) / 2;
+                if fits(middle) { low = middle } else { high = middle }
+            }
+            (low > 0).then_some(low)
+        };
+        let cold = |work: Self| Self { warm: false, ..work };
+        let has_warm = works.iter().any(|work| work.warm);
+        let alone = [
+            cycles(&|work| work).map(|most| Change { cycles: Some(most), ..Change::NONE }),
+            (has_warm && within(&cold)).then_some(Change { cold: true, ..Change::NONE }),
+            (works.iter().any(|work| work.days) && within(&|work| Self { days: false, ..work }))
+                .then_some(Change { without_days: true, ..Change::NONE }),
+            (works.len() > 1 && works.iter().all(|work| work.most() <= STEPS_MOST))
+                .then_some(Change { one_axis: true, ..Change::NONE }),
+        ];
+        let mut changes: Vec<Change> = alone.into_iter().flatten().collect();
+        if changes.is_empty() && has_warm {
+            let together = cycles(&cold).map(|most| Change { cold: true, cycles: Some(most), ..Change::NONE });
+            changes.extend(together);
+        }
+        changes.extend((limit == StepLimit::WithoutTimeLimit).then_some(Change { time_limit: true, ..Change::NONE }));
+        Err(TooManySteps { run: sum(&Self::run), besides: sum(&Self::besides), limit, changes })
+    }
+}
+
+/// More steps than the limit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct TooManySteps {
+    /// Steps of the run.
+    run: u64,
+    /// Largest number of steps of the cycles besides it.
+    besides: u64,
+    limit: StepLimit,
+    /// Changes, of which each suffices.
+    changes: Vec<Change>,
+}
+
+/// Change of a call that keeps its steps within the limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Change {
+    /// Largest number of cycles.
+    cycles: Option<u32>,
+    cold: bool,
+    without_days: bool,
+    one_axis: bool,
+    time_limit: bool,
+}
+
+impl Change {
+    const NONE: Self = Self { cycles: None, cold: false, without_days: false, one_axis: false, time_limit: false };
+
+    fn said(self, limit: StepLimit, language: Language) -> String {
+        // Without a call the project states them.
+        let [cycles, cold] =
+            if limit == StepLimit::Fixed { ["twin.cycles", "twin.cold = true"] } else { ["--cycles", "--cold"] };
+        let of_cycles = self.cycles.map(|most| simulation::steps_cycles(&most, &cycles, language));
+        let flags = [
+            (self.cold, simulation::steps_cold(&cold, language)),
+            (self.without_days, simulation::steps_without_days(language).to_owned()),
+            (self.one_axis, simulation::steps_one_axis(language).to_owned()),
+            (self.time_limit, simulation::steps_time_limit(language).to_owned()),
+        ];
+        let words = flags.into_iter().filter(|(is_made, _)| *is_made).map(|(_, words)| words);
+        of_cycles.into_iter().chain(words).collect::<Vec<_>>().join(simulation::steps_and(language))
+    }
+}
+
+impl TooManySteps {
+    /// Returns the fault in words.
+    pub(crate) fn said(&self, language: Language) -> String {
+        let most = STEPS_MOST;
+        let fault = if self.besides == 0 {
+            simulation::too_many_steps(&self.run, &most, language)
+        } else {
+            simulation::too_many_steps_besides(&self.run, &self.besides, &most, language)
+        };
+        let changes: Vec<String> = self.changes.iter().map(|change| change.said(self.limit, language)).collect();
+        if changes.is_empty() { fault } else { format!("{fault}: {}", changes.join(simulation::steps_or(language))) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A run is refused beyond the limit alone, and every change that is proposed keeps it within; fewer cycles are not
+    /// proposed for one.
+    #[test]
+    fn the_advice_about_too_many_steps_can_be_followed() {
+        let (mut refused, mut alone) = (0, 0);
+        for cycle in [1_000, 60_000, 2_000_000, 10_761_060, 40_000_000, 90_000_000] {
+            for cycles in [1, 2, 7, 100_000] {
+                for (warm, days) in [(false, false), (true, false), (false, true), (true, true)] {
+                    for axes in [1, 3] {
+                        let work = Work { cycle, after: 0, cycles, warm, days };
+                        let works = vec![work; axes];
+                        let sum = |works: &[Work]| works.iter().map(Work::most).sum::<u64>();
+                        for limit in [StepLimit::None, StepLimit::WithoutTimeLimit, StepLimit::Fixed] {
+                            let found = Work::within(&works, limit);
+                            let is_over = sum(&works) > STEPS_MOST && limit != StepLimit::None;
+                            assert_eq!(found.is_err(), is_over, "{works:?}");
+                            let Err(fault) = found else { continue };
+                            refused += 1;
+                            alone += usize::from(fault.changes.is_empty());
+                            assert_eq!(fault.run + fault.besides, sum(&works));
+                            assert_eq!(fault.run, axes as u64 * cycle * u64::from(cycles));
+                            for change in fault.changes {
+                                if change.time_limit {
+                                    assert_eq!(limit, StepLimit::WithoutTimeLimit);
+                                    continue;
+                                }
+                                assert!(change.cycles.is_none_or(|most| most < cycles), "{work:?} {change:?}");
+                                let changed = Work {
+                                    cycles: change.cycles.unwrap_or(cycles),
+                                    warm: warm && !change.cold,
+                                    days: days && !change.without_days,
+                                    ..work
+                                };
+                                let left = if change.one_axis { 1 } else { axes };
+                                assert!(sum(&vec![changed; left]) <= STEPS_MOST, "{work:?} {change:?}");
+                                // One cycle more would be too many.
+                                if change.cycles.is_some() {
+                                    let more = Work { cycles: changed.cycles + 1, ..changed };
+                                    assert!(sum(&vec![more; left]) > STEPS_MOST, "{work:?} {change:?}");
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(refused > 50 && alone > 0 && alone < refused / 2, "{refused} {alone}");
+    }
+
+    #[test]
+    fn a_winder_may_start_cold_instead() {
+        let winder = Work { cycle: 10_761_060, after: 0, cycles: 1, warm: true, days: false };
+        let fault = Work::within(&[winder], StepLimit::WithoutTimeLimit).unwrap_err();
+        for (language, words) in [
+            (
+                Language::En,
+                "10761060 steps and up to 86088480 for the temperatures at its start exceed the limit of 50000000: \
+                 start cold (--cold), or state a time limit (--deadline)",
+            ),
+            (
+                Language::De,
+                "10761060 Schritte und bis zu 86088480 für die Temperaturen am Beginn überschreiten die Grenze von \
+                 50000000: kalt beginnen (--cold) oder eine Zeitgrenze angeben (--deadline)",
+            ),
+        ] {
+            assert_eq!(fault.said(language), words);
+        }
+    }
+}
