@@ -281,8 +281,13 @@ pub enum Fault {
     UnlikeFirstPoint,
     /// Both the DC link and the mains are stated.
     SupplyAndMains,
-    /// The lowest humidity is above the highest.
-    HumidityOrder,
+    /// A value is above another one that it cannot exceed.
+    WrongOrder {
+        /// Key of the lower value.
+        lower: &'static str,
+        /// Key of the upper value.
+        upper: &'static str,
+    },
     /// The speed of a master with points over time.
     MasterOfTimes,
     /// A motion over too many revolutions under a load that depends on the position.
@@ -457,7 +462,7 @@ impl Fault {
             },
             Self::UnlikeFirstPoint => "unlike_first_point",
             Self::SupplyAndMains => "supply_and_mains",
-            Self::HumidityOrder => "humidity_order",
+            Self::WrongOrder { .. } => "wrong_order",
             Self::MasterOfTimes => "master_of_times",
             Self::Instants(_) => "too_many_instants",
             Self::UnknownUnit { .. } => "unknown_unit",

@@ -27,6 +27,7 @@ mod mechanism;
 mod motion;
 mod nearest;
 mod numbers;
+mod order;
 mod own;
 mod read;
 mod recorded;
@@ -554,6 +555,7 @@ fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
         reader.fault(root.head().start(), fault, Some(hint));
     }
     flange::stated(root, reader);
+    order::check(&root.parts, reader);
     if let Some(required) = root.parts.requirements.get() {
         required.battery(reader);
         required.check(root.driven().is_none_or(|driven| driven.travel().is_some()), reader);

@@ -1,7 +1,9 @@
 //! An actuator that is not in the catalogue.
 
+use crate::Fault;
 use crate::about::About;
 use crate::curves::{CURVE, curve};
+use crate::order::is_above;
 use crate::read::Reader;
 use crate::section::section;
 use crate::stated::{Stated, StatedField};
@@ -101,10 +103,18 @@ impl ActuatorSection {
         parameters.ratio = own(&self.ratio);
         parameters.pole_pairs =
             self.pole_pairs.value().map_or(Datum::NotPrinted, |pairs| known(&self.pole_pairs, f64::from(pairs)));
-        if let Some(curve) = curve(&self.continuous_curve, reader) {
+        let [continuous, short_time] =
+            [&self.continuous_curve, &self.short_time_curve].map(|points| curve(points, reader));
+        if let (Some(continuous), Some(short_time)) = (&continuous, &short_time)
+            && is_above(continuous, short_time)
+        {
+            let [lower, upper] = [self.continuous_curve.name(), self.short_time_curve.name()];
+            reader.fault(self.continuous_curve.span(), Fault::WrongOrder { lower, upper }, None);
+        }
+        if let Some(curve) = continuous {
             parameters.continuous_curve = known(&self.continuous_curve, curve);
         }
-        if let Some(curve) = curve(&self.short_time_curve, reader) {
+        if let Some(curve) = short_time {
             parameters.short_time_curve = known(&self.short_time_curve, curve);
         }
         Some(OwnActuator { name: self.name.get()?.clone(), parameters })

@@ -207,11 +207,6 @@ impl RequirementsSection {
         if self.supply.is_given() && self.mains.is_given() {
             reader.fault(self.mains.span(), Fault::SupplyAndMains, None);
         }
-        if let (Some(least), Some(most)) = (self.humidity_min.value(), self.humidity_max.value())
-            && least > most
-        {
-            reader.fault(self.humidity_min.span(), Fault::HumidityOrder, None);
-        }
         let pairs: [(&dyn StatedField, &dyn StatedField); 6] = [
             (&self.deviation_max, &self.lever_arm),
             (&self.altitude_derating, &self.altitude),

@@ -181,8 +181,7 @@ pub(crate) fn simulate<'p>(
             return Err(NotRun::Rows(rows));
         }
     }
-    let start_k =
-        if is_warm { watched(progress, |goes_on| twin::settled(&setup, goes_on))? } else { None };
+    let start_k = if is_warm { watched(progress, |goes_on| twin::settled(&setup, goes_on))? } else { None };
     let averaged = match wanted.operation {
         Some(operation) => {
             let found = watched(progress, |goes_on| twin::averaged(&setup, operation, goes_on))?;

@@ -218,10 +218,9 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "all points must state the same quantities as the first one: times or master angles, angles or lengths"
             | "alle Punkte müssen dieselben Größen angeben wie der erste: Zeiten oder Winkel des Leitantriebs, Winkel oder Längen"
         ),
-        Fault::HumidityOrder => said!(language =>
-            "`humidity_min` is above `humidity_max`"
-            | "`humidity_min` ist größer als `humidity_max`"
-        ),
+        Fault::WrongOrder { lower, upper } => {
+            said!(language => "`{lower}` is above `{upper}`" | "`{lower}` ist größer als `{upper}`")
+        }
         Fault::SupplyAndMains => said!(language =>
             "`supply` and `mains` are both stated: state only one of them for the DC link"
             | "`supply` und `mains` sind beide angegeben: für den Zwischenkreis nur eines davon angeben"

@@ -167,8 +167,8 @@ texts! {
     steps_without_days = "leave out the days (--days)" | "die Tage weglassen (--days)";
     steps_one_axis = "select one axis (--axis)" | "eine Achse wählen (--axis)";
     steps_time_limit = "state a time limit (--deadline)" | "eine Zeitgrenze angeben (--deadline)";
-    steps_and = " and " | " und ";
-    steps_or = ", or " | " oder ";
+    steps_and(one, other) = "{one} and {other}" | "{one} und {other}";
+    steps_or(one, other) = "{one}, or {other}" | "{one} oder {other}";
     refused_every(period) =
         "the interval between two rows must be at least {period} µs, one period of the current controller"
         | "der Abstand zweier Zeilen muss mindestens {period} µs betragen, eine Periode der Stromregelung";

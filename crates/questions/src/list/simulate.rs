@@ -138,11 +138,8 @@ impl Args {
         let axes = inquiry.axes(self.axis.as_deref(), Cost::Other)?;
         let of = |(_, project): &PlacedAxis| {
             let stated = &project.twin.scenario;
-            let scenario = Scenario {
-                id: self.scenario.unwrap_or(stated.id),
-                cold: self.cold || stated.cold,
-                ..*stated
-            };
+            let scenario =
+                Scenario { id: self.scenario.unwrap_or(stated.id), cold: self.cold || stated.cold, ..*stated };
             Work::of_axis(project, self.cycles(project), scenario.starts_warm(), self.days.is_some())
         };
         let works: Vec<Work> = axes.iter().map(of).collect();
@@ -208,10 +205,12 @@ impl Args {
             seed: self.seed as u64,
             every_s: with_course.then_some(every),
         };
-        simulate(project, self.code.as_ref(), wanted, StepLimit::of(inquiry.refuses_long), inquiry.progress).map_err(|why| match why {
-            NotRun::Refused(refusal) => refusal.into(),
-            other => Unanswered::message(said(&other, inquiry.language)),
-        })
+        simulate(project, self.code.as_ref(), wanted, StepLimit::of(inquiry.refuses_long), inquiry.progress).map_err(
+            |why| match why {
+                NotRun::Refused(refusal) => refusal.into(),
+                other => Unanswered::message(said(&other, inquiry.language)),
+            },
+        )
     }
 }
 

@@ -162,7 +162,9 @@ impl Change {
             (self.time_limit, simulation::steps_time_limit(language).to_owned()),
         ];
         let words = flags.into_iter().filter(|(is_made, _)| *is_made).map(|(_, words)| words);
-        of_cycles.into_iter().chain(words).collect::<Vec<_>>().join(simulation::steps_and(language))
+        let together =
+            of_cycles.into_iter().chain(words).reduce(|one, other| simulation::steps_and(&one, &other, language));
+        together.unwrap_or_default()
     }
 }
 
@@ -175,8 +177,11 @@ impl TooManySteps {
         } else {
             simulation::too_many_steps_besides(&self.run, &self.besides, &most, language)
         };
-        let changes: Vec<String> = self.changes.iter().map(|change| change.said(self.limit, language)).collect();
-        if changes.is_empty() { fault } else { format!("{fault}: {}", changes.join(simulation::steps_or(language))) }
+        let changes = self.changes.iter().map(|change| change.said(self.limit, language));
+        match changes.reduce(|one, other| simulation::steps_or(&one, &other, language)) {
+            Some(changes) => format!("{fault}: {changes}"),
+            None => fault,
+        }
     }
 }
 

@@ -29,7 +29,7 @@ fn a_drive_that_supplies_the_current_passes_and_a_small_one_fails() {
     };
     assert_eq!(verdict(&of("5 A", "10 A")), sizing::Verdict::Pass);
     assert_eq!(verdict(&of("0.01 A", "10 A")), sizing::Verdict::Fail);
-    assert_eq!(verdict(&of("5 A", "0.01 A")), sizing::Verdict::Fail);
+    assert_eq!(verdict("[drive]\ncurrent_peak = \"0.01 A\"\n"), sizing::Verdict::Fail);
     // Never above the continuous current: no time above it.
     assert_eq!(verdict(&format!("{}peak_time = \"1 ms\"\n", of("5 A", "10 A"))), sizing::Verdict::Pass);
     assert_eq!(verdict(&format!("{}peak_time = \"1 ms\"\n", of("0.5 A", "10 A"))), sizing::Verdict::Fail);

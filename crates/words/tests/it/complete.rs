@@ -443,7 +443,7 @@ fn other_faults() -> Vec<Fault> {
         Fault::UnlikeFirstPoint,
         Fault::MasterOfTimes,
         Fault::SupplyAndMains,
-        Fault::HumidityOrder,
+        Fault::WrongOrder { lower: "current_continuous", upper: "current_peak" },
         Fault::OnlyBeside { key: "deviation_max", needs: "lever_arm" },
         Fault::NotARow { path: path(), columns: &[&[Dimension::Angle], &[Dimension::Torque]] },
         Fault::RatioCount { most: 16 },

@@ -58,7 +58,7 @@ fn a_datum_is_kept_up_to_rounding() {
     const OWN: &str = "[actuator]\nname = \"own\"\nratio = 50\ninertia_out = \"1.063 kg m^2\"\ntorque_constant_out = \"22 N m/A\"\n\
         torque_constant_motor = \"0.45 N m/A\"\nno_load_starting_current = \"0.4 A\"\nno_load_current_constant_30 = \"4e-3 A/min^-1\"\n\
         no_load_current_constant_80 = \"2e-3 A/min^-1\"\nresistance_ll = \"1.2 ohm\"\nvoltage_constant_motor = \"48 V/1000 1/min\"\n\
-        inductance_ll = \"3 mH\"\npole_pairs = 5\nstall_torque = \"72 N m\"\nstall_current = \"3.6 A\"\n";
+        inductance_ll = \"3 mH\"\npole_pairs = 5\nstall_torque = \"5 N m\"\nstall_current = \"0.3 A\"\n";
     let own = |more: &str| {
         let found = questions::read(&format!("{}{OWN}{more}", project("")));
         let project = found.unwrap_or_else(|faults| panic!("{faults:?}"));
