@@ -1,5 +1,7 @@
 //! Resolution of recorded samples: the step of a column and the spurious acceleration that it causes.
 
+use numeric::upper_median;
+
 /// Rounding error of a value, relative to the largest: 64 units in the last place.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -133,12 +135,7 @@ fn is_rough(values: &[f64], step: f64, order: usize) -> bool {
 
 /// Returns the median time step \[s\].
 pub(crate) fn median_interval(time: &[f64]) -> f64 {
-    let mut steps: Vec<f64> = time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one).collect();
-    let middle = steps.len() / 2;
-    if middle >= steps.len() {
-        return 0.0;
-    }
-    *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+    upper_median(time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one)).unwrap_or(0.0)
 }
 
 /// Returns the spurious acceleration caused by the steps of a column, if it is significant compared with that of the

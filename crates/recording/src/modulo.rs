@@ -27,23 +27,23 @@ pub(crate) fn unwrap_revolutions(positions: &mut [f64]) -> usize {
     }
     let revolutions = |step: f64| (step / TAU).round();
     let bare = |step: f64| step - TAU * revolutions(step);
-    let steps: Vec<f64> = steps(positions).collect();
+    let step_at = |index: usize| Some(positions.get(index + 1)? - positions.get(index)?);
     let is_steady = |index: usize, step: f64| {
-        let near = [index.checked_sub(1), index.checked_add(1)].into_iter().flatten();
-        let near: Vec<f64> = near.filter_map(|index| steps.get(index)).map(|step| bare(*step)).collect();
-        let largest = near.iter().fold(0.0_f64, |most, step| most.max(step.abs()));
-        near.iter().any(|other| (bare(step) - other).abs() <= largest + STEADY_SHARE * TAU)
+        let near = [index.checked_sub(1), index.checked_add(1)].map(|index| step_at(index?).map(bare));
+        let largest = near.iter().flatten().fold(0.0_f64, |most, step| most.max(step.abs()));
+        near.iter().flatten().any(|other| (bare(step) - other).abs() <= largest + STEADY_SHARE * TAU)
     };
-    let jumps = || steps.iter().enumerate().filter(|(_, step)| revolutions(**step) != 0.0);
-    let is_modulo = steps.iter().all(|step| bare(*step).abs() <= STEP_SHARE * TAU)
-        && jumps().all(|(index, step)| is_steady(index, *step));
+    let jumps = || steps(positions).enumerate().filter(|(_, step)| revolutions(*step) != 0.0);
+    let is_modulo = steps(positions).all(|step| bare(step).abs() <= STEP_SHARE * TAU)
+        && jumps().all(|(index, step)| is_steady(index, step));
     let count = jumps().count();
     if !is_modulo || count == 0 {
         return 0;
     }
-    let mut turns = 0.0;
-    for (position, step) in positions.iter_mut().skip(1).zip(&steps) {
-        turns -= revolutions(*step);
+    let (mut turns, mut before) = (0.0, positions.first().copied().unwrap_or(0.0));
+    for position in positions.iter_mut().skip(1) {
+        turns -= revolutions(*position - before);
+        before = *position;
         *position += TAU * turns;
     }
     count
@@ -54,16 +54,17 @@ pub(crate) fn unwrap_revolutions(positions: &mut [f64]) -> usize {
 pub(crate) fn first_jump(positions: &[f64]) -> Option<(usize, f64, usize)> {
     let (least, most) = range(positions);
     let range = most - least;
-    let steps: Vec<f64> = steps(positions).collect();
-    let is_jump = |triple: &[f64]| {
-        let [before, step, behind] = triple else { return false };
+    let jump = |(index, four): (usize, &[f64])| {
+        let [first, before, behind, last] = four else { return None };
+        let step = behind - before;
         let against = |other: f64| other * step < 0.0 && step.abs() >= JUMP_FACTOR * other.abs();
-        step.abs() >= JUMP_SHARE * range && against(*before) && against(*behind)
+        // The four begin one step earlier, and a step ends at the sample behind it.
+        (step.abs() >= JUMP_SHARE * range && against(before - first) && against(last - behind))
+            .then_some((index + 2, step.abs()))
     };
-    let mut found = steps.windows(3).enumerate().filter(|(_, triple)| is_jump(triple));
-    let (index, triple) = found.next()?;
-    // The triple begins one step earlier, and a step ends at the sample behind it.
-    Some((index + 2, triple.get(1)?.abs(), 1 + found.count()))
+    let mut found = positions.windows(4).enumerate().filter_map(jump);
+    let (index, size) = found.next()?;
+    Some((index, size, 1 + found.count()))
 }
 
 fn range(positions: &[f64]) -> (f64, f64) {
