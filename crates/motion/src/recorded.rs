@@ -91,6 +91,7 @@ pub struct Recorded {
     remarks: Vec<Remark>,
     rests: bool,
     turns: bool,
+    hidden_rad_s: f64,
 }
 
 impl Recorded {
@@ -144,6 +145,8 @@ impl Recorded {
         };
         let Samples { time_s, torque_nm, .. } = samples;
         let Course { position, mut speed, mut end_errors, .. } = derived;
+        let largest = |speed: &[f64]| speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        let before_standstill = treatment.standstill.map_or(0.0, |_| largest(&speed));
         let mut rest_noise = None;
         if let Some(least) = treatment.standstill {
             let without = SpeedOverTime { time: &time_s, speed: &speed }.largest_acceleration();
@@ -188,6 +191,7 @@ impl Recorded {
             remarks,
             rests,
             turns,
+            hidden_rad_s: if turns { 0.0 } else { before_standstill },
         })
     }
 
@@ -208,6 +212,13 @@ impl Recorded {
     #[must_use]
     pub const fn turns(&self) -> bool {
         self.turns
+    }
+
+    /// Returns the largest speed \[rad/s\] of a recording that does not turn because of the stated standstill; zero for
+    /// all others.
+    #[must_use]
+    pub const fn hidden_rad_s(&self) -> f64 {
+        self.hidden_rad_s
     }
 
     /// Returns the instants from the first sample \[s\].

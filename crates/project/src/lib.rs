@@ -229,6 +229,8 @@ pub enum Assumption {
     RecordedAlternating(Alternating),
     /// A key of a recording does not do what it is stated for.
     RecordedKey(Remark),
+    /// A recording or a cam table, by its segment from 1, does not move; the largest speed [rad/s] that `standstill` hides.
+    Motionless(usize, f64),
     /// The distance of a move is shorter than its change of speed takes: the axis comes back.
     Overruns(Overrun),
     /// The resolution of a recording in value or time causes an apparent acceleration, with the torque that the load would
@@ -249,7 +251,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 73] = [
+    pub const ALL: [Self; 75] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -315,6 +317,8 @@ impl Assumption {
             acceleration_rad_s2: 180.0,
             without_rad_s2: 19.0,
         }),
+        Self::Motionless(2, 0.0),
+        Self::Motionless(2, 0.1),
         Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: None }),
         Self::Overruns(Overrun { segment: 3, stated_rad: 0.0884, plain_rad: 0.0885, travel_m_per_rad: Some(0.01) }),
         Self::RecordedSteps(STEPS, 0.5),

@@ -25,6 +25,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         }
         Assumption::RecordedAlternating(alternating) => return alternating_text(&alternating, language),
         Assumption::RecordedKey(remark) => return key_text(remark, language),
+        Assumption::Motionless(segment, hidden_rad_s) => return motionless_text(segment, hidden_rad_s, language),
         Assumption::Overruns(overrun) => return overrun_text(&overrun, language),
         Assumption::RecordedSteps(made_up, torque) => return spurious_text(&made_up, torque, language),
         Assumption::SplineThroughPoints(Spline::Cubic) => (
@@ -300,6 +301,21 @@ fn key_text(remark: Remark, language: Language) -> String {
             )
         }
     }
+}
+
+/// Returns the remark on a recording or a cam table that does not move.
+fn motionless_text(segment: usize, hidden_rad_s: f64, language: Language) -> String {
+    if hidden_rad_s > 0.0 {
+        let speed = figure(hidden_rad_s, &REVOLUTION_PER_MINUTE, language);
+        return said!(language =>
+            "motion[{segment}]: the stated standstill is above the largest recorded speed, {speed}: the whole recording is taken as rest, and the torque at rest alone is judged"
+            | "motion[{segment}]: der angegebene Stillstand (standstill) liegt über der größten aufgezeichneten Drehzahl, {speed}: die ganze Aufzeichnung gilt als Stillstand, bewertet wird nur das Drehmoment im Stillstand"
+        );
+    }
+    said!(language =>
+        "motion[{segment}]: the axis does not move in this segment: the torque at rest alone is judged"
+        | "motion[{segment}]: die Achse bewegt sich in diesem Abschnitt nicht: bewertet wird nur das Drehmoment im Stillstand"
+    )
 }
 
 /// Returns the remark on a move that is shorter than its change of speed, with the distance of the plain change.
