@@ -1,6 +1,6 @@
 //! `export PROJECT`: the results as a workbook or one table; a face writes it.
 
-use super::given::{arguments, count, label, some_code, text};
+use super::given::{arguments, count, day, label, some_code, text};
 use super::{
     AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Record, Unanswered,
     argument, media,
@@ -32,7 +32,7 @@ arguments! {
         /// The revision for the first sheet.
         revision: Option<String> = Argument::option("revision", values::text, help::export_revision) => label,
         /// The day for the first sheet.
-        date: Option<String> = Argument::option("date", values::date, help::export_date) => label,
+        date: Option<String> = Argument::option("date", values::date, help::export_date).of(ArgumentKind::Date) => day,
     }
 }
 
@@ -60,5 +60,42 @@ impl Args {
         let cost = if self.table.as_deref() == Some("course") { Cost::Course } else { Cost::Workbook };
         inquiry.within(cost, [&axis])?;
         Ok(axis)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails loudly")]
+mod tests {
+    use super::super::{Given, LIST, report};
+    use super::*;
+    use quantities::Language;
+
+    /// Every argument that is a date by its name in the help is one of the kind, and a day that the calendar does not
+    /// have is refused, for the workbook and the report too.
+    #[test]
+    fn a_date_is_one_of_the_calendar() {
+        let name = |each: &&Argument| (each.value)(Language::En) == values::date(Language::En);
+        let dates = LIST.iter().flat_map(|entry| entry.arguments).filter(name);
+        let of_kind = dates.clone().filter(|each| matches!(each.kind, ArgumentKind::Date)).count();
+        assert!(of_kind >= 4 && of_kind == dates.count(), "{of_kind}");
+        let day = |arguments: &[Argument], text: &'static str| {
+            Given::of(arguments, [("date".into(), text.into())], Language::En)
+        };
+        for (text, expected) in [
+            ("2026-11-21", Some(Some("2026-11-21"))),
+            (" 2024-02-29 ", Some(Some("2024-02-29"))),
+            ("", Some(None)),
+            ("2025-13-45", None),
+            ("2026-02-29", None),
+            ("21.11.2026", None),
+            ("yesterday", None),
+        ] {
+            let of_export = day(Args::ARGUMENTS, text).and_then(|given| Args::read(&given)).map(|found| found.date);
+            let of_report = day(report::Args::ARGUMENTS, text).and_then(|given| report::Args::read(&given));
+            for found in [of_export, of_report.map(|found| found.date)] {
+                let found = found.ok();
+                assert_eq!(found.as_ref().map(Option::as_deref), expected, "{text}");
+            }
+        }
     }
 }

@@ -3,6 +3,7 @@
 use super::argument::{Argument, FILE, LANG, TRUE, near};
 use super::unanswered::Unanswered;
 use crate::codes::{read_code, read_pattern};
+use crate::upkeep::read_date;
 use answers::Fault;
 use order_code::{OrderCode, Pattern};
 use quantities::{Language, seen};
@@ -103,6 +104,15 @@ pub(super) fn lines(given: &Given, argument: &Argument) -> Result<String, Unansw
 /// Returns a text of limited length, without invisible characters.
 pub(super) fn label(given: &Given, argument: &Argument) -> Result<Option<String>, Unanswered> {
     given.text(argument).map(|text| bounded(argument.name, text, given.language)).transpose()
+}
+
+/// Returns a calendar date as its text; without one, or with an empty text, `None`.
+pub(super) fn day(given: &Given, argument: &Argument) -> Result<Option<String>, Unanswered> {
+    let Some(text) = given.text(argument).filter(|text| !text.is_empty()) else { return Ok(None) };
+    match read_date(text, given.language) {
+        Ok(date) => Ok(Some(date.to_string())),
+        Err(fault) => Err(Unanswered::option(argument.name, fault)),
+    }
 }
 
 /// Returns the text of an option, of limited length and without invisible characters.

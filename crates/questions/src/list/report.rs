@@ -1,12 +1,16 @@
 //! `report PROJECT`: the results as a PDF to sign; a face typesets it.
 
-use super::given::{Given, arguments, bounded, flag, label, some_code, text};
-use super::{AXIS, Argument, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Unanswered, argument, media};
+use super::given::{Given, arguments, bounded, day, flag, label, some_code, text};
+use super::{
+    AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Unanswered, argument,
+    media,
+};
 use crate::subject::names;
+use crate::upkeep::read_date;
 use order_code::OrderCode;
 use words::{help, help::values, terminal};
 
-const DATE: Argument = Argument::option("date", values::date, help::date);
+const DATE: Argument = Argument::option("date", values::date, help::date).of(ArgumentKind::Date);
 const REVISION: Argument = Argument::option("revision", values::text, help::revision);
 const TITLE: Argument = Argument::option("title", values::text, help::title);
 const NUMBER: Argument = Argument::option("number", values::text, help::number);
@@ -26,7 +30,7 @@ pub const TITLE_PAGE: [Argument; 10] =
 pub struct Change {
     /// Revision that it led to.
     pub revision: String,
-    /// Day, as given.
+    /// Day: a calendar date, or words such as "week 47".
     pub date: String,
     /// Author of the change; empty where not stated.
     pub author: String,
@@ -46,7 +50,7 @@ arguments! {
         /// Includes wiring, mounting and commissioning.
         installation: bool = Argument::flag("installation", help::report_installation) => flag,
         /// The day of the document.
-        date: Option<String> = DATE => label,
+        date: Option<String> = DATE => day,
         /// Revision of the document.
         revision: Option<String> = REVISION => label,
         /// Project, plant or order.
@@ -111,13 +115,26 @@ fn changes(given: &Given, argument: &Argument) -> Result<Vec<Change>, Unanswered
 
 fn change(line: &str, given: &Given) -> Result<Change, Unanswered> {
     let parts: Vec<String> = line.splitn(4, ';').map(|part| part.trim().to_owned()).collect();
-    match <[String; 4]>::try_from(parts) {
-        Ok([revision, date, author, text]) => Ok(Change { revision, date, author, text }),
+    let change = match <[String; 4]>::try_from(parts) {
+        Ok([revision, date, author, text]) => Change { revision, date, author, text },
         Err(parts) => match <[String; 3]>::try_from(parts) {
-            Ok([revision, date, text]) => Ok(Change { revision, date, author: String::new(), text }),
-            Err(_) => Err(Unanswered::option(CHANGE.name, (terminal::not_a_change(&line, given.language()), None))),
+            Ok([revision, date, text]) => Change { revision, date, author: String::new(), text },
+            Err(_) => {
+                let fault = (terminal::not_a_change(&line, given.language()), None);
+                return Err(Unanswered::option(CHANGE.name, fault));
+            }
         },
+    };
+    if resembles_date(&change.date) {
+        let _ = read_date(&change.date, given.language()).map_err(|fault| Unanswered::option(CHANGE.name, fault))?;
     }
+    Ok(change)
+}
+
+/// Returns `true` if a text has the digits and separators of a date and no words.
+fn resembles_date(text: &str) -> bool {
+    text.bytes().any(|byte| byte.is_ascii_digit())
+        && text.chars().all(|each| each.is_ascii_digit() || each.is_whitespace() || "-./".contains(each))
 }
 
 #[cfg(test)]
@@ -154,6 +171,28 @@ mod tests {
         assert!(read(&changes(CHANGES_MOST)).is_ok());
         let why = read(&changes(CHANGES_MOST + 1)).unwrap_err().faults(None, Language::default()).errors;
         assert!(why[0].message.contains("201") && why[0].message.contains("200"), "{why:?}");
+    }
+
+    /// A day of digits is one of the calendar; words in its place stay as they are, and so does a missing day.
+    #[test]
+    fn a_day_of_digits_is_one_of_the_calendar() {
+        for (day, is_one) in [
+            ("2026-11-21", true),
+            ("2024-02-29", true),
+            ("week 47, 2026", true),
+            ("KW 47", true),
+            ("", true),
+            ("2025-13-45", false),
+            ("2026-02-29", false),
+            ("21.11.2026", false),
+            ("11/21/2026", false),
+            ("2026", false),
+        ] {
+            let line: &'static str = format!("B; {day}; E. Example; longer stroke").leak();
+            let found = read(&[("change", line)]);
+            assert_eq!(found.is_ok(), is_one, "{day}: {found:?}");
+            assert!(found.is_ok_and(|found| found.changes[0].date == day) == is_one, "{day}");
+        }
     }
 
     #[test]
