@@ -140,6 +140,8 @@ pub enum Open {
     NotConstant,
     /// Too few samples with a current below its limit.
     AtLimit,
+    /// The run does not exclude another scale of the current.
+    Scale,
     /// A zero of the torque would be part of the value, and the run does not bound it.
     Zero,
 }
@@ -412,8 +414,9 @@ pub fn identify_while(
         let settled = (settle_s > 0.0).then(|| strokes.settled(&run.time_s, settle_s));
         Windows::of(run, settled.as_ref().unwrap_or(&strokes), limit, is_even, goes_on).ok()
     };
+    let (run, windows, shifted_s) = delay::aligned(run.clone(), windows, &made);
     let (run, windows, delays) =
-        delay::removed(run.clone(), windows, &made, &|run, windows| load::rows_of_delay(run, windows, &load));
+        delay::removed(run, windows, &made, &|run, windows| load::rows_of_delay(run, windows, &load));
     if !goes_on() {
         return Err(IdentifyFault::Stopped);
     }
@@ -438,6 +441,7 @@ pub fn identify_while(
     let shares = load::estimate(&run, &windows, &load, &mut found)?;
     found.payload = shares.payload.map(|share| [share.value, share.half_width]);
     motor::estimate(&windows, stated.parameters, found.are_lags_estimated[1], &mut found);
+    found.motor_lag_s += shifted_s;
     if let Some((run, windows)) = &delays.torque_or {
         let mut other = Identification::default();
         if load::estimate(run, windows, &load, &mut other).is_ok() {
@@ -450,7 +454,8 @@ pub fn identify_while(
         found.widen(&other);
     }
     external(stated.mechanism.plain(extras.first().unwrap_or(&first)).map(|plain| plain.constant_nm), &mut found);
-    doubts::of_estimates(stated, extras, &windows, &shares, &mut found);
+    let direction = followed.as_ref().and_then(Followed::direction);
+    doubts::of_estimates(stated, extras, &windows, &shares, direction, &mut found);
     found.doubts.extend(of_stamps);
     Ok(found)
 }

@@ -135,6 +135,10 @@ pub fn open_reason(open: Open, language: Language) -> String {
             "too few samples with a current below its limit",
             "zu wenige Abtastwerte mit einem Strom unterhalb der Grenze",
         ),
+        Open::Scale => (
+            "the run does not exclude current values √2 times too small or too large (rms values): larger loads, or a row spacing below 0.2 ms, narrow the interval of the torque constant",
+            "der Lauf schließt Stromwerte nicht aus, die um √2 zu klein oder zu groß sind (Effektivwerte): größere Lasten oder ein Zeilenabstand unter 0,2 ms verkleinern das Intervall der Drehmomentkonstante",
+        ),
         Open::Zero => (
             "an offset of torque_nm would be part of it, and this run does not limit that offset",
             "ein Versatz von torque_nm wäre darin enthalten, und dieser Lauf begrenzt ihn nicht",
@@ -297,8 +301,8 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: eine andere Einheit oder ein anderer Maßstab; torque_nm durch diesen Faktor teilen",
         ),
         (_, Misread::GravityOpposite) => (
-            "the direction of the weight deviates by {value}° from that of the project: opposite counting direction or another zero of the position, or wrong start_angle in the project",
-            "die Richtung des Gewichts weicht um {value}° von der des Projekts ab: entgegengesetzte Zählrichtung oder anderer Nullpunkt der Position, oder start_angle des Projekts ist falsch",
+            "the direction of the weight deviates by {value}° from that of the project: opposite counting direction or another zero of the position, or wrong start_angle, inclination or sign of the external torque in the project",
+            "die Richtung des Gewichts weicht um {value}° von der des Projekts ab: entgegengesetzte Zählrichtung oder anderer Nullpunkt der Position, oder start_angle, Neigung oder Vorzeichen des äußeren Moments im Projekt sind falsch",
         ),
         (_, Misread::TimeStamps) => (
             "the time stamps scatter by {value} ms (standard deviation) about equal intervals, and no signal shows whether the rows were sampled at the stamps or evenly spaced: record time_s with the clock that samples the signals, or write equal intervals if it samples evenly",

@@ -1,6 +1,6 @@
 //! Delays of torque and current against the position (other bus cycles, other loggers), and filters of these signals.
 
-use super::motor::Equations;
+use super::motor::{Equations, Scale};
 use super::regression::{Fit, Row, compared, fit};
 use super::windows::Windows;
 use super::{Delay, Observed};
@@ -113,6 +113,38 @@ impl Signal {
         }
         filtered
     }
+}
+
+/// Smallest lag of the motor speed behind the position that is removed by a shift, in s and in rows; the equations have a smaller one
+/// to first order. A choice.
+const SHIFTED_S: f64 = 2e-3;
+const SHIFTED_ROWS: f64 = 2.0;
+
+/// Shifts the motor speed until it no longer lags the position, and returns the lag; a late position lets it lead.
+///
+/// # Valid
+/// the lag approaches that of [`Equations::lag_s`]; beyond 0.1 s the run stays as it is
+pub(super) fn aligned(run: Observed, windows: Windows, made: Made<'_>) -> (Observed, Windows, f64) {
+    // Without the torsion of the gear, whose rate has the scale of the torque.
+    let lag_s = |windows: &Windows| Equations::of(windows, None, false).lag_s(Scale::NONE);
+    let mut left_s = lag_s(&windows);
+    if left_s.abs() < SHIFTED_S.max(SHIFTED_ROWS * windows.step_s) {
+        return (run, windows, 0.0);
+    }
+    let mut total_s = 0.0;
+    let mut now = None;
+    for _ in 0..STEPS {
+        total_s += left_s;
+        let motor_rad_s = shifted(&run.time_s, &run.motor_rad_s, total_s);
+        let next = Observed { motor_rad_s, ..run.clone() };
+        let Some(windows) = made(&next, 0.0).filter(|_| total_s.abs() < MOST_S) else { return (run, windows, 0.0) };
+        left_s = lag_s(&windows);
+        now = Some((next, windows));
+        if left_s == 0.0 {
+            break;
+        }
+    }
+    now.map_or((run, windows, 0.0), |(run, windows)| (run, windows, total_s))
 }
 
 /// Seeks and removes the delays or filters of torque and current.

@@ -1,7 +1,7 @@
 //! Signals whose unit, sign or side differs from the convention of the columns: disagreement of two signals, or of an
 //! estimate with the tables.
 
-use super::load::Shares;
+use super::load::{Share, Shares};
 use super::motor::Tabulated;
 use super::moves::Followed;
 use super::windows::{Strokes, Windows};
@@ -138,6 +138,14 @@ pub(super) const SCATTER: f64 = 0.075;
 /// Smallest angle between the stated and the estimated weight that causes a doubt \[rad\].
 const OPPOSITE: f64 = 0.75 * PI;
 
+/// Largest deviation of the estimated weight from the stated one mirrored at the vertical, and the smallest from the stated one, that
+/// cause a doubt \[rad\]. A choice.
+const MIRRORED: f64 = 0.1;
+const APART: f64 = 0.3;
+
+/// Smallest size of a constant torque of the other sign, relative to the stated one, that is this one on the other side. A choice.
+const SAME: f64 = 0.5;
+
 /// One rad/s in revolutions per minute.
 const PER_MINUTE: f64 = 30.0 / PI;
 
@@ -262,6 +270,7 @@ pub(super) fn of_estimates(
     extras: &[Extra],
     windows: &Windows,
     shares: &Shares,
+    direction: Option<f64>,
     found: &mut Identification,
 ) {
     let of = |of| found.estimates.iter().find(|each| each.of == of).copied();
@@ -313,11 +322,38 @@ pub(super) fn of_estimates(
     {
         let own = if plain.weight_nm < 0.0 { plain.angle_rad + PI } else { plain.angle_rad };
         let between = (angle.value - own + PI).rem_euclid(2.0 * PI) - PI;
-        if between.abs() - angle.half_width > OPPOSITE {
+        // A position of the other sign mirrors the angle at the vertical.
+        let mirrored = (angle.value + own).rem_euclid(2.0 * PI) - PI;
+        let is_mirrored = mirrored.abs() < MIRRORED + angle.half_width && between.abs() - angle.half_width > APART;
+        if between.abs() - angle.half_width > OPPOSITE || is_mirrored {
             doubts.push(Doubt::new(Column::Position, Misread::GravityOpposite, between));
         }
     }
-    if !has_doubt && let (Some(constant), Some(tabulated)) = (of(Identified::TorqueConstant), tabulated) {
+    // The angle of a weight shows the side better; a zero of the torque may have any sign.
+    let hangs = plain.as_ref().is_some_and(|plain| plain.weight_nm != 0.0);
+    let is_opposite = |share: &Share| share.value + share.half_width < -SAME && share.value > -1.0 / SAME;
+    let is_zero = |share: &Share| {
+        let deviation =
+            of(Identified::External).map_or(f64::INFINITY, |each| (each.value * (1.0 - share.value.recip())).abs());
+        found.zero.is_some_and(|zero| deviation < zero.most_nm())
+    };
+    if doubts.is_empty()
+        && !hangs
+        && shares.constant.as_ref().is_some_and(|share| is_opposite(share) && !is_zero(share))
+    {
+        doubts.push(Doubt::new(Column::Position, Misread::GravityOpposite, PI));
+    }
+    // Without a stated torque that depends on the direction, only the motion shows it.
+    let depends = |of_one: Identified| of(of_one).is_some_and(|each| each.is_known());
+    let is_stated = shares.constant.is_some() || plain.as_ref().is_none_or(|plain| plain.weight_nm != 0.0);
+    if doubts.is_empty()
+        && direction == Some(-1.0)
+        && !is_stated
+        && (depends(Identified::External) || depends(Identified::Gravity))
+    {
+        doubts.push(Doubt::new(Column::Position, Misread::Reversed, -1.0));
+    }
+    if !has_doubt && let (Some(constant), Some(tabulated)) = (of(Identified::TorqueConstant), &tabulated) {
         let value = constant.value / tabulated.output_nm_a;
         let half = constant.half_width / tabulated.output_nm_a;
         let least = 0.02 * mean(|window| window.current.abs());
@@ -331,11 +367,28 @@ pub(super) fn of_estimates(
     }
     found.doubts = doubts;
     if found.doubts.is_empty() {
+        unscaled(tabulated.as_ref(), found);
         for pair in
             [[Identified::Coulomb, Identified::Viscous], [Identified::StartingCurrent, Identified::CurrentConstant]]
         {
             unseparated(pair, speed, found);
         }
+    }
+}
+
+/// Leaves the values of the motor open if the run does not show the scale of the current by its torque constant.
+fn unscaled(tabulated: Option<&Tabulated>, found: &mut Identification) {
+    let Some(tabulated) = tabulated else { return };
+    let constant = found.estimates.iter().find(|each| each.of == Identified::TorqueConstant);
+    let is_sure = constant.is_some_and(|each| {
+        scale::excludes_root_two(each.value / tabulated.output_nm_a, each.half_width / tabulated.output_nm_a)
+    });
+    let of_current = [Identified::TorqueConstant, Identified::StartingCurrent, Identified::CurrentConstant];
+    let open: Vec<Identified> =
+        found.estimates.iter().map(|each| each.of).filter(|of| of_current.contains(of)).collect();
+    if !is_sure {
+        found.estimates.retain(|each| !of_current.contains(&each.of));
+        found.open.extend(open.into_iter().map(|of| (of, Open::Scale)));
     }
 }
 

@@ -40,6 +40,8 @@ pub(super) struct Shares {
     pub(super) others: Vec<Share>,
     /// Parts of the weight.
     pub(super) weights: Vec<Share>,
+    /// Constant torque: weight of a linear drive, external torque.
+    pub(super) constant: Option<Share>,
     /// Largest rms deviation of a stroke from a load that carries what the project states \[Nm\], if payloads of its own explain it.
     pub(super) unstated_nm: Option<f64>,
 }
@@ -197,6 +199,7 @@ fn plainly(
         inertia: Share::of(of, 0, first.inertia_kgm2),
         others: others.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
         weights: weights.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
+        constant: Share::of(of, constant, first.constant_nm).filter(|_| both_ways),
         unstated_nm,
     };
     let mut taken = |of, place: Option<usize>| take(&fit, of, place, both_ways, found);
@@ -343,7 +346,9 @@ fn beside(
     };
     let per_stroke = |row: &Row| row.regressors.iter().skip(2).take(2).copied().collect();
     let unstated_nm = if is_even { unstated(&rows, &fit, &per_stroke) } else { None };
-    let shares = Shares { unstated_nm, ..shares_beside(run, windows, load) };
+    let stated_nm = load.losses.filter(|_| is_even && both_ways).map_or(0.0, |losses| losses.constant_nm(first));
+    let constant = Share::of(&fit, 2, stated_nm).map(|deviation| Share { value: 1.0 + deviation.value, ..deviation });
+    let shares = Shares { unstated_nm, constant, ..shares_beside(run, windows, load) };
     if is_even {
         let stated = mechanism.inertia(0.0, first);
         let of = Identified::LoadInertia;

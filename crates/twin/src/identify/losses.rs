@@ -87,6 +87,13 @@ impl Losses {
         [at(0.0), at(1.0) - at(0.0)]
     }
 
+    /// Returns the torque without losses and friction at rest \[Nm\].
+    pub(super) fn constant_nm(&self, extra: &Extra) -> f64 {
+        let loading = self.without.loading(extra);
+        let output = Output { position_rad: 0.0, speed_rad_s: 0.0, acceleration_rad_s2: 0.0, direction: 1.0 };
+        loading.at(&output).torque_nm - friction(&loading, output)
+    }
+
     /// Returns the load in a window with the additions of a segment, without the friction of the first; `None` if the direction of
     /// power depends on noise or on a friction that the project need not know.
     ///

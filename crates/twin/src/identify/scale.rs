@@ -61,6 +61,24 @@ const STATED: [f64; 3] = [0.05, 0.15, 0.3];
 /// Largest contribution of one share, so that a single wrong entry of the project does not decide.
 const COST_MOST: f64 = 9.0;
 
+/// Smallest difference of the sums of squares with which a convention is named that the motor does not require: the load is off by
+/// its factor, and the motor does not decide. A choice: likelihoods of 1 to 55.
+const LIKELIER: f64 = 8.0;
+
+/// Smallest difference of the squared deviations of a torque constant from that of a convention and from the tables with which the
+/// convention is excluded. A choice: likelihoods of 1 to 2.7.
+const EXCLUDED: f64 = 2.0;
+
+/// Returns `true` if a torque constant relative to the tables, with half its interval, excludes currents √2 times too small or too
+/// large.
+pub(super) fn excludes_root_two(value: f64, half_width: f64) -> bool {
+    let squared = |factor: f64| {
+        let own = 0.5 * half_width / value;
+        ((value / factor).ln()).powi(2) / own.mul_add(own, SCATTER * SCATTER)
+    };
+    value > 0.0 && [SQRT_2, SQRT_2.recip()].iter().all(|factor| squared(*factor) - squared(1.0) > EXCLUDED)
+}
+
 /// Slope of current over torque relative to the tables under a scale, for both references of the rotor.
 struct Slopes {
     all: [Option<Share>; 2],
@@ -161,15 +179,13 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares, i
         _ => Scale { current: factor, ..Scale::NONE },
     };
     let is_wrong = !plain.admits(SLOPE);
-    if !is_wrong && of_load.is_none() {
-        return None;
-    }
     let [tied, loose] = plain.all;
     let ratio = |slope: Option<Share>| slope.filter(|slope| slope.value != 0.0).map(|slope| slope.value.recip());
     let measured = ratio(loose).filter(|measured| *measured > 0.0);
     let least = measured.map_or(f64::INFINITY, |measured| contradiction(shares, measured));
     // Two entries of a project that are off alike may be a coincidence: the motor must agree better, too.
     let is_better = |slopes: &Slopes| slopes.admits(SCATTER) && slopes.cost() < plain.cost();
+    let without = plain.cost() + contradiction(shares, 1.0);
     let named = conventions(tabulated.ratio)
         .into_iter()
         .filter_map(|(column, misread, factor)| {
@@ -181,7 +197,9 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares, i
             let fits = if is_wrong {
                 slopes.confirms() && contradiction(shares, torque) < least + COST_MOST
             } else {
-                near && is_better(&slopes)
+                let with = slopes.cost() + contradiction(shares, torque);
+                let is_far = factor.ln().abs() > UNKNOWN.ln();
+                (near && is_better(&slopes)) || (is_far && slopes.admits(SCATTER) && without - with > LIKELIER)
             };
             fits.then(|| (slopes.cost() + contradiction(shares, torque), column, misread, factor))
         })
