@@ -1,7 +1,7 @@
 //! Values of a recording that are held over several rows, because their source is slower than the logger.
 
 use crate::recorded::slopes;
-use crate::resolution::{median_interval, step};
+use crate::resolution::{mean_interval, median_interval, step};
 use crate::standstill::rests;
 use crate::timing::SpeedOverTime;
 
@@ -109,7 +109,7 @@ pub(crate) fn held(time: &[f64], values: &[f64]) -> Option<f64> {
         return None;
     }
     let rows = if 10 * within(median..=median) >= 9 * moving { median as f64 } else { mean };
-    Some(rows * median_interval(time))
+    Some(rows * mean_interval(time))
 }
 
 /// Instants at which a held column is updated, with their values.

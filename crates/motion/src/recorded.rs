@@ -4,7 +4,9 @@ use crate::examination::Stamps;
 use crate::faults::RecordedFault;
 use crate::held::{Interpolated, Updated, held, interpolated, interpolated_position};
 use crate::remarks::{Remark, of_stamps, of_standstill};
-use crate::resolution::{MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_updates, median_interval};
+use crate::resolution::{
+    MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_updates, mean_interval, median_interval,
+};
 use crate::smoothing::smooth;
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::threshold::set_to_rest;
@@ -415,11 +417,7 @@ impl Course {
         };
         if !between && let Some(period_s) = held(time, values) {
             let without = Self::of(samples, window, true).ok()?;
-            return of(
-                Spurious::Held { period_s },
-                median_interval(time),
-                SpeedOverTime { time, speed: &without.speed },
-            );
+            return of(Spurious::Held { period_s }, mean_interval(time), SpeedOverTime { time, speed: &without.speed });
         }
         if treatment.time_stamps == TimeStamps::Kept
             && let Stamps::Scattered(even) = Stamps::of(time, &[values])

@@ -138,6 +138,21 @@ pub(crate) fn median_interval(time: &[f64]) -> f64 {
     upper_median(time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one)).unwrap_or(0.0)
 }
 
+/// Returns the mean time step \[s\], without gaps: steps up to one and a half of the ninth decile. The mean over all rows
+/// does not depend on the rounding of the time stamps, unlike the median.
+pub(crate) fn mean_interval(time: &[f64]) -> f64 {
+    let steps = || time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one);
+    let mut all: Vec<f64> = steps().collect();
+    let place = all.len() * 9 / 10;
+    if place >= all.len() {
+        return 0.0;
+    }
+    let most = 1.5 * *all.select_nth_unstable_by(place, f64::total_cmp).1;
+    let (sum, count) =
+        steps().filter(|step| *step <= most).fold((0.0, 0_u32), |(sum, count), step| (sum + step, count + 1));
+    sum / f64::from(count.max(1))
+}
+
 /// Returns the spurious acceleration caused by the steps of a column, if it is significant compared with that of the
 /// motion.
 pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, window_s: Option<f64>) -> Option<MadeUp> {

@@ -1,6 +1,7 @@
 use super::*;
 use crate::generated::Noise;
 use crate::held::held;
+use crate::resolution::mean_interval;
 use crate::{HeldValues, MadeUp, Recorded, Remark, Spurious, SteppedColumn, TimeStamps, Treatment};
 
 /// Returns position and speed of a move of 1.5 rad in 1 s and back in 1.2 s, with rests; the law by its number.
@@ -105,6 +106,30 @@ fn held_values_are_found_and_interpolated() {
                     let most = if law == 2 { 0.05 } else { 0.015 };
                     assert!(error.abs() < most, "{what}: {error}, without {}", rms(&plain) / truth);
                     assert!(!matches!(found.made_up(), Some(MadeUp { cause: Spurious::Held { .. }, .. })), "{what}");
+                }
+            }
+        }
+    }
+}
+
+/// The period of held values, and the interval of the rows, do not depend on the rounding of the time stamps nor on gaps.
+#[test]
+fn rounded_stamps_do_not_change_the_period_of_held_values() {
+    for law in 0..3 {
+        for column in COLUMNS {
+            for (h, rows) in [(0.0015, 4), (0.0015, 6), (0.0013, 5), (0.0018, 4), (0.0025, 8), (0.00125, 4)] {
+                let period = h * f64::from(rows);
+                let (time, values) = logged(law, column, h, period, 0.0);
+                for gap in [0.0, 3.0] {
+                    // A millisecond is the last digit of the stamps; a gap lies in the middle.
+                    let shift = |k: usize| if k > time.len() / 2 { gap } else { 0.0 };
+                    let stamps: Vec<f64> =
+                        time.iter().enumerate().map(|(k, t)| (1e3 * t).round() * 1e-3 + shift(k)).collect();
+                    let what = format!("law {law} {column:?} h {h} rows {rows} gap {gap}");
+                    let found = held(&stamps, &values).unwrap_or_else(|| panic!("{what}"));
+                    assert!((found / period - 1.0).abs() < 0.01, "{what}: {found} for {period}");
+                    let interval = mean_interval(&stamps);
+                    assert!((interval / h - 1.0).abs() < 0.01, "{what}: {interval} for {h}");
                 }
             }
         }

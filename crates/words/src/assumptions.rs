@@ -20,7 +20,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             );
             return said!(language =>
                 "the axis is taken as at rest (motion.standstill) where the recorded speed is only noise, up to {speed}, {time} in total: no friction there"
-                | "Stillstand angesetzt (motion.standstill), solange die aufgezeichnete Geschwindigkeit im Rauschen liegt, bis {speed}, insgesamt {time}: dort keine Reibung"
+                | "Stillstand angesetzt (motion.standstill), solange die aufgezeichnete Drehzahl im Rauschen liegt, bis {speed}, insgesamt {time}: dort keine Reibung"
             );
         }
         Assumption::RecordedAlternating(alternating) => return alternating_text(&alternating, language),
@@ -272,7 +272,7 @@ fn alternating_text(alternating: &Alternating, language: Language) -> String {
     let key = format_significant((speed / digit).ceil() * digit, 2, Language::En);
     said!(language =>
         "{share} % of the recorded speeds, up to {below}, have another sign than the samples before and behind them: they count as motion with friction to and fro; if the axis is at rest there, state standstill = \"{key} 1/min\""
-        | "{share} % der aufgezeichneten Geschwindigkeiten, bis {below}, haben ein anderes Vorzeichen als die Werte davor und dahinter: sie zählen als Bewegung mit wechselnder Reibung; steht die Achse dort, standstill = \"{key} 1/min\" angeben"
+        | "{share} % der aufgezeichneten Drehzahlen, bis {below}, haben ein anderes Vorzeichen als die Werte davor und dahinter: sie zählen als Bewegung mit wechselnder Reibung; steht die Achse dort, standstill = \"{key} 1/min\" angeben"
     )
 }
 
@@ -297,7 +297,7 @@ fn key_text(remark: Remark, language: Language) -> String {
             let (with, without) = (of(acceleration_rad_s2), of(without_rad_s2));
             said!(language =>
                 "the stated standstill of {speed} contains speeds of the motion: the axis stops in a step, with accelerations of up to {with} instead of {without}; a smaller value avoids this"
-                | "der angegebene Stillstand (standstill) von {speed} umfasst Geschwindigkeiten der Bewegung: die Achse hält sprunghaft an, mit Beschleunigungen bis {with} statt {without}; ein kleinerer Wert vermeidet das"
+                | "der angegebene Stillstand (standstill) von {speed} umfasst Drehzahlen der Bewegung: die Achse hält sprunghaft an, mit Beschleunigungen bis {with} statt {without}; ein kleinerer Wert vermeidet das"
             )
         }
     }
@@ -336,9 +336,10 @@ fn overrun_text(overrun: &Overrun, language: Language) -> String {
     let segment = overrun.segment;
     // A line of the project file has a plain minus sign.
     let key = of(overrun.plain_rad, Language::En).replace('−', "-") + " " + key_unit;
+    let change = if overrun.travel_m_per_rad.is_some() { "Geschwindigkeitsänderung" } else { "Drehzahländerung" };
     said!(language =>
         "segment {segment} covers {stated}, its change of speed alone takes {plain} at the stated acceleration: the axis makes up for the difference with a movement to and fro; distance = \"{key}\" is the plain change of speed"
-        | "Abschnitt {segment} ist {stated} lang, seine Geschwindigkeitsänderung allein braucht mit der angegebenen Beschleunigung {plain}: die Achse gleicht den Unterschied durch eine Hin- und Herbewegung aus; distance = \"{key}\" ergibt die einfache Geschwindigkeitsänderung"
+        | "Abschnitt {segment} ist {stated} lang, seine {change} allein braucht mit der angegebenen Beschleunigung {plain}: die Achse gleicht den Unterschied durch eine Hin- und Herbewegung aus; distance = \"{key}\" ergibt die einfache {change}"
     )
 }
 
@@ -350,7 +351,7 @@ fn spurious_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String
     let torque = figure(torque_nm, &NEWTON_METRE, language);
     let column = match made_up.column {
         SteppedColumn::Position => said!(language => "position" | "Position"),
-        SteppedColumn::Speed => said!(language => "speed" | "Geschwindigkeit"),
+        SteppedColumn::Speed => said!(language => "speed" | "Drehzahl"),
     };
     match made_up.cause {
         Spurious::Steps { step, smoothing_s } => {
@@ -406,8 +407,25 @@ fn smoothing_text(smoothing_s: Option<f64>, column: SteppedColumn, language: Lan
         }
         (None, SteppedColumn::Position) => said!(language =>
             "a recorded speed or more digits are needed"
-            | "nötig sind eine aufgezeichnete Geschwindigkeit oder mehr Stellen"
+            | "nötig sind eine aufgezeichnete Drehzahl oder mehr Stellen"
         ),
         (None, SteppedColumn::Speed) => said!(language => "more digits are needed" | "nötig sind mehr Stellen"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A speed in 1/min is a rotational one in German.
+    #[test]
+    fn a_rotational_speed_is_no_linear_one() {
+        for assumption in Assumption::ALL {
+            let text = assumption_text(assumption, Language::De);
+            let is_linear = text.contains("Geschwindigkeit") || text.contains("geschwindigkeit");
+            assert!(!is_linear || !text.contains("min⁻¹") && !text.contains('°'), "{text}");
+            let is_of_a_line = matches!(assumption, Assumption::Overruns(Overrun { travel_m_per_rad: Some(_), .. }));
+            assert_eq!(is_linear, is_of_a_line, "{text}");
+        }
     }
 }

@@ -231,7 +231,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         About::Segment(SegmentName::jerk) => ("maximum jerk", "maximaler Ruck"),
         About::Segment(SegmentName::end_speed) => (
             "speed at the end of the segment; default: standstill",
-            "Geschwindigkeit am Ende des Abschnitts; ohne Angabe Stillstand",
+            "Drehzahl oder Geschwindigkeit am Ende des Abschnitts; ohne Angabe Stillstand",
         ),
         About::Segment(SegmentName::hold) => (
             "means of holding the load at standstill",

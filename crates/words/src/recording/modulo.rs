@@ -47,7 +47,7 @@ pub(super) fn position_jumps(fault: &Fault, language: Language) -> (String, Opti
         Some(if *has_speed {
             said!(language =>
                 "use the recorded speed alone: columns = {{ position = \"none\" }}"
-                | "nur die aufgezeichnete Geschwindigkeit verwenden: columns = {{ position = \"none\" }}"
+                | "nur die aufgezeichnete Drehzahl verwenden: columns = {{ position = \"none\" }}"
             )
         } else {
             said!(language =>
