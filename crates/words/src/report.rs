@@ -1,7 +1,7 @@
 //! Words for the report, by the keys of its template.
 
 use crate::texts::{Word, texts};
-use crate::{capitalised, check_title, terms};
+use crate::{capitalised, check_title, terminal, terms};
 use quantities::Language;
 use sizing::CheckId;
 use std::collections::BTreeMap;
@@ -78,6 +78,17 @@ const AMID: &[(&str, Word)] = &[
     ("pass", terms::pass),
     ("rejected", terms::rejected),
 ];
+
+/// Returns the words for a limit of zero, where it means that there is none: no brake, no torque, no absolute position.
+#[must_use]
+pub fn limit_of_zero(id: CheckId, language: Language) -> Option<&'static str> {
+    match id {
+        CheckId::TorqueSpeedTrace => Some(terminal::no_torque_at_this_speed(language)),
+        CheckId::BrakeHolding => Some(terminal::no_holding_torque(language)),
+        CheckId::FeedbackRange => Some(terminal::no_absolute_position(language)),
+        _ => None,
+    }
+}
 
 /// Keys whose word is the title of a check.
 const CHECKS: &[(&str, CheckId)] = &[
@@ -275,6 +286,9 @@ texts! {
     open_none_rejects = "None of them can rule out the actuator." | "Keiner davon kann den Antrieb ausschließen.";
     open_may_reject = "They may rule out the actuator." | "Sie können den Antrieb ausschließen.";
     open_may_reject_these = "The following may rule out the actuator:" | "Den Antrieb ausschließen können:";
+    open_may_reject_by_own_limit =
+        "Only if the manufacturer states a limit may the following rule it out:"
+        | "Nur bei Angabe des Herstellers können ihn ausschließen:";
     s_tightest = "Checks with the highest utilisation" | "Nachweise mit der höchsten Auslastung";
     reserve_alone = "Reserve (single changes)" | "Reserve (jeweils nur eine Größe geändert)";
     s_answers = "Results" | "Ergebnisse";

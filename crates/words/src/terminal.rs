@@ -88,6 +88,9 @@ texts! {
     no_brake_for(value) = "{value} required, no holding brake" | "{value} erforderlich, keine Haltebremse vorhanden";
     not_absolute_over(travel) =
         "no absolute encoder, the axis travels {travel}" | "kein Absolutwertgeber, die Achse fährt {travel}";
+    no_holding_torque = "no holding torque" | "kein Haltemoment";
+    no_torque_at_this_speed = "no torque at this speed" | "kein Drehmoment bei dieser Drehzahl";
+    no_absolute_position = "no absolute position" | "keine absolute Position";
     speed_beyond_the_curve = "speed beyond the end of the curve" | "Drehzahl über dem Ende der Kennlinie";
     nearest_miss = "smallest excess" | "geringste Überschreitung";
     kept_out_by_limits = "rejected by limits of the project only" | "nur durch Grenzen des Projekts verworfen";

@@ -5,6 +5,7 @@ use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Part, Shaft, V
 use quantities::Language;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use words::report::limit_of_zero;
 use words::{capitalised, degree_of_protection, grade_about, grade_word};
 
 /// Every check, in the order of the dossier.
@@ -87,10 +88,15 @@ impl Checks {
         Self { rows, notes, open: open.into_iter().map(|check| missing(check, dossier)).collect() }
     }
 
-    /// Returns value and limit of a check with the sign between them; `None` if it has no limit.
+    /// Returns value and limit of a check with the sign between them, or the words for a limit of zero; `None` if it has no
+    /// limit.
     pub(super) fn compared(&self, check: &Check) -> Option<String> {
         let row = self.rows.iter().find(|row| row.id == check.id.id())?;
-        (!row.relation.is_empty()).then(|| format!("{} {} {}", row.value, row.relation, row.limit))
+        match (row.relation, row.limit.as_str()) {
+            (_, "") => None,
+            ("", limit) => Some(format!("{}, {limit}", row.value)),
+            (relation, limit) => Some(format!("{} {relation} {limit}", row.value)),
+        }
     }
 
     /// Returns the number of open checks that may reject the actuator.
@@ -123,6 +129,9 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Formatt
         value.zip(travel).and_then(|(value, travel)| shown.along(value, unit, travel)).unwrap_or_default()
     };
     let passes = *check.verdict == Verdict::Pass;
+    // "41 Nm > 0 Nm" where nothing holds: the words stand in the place of the limit.
+    let of_zero = check.limit.filter(|limit| limit.0 == 0.0 && !passes);
+    let of_zero = of_zero.and_then(|_| limit_of_zero(*check.id, shown.0));
     let both = check.value.zip(check.limit);
     let utilisation = check.utilisation.filter(|_| check.id.shows_utilisation(*check.verdict));
     CheckRow {
@@ -131,9 +140,11 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Formatt
         title: capitalised(&check.title),
         verdict: check.verdict.id(),
         value: figure(check.value),
-        limit: figure(check.limit),
-        line: [along(check.value), along(check.limit)],
-        relation: both.map_or("", |(value, limit)| check.direction.relation(passes, value.0, limit.0)),
+        limit: of_zero.map_or_else(|| figure(check.limit), str::to_owned),
+        line: [along(check.value), along(check.limit.filter(|_| of_zero.is_none()))],
+        relation: both
+            .filter(|_| of_zero.is_none())
+            .map_or("", |(value, limit)| check.direction.relation(passes, value.0, limit.0)),
         utilisation: utilisation.and_then(Number::written),
         margin: *check.verdict == Verdict::Fail || check.margin,
         is_of_another_gear: is_of_another_gear(check),

@@ -204,8 +204,19 @@ fn open_points_are_counted_once_and_for_all(sample: Sample, content: &Content) {
         let may = candidate.checks.iter().filter(|check| {
             *check.verdict == answers::Verdict::NotChecked && check.value.is_none() && !check.id.is_recommendation()
         });
-        for check in may {
-            assert!(cover.contains(&letters(&check.title)), "{}: {}", sample.name, check.title);
+        // Those with a rating of another gear rule out by a limit of the manufacturer alone, on the cover as in the list.
+        let (by_own_limit, may): (Vec<&Check>, Vec<&Check>) = may.partition(|check| check.id.may_be_rated_elsewhere());
+        let words = if de {
+            ["Den Antrieb ausschließen können", "Nur bei Angabe des Herstellers"]
+        } else {
+            ["The following may rule out the actuator", "Only if the manufacturer states a limit"]
+        };
+        for (those, words) in [(may, words[0]), (by_own_limit, words[1])] {
+            assert_eq!(cover.contains(&letters(words)), !those.is_empty(), "{}: {words}", sample.name);
+            let behind = cover.split(&letters(words)).nth(1).unwrap_or_default();
+            for check in those {
+                assert!(behind.contains(&letters(&check.title)), "{}: {}", sample.name, check.title);
+            }
         }
     }
 }
@@ -520,5 +531,39 @@ fn another_gearing_is_proposed_where_nothing_fits() {
         let text = letters(&pages_of(&content, &settings()));
         assert!(text.contains(&letters(words)), "{text}");
         assert!(proposed.iter().all(|found| text.contains(&letters(&found.code))), "{text}");
+    }
+}
+
+/// Where nothing holds the load or no torque is available, the report says so instead of a limit of zero.
+#[test]
+fn a_limit_of_zero_is_stated_in_words() {
+    let arm = |hold: &str, speed: &str| {
+        format!(
+            "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1.3 kg m^2\"\nexternal_torque = \"20 N m\"\n\
+             [[motion]]\nlaw = \"trapezoid\"\ndistance = \"900 deg\"\nspeed = \"{speed}\"\nacceleration = \"30 rad/s^2\"\n\
+             [[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\nhold = \"{hold}\"\n"
+        )
+    };
+    let cases = [
+        (arm("brake", "10 1/min"), "CHA-25A-100-H-C1024", ["no holding torque", "kein Haltemoment"]),
+        (arm("free", "10 1/min"), "CHA-25A-100-H-C1024", ["no holding torque", "kein Haltemoment"]),
+        (
+            arm("motor", "200 1/min"),
+            "CHA-25A-100-H-C1024",
+            ["no torque at this speed", "kein Drehmoment bei dieser Drehzahl"],
+        ),
+    ];
+    for (text, code, words) in cases {
+        for (content, words) in
+            samples::made_in(&text, Some(code), &[Language::En, Language::De], false).iter().zip(words)
+        {
+            let of_zero = checks(content).filter(|check| check.limit.is_some_and(|limit| limit.0 == 0.0));
+            assert!(of_zero.count() > 0, "{text}");
+            let pages = dense(&pages_of(content, &settings()));
+            assert!(pages.contains(&dense(words)), "{words}");
+            let none =
+                |found: &str| pages.match_indices(found).any(|(at, _)| pages[at + found.len()..].starts_with("0Nm"));
+            assert!(!none(">") && !none("≤"), "{words}: {pages}");
+        }
     }
 }
