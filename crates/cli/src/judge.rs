@@ -8,13 +8,13 @@ use crate::waiting::progress;
 use crate::{moves, report, tolerance};
 use anstyle::{AnsiColor, Style};
 use quantities::unit::{KILOGRAM, NEWTON_METRE};
-use quantities::{Language, Measure, format_number, format_significant};
+use quantities::{Language, Measure, format_number};
 use questions::list::check::Verification;
 use questions::list::size::Ranking;
 use questions::list::{Inquiry, Unanswered, check, size};
 use questions::texts::{
-    by_importance, checked_text, counts_text, demand_figures, fitting_text, margin_text, mend_text, objection_text,
-    percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_text,
+    by_importance, checked_text, counts_text, demand_figures, fitting_text, instant_text, margin_text, mend_text,
+    objection_text, percent, provisos, reason, rejections, shown, standing_text, unit_text, verdict_text,
 };
 use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdict};
 use std::collections::BTreeSet;
@@ -335,7 +335,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
             checked_text(check.id, check.limit, language),
             unit_text(check.value, language).to_owned(),
             margin_text(check, language),
-            check.at.map_or_else(|| "–".into(), |at| format_significant(at.si(), 3, language)),
+            check.at.map_or_else(|| "–".into(), |at| instant_text(at, language)),
             source,
         ]);
     }

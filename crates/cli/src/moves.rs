@@ -26,7 +26,6 @@ pub(crate) fn moves(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
 pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     let [distance, speed, acceleration] = moves.units.map(|unit| unit.symbol_in(language));
     let speed_word = if moves.turns { terms::rotary_speed(language) } else { terms::linear_speed(language) };
-    let number = |value: f64| format_significant(value, 4, language);
     let mut table = TextTable::new([
         (terminal::segment_of_motion(language).to_owned(), Align::Right),
         (terms::law(language).to_owned(), Align::Left),
@@ -40,12 +39,12 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
         let cells = match each.course {
             Some([s, v, a]) => {
                 let [distance, speed, acceleration] = moves.units;
-                [number(distance.from_si(s)), number(speed.from_si(v)), number(acceleration.from_si(a))]
+                [(distance, s), (speed, v), (acceleration, a)].map(|(unit, si)| unit.figure(si, 4, language))
             }
             None => ["–", "–", "–"].map(str::to_owned),
         };
         let [distance, speed, acceleration] = cells;
-        let time = |si: f64| number(SECOND.from_si(si));
+        let time = |si: f64| SECOND.figure(si, 4, language);
         let (start, duration) = (time(each.start.si()), time(each.duration.si()));
         let law = law_text(each.law, language).to_owned();
         table.row([(index + 1).to_string(), law, start, duration, distance, speed, acceleration]);

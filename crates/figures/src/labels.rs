@@ -1,12 +1,12 @@
 //! Numbers and words of figures.
 
-use quantities::{Language, Unit, format_significant};
+use quantities::{Language, Unit};
 use questions::Candidate;
 use words::{percent_text, pictures};
 
 /// Writes a value with four digits and its unit.
 pub(crate) fn amount(si: f64, unit: &Unit, language: Language) -> String {
-    let number = format_significant(unit.from_si(si), 4, language);
+    let number = unit.figure(si, 4, language);
     match unit.symbol_in(language) {
         "1" => number,
         symbol @ ("°" | "′") => format!("{number}{symbol}"),

@@ -4,8 +4,8 @@ use crate::form::{id, label, vals};
 use crate::{overlay, value};
 use maud::{Markup, html};
 use project::{Key, key_at};
-use quantities::{Language, Measure, format_significant};
-use questions::texts::{by_importance, checked_text, margin_share, margin_text, unit_text, verdict_text};
+use quantities::{Language, Measure};
+use questions::texts::{by_importance, checked_text, instant_text, margin_share, margin_text, unit_text, verdict_text};
 use questions::{Candidate, Check, Part, Verdict};
 use words::{
     about_text, capitalised, check_missing, grade_word, note_text, page, part_title, short_label, source_text,
@@ -90,7 +90,7 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
             td.number {
                 (margin_text(check, l))
                 @if let Some(at) = check.at {
-                    " " button type="button" class={ "mark-number " (class) } data-instant=(at.si()) title={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } aria-label={ (page::jump_to_worst(l)) ": " (page::worst_instant(&format_significant(at.si(), 3, l), l)) } {
+                    " " button type="button" class={ "mark-number " (class) } data-instant=(at.si()) title={ (page::jump_to_worst(l)) ": " (page::worst_instant(&instant_text(at, l), l)) } aria-label={ (page::jump_to_worst(l)) ": " (page::worst_instant(&instant_text(at, l), l)) } {
                         (overlay::number(worst, check).map_or_else(String::new, |number| number.to_string()))
                     }
                 }

@@ -5,6 +5,7 @@ use crate::checks::verdict_class;
 use crate::state::PageState;
 use maud::{Markup, html};
 use project::Project;
+use quantities::unit::SECOND;
 use quantities::{Language, Measure, format_significant};
 use questions::texts::by_importance;
 use questions::{Candidate, Check, moves};
@@ -70,7 +71,7 @@ pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
                 @for (place, each) in worst.iter().enumerate() {
                     @let names = each.checks.iter().map(|check| title_of_check(check, l)).collect::<Vec<_>>().join(", ");
                     @let first = each.checks.first().map(|check| check.id.id()).unwrap_or_default();
-                    @let title = format!("{}: {}", page::worst_instant(&format_significant(each.at_s, 3, l), l), names);
+                    @let title = format!("{}: {}", page::worst_instant(&SECOND.figure(each.at_s, 3, l), l), names);
                     @let class = each.checks.first().map(|check| verdict_class(check.verdict)).unwrap_or_default();
                     button type="button" class={ "mark-number " (class) } id={ "mark-" (place) } data-instant=(each.at_s) data-row={ "check-" (first) }
                         title=(title) aria-label={ (place + 1) ": " (title) } { (place + 1) }

@@ -155,3 +155,46 @@ mod tests {
         }
     }
 }
+
+impl Dimension {
+    /// Returns the resolution of computed figures in SI: a smaller one is the rounding of its computation, such as an
+    /// instant of 3·10⁻¹⁰ s for the start. Zero where small values occur.
+    ///
+    /// # Source
+    /// A choice, far below all that matters for an axis: 1 ns, 1 µN, 1 pm, 1 prad.
+    #[must_use]
+    pub const fn resolution_si(self) -> f64 {
+        match self {
+            Self::Torque | Self::Force | Self::Power | Self::Energy | Self::Voltage | Self::EffectiveVoltage => 1e-6,
+            Self::Current => 1e-8,
+            Self::Time
+            | Self::AngularVelocity
+            | Self::AngularAcceleration
+            | Self::AngularJerk
+            | Self::Velocity
+            | Self::Acceleration
+            | Self::Jerk => 1e-9,
+            Self::Angle | Self::Length => 1e-12,
+            Self::MomentOfInertia
+            | Self::Lead
+            | Self::Area
+            | Self::Mass
+            | Self::MassDensity
+            | Self::Resistance
+            | Self::Resistivity
+            | Self::Inductance
+            | Self::Temperature
+            | Self::TemperatureInterval
+            | Self::Frequency
+            | Self::Pressure
+            | Self::Ratio
+            | Self::TorqueConstant
+            | Self::VoltageConstant
+            | Self::NoLoadCurrentConstant
+            | Self::TorsionalStiffness
+            | Self::TiltingStiffness
+            | Self::ViscousFriction
+            | Self::Information => 0.0,
+        }
+    }
+}

@@ -49,6 +49,22 @@ pub fn format_significant(value: f64, digits: usize, language: Language) -> Stri
 }
 
 impl Unit {
+    /// Formats a computed figure, given in SI, in this unit with a count of significant digits
+    /// ([`format_significant`]); one below the resolution of its quantity ([`Dimension::resolution_si`]) is 0.
+    #[must_use]
+    pub fn figure(&self, si: f64, digits: usize, language: Language) -> String {
+        if self.is_below_resolution(self.from_si(si)) {
+            return "0".to_owned();
+        }
+        format_significant(self.from_si(si), digits, language)
+    }
+
+    /// Returns `true` if a computed value in this unit is below the resolution of its quantity.
+    #[must_use]
+    pub fn is_below_resolution(&self, value: f64) -> bool {
+        self.to_si(value).abs() < self.dimension.resolution_si()
+    }
+
     /// Returns the spelling for display in a language: `rev`, the only word among the symbols, is `Umdr.` in German, and `U` in a
     /// quotient.
     #[must_use]
@@ -179,6 +195,31 @@ mod tests {
         ] {
             assert_eq!(format_significant(value, digits, Language::De), text);
         }
+    }
+
+    /// A figure below the resolution of its quantity is 0 in every unit, and all others are unchanged.
+    #[test]
+    fn the_rounding_of_a_computation_is_zero() {
+        for unit in crate::unit::ALL {
+            let resolution = unit.dimension.resolution_si();
+            for mantissa in [1.5, 2.345, 9.99] {
+                for exponent in -20..7 {
+                    for sign in [1.0, -1.0] {
+                        let si = sign * mantissa * 10_f64.powi(exponent);
+                        for language in Language::ALL {
+                            let plain = format_significant(unit.from_si(si), 4, language);
+                            let expected = if si.abs() < resolution { "0" } else { plain.as_str() };
+                            assert_eq!(unit.figure(si, 4, language), expected, "{si} {}", unit.symbol);
+                        }
+                    }
+                }
+            }
+        }
+        use crate::unit::{NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, SECOND};
+        assert_eq!(SECOND.figure(3e-10, 3, Language::De), "0");
+        assert_eq!(SECOND.figure(62.5e-6, 3, Language::De), "6,25·10⁻⁵");
+        assert_eq!(RADIAN_PER_SECOND_SQUARED.figure(3.6e-11, 4, Language::En), "0");
+        assert_eq!(NEWTON_METRE.figure(6.346e-7, 4, Language::En), "0");
     }
 
     #[test]

@@ -14,13 +14,19 @@ const DIGITS: usize = 6;
 /// Returns the value of a figure with its unit as text.
 #[must_use]
 pub fn node_amount(node: &Node, language: Language) -> String {
-    amount(node.value.0, Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol_in(language)), language)
+    let (number, unit) = number_and_unit(node, language);
+    if unit == "1" { number } else { format!("{number} {unit}") }
 }
 
 /// Returns the number of a figure as text, and the symbol of its unit; `1` for a ratio.
 #[must_use]
 pub fn number_and_unit(node: &Node, language: Language) -> (String, &'static str) {
-    (number_text(node.value.0, language), Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol_in(language)))
+    let value = node.value.0;
+    match Unit::of(node.unit) {
+        Some(unit) if unit.is_below_resolution(value) => ("0".to_owned(), unit.symbol_in(language)),
+        Some(unit) => (number_text(value, language), unit.symbol_in(language)),
+        None => (number_text(value, language), node.unit),
+    }
 }
 
 /// Returns a number of a derivation as text.
@@ -41,9 +47,12 @@ pub fn derivation(check: &Check, language: Language) -> Derivation {
     Derivation { value: of(Part::Value), limit: of(Part::Limit) }
 }
 
-fn amount(value: f64, unit: &str, language: Language) -> String {
-    let number = number_text(value, language);
-    if unit == "1" { number } else { format!("{number} {unit}") }
+fn amount(value: f64, unit: &Unit, language: Language) -> String {
+    let number = if unit.is_below_resolution(value) { "0".to_owned() } else { number_text(value, language) };
+    match unit.symbol_in(language) {
+        "1" => number,
+        symbol => format!("{number} {symbol}"),
+    }
 }
 
 fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> Option<Node> {
@@ -94,8 +103,12 @@ fn written(formula: &Formula, operands: &[usize], steps: &[Step], language: Lang
         step.map_or_else(
             || symbol_shown(name),
             |step| {
-                let text = amount(step.value(), step.unit.symbol_in(language), language);
-                if step.value() < 0.0 { format!("({text})") } else { text }
+                let text = amount(step.value(), step.unit, language);
+                if step.value() < 0.0 && !step.unit.is_below_resolution(step.value()) {
+                    format!("({text})")
+                } else {
+                    text
+                }
             },
         )
     };

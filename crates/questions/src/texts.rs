@@ -18,7 +18,7 @@ use configurator::Unmet;
 use order_code::OrderCode;
 use project::RecordingRead;
 use quantities::unit::{
-    ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, YEAR,
+    ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND, YEAR,
 };
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
 use recording::{ColumnRead, KnownBy};
@@ -155,7 +155,7 @@ pub fn margin_share(check: &Check) -> Option<f64> {
 /// Formats a value in its unit, with four digits.
 #[must_use]
 pub fn shown(si: f64, unit: &Unit, language: Language) -> String {
-    format_significant(unit.from_si(si), 4, language)
+    unit.figure(si, 4, language)
 }
 
 /// Formats value or limit of a check: as [`figure_text`], a degree of protection as its code.
@@ -170,7 +170,7 @@ pub fn checked_text(id: CheckId, figure: Option<Amount>, language: Language) -> 
 /// Formats a figure in its unit, with four digits, or as a dash.
 #[must_use]
 pub fn figure_text(figure: Option<Amount>, language: Language) -> String {
-    figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
+    figure.map_or_else(|| "–".into(), |figure| figure.unit.figure(figure.si, 4, language))
 }
 
 /// Returns the verdict on a candidate in a few words, with the kind of limit that it depends on.
@@ -293,6 +293,12 @@ fn excess_text(check: &Check, language: Language) -> String {
             }
         }
     }
+}
+
+/// Formats an instant in seconds, with three digits.
+#[must_use]
+pub fn instant_text(instant: Time, language: Language) -> String {
+    SECOND.figure(instant.si(), 3, language)
 }
 
 /// Returns a number with the symbol of its unit; a plain number without.

@@ -87,8 +87,9 @@ impl Formatter {
 
     /// Formats a number with its unit.
     pub(super) fn figure(&self, value: Number, unit: &str) -> String {
+        let is_rounding = Unit::of(unit).is_some_and(|unit| unit.is_below_resolution(value.0));
         let unit = self.unit(unit);
-        let number = self.number(value);
+        let number = if is_rounding { "0".to_owned() } else { self.number(value) };
         match unit.as_str() {
             "" => number,
             "°" => format!("{number}°"),
