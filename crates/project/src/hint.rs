@@ -31,6 +31,13 @@ pub enum Hint {
         /// Heading of the table: `[[motion]]`.
         table: String,
     },
+    /// The keys of the same section for a quantity of this kind, none of which has the written name.
+    KeysOfQuantity {
+        /// Kind of the value.
+        dimension: Dimension,
+        /// Keys.
+        keys: Vec<&'static str>,
+    },
     /// The turns of a winder for a length or speed of its web.
     WebOfWinder {
         /// Speed of the web \[m/s\], if the value is one.
@@ -49,6 +56,11 @@ impl Hint {
             [only] => Self::DidYouMean((*only).to_owned()),
             several => Self::valid(several),
         }
+    }
+
+    /// Returns `true` if it names a key of the segments.
+    pub(crate) fn is_of_a_segment(&self) -> bool {
+        matches!(self, Self::KeyOfTable { table, .. } if table == "[[motion]]")
     }
 
     /// Creates the list of the valid names.

@@ -3,6 +3,7 @@
 use crate::Hint;
 use crate::key::{Key, Kind};
 use crate::read::{WORD_SHOWN, shortened};
+use quantities::Dimension;
 
 /// Other names of keys: those of other programs, and German ones.
 const OTHER_NAMES: [(&str, &str); 16] = [
@@ -37,6 +38,25 @@ pub(crate) fn meant(written: &str, keys: &'static [Key]) -> Option<Hint> {
     }
     let has = |key: &&Key| matches!(key.kind, Kind::OneOf(words) if words.contains(&written.as_str()));
     keys.iter().find(has).map(|key| Hint::DidYouMean(format!("{} = \"{written}\"", key.name)))
+}
+
+/// Returns the keys of a table for a quantity of the kind of a value; `None` if the value is no quantity with its unit or the
+/// table has none or more than a handful.
+pub(crate) fn of_the_quantity(value: &str, keys: &'static [Key]) -> Option<Hint> {
+    const MOST: usize = 6;
+    let mut found: Option<(Dimension, Vec<&'static str>)> = None;
+    for key in keys {
+        let dimensions = match key.kind {
+            Kind::Quantity(dimension, _) => [Some(dimension), None],
+            Kind::Along(turning, line, _) => [Some(turning), Some(line)],
+            _ => [None, None],
+        };
+        if let Some(dimension) = dimensions.into_iter().flatten().find(|each| quantities::parse(*each, value).is_ok()) {
+            found.get_or_insert((dimension, Vec::new())).1.push(key.name);
+        }
+    }
+    let (dimension, keys) = found?;
+    (keys.len() <= MOST).then_some(Hint::KeysOfQuantity { dimension, keys })
 }
 
 /// Returns the table of an axis that has a key, if only one has it.
@@ -95,7 +115,36 @@ mod tests {
         let faults = Project::read(text, &|_, _| None).unwrap_err();
         let motion = Hint::KeyOfTable { key: "payload", table: "[[motion]]".to_owned() };
         assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&motion)), "{faults:?}");
+        // One that has nothing to do with this mechanism leads to the keys of the mechanism for such a quantity first.
+        let text = "format = 1\n[mechanism.arm]\nlength = \"500 mm\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
+        let faults = Project::read(text, &|_, _| None).unwrap_err();
+        let keys = vec!["centre_distance", "payload_distance"];
+        let lengths = Hint::KeysOfQuantity { dimension: quantities::Dimension::Length, keys };
+        assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&lengths)), "{faults:?}");
         // A name without a meaning in this table is still in the list.
         assert!(hints("voltage = \"560 V\"").iter().all(|hint| !matches!(hint, Hint::DidYouMean(_))));
+    }
+
+    /// In every mechanism and in the load an unknown key with a length, mass or inertia leads to the keys of that section for
+    /// it, before another section that has a key of the name.
+    #[test]
+    fn an_unknown_key_leads_to_its_own_section_first() {
+        let table = |name: &str| crate::root::KEYS.iter().find(|key| key.name == name).unwrap();
+        let mechanisms = table("mechanism").kind.keys(false).iter().map(|key| (format!("mechanism.{}", key.name), key));
+        let mut tried = 0;
+        for (path, section) in mechanisms.chain([("load".to_owned(), table("load"))]) {
+            let keys = section.kind.keys(false);
+            for (name, value) in [("length", "500 mm"), ("mass", "5 kg"), ("inertia_out", "2 kg m^2")] {
+                let own = super::of_the_quantity(value, keys);
+                let has = |key: &crate::Key| strsim::damerau_levenshtein(key.name, name) * 2 <= key.name.len();
+                let is_near = |key: &crate::Key| key.name.starts_with(name) || name.starts_with(key.name) || has(key);
+                let Some(own) = own.filter(|_| !keys.iter().any(is_near)) else { continue };
+                let text = format!("format = 1\n[{path}]\n{name} = \"{value}\"\n");
+                let faults = Project::read(&text, &|_, _| None).unwrap_err();
+                assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&own)), "{path}.{name}: {faults:?}");
+                tried += 1;
+            }
+        }
+        assert!(tried >= 8, "{tried}");
     }
 }

@@ -3,7 +3,7 @@
 use crate::bodies::BodySection;
 use crate::inputs::Input;
 use crate::key::{Key, Kind, Variants, example};
-use crate::nearest::{in_another_table, meant, nearest};
+use crate::nearest::{in_another_table, meant, nearest, of_the_quantity};
 use crate::section::{Fields, Section};
 use crate::stated::SectionHead;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
@@ -122,7 +122,7 @@ impl<'t> Reader<'t> {
                 section.head_mut().has_strays = true;
                 // In a damaged file the key may belong to a heading that could not be read.
                 if !self.damaged {
-                    self.unknown_key(name, keys, path);
+                    self.unknown_key(name, value.get_ref(), keys, path);
                 }
                 continue;
             };
@@ -153,12 +153,23 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn unknown_key(&mut self, name: &Spanned<std::borrow::Cow<'_, str>>, keys: &'static [Key], path: &str) {
+    fn unknown_key(
+        &mut self,
+        name: &Spanned<std::borrow::Cow<'_, str>>,
+        value: &DeValue<'_>,
+        keys: &'static [Key],
+        path: &str,
+    ) {
         let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
         let fault = Fault::UnknownKey { path: joined(path, &shortened(name.get_ref(), WORD_SHOWN)) };
         let hint = self.nearest(name.get_ref(), &names).map(|near| match near {
             Hint::ValidAre(_) => {
-                meant(name.get_ref(), keys).or_else(|| in_another_table(name.get_ref())).unwrap_or(near)
+                let quantity = || value.as_str().and_then(|text| of_the_quantity(text, keys));
+                let elsewhere = || in_another_table(name.get_ref());
+                // A load of a segment has its own table in every project; other tables may have nothing to do with this one.
+                let of_a_segment = || elsewhere().filter(Hint::is_of_a_segment);
+                let found = meant(name.get_ref(), keys).or_else(of_a_segment).or_else(quantity).or_else(elsewhere);
+                found.unwrap_or(near)
             }
             near => near,
         });

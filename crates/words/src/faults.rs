@@ -389,6 +389,13 @@ pub fn hint_text(hint: &Hint, language: Language) -> String {
         Hint::KeyOfTable { key, table } => said!(language =>
             "`{key}` is a key of {table}" | "`{key}` gehört in {table}"
         ),
+        Hint::KeysOfQuantity { dimension, keys } => {
+            let (what, keys) = (dimension.name(language), keys.join(", "));
+            said!(language =>
+                "keys of this table for this quantity ({what}): {keys}"
+                | "Schlüssel dieser Tabelle für diese Größe ({what}): {keys}"
+            )
+        }
         Hint::WebOfWinder { web_m_s, start_m, core_m } => {
             crate::motion::web_of_winder(*web_m_s, [*start_m, *core_m], language)
         }

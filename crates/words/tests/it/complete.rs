@@ -504,6 +504,7 @@ fn faults_and_hints() {
         Hint::MechanismsWithLoads,
         Hint::CloseTheRecording,
         Hint::TimeOfClock,
+        Hint::KeysOfQuantity { dimension: Dimension::Length, keys: vec!["centre_distance", "payload_distance"] },
         Hint::KeyOfTable { key: "payload", table: "[[motion]]".to_owned() },
         Hint::WebOfWinder { web_m_s: Some(0.4), start_m: 0.4, core_m: 0.076 },
         Hint::WebOfWinder { web_m_s: None, start_m: 0.4, core_m: 0.076 },
