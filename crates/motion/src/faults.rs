@@ -19,6 +19,18 @@ pub enum Needed {
     SpeedAndTimeOrDistance,
 }
 
+impl Needed {
+    /// Returns the largest number of quantities that determine the move; more contradict each other or repeat one.
+    #[must_use]
+    pub const fn most(self) -> usize {
+        match self {
+            Self::TwoOfFour | Self::DistanceAndTime | Self::SpeedAndTimeOrDistance => 2,
+            Self::TwoOrThreeOfFour | Self::DistanceSpeedAcceleration => 3,
+            Self::DistanceAndLimits => 4,
+        }
+    }
+}
+
 /// A fault of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MoveFault {

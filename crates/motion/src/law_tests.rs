@@ -1,5 +1,5 @@
 use super::*;
-use crate::MoveFault;
+use crate::{MoveFault, Needed};
 use quantities::Measure;
 
 const NORMALISED: [Law; 7] = [
@@ -151,4 +151,17 @@ fn boundary_speeds_are_met() {
         state = (end.position_rad, end.speed_rad_s);
     }
     assert!((state.0 - 1.4).abs() < 1e-12 && (state.1 - 1.0).abs() < 1e-12, "{state:?}");
+}
+
+/// With all four quantities every law has too many of them, and with none too few.
+#[test]
+fn all_quantities_are_more_than_a_law_needs() {
+    for law in Law::ALL {
+        for (value, is_over) in [(Some(1.0), true), (None, false)] {
+            let found = law.pieces(&given(value, value, value, value), 0.0);
+            let Err(MoveFault::NotDetermined { given, needed }) = found else { panic!("{law:?}") };
+            // Limits of the jerk need the jerk beside distance, speed and acceleration instead of the time.
+            assert_eq!(given > needed.most(), is_over && needed != Needed::DistanceAndLimits, "{law:?} {needed:?}");
+        }
+    }
 }

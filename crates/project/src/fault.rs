@@ -159,6 +159,13 @@ pub enum Fault {
         /// Dimensions of the columns.
         columns: &'static [ColumnDimensions],
     },
+    /// A ratio of either sign that is zero or nearly so.
+    RatioTooSmall {
+        /// Path of the ratio.
+        path: String,
+        /// Smallest and largest magnitude.
+        magnitude: (f64, f64),
+    },
     /// A list of ratios that is empty or too long.
     RatioCount {
         /// Largest number of ratios.
@@ -412,6 +419,7 @@ impl Fault {
             Self::NotAChoice { .. } => "not_a_choice",
             Self::TooManyEntries { .. } => "too_many_entries",
             Self::NotARow { .. } => "not_a_row",
+            Self::RatioTooSmall { .. } => "ratio_too_small",
             Self::RatioCount { .. } => "ratio_count",
             Self::RatioAndRatios => "ratio_and_ratios",
             Self::NoRatioInACoupling { .. } => "no_ratio_in_a_coupling",

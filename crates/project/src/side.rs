@@ -69,9 +69,9 @@ pub(crate) fn ratios(segment: &Segment, reader: &mut Reader<'_>) -> Side {
     let stated = |role: Role| stated(segment.recorded_ratio.get(), role);
     let ratio = |role: Role| stated(role).and_then(Stated::value);
     for (role, _) in SIDED {
-        let (low, high) = RATIO_BOUNDS;
-        if let Some(field) = stated(role).filter(|field| field.value().is_some_and(|ratio| ratio.abs() < low)) {
-            reader.fault(field.span(), Fault::NumberOutOfRange { path: field.path(), low, high }, None);
+        let magnitude = RATIO_BOUNDS;
+        if let Some(field) = stated(role).filter(|field| field.value().is_some_and(|ratio| ratio.abs() < magnitude.0)) {
+            reader.fault(field.span(), Fault::RatioTooSmall { path: field.path(), magnitude }, None);
         }
     }
     if let Some(read) = segment.recording() {

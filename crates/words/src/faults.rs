@@ -124,13 +124,23 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         }
         Fault::Quantity { path, error, .. } => format!("`{path}`: {}", quantity_fault(error, language)),
         #[allow(clippy::float_cmp, reason = "bounds that are written equal")]
-        Fault::NumberOutOfRange { path, low, high } if low == high => {
-            said!(language => "`{path}` must be {low}" | "`{path}` muss {low} sein")
+        Fault::NumberOutOfRange { path, low, high } => {
+            let [least, most] = [low, high].map(|bound| bound_text(*bound, language));
+            if low == high {
+                return said!(language => "`{path}` must be {least}" | "`{path}` muss {least} sein");
+            }
+            said!(language =>
+                "`{path}` must be a number from {least} to {most}"
+                | "`{path}` muss eine Zahl von {least} bis {most} sein"
+            )
         }
-        Fault::NumberOutOfRange { path, low, high } => said!(language =>
-            "`{path}` must be a number from {low} to {high}"
-            | "`{path}` muss eine Zahl von {low} bis {high} sein"
-        ),
+        Fault::RatioTooSmall { path, magnitude } => {
+            let [least, most] = [magnitude.0, magnitude.1].map(|bound| bound_text(bound, language));
+            said!(language =>
+                "`{path}` must be a number from {least} to {most}, or such a negative one"
+                | "`{path}` muss eine Zahl von {least} bis {most} oder von −{most} bis −{least} sein"
+            )
+        }
         Fault::QuantityOutOfRange { path, written, positive } => {
             let (en, de) = if *positive {
                 ("must be greater than zero", "muss größer als null sein")
@@ -410,6 +420,12 @@ fn more(count: usize, language: Language) -> String {
         1 => said!(language => "and 1 more fault" | "und 1 weiterer Fehler"),
         _ => said!(language => "and {count} more faults" | "und {count} weitere Fehler"),
     }
+}
+
+/// Returns a bound of a plain number with all of its digits.
+fn bound_text(bound: f64, language: Language) -> String {
+    let text = bound.to_string().replace('-', "−");
+    if language == Language::De { text.replace('.', ",") } else { text }
 }
 
 fn shown(si: f64, unit: &Unit, language: Language) -> String {

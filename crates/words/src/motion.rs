@@ -73,12 +73,20 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
             ))
         }
         MoveFault::NotDetermined { given, needed } => {
+            let is_over = *given > needed.most();
             let needed = needed_words(*needed, language);
             (
-                said!(language =>
-                    "the stated quantities do not determine this move ({given} stated)"
-                    | "diese Bewegung ist durch die Angaben nicht bestimmt ({given} Größen angegeben)"
-                ),
+                if is_over {
+                    said!(language =>
+                        "the stated quantities overdetermine this move ({given} stated)"
+                        | "diese Bewegung ist durch die Angaben überbestimmt ({given} Größen angegeben)"
+                    )
+                } else {
+                    said!(language =>
+                        "the stated quantities do not determine this move ({given} stated)"
+                        | "diese Bewegung ist durch die Angaben nicht bestimmt ({given} Größen angegeben)"
+                    )
+                },
                 Some(said!(language => "state {needed}" | "anzugeben: {needed}")),
             )
         }

@@ -90,6 +90,7 @@ fn cases() -> Vec<(&'static str, String, At)> {
         ("tolerance_missing", inertia("\"1.3 kg m^2 ±\""), Field("load.inertia")),
         ("tolerance_negative", inertia("\"1.3 kg m^2 ± -5 %\""), Field("load.inertia")),
         ("tolerance_of_offset_scale", more("[requirements]\nambient = \"20 degC ± 5 %\"\n"), Field("requirements.ambient")),
+        ("ratio_too_small", recorded("recorded_ratio = { position = 0.0 }"), Field("motion[1].recorded_ratio.position")),
         ("number_out_of_range", more("[bearing]\nload_factor = 9.0\n"), Field("bearing.load_factor")),
         ("quantity_out_of_range", inertia("\"-1 kg m^2\""), Field("load.inertia")),
         ("below_absolute_zero", more("[requirements]\nambient = \"-300 degC\"\n"), Field("requirements.ambient")),

@@ -197,6 +197,7 @@ fn move_faults() -> Vec<Fault> {
     ];
     let mut all: Vec<MoveFault> =
         needed.into_iter().map(|needed| MoveFault::NotDetermined { given: 1, needed }).collect();
+    all.extend(needed.map(|needed| MoveFault::NotDetermined { given: needed.most() + 1, needed }));
     all.extend([
         MoveFault::NoSegment,
         MoveFault::NoDuration,
@@ -428,6 +429,7 @@ fn other_faults() -> Vec<Fault> {
         },
         Fault::NumberOutOfRange { path: path(), low: 0.0, high: 1.0 },
         Fault::NumberOutOfRange { path: path(), low: 1.0, high: 1.0 },
+        Fault::RatioTooSmall { path: path(), magnitude: (1e-4, 1e4) },
         Fault::QuantityOutOfRange { path: path(), written: word(), positive: true },
         Fault::QuantityOutOfRange { path: path(), written: word(), positive: false },
         Fault::BelowAbsoluteZero { path: path(), written: word() },
@@ -511,5 +513,32 @@ fn faults_and_hints() {
     ];
     for hint in &hints {
         differ(&format!("{hint:?}"), |language| words::hint_text(hint, language));
+    }
+}
+
+/// A move with more quantities than determine it is overdetermined, and one with fewer is not determined.
+#[test]
+fn an_overdetermined_move_is_called_so() {
+    for fault in move_faults() {
+        let Fault::Move { fault: MoveFault::NotDetermined { given, needed }, .. } = &fault else { continue };
+        let text = words::fault_text(&fault, Language::De);
+        assert_eq!(text.contains("überbestimmt"), *given > needed.most(), "{text}");
+        assert_eq!(text.contains("nicht bestimmt"), *given <= needed.most(), "{text}");
+    }
+}
+
+/// The bounds of a number have the decimal sign of the language and all of their digits.
+#[test]
+fn bounds_are_written_in_the_language() {
+    let of = |low: f64, high: f64, language| {
+        words::fault_text(&Fault::NumberOutOfRange { path: "stage.ratio".to_owned(), low, high }, language)
+    };
+    for (low, high, en, de) in [
+        (0.01, 1000.0, "from 0.01 to 1000", "von 0,01 bis 1000"),
+        (-1e4, 1e4, "from −10000 to 10000", "von −10000 bis 10000"),
+        (1e-6, 1e9, "from 0.000001 to 1000000000", "von 0,000001 bis 1000000000"),
+    ] {
+        assert!(of(low, high, Language::En).contains(en), "{}", of(low, high, Language::En));
+        assert!(of(low, high, Language::De).contains(de), "{}", of(low, high, Language::De));
     }
 }
