@@ -440,7 +440,7 @@ pub fn identify_while(
     let load = load::Load { is_delayed: found.are_lags_estimated[0], ..load };
     let shares = load::estimate(&run, &windows, &load, &mut found)?;
     found.payload = shares.payload.map(|share| [share.value, share.half_width]);
-    motor::estimate(&windows, stated.parameters, found.are_lags_estimated[1], &mut found);
+    motor::estimate(&windows, shares.has_losses, stated.parameters, found.are_lags_estimated[1], &mut found);
     found.motor_lag_s += shifted_s;
     if let Some((run, windows)) = &delays.torque_or {
         let mut other = Identification::default();
@@ -450,7 +450,7 @@ pub fn identify_while(
     }
     if let Some((_, windows)) = &delays.current_or {
         let mut other = Identification::default();
-        motor::estimate(windows, stated.parameters, true, &mut other);
+        motor::estimate(windows, shares.has_losses, stated.parameters, true, &mut other);
         found.widen(&other);
     }
     external(stated.mechanism.plain(extras.first().unwrap_or(&first)).map(|plain| plain.constant_nm), &mut found);

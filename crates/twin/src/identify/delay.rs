@@ -126,7 +126,7 @@ const SHIFTED_ROWS: f64 = 2.0;
 /// the lag approaches that of [`Equations::lag_s`]; beyond 0.1 s the run stays as it is
 pub(super) fn aligned(run: Observed, windows: Windows, made: Made<'_>) -> (Observed, Windows, f64) {
     // Without the torsion of the gear, whose rate has the scale of the torque.
-    let lag_s = |windows: &Windows| Equations::of(windows, None, false).lag_s(Scale::NONE);
+    let lag_s = |windows: &Windows| Equations::of(windows, false, None, false).lag_s(Scale::NONE);
     let mut left_s = lag_s(&windows);
     if left_s.abs() < SHIFTED_S.max(SHIFTED_ROWS * windows.step_s) {
         return (run, windows, 0.0);
@@ -178,7 +178,7 @@ pub(super) fn removed(
         now = found.removed.unwrap_or(now);
     }
     let motor = |_: &Observed, windows: &Windows| {
-        let rows = Equations::of(windows, None, false).rows_of_delay();
+        let rows = Equations::of(windows, false, None, false).rows_of_delay();
         Trial::of(rows, &[], 0.0)
     };
     if let Some(found) = sought(&now, settle_s, Signal::Current, made, &motor) {

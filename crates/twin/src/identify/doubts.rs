@@ -354,8 +354,8 @@ pub(super) fn of_estimates(
         doubts.push(Doubt::new(Column::Position, Misread::Reversed, -1.0));
     }
     if !has_doubt && let (Some(constant), Some(tabulated)) = (of(Identified::TorqueConstant), &tabulated) {
-        let value = constant.value / tabulated.output_nm_a;
-        let half = constant.half_width / tabulated.output_nm_a;
+        let Share { value, half_width: half } =
+            tabulated.relative(Share { value: constant.value, half_width: constant.half_width });
         let least = 0.02 * mean(|window| window.current.abs());
         if value < 0.0 {
             doubts.push(Doubt::new(Column::Current, Misread::Reversed, value));
@@ -381,7 +381,7 @@ fn unscaled(tabulated: Option<&Tabulated>, found: &mut Identification) {
     let Some(tabulated) = tabulated else { return };
     let constant = found.estimates.iter().find(|each| each.of == Identified::TorqueConstant);
     let is_sure = constant.is_some_and(|each| {
-        scale::excludes_root_two(each.value / tabulated.output_nm_a, each.half_width / tabulated.output_nm_a)
+        scale::excludes_root_two(tabulated.relative(Share { value: each.value, half_width: each.half_width }))
     });
     let of_current = [Identified::TorqueConstant, Identified::StartingCurrent, Identified::CurrentConstant];
     let open: Vec<Identified> =

@@ -42,6 +42,8 @@ pub(super) struct Shares {
     pub(super) weights: Vec<Share>,
     /// Constant torque: weight of a linear drive, external torque.
     pub(super) constant: Option<Share>,
+    /// The mechanism has losses by the direction of power.
+    pub(super) has_losses: bool,
     /// Largest rms deviation of a stroke from a load that carries what the project states \[Nm\], if payloads of its own explain it.
     pub(super) unstated_nm: Option<f64>,
 }
@@ -200,6 +202,7 @@ fn plainly(
         others: others.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
         weights: weights.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
         constant: Share::of(of, constant, first.constant_nm).filter(|_| both_ways),
+        has_losses: false,
         unstated_nm,
     };
     let mut taken = |of, place: Option<usize>| take(&fit, of, place, both_ways, found);
@@ -348,7 +351,8 @@ fn beside(
     let unstated_nm = if is_even { unstated(&rows, &fit, &per_stroke) } else { None };
     let stated_nm = load.losses.filter(|_| is_even && both_ways).map_or(0.0, |losses| losses.constant_nm(first));
     let constant = Share::of(&fit, 2, stated_nm).map(|deviation| Share { value: 1.0 + deviation.value, ..deviation });
-    let shares = Shares { unstated_nm, constant, ..shares_beside(run, windows, load) };
+    let has_losses = load.losses.is_some();
+    let shares = Shares { unstated_nm, constant, has_losses, ..shares_beside(run, windows, load) };
     if is_even {
         let stated = mechanism.inertia(0.0, first);
         let of = Identified::LoadInertia;

@@ -1,11 +1,13 @@
 //! Parameters of the motor: current as a function of torque, friction and rotor acceleration.
 
-use super::regression::{Fit, Prior, Row, Solve, compared};
+use super::load::Share;
+use super::regression::{Fit, Prior, Row, Solve, compared, fit, is_hidden};
 use super::windows::{Window, Windows};
 use super::{Estimate, Identification, Identified, Open, Zero};
 use crate::gear::Spring;
 use crate::machine::Machine;
 use crate::{Parameters, Switches};
+use quantities::Measure;
 use std::f64::consts::SQRT_2;
 
 /// Constants of the actuator at the output, from the tables.
@@ -17,6 +19,8 @@ pub(super) struct Tabulated {
     pub(super) motor_nm_a: f64,
     /// k_Tout without the no-load friction [Nm/A].
     pub(super) output_nm_a: f64,
+    /// Least and largest k_Tout of the tables [Nm/A]: where it is T_0/I_0 as stated, with the no-load friction and without it.
+    stated_nm_a: [f64; 2],
     /// i: reduction ratio \[1\].
     pub(super) ratio: f64,
     /// Torsion of the gear.
@@ -28,13 +32,31 @@ impl Tabulated {
     pub(super) fn of(parameters: &Parameters) -> Option<Self> {
         let machine = Machine::of(parameters, Switches::default(), 0).ok()?;
         let motor_nm_a = SQRT_2 * machine.plant.torque_constant;
+        let output_nm_a = motor_nm_a / (1.0 + machine.plant.mesh);
+        let stated_nm_a = parameters.actuator.torque_constant_out.known().map_or(output_nm_a, |known| known.value.si());
         Some(Self {
             rotor_kgm2: machine.plant.inertia_kgm2,
             motor_nm_a,
-            output_nm_a: motor_nm_a / (1.0 + machine.plant.mesh),
+            output_nm_a,
+            stated_nm_a: [stated_nm_a.min(output_nm_a), stated_nm_a.max(output_nm_a)],
             ratio: machine.ratio,
             spring: machine.plant.spring,
         })
+    }
+}
+
+impl Tabulated {
+    /// Returns a torque constant with half its interval relative to the nearest one that the tables admit.
+    pub(super) fn relative(&self, Share { value, half_width }: Share) -> Share {
+        let [least, most] = self.stated_nm_a;
+        let nearest = value.clamp(least, most);
+        Share { value: value / nearest, half_width: half_width / nearest }
+    }
+
+    /// Returns by how much the torque constants that the tables admit differ \[1\].
+    fn gap(&self) -> f64 {
+        let [least, most] = self.stated_nm_a;
+        most / least - 1.0
     }
 }
 
@@ -106,6 +128,8 @@ pub(super) enum Tie {
 #[derive(Clone, Debug)]
 pub(super) struct Equations<'w> {
     windows: Vec<&'w Window>,
+    /// The mechanism has losses by the direction of power.
+    has_losses: bool,
     step_s: f64,
     current_s: f64,
     /// Mean variances of the noise of driving and driven torque \[N²m²\].
@@ -121,19 +145,31 @@ pub(super) struct Equations<'w> {
 
 impl<'w> Equations<'w> {
     /// Returns the equations of the windows below the limit of the current; `None` if there are too few.
-    pub(super) fn free(windows: &'w Windows, tabulated: Option<Tabulated>, is_delayed: bool) -> Option<Self> {
-        let free: Vec<&Window> = windows.all.iter().filter(|window| !window.limited).collect();
-        (free.len() >= LEAST).then(|| Self::made(free, windows, tabulated, is_delayed))
+    pub(super) fn free(
+        windows: &'w Windows,
+        has_losses: bool,
+        tabulated: Option<Tabulated>,
+        is_delayed: bool,
+    ) -> Option<Self> {
+        let free = Self::made(windows, has_losses, tabulated, is_delayed, |window| !window.limited);
+        (free.windows.len() >= LEAST).then_some(free)
     }
 
     /// Returns the equations of all windows if there are too few below the limit: currents beyond every limit are another
     /// unit.
-    pub(super) fn of(windows: &'w Windows, tabulated: Option<Tabulated>, is_delayed: bool) -> Self {
-        let all = || Self::made(windows.all.iter().collect(), windows, tabulated, is_delayed);
-        Self::free(windows, tabulated, is_delayed).unwrap_or_else(all)
+    pub(super) fn of(windows: &'w Windows, has_losses: bool, tabulated: Option<Tabulated>, is_delayed: bool) -> Self {
+        let all = || Self::made(windows, has_losses, tabulated, is_delayed, |_| true);
+        Self::free(windows, has_losses, tabulated, is_delayed).unwrap_or_else(all)
     }
 
-    fn made(windows: Vec<&'w Window>, all: &Windows, tabulated: Option<Tabulated>, is_delayed: bool) -> Self {
+    fn made(
+        all: &'w Windows,
+        has_losses: bool,
+        tabulated: Option<Tabulated>,
+        is_delayed: bool,
+        is_taken: impl Fn(&Window) -> bool,
+    ) -> Self {
+        let windows: Vec<&Window> = all.all.iter().filter(|window| is_taken(window)).collect();
         #[allow(clippy::cast_precision_loss, reason = "counts of windows")]
         let count = (windows.len() as f64).max(1.0);
         let share = |window: &&Window| (window.driving / window.torque).clamp(0.0, 1.0);
@@ -145,6 +181,7 @@ impl<'w> Equations<'w> {
         let is_driven = driven > DRIVEN * driving;
         Self {
             windows,
+            has_losses,
             step_s: all.step_s,
             current_s: all.current_s,
             noise,
@@ -225,12 +262,12 @@ impl<'w> Equations<'w> {
 
     /// Solves I = a T₊ + d T₋ + I_NLS σ + K Ω + c Ω' + I_0 with the signals divided by a scale.
     pub(super) fn fit(&self, solve: Solve, scale: Scale, lag: f64, tie: Tie) -> Option<Fit> {
-        let row = |window: &&Window| {
+        let row = |window: &Window, [driving, rest]: [f64; 2]| {
             let speed = window.motor_speed + lag * window.motor_acceleration;
             let acceleration = window.motor_acceleration + lag * window.motor_jerk;
-            let mut regressors = vec![window.driving / scale.torque, window.sign, speed, acceleration];
+            let [driving, rest] = [driving / scale.torque, rest / scale.torque];
+            let mut regressors = vec![driving, window.sign, speed, acceleration];
             let mut value = window.current / scale.current;
-            let rest = (window.torque - window.driving) / scale.torque;
             if self.is_driven {
                 regressors.push(rest);
             } else if let Some(tabulated) = &self.tabulated {
@@ -244,13 +281,51 @@ impl<'w> Equations<'w> {
             regressors.extend(self.is_delayed.then_some(window.current_rate / scale.current));
             Row { regressors, value, stroke: window.stroke }
         };
-        let rows: Vec<Row> = self.windows.iter().map(row).collect();
+        let sides = |window: &Window| [window.driving, window.torque - window.driving];
+        let rows: Vec<Row> = self.windows.iter().map(|window| row(window, sides(window))).collect();
         let width = rows.first().map_or(0, |row| row.regressors.len());
         let priors = self.tabulated.as_ref().map(|tabulated| self.priors(tabulated, tie, width)).unwrap_or_default();
         let [driving, driven] = self.noise.map(|noise| noise / (scale.torque * scale.torque));
+        if is_hidden(&rows, driving, 0) || (self.is_driven && is_hidden(&rows, driven, 4)) {
+            let torques = self.instrumented(lag)?;
+            let torque = |(window, torque): (&&Window, f64)| {
+                let share = driving_share(window);
+                row(window, [share * torque, (1.0 - share) * torque])
+            };
+            let rows: Vec<Row> = self.windows.iter().zip(torques).map(torque).collect();
+            return solve(&rows, &[], &priors);
+        }
         let noise = [driving, 0.0, 0.0, 0.0, driven];
         let noise = noise.get(..if self.is_driven { 5 } else { 1 }).unwrap_or_default();
         solve(&rows, noise, &priors).or_else(|| Some(solve(&rows, &[], &priors)?.attenuated()))
+    }
+
+    /// Returns the torque of each window as the other signals give it \[Nm\].
+    ///
+    /// T = X c, X = (Ω', σ, Ω, 1, cos q, sin q), with losses also p X
+    ///
+    /// # Symbols
+    /// p share of the window in which the torque drives
+    /// # Source
+    /// two-stage least squares: Theil, Repeated least squares applied to complete equation systems (1953)
+    /// # Valid
+    /// the noise of the torque is none of the other signals; what they do not give of the torque says nothing of the motor
+    fn instrumented(&self, lag: f64) -> Option<Vec<f64>> {
+        let row = |window: &&Window| {
+            let speed = window.motor_speed + lag * window.motor_acceleration;
+            let acceleration = window.motor_acceleration + lag * window.motor_jerk;
+            let mut regressors = vec![acceleration, window.sign, speed, 1.0, window.cosine, window.sine];
+            if self.has_losses {
+                let share = driving_share(window);
+                let sided: Vec<f64> = regressors.iter().map(|value| share * value).collect();
+                regressors.extend(sided);
+            }
+            Row { regressors, value: window.torque, stroke: window.stroke }
+        };
+        let rows: Vec<Row> = self.windows.iter().map(row).collect();
+        let fit = fit(&rows, &[], &[])?;
+        let value = |row: &Row| row.regressors.iter().zip(&fit.values).map(|(a, b)| a * b).sum();
+        Some(rows.iter().map(value).collect())
     }
 
     /// Returns what the tables say of the coefficients: c of the rotor, and d of the losses of the teeth.
@@ -272,7 +347,8 @@ impl<'w> Equations<'w> {
         };
         let [of_driving, of_driven] = shares.map(|share| share * rotor_kgm2);
         let last = if self.is_driven { 4 } else { 0 };
-        let spread = if tie == Tie::ToTable { self.spread().hypot(MAGNETS) } else { self.spread() };
+        let spread =
+            if tie == Tie::ToTable { self.spread().hypot(MAGNETS).hypot(tabulated.gap()) } else { self.spread() };
         let rotor = relation([(3, -1.0), (0, of_driving), (last, of_driven)], spread * rotor_kgm2 / motor_nm_a);
         // d/a of the tables, at most one.
         let ratio = 2.0 * output_nm_a / motor_nm_a - 1.0;
@@ -280,6 +356,12 @@ impl<'w> Equations<'w> {
         let has_teeth = self.is_driven && ratio < 1.0;
         std::iter::once(rotor).chain(has_teeth.then_some(teeth)).collect()
     }
+}
+
+/// Returns the share of a window in which the torque drives.
+fn driving_share(window: &Window) -> f64 {
+    let share = window.driving / window.torque;
+    if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.5 }
 }
 
 /// Estimates the parameters of the motor.
@@ -295,11 +377,17 @@ impl<'w> Equations<'w> {
 /// # Valid
 /// J_M from the tables with a standard deviation of [`ROTOR_SPREAD`], or of [`SAMPLED_SPREAD`]: for a flywheel T is
 /// proportional to Ω' except for friction, and the run alone does not separate k_Tout from J_M
-pub(super) fn estimate(windows: &Windows, parameters: &Parameters, is_delayed: bool, found: &mut Identification) {
+pub(super) fn estimate(
+    windows: &Windows,
+    has_losses: bool,
+    parameters: &Parameters,
+    is_delayed: bool,
+    found: &mut Identification,
+) {
     let of = [Identified::TorqueConstant, Identified::StartingCurrent, Identified::CurrentConstant];
     let tabulated = Tabulated::of(parameters);
     found.tabulated_nm_a = tabulated.map(|tabulated| tabulated.output_nm_a);
-    let Some(equations) = Equations::free(windows, tabulated, is_delayed) else {
+    let Some(equations) = Equations::free(windows, has_losses, tabulated, is_delayed) else {
         found.open.extend(of.map(|of| (of, Open::AtLimit)));
         return;
     };

@@ -145,6 +145,20 @@ pub(super) fn compared(rows: &[Row], noise: &[f64], priors: &[Prior]) -> Option<
     Some(Fit { parts, ..whole })
 }
 
+/// Largest share of noise in the part of a column that the other columns do not explain, with which the noise is taken out of the sums
+/// of squares. A choice: the error of that noise is then a hundredth of what distinguishes the column.
+const NOISE_MOST: f64 = 0.1;
+
+/// Returns `true` if noise is a considerable part of what distinguishes a column from the others.
+pub(super) fn is_hidden(rows: &[Row], variance: f64, place: usize) -> bool {
+    let hidden = || {
+        let Sums { count, normal, right } = Sums::of(rows, rows.first()?.regressors.len());
+        let (_, inverse, _) = solved(&normal, &right, &[], 0.0)?;
+        Some(count * variance * inverse.get(place)?.get(place)? > NOISE_MOST)
+    };
+    hidden().unwrap_or(false)
+}
+
 /// Fits the coefficients of linear equations by least squares.
 ///
 /// c = (XᵀX − n Σ_u + Σ w pᵀp)⁻¹ Xᵀy, cov c = s² g (XᵀX − n Σ_u + Σ w pᵀp)⁻¹, g = (1 + ρ)/(1 − ρ), w = s² g/σ_p²

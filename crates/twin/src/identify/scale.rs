@@ -36,6 +36,10 @@ fn conventions(ratio: f64) -> [(Column, Misread, f64); 13] {
 /// Largest deviation of the slope of current over torque from the tables that is no doubt, beyond its interval. A choice.
 const SLOPE: f64 = 0.2;
 
+/// Half intervals by which a slope must lie beside a scale that it excludes. A choice: three standard deviations, since every run is
+/// tried.
+const BEYOND: f64 = 1.5;
+
 /// Deviation of a torque constant beyond the usual scatter with which a convention is still named. A choice.
 const FURTHER: f64 = 0.03;
 
@@ -71,7 +75,7 @@ const EXCLUDED: f64 = 2.0;
 
 /// Returns `true` if a torque constant relative to the tables, with half its interval, excludes currents √2 times too small or too
 /// large.
-pub(super) fn excludes_root_two(value: f64, half_width: f64) -> bool {
+pub(super) fn excludes_root_two(Share { value, half_width }: Share) -> bool {
     let squared = |factor: f64| {
         let own = 0.5 * half_width / value;
         ((value / factor).ln()).powi(2) / own.mul_add(own, SCATTER * SCATTER)
@@ -90,17 +94,19 @@ impl Slopes {
         let slope = |tie| {
             let fit = equations.fit(fit, scale, lag, tie).filter(|fit| !fit.is_attenuated)?;
             let (value, half_width) = fit.estimate(0)?;
-            Some(Share { value: value * tabulated.output_nm_a, half_width: half_width * tabulated.output_nm_a })
+            let constant = tabulated.relative(Share { value: value.recip(), half_width: half_width / (value * value) });
+            let value_relative = constant.value.recip();
+            Some(Share { value: value_relative, half_width: constant.half_width * value_relative * value_relative })
         };
         Self { all: [slope(Tie::ToTorque), slope(Tie::ToTable)] }
     }
 
-    /// Returns `true` if no slope excludes that the scale is right within a tolerance.
-    fn admits(&self, within: f64) -> bool {
+    /// Returns `true` if no slope excludes that the scale is right within a tolerance, beyond a number of half intervals.
+    fn admits(&self, within: f64, beyond: f64) -> bool {
         let excludes = |slope: &Share| {
             let vague = slope.half_width > VAGUE * slope.value.abs();
-            let low = slope.value - slope.half_width > 1.0 + within;
-            let high = slope.value + slope.half_width < 1.0 / (1.0 + within);
+            let low = slope.value - beyond * slope.half_width > 1.0 + within;
+            let high = slope.value + beyond * slope.half_width < 1.0 / (1.0 + within);
             !vague && (low || high)
         };
         !self.all.iter().flatten().any(excludes)
@@ -116,7 +122,7 @@ impl Slopes {
 
     /// Returns `true` if a slope lies near one, so that the scale is also confirmed.
     fn confirms(&self) -> bool {
-        self.admits(SCATTER + FURTHER)
+        self.admits(SCATTER + FURTHER, 1.0)
             && self.all.iter().flatten().any(|slope| slope.half_width < CONFIRMED * slope.value.abs())
     }
 
@@ -171,20 +177,21 @@ fn of_load(shares: &Shares) -> Option<f64> {
 /// # Valid
 /// one of both signals has another scale
 pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares, is_delayed: bool) -> Option<Doubt> {
-    let equations = Equations::of(windows, Some(*tabulated), is_delayed);
+    let equations = Equations::of(windows, shares.has_losses, Some(*tabulated), is_delayed);
     let plain = Slopes::of(&equations, tabulated, Scale::NONE);
     let of_load = of_load(shares);
     let scaled = |column, factor| match column {
         Column::Torque => Scale { torque: factor, ..Scale::NONE },
         _ => Scale { current: factor, ..Scale::NONE },
     };
-    let is_wrong = !plain.admits(SLOPE);
+    // A load that is off too needs less of the motor.
+    let is_wrong = !plain.admits(SLOPE, if of_load.is_some() { 1.0 } else { BEYOND });
     let [tied, loose] = plain.all;
     let ratio = |slope: Option<Share>| slope.filter(|slope| slope.value != 0.0).map(|slope| slope.value.recip());
     let measured = ratio(loose).filter(|measured| *measured > 0.0);
     let least = measured.map_or(f64::INFINITY, |measured| contradiction(shares, measured));
     // Two entries of a project that are off alike may be a coincidence: the motor must agree better, too.
-    let is_better = |slopes: &Slopes| slopes.admits(SCATTER) && slopes.cost() < plain.cost();
+    let is_better = |slopes: &Slopes| slopes.admits(SCATTER, 1.0) && slopes.cost() < plain.cost();
     let without = plain.cost() + contradiction(shares, 1.0);
     let named = conventions(tabulated.ratio)
         .into_iter()
@@ -199,7 +206,7 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares, i
             } else {
                 let with = slopes.cost() + contradiction(shares, torque);
                 let is_far = factor.ln().abs() > UNKNOWN.ln();
-                (near && is_better(&slopes)) || (is_far && slopes.admits(SCATTER) && without - with > LIKELIER)
+                (near && is_better(&slopes)) || (is_far && slopes.admits(SCATTER, 1.0) && without - with > LIKELIER)
             };
             fits.then(|| (slopes.cost() + contradiction(shares, torque), column, misread, factor))
         })

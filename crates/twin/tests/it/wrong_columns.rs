@@ -370,3 +370,53 @@ fn late_positions_are_delays() {
         }
     }
 }
+
+/// Runs of drives with the constants of the tables as they are stated raise no doubt, for the windings whose k_Tout includes the
+/// no-load friction too.
+#[test]
+fn drives_with_the_stated_torque_constant_raise_no_doubt() {
+    let motion = moves(&[(1.0, 1.0), (-1.0, 1.0)]);
+    let extras = [Extra::none()];
+    let mut wrong = Vec::new();
+    for code in [
+        "CHA-14A-50-E-M128S",
+        "CHA-14A-30-E-RES",
+        "CHA-17A-80-E-D2048",
+        "CHA-17A-100-E-M128S",
+        "CHA-14A-80-H-RES",
+        CODE,
+    ] {
+        let (parameters, tables) = (parameters(code), tables_of(code));
+        let most: f64 = parameters.actuator.current_max.known().unwrap().value.si();
+        let size = tables.output_nm_a * most / 100.0;
+        for (kind, seed) in KINDS.iter().flat_map(|kind| SEEDS.map(move |seed| (kind, seed))) {
+            let mut random = Random::new(seed);
+            let plant = drawn(kind, &tables, &mut random);
+            let plant = Plant {
+                load_kgm2: size * plant.load_kgm2,
+                coulomb_nm: size * plant.coulomb_nm,
+                viscous_nms: size * plant.viscous_nms,
+                external_nm: size * plant.external_nm,
+                weight_nm: size * plant.weight_nm,
+                motor_nm_a: tables.motor_nm_a,
+                output_nm_a: tables.output_nm_a,
+                ..plant
+            };
+            let course = plant.run(&mut random, EACH_MS);
+            let mechanism = stated_load(kind, &plant, &mut random);
+            let noise = 0.003 * most;
+            let instrument =
+                Instrument { torque_nm: 2.0 * noise * tables.output_nm_a, current_a: noise, ..Instrument::NOISE };
+            let run = instrument.seen(&course, &mut random);
+            let found = identify(
+                &run,
+                &Stated { parameters: &parameters, mechanism: &mechanism, motion: &motion, extras: &extras },
+            );
+            if found.as_ref().is_ok_and(|found| found.at_limit > 10 || found.doubts.is_empty()) {
+                continue;
+            }
+            wrong.push(format!("{code} {kind} {seed}: {}", shown(kind, &plant, &found)));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
