@@ -57,6 +57,8 @@ pub enum Fault {
         first: String,
         /// Line of the name of the first axis.
         line: usize,
+        /// Both are written alike; otherwise they differ in case or spaces.
+        is_alike: bool,
     },
     /// One axis is required, the file has several.
     OneAxisOnly,
@@ -165,6 +167,11 @@ pub enum Fault {
         path: String,
         /// Smallest and largest magnitude.
         magnitude: (f64, f64),
+    },
+    /// A list of words without an entry.
+    EmptyList {
+        /// Path of the list.
+        path: String,
     },
     /// A list of ratios that is empty or too long.
     RatioCount {
@@ -420,6 +427,7 @@ impl Fault {
             Self::TooManyEntries { .. } => "too_many_entries",
             Self::NotARow { .. } => "not_a_row",
             Self::RatioTooSmall { .. } => "ratio_too_small",
+            Self::EmptyList { .. } => "empty_list",
             Self::RatioCount { .. } => "ratio_count",
             Self::RatioAndRatios => "ratio_and_ratios",
             Self::NoRatioInACoupling { .. } => "no_ratio_in_a_coupling",

@@ -5,6 +5,7 @@
 //! ratios of a stage ([`Choose`]), since that needs a judgement of the catalogue.
 
 mod about;
+mod axis_names;
 mod bodies;
 mod cam;
 mod computed;
@@ -31,6 +32,7 @@ mod order;
 mod own;
 mod read;
 mod recorded;
+mod recording_name;
 mod requirements;
 mod roles;
 mod root;
@@ -81,7 +83,8 @@ pub use label::input_label;
 pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured, measured_lines};
 pub use motion::SegmentLaw;
 pub use own::OwnActuator;
-pub use recorded::{Files, Grant, NoFiles, RECORDINGS, Reach, RecordingRead, is_recording_name};
+pub use recorded::{Files, Grant, NoFiles, Reach, RecordingRead};
+pub use recording_name::{RECORDINGS, is_recording_name};
 pub use roles::Within;
 pub use root::KEYS;
 pub use schema::{SchemaText, schema};
@@ -96,14 +99,13 @@ use ::motion::{Alternating, MadeUp, Motion, Remark, RestNoise, Spline, Spurious,
 use bodies::together;
 use configurator::Requirements;
 use order_code::{Option1, Option2};
-use read::{Reader, WORD_SHOWN, shortened};
+use read::Reader;
 use recorded::Recordings;
 use requirements::RequirementsSection;
-use root::{AxisSection, OneOfSeveral, Root};
+use root::{AxisSection, Root};
 use section::{Fields, Section};
 use sizing::{Axis, BearingDuty, BrakeTimes};
-use stated::{Stated, StatedField};
-use std::collections::{BTreeMap, BTreeSet};
+use stated::StatedField;
 use std::sync::Arc;
 use value::OneOrMany;
 
@@ -417,7 +419,7 @@ impl Project {
             for field in root.parts.fields().into_iter().filter(|field| field.is_written()) {
                 reader.fault(field.span(), Fault::OutsideTheAxes { key: field.name() }, None);
             }
-            named_apart(&several, &mut reader);
+            axis_names::named_apart(&several, &mut reader);
             let build = |(index, axis)| {
                 let axis = AxisSection::of_several(axis);
                 Self::build(axis, Some(index), (&mut recordings, own.as_ref(), choose), &mut reader)
@@ -484,32 +486,6 @@ impl Project {
         let axis = finish(&root, draft);
         let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
         Some(Self { axis, root, assumptions, ..self.clone() })
-    }
-}
-
-/// Reports axes with the name of an earlier one, each with the nearest free name.
-fn named_apart(axes: &[OneOfSeveral], reader: &mut Reader<'_>) {
-    // By name: the first field, its line, and the number of the next proposal.
-    let mut known: BTreeMap<&str, (&Stated<String>, usize, usize)> = BTreeMap::new();
-    let names: BTreeSet<&str> = axes.iter().filter_map(|axis| Some(axis.name.get()?.trim())).collect();
-    let (mut line, mut counted) = (1, 0);
-    for field in axes.iter().map(|axis| &axis.name) {
-        let Some(name) = field.get().map(|name| name.trim()) else { continue };
-        let span = field.span();
-        line += reader.text.get(counted..span.start).unwrap_or_default().matches('\n').count();
-        counted = counted.max(span.start);
-        let Some((first, at, next)) = known.get_mut(name) else {
-            let _ = known.insert(name, (field, line, 2));
-            continue;
-        };
-        let fault = Fault::AxisNamedTwice { name: shortened(name, WORD_SHOWN), first: first.path(), line: *at };
-        let free = (*next..).map(|number| (number, format!("{name} {number}")));
-        let free = free.into_iter().find(|(_, free)| !names.contains(free.as_str()));
-        let hint = free.map(|(number, free)| {
-            *next = number + 1;
-            Hint::DidYouMean(free)
-        });
-        reader.fault(span, fault, hint);
     }
 }
 

@@ -269,6 +269,15 @@ impl<'t> Reader<'t> {
     /// Returns several words of a fixed set; other words are reported and left out.
     pub(crate) fn choices<W: WordChoice>(&mut self, found: &FoundValue<'_, '_>) -> Option<Vec<W>> {
         let DeValue::Array(items) = found.value else { return self.wrong_type(found) };
+        if items.is_empty() {
+            // It would require nothing, or nothing that can be met: the key is omitted instead.
+            self.fault(
+                found.span.clone(),
+                Fault::EmptyList { path: found.path.to_owned() },
+                Some(Hint::valid(W::WORDS)),
+            );
+            return None;
+        }
         let mut list = Vec::new();
         for item in items.iter() {
             match item.get_ref() {

@@ -79,9 +79,17 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "with several axes `{key}` belongs inside [[axis]]"
             | "bei mehreren Achsen gehört `{key}` in [[axis]]"
         ),
-        Fault::AxisNamedTwice { name, first, line } => said!(language =>
+        Fault::AxisNamedTwice { name, first, line, is_alike: true } => said!(language =>
             "\"{name}\" is the name of `{first}` in line {line} as well"
             | "\"{name}\" ist bereits der Name von `{first}` in Zeile {line}"
+        ),
+        Fault::AxisNamedTwice { name, first, line, is_alike: false } => said!(language =>
+            "\"{name}\" differs from the name of `{first}` in line {line} in case or spaces only"
+            | "\"{name}\" unterscheidet sich vom Namen von `{first}` in Zeile {line} nur durch Groß- und Kleinschreibung oder Leerzeichen"
+        ),
+        Fault::EmptyList { path } => said!(language =>
+            "`{path}` is an empty list: omit the key if nothing is required"
+            | "`{path}` ist eine leere Liste: ohne Anforderung den Schlüssel weglassen"
         ),
         Fault::OneAxisOnly => said!(language =>
             "a single axis is required, the file has several"

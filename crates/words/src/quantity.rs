@@ -166,10 +166,17 @@ fn point_hint(found: &str, language: Language) -> String {
 /// Most decimals of a share in percent that tell it from 100 %.
 const PERCENT_DECIMALS: usize = 4;
 
+/// Smallest percentage without a decimal: no digit of it says more than its magnitude.
+const PERCENT_LARGE: f64 = 1e6;
+
 /// Returns a share in percent with one decimal, or with as many as tell it from 100 %, so that no excess stands beside
-/// 100.0 %.
+/// 100.0 %; from 10⁶ % on with four digits and a power of ten ([`format_significant`]).
 #[must_use]
 pub fn percent_text(share: f64, language: Language) -> String {
+    let percent = share * 100.0;
+    if percent.is_finite() && percent.abs() >= PERCENT_LARGE - 0.05 {
+        return format_significant(percent, 4, language);
+    }
     let text = |decimals: usize| format_number(share * 100.0, decimals, language);
     let is_hundred = |decimals: usize| text(decimals) == format_number(100.0, decimals, language);
     let decimals = (1..=PERCENT_DECIMALS).find(|decimals| !is_hundred(*decimals)).unwrap_or(1);
@@ -182,4 +189,33 @@ pub fn unpadded(number: f64, digits: usize, language: Language) -> String {
     let text = format_significant(number, digits, language);
     let has_fraction = text.contains(['.', ',']) && !text.contains(['e', '·']);
     if has_fraction { text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A percentage of any size has a handful of digits, from which its magnitude can be read.
+    #[test]
+    fn a_percentage_is_short() {
+        for language in Language::ALL {
+            for exponent in -12..300 {
+                for mantissa in [1.0, 1.234_567, 9.999_999_9] {
+                    let share = mantissa * 10_f64.powi(exponent);
+                    let text = percent_text(share, language);
+                    assert!(text.chars().count() <= 11, "{share}: {text}");
+                }
+            }
+        }
+        for (share, text) in [
+            (0.728, "72,8"),
+            (1.0004, "100,04"),
+            (1234.5, "123450,0"),
+            (9999.9999, "1000000"),
+            (1.234e28, "1,234·10³⁰"),
+            (f64::INFINITY, "∞"),
+        ] {
+            assert_eq!(percent_text(share, Language::De), text);
+        }
+    }
 }
