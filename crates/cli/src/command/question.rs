@@ -143,7 +143,8 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     arg = arg.value_name((argument.value)(language)).allow_hyphen_values(argument.signed);
     arg = match argument.kind {
         ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
-        ArgumentKind::Word(_) if argument.is_list() => arg.value_parser(AnyOf(words)),
+        // A list, or a title, is no possible value for the library.
+        ArgumentKind::Word(_) if argument.is_list() || argument.titles.is_some() => arg.value_parser(AnyOf(words)),
         ArgumentKind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
         ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
     };

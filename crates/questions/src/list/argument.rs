@@ -29,6 +29,8 @@ pub struct Argument {
     pub instead_of: Option<&'static str>,
     /// `true` if a value may begin with a minus sign.
     pub signed: bool,
+    /// Titles that are accepted for the words, each with its word.
+    pub titles: Option<fn() -> Vec<(String, &'static str)>>,
 }
 
 /// Kind of the value of an argument.
@@ -79,6 +81,7 @@ impl Argument {
             needs: None,
             instead_of: None,
             signed: false,
+            titles: None,
         }
     }
 
@@ -136,6 +139,18 @@ impl Argument {
         Self { signed: true, ..self }
     }
 
+    /// Returns the argument with titles that are accepted for its words: the names that an answer shows.
+    #[must_use]
+    pub const fn titled(self, titles: fn() -> Vec<(String, &'static str)>) -> Self {
+        Self { titles: Some(titles), ..self }
+    }
+
+    /// Returns the word with a title; case, spaces and signs between the words do not matter.
+    fn word_titled(&self, written: &str) -> Option<&'static str> {
+        let titles = self.titles?();
+        titles.into_iter().find(|(title, _)| plain(title) == plain(written)).map(|(_, word)| word)
+    }
+
     /// Returns the valid words; empty if other values are valid too.
     #[must_use]
     pub fn words(&self) -> Vec<&'static str> {
@@ -158,7 +173,12 @@ impl Argument {
 
     /// Splits a text into the values that it names: the words of a list.
     pub(super) fn parts<'v>(&self, value: &'v str) -> Vec<&'v str> {
-        if self.is_list() { value.split(',').map(str::trim).collect() } else { vec![value] }
+        // A title may contain commas.
+        if self.is_list() && self.word_titled(value).is_none() {
+            value.split(',').map(str::trim).collect()
+        } else {
+            vec![value]
+        }
     }
 
     /// Returns a value in the form in which it is stored.
@@ -186,10 +206,26 @@ impl Argument {
             ArgumentKind::Word(words) => {
                 let words = words();
                 if words.contains(&value) {
-                    Ok(Cow::Borrowed(value))
-                } else {
-                    Err(Some(UsageHint::Words(near(value, &words))))
+                    return Ok(Cow::Borrowed(value));
                 }
+                let spelled = |word: &&&str| plain(word) == plain(value);
+                if let Some(word) = self.word_titled(value).or_else(|| words.iter().find(spelled).copied()) {
+                    return Ok(Cow::Borrowed(word));
+                }
+                let hint = match (near(value, &words), self.titles) {
+                    (Hint::ValidAre(all), Some(titles)) => {
+                        let titles: Vec<(String, &str)> =
+                            titles().into_iter().map(|(title, word)| (plain(&title), word)).collect();
+                        let names: Vec<&str> = titles.iter().map(|(title, _)| title.as_str()).collect();
+                        let word = match near(&plain(value), &names) {
+                            Hint::DidYouMean(near) => titles.iter().find(|(title, _)| *title == near),
+                            _ => None,
+                        };
+                        word.map_or(Hint::ValidAre(all), |(_, word)| Hint::DidYouMean((*word).to_owned()))
+                    }
+                    (hint, _) => hint,
+                };
+                Err(Some(UsageHint::Words(hint)))
             }
         }
     }
@@ -202,6 +238,12 @@ pub(super) const TRUE: &str = "true";
 fn is_whole(text: &str) -> bool {
     let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
     !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// Returns a name without case, and with single spaces between its words.
+fn plain(name: &str) -> String {
+    let words = name.split(|sign: char| sign.is_whitespace() || matches!(sign, '_' | '-' | ','));
+    words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ").to_lowercase()
 }
 
 /// Returns the word that was probably meant, or all valid words.

@@ -11,6 +11,7 @@ use project::Project;
 use quantities::Language;
 use sizing::{Check, CheckId, StepObserver as _};
 use std::sync::Arc;
+use words::check_title;
 use words::help;
 use words::help::values;
 
@@ -23,8 +24,14 @@ arguments! {
         code: Option<OrderCode> = argument::code(help::explain_code) => some_code_among,
         /// One check; without it all.
         check: Option<CheckId> = Argument::option("check", values::check, help::explain_check)
-            .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())) => word(by_id(CheckId::ALL, CheckId::id)),
+            .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())).titled(check_titles) => word(by_id(CheckId::ALL, CheckId::id)),
     }
+}
+
+/// Returns the titles of the checks in every language, as an answer shows them, each with its identifier.
+pub(super) fn check_titles() -> Vec<(String, &'static str)> {
+    let titles = |language: Language| CheckId::ALL.iter().map(move |check| (check_title(*check, language), check.id()));
+    Language::ALL.into_iter().flat_map(titles).collect()
 }
 
 /// The question.
@@ -103,5 +110,36 @@ impl Explanation<'_> {
     #[must_use]
     pub fn record(&self, language: Language) -> answers::Explanations {
         answer::explanations(self.project, &self.candidate, &self.checks(), language)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Given;
+    use super::*;
+    use quantities::Language;
+
+    fn asked(check: &str) -> Result<Option<CheckId>, String> {
+        let pairs = [("check".into(), check.to_owned().into())];
+        let found = Given::of(Args::ARGUMENTS, pairs, Language::En).and_then(|given| Args::read(&given));
+        found.map(|args| args.check).map_err(|why| format!("{:?}", why.faults(None, Language::En).errors))
+    }
+
+    /// A check is named by its identifier or by its title in either language, in any case and spacing; another word leads to
+    /// the nearest one.
+    #[test]
+    fn a_check_is_named_by_its_title_too() {
+        for id in CheckId::ALL {
+            let titles = Language::ALL.map(|language| check_title(*id, language));
+            for name in titles.into_iter().chain([id.id().to_owned(), id.id().replace('_', " ")]) {
+                for written in [name.clone(), name.to_uppercase(), format!(" {} ", name.replace(' ', "  "))] {
+                    assert_eq!(asked(&written), Ok(Some(*id)), "{written:?}");
+                }
+            }
+        }
+        for (written, meant) in [("peak_torqe", "peak_torque"), ("Spitzendrehmomet", "peak_torque")] {
+            assert!(asked(written).is_err_and(|why| why.contains(meant)), "{written}: {:?}", asked(written));
+        }
+        assert!(asked("xyz").is_err());
     }
 }

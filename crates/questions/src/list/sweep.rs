@@ -26,7 +26,7 @@ arguments! {
         table: Option<String> = Argument::option("table", values::file, help::sweep_table).of(ArgumentKind::File).required() => text,
         /// Checks of every code of every row.
         check: Vec<CheckId> = Argument::option("check", values::check, help::sweep_check)
-            .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())).repeated() => checks,
+            .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())).titled(super::explain::check_titles).repeated() => checks,
         /// The codes that no other code dominates.
         front: bool = Argument::flag("front", help::sweep_front) => flag,
     }
