@@ -439,8 +439,9 @@ pub fn identify_while(
     };
     let load = load::Load { is_delayed: found.are_lags_estimated[0], ..load };
     let shares = load::estimate(&run, &windows, &load, &mut found)?;
+    let shares = load::Shares { torque_error_s: delays.torque_error_s, ..shares };
     found.payload = shares.payload.map(|share| [share.value, share.half_width]);
-    motor::estimate(&windows, shares.has_losses, stated.parameters, found.are_lags_estimated[1], &mut found);
+    motor::estimate(&windows, &shares, stated.parameters, found.are_lags_estimated[1], &mut found);
     found.motor_lag_s += shifted_s;
     if let Some((run, windows)) = &delays.torque_or {
         let mut other = Identification::default();
@@ -450,7 +451,7 @@ pub fn identify_while(
     }
     if let Some((_, windows)) = &delays.current_or {
         let mut other = Identification::default();
-        motor::estimate(windows, shares.has_losses, stated.parameters, true, &mut other);
+        motor::estimate(windows, &shares, stated.parameters, true, &mut other);
         found.widen(&other);
     }
     external(stated.mechanism.plain(extras.first().unwrap_or(&first)).map(|plain| plain.constant_nm), &mut found);

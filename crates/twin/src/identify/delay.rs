@@ -40,6 +40,8 @@ const SETTLED: f64 = 5.0;
 pub(super) struct Delays {
     pub(super) torque: Option<Lag>,
     pub(super) current: Option<Lag>,
+    /// Lag of the torque that the equation of the load admits beside the removed one, where that equation has an error of its own \[s\].
+    pub(super) torque_error_s: f64,
     /// Run and windows with a filter of the torque instead of its delay, if the run does not distinguish them.
     pub(super) torque_or: Option<(Observed, Windows)>,
     /// Run and windows with a filter of the current instead of its delay.
@@ -171,12 +173,20 @@ pub(super) fn removed(
         Trial::of(rows, &noise, error)
     };
     let mut settle_s = 0.0;
+    let (_, _, error) = of_load(&now.0, &now.1);
+    let seen = load(&now.0, &now.1).and_then(|trial| trial.left());
     if let Some(found) = sought(&now, settle_s, Signal::Torque, made, &load) {
         all.torque = Some(found.lag);
         all.torque_or = found.or;
         settle_s += SETTLED * found.lag.filter().map_or(0.0, |delay| delay.s);
         now = found.removed.unwrap_or(now);
     }
+    all.torque_error_s = match (all.torque, seen) {
+        _ if error == 0.0 => 0.0,
+        (Some(Lag::Delay(delay) | Lag::Filter(delay)), _) => delay.half_width_s,
+        (_, Some(seen)) => seen.s.abs() + seen.half_width_s,
+        _ => MOST_S,
+    };
     let motor = |_: &Observed, windows: &Windows| {
         let rows = Equations::of(windows, false, None, false).rows_of_delay();
         Trial::of(rows, &[], 0.0)
@@ -184,7 +194,7 @@ pub(super) fn removed(
     if let Some(found) = sought(&now, settle_s, Signal::Current, made, &motor) {
         // The current has the filter of the torque, with the error of its time constant.
         let of_torque = all.torque.and_then(Lag::filter).map_or(0.0, |delay| delay.half_width_s);
-        all.current = Some(found.lag.within(of_torque));
+        all.current = Some(found.lag.within(of_torque.max(all.torque_error_s)));
         all.current_or = found.or;
         now = found.removed.unwrap_or(now);
     }

@@ -44,6 +44,8 @@ pub(super) struct Shares {
     pub(super) constant: Option<Share>,
     /// The mechanism has losses by the direction of power.
     pub(super) has_losses: bool,
+    /// Lag of the torque that may be left \[s\].
+    pub(super) torque_error_s: f64,
     /// Largest rms deviation of a stroke from a load that carries what the project states \[Nm\], if payloads of its own explain it.
     pub(super) unstated_nm: Option<f64>,
 }
@@ -203,6 +205,7 @@ fn plainly(
         weights: weights.filter_map(|(place, stated)| Share::of(of, place, stated)).collect(),
         constant: Share::of(of, constant, first.constant_nm).filter(|_| both_ways),
         has_losses: false,
+        torque_error_s: 0.0,
         unstated_nm,
     };
     let mut taken = |of, place: Option<usize>| take(&fit, of, place, both_ways, found);

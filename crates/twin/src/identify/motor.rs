@@ -1,6 +1,6 @@
 //! Parameters of the motor: current as a function of torque, friction and rotor acceleration.
 
-use super::load::Share;
+use super::load::{Share, Shares};
 use super::regression::{Fit, Prior, Row, Solve, compared, fit, is_hidden};
 use super::windows::{Window, Windows};
 use super::{Estimate, Identification, Identified, Open, Zero};
@@ -141,6 +141,8 @@ pub(super) struct Equations<'w> {
     has_zero: bool,
     /// A delay of the current has been removed; what is left of it is a column.
     is_delayed: bool,
+    /// Lag of the torque that may be left, a column with a prior \[s\].
+    torque_error_s: f64,
 }
 
 impl<'w> Equations<'w> {
@@ -189,7 +191,18 @@ impl<'w> Equations<'w> {
             is_driven,
             has_zero,
             is_delayed,
+            torque_error_s: 0.0,
         }
+    }
+
+    /// Returns the equations with a lag of the torque that may be left \[s\].
+    pub(super) fn with_torque_error(self, torque_error_s: f64) -> Self {
+        Self { torque_error_s, ..self }
+    }
+
+    /// Returns `true` if the rate of the torque is a column.
+    fn has_torque_rate(&self) -> bool {
+        self.torque_error_s > LAG_LEAST_S && self.tabulated.is_some()
     }
 
     /// Returns for each direction of motion the share of windows in which the torque drives; `None` without both directions.
@@ -279,6 +292,7 @@ impl<'w> Equations<'w> {
             }
             regressors.extend(self.has_zero.then_some(1.0));
             regressors.extend(self.is_delayed.then_some(window.current_rate / scale.current));
+            regressors.extend(self.has_torque_rate().then_some(window.torque_rate / scale.torque));
             Row { regressors, value, stroke: window.stroke }
         };
         let sides = |window: &Window| [window.driving, window.torque - window.driving];
@@ -354,7 +368,10 @@ impl<'w> Equations<'w> {
         let ratio = 2.0 * output_nm_a / motor_nm_a - 1.0;
         let teeth = relation([(4, 1.0), (0, -ratio), (3, 0.0)], TEETH * (1.0 - ratio) / output_nm_a);
         let has_teeth = self.is_driven && ratio < 1.0;
-        std::iter::once(rotor).chain(has_teeth.then_some(teeth)).collect()
+        // a τ, τ the lag that may be left.
+        let lag = relation([(width - 1, 1.0), (0, 0.0), (3, 0.0)], 0.5 * self.torque_error_s / output_nm_a);
+        let has_lag = self.has_torque_rate();
+        std::iter::once(rotor).chain(has_teeth.then_some(teeth)).chain(has_lag.then_some(lag)).collect()
     }
 }
 
@@ -379,7 +396,7 @@ fn driving_share(window: &Window) -> f64 {
 /// proportional to Ω' except for friction, and the run alone does not separate k_Tout from J_M
 pub(super) fn estimate(
     windows: &Windows,
-    has_losses: bool,
+    shares: &Shares,
     parameters: &Parameters,
     is_delayed: bool,
     found: &mut Identification,
@@ -387,10 +404,11 @@ pub(super) fn estimate(
     let of = [Identified::TorqueConstant, Identified::StartingCurrent, Identified::CurrentConstant];
     let tabulated = Tabulated::of(parameters);
     found.tabulated_nm_a = tabulated.map(|tabulated| tabulated.output_nm_a);
-    let Some(equations) = Equations::free(windows, has_losses, tabulated, is_delayed) else {
+    let Some(equations) = Equations::free(windows, shares.has_losses, tabulated, is_delayed) else {
         found.open.extend(of.map(|of| (of, Open::AtLimit)));
         return;
     };
+    let equations = equations.with_torque_error(shares.torque_error_s);
     let lag = equations.lag_s(Scale::NONE);
     found.motor_lag_s = lag;
     found.rotor = tabulated.map(|tabulated| [tabulated.rotor_kgm2, equations.spread()]);

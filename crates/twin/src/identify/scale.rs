@@ -177,7 +177,13 @@ fn of_load(shares: &Shares) -> Option<f64> {
 /// # Valid
 /// one of both signals has another scale
 pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares, is_delayed: bool) -> Option<Doubt> {
-    let equations = Equations::of(windows, shares.has_losses, Some(*tabulated), is_delayed);
+    // A current at its limit follows no equation, if it is none of another unit.
+    let is_limited = Equations::free(windows, false, None, false).is_none();
+    if is_limited && !windows.all.iter().any(|window| window.exceeds) {
+        return None;
+    }
+    let equations = Equations::of(windows, shares.has_losses, Some(*tabulated), is_delayed)
+        .with_torque_error(shares.torque_error_s);
     let plain = Slopes::of(&equations, tabulated, Scale::NONE);
     let of_load = of_load(shares);
     let scaled = |column, factor| match column {
@@ -205,7 +211,7 @@ pub(super) fn doubt(windows: &Windows, tabulated: &Tabulated, shares: &Shares, i
                 slopes.confirms() && contradiction(shares, torque) < least + COST_MOST
             } else {
                 let with = slopes.cost() + contradiction(shares, torque);
-                let is_far = factor.ln().abs() > UNKNOWN.ln();
+                let is_far = column == Column::Torque && factor.ln().abs() > UNKNOWN.ln();
                 (near && is_better(&slopes)) || (is_far && slopes.admits(SCATTER, 1.0) && without - with > LIKELIER)
             };
             fits.then(|| (slopes.cost() + contradiction(shares, torque), column, misread, factor))

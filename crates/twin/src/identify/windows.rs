@@ -35,6 +35,8 @@ pub(super) struct Window {
     pub(super) motor_jerk: f64,
     /// A current of the window is at its limit.
     pub(super) limited: bool,
+    /// A current of the window is far beyond its limit, which none of a drive is.
+    pub(super) exceeds: bool,
 }
 
 /// Windows of a run with their common properties.
@@ -79,6 +81,9 @@ const MOVING: f64 = 0.05;
 
 /// Smallest current relative to its limit that counts as limited.
 const LIMITED: f64 = 0.97;
+
+/// Smallest current relative to its limit that is another unit. A choice: a limited current overshoots by less.
+const EXCEEDED: f64 = 1.2;
 
 /// Largest noise in the acceleration of a window relative to its rms value.
 const NOISE_MOST: f64 = 0.3;
@@ -483,7 +488,8 @@ fn window(
         sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
     }
     let [all, q, bent, acceleration, cosine, sine, mean_torque, driving, mean_current, motor_speed] = sums;
-    let limited = current_limit_a.is_some_and(|limit| current.iter().any(|i| i.abs() > LIMITED * limit));
+    let beyond = |share: f64| current_limit_a.is_some_and(|limit| current.iter().any(|i| i.abs() > share * limit));
+    let (limited, exceeds) = (beyond(LIMITED), beyond(EXCEEDED));
     Some(Window {
         samples,
         stroke,
@@ -502,5 +508,6 @@ fn window(
         motor_acceleration: motor_acceleration / all,
         motor_jerk: motor_jerk / all,
         limited,
+        exceeds,
     })
 }

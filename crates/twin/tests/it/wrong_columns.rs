@@ -2,7 +2,7 @@
 
 use super::coverage::{off, planted, tables_of, transmission};
 use super::foreign::{EACH_MS, Instrument, Plant};
-use super::identify::{CODE, moves};
+use super::identify::{CODE, EXCITING, measured, moves, recorded_by};
 use super::parameters;
 use mechanism::{Extra, Friction, Mechanism, MechanismKind, Rotor, RotorKind};
 use numeric::Random;
@@ -223,6 +223,15 @@ const LATE: &[Wrong] = &[
     Wrong { name: "q 12 ms late", change: |run| later(&mut run.position_rad, 12), named: &[] },
     Wrong { name: "q 25 ms late", change: |run| later(&mut run.position_rad, 25), named: &[] },
     Wrong { name: "q 40 ms late", change: |run| later(&mut run.position_rad, 40), named: &[] },
+    Wrong { name: "T 8 ms late", change: |run| later(&mut run.torque_nm, 8), named: &[] },
+    Wrong {
+        name: "T 8, I 5 ms late",
+        change: |run| {
+            later(&mut run.torque_nm, 8);
+            later(&mut run.current_q_a, 5);
+        },
+        named: &[],
+    },
 ];
 
 /// Outcome of a run.
@@ -419,4 +428,36 @@ fn drives_with_the_stated_torque_constant_raise_no_doubt() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// Runs of the twin with moves up to the limit of the current raise no doubt: a current at its limit has no other scale.
+#[test]
+fn runs_at_the_limit_of_the_current_raise_no_doubt() {
+    let mut limited = 0;
+    for code in ["CHA-14A-80-H-RES", "CHA-14A-100-H-RES", "CHA-17A-100-E-M128S"] {
+        let parameters = parameters(code);
+        let tables = tables_of(code);
+        let most: f64 = parameters.actuator.current_max.known().unwrap().value.si();
+        let torque = 0.35 * most * tables.output_nm_a;
+        let inertia = tables.rotor_kgm2 + tables.flange_kgm2;
+        for (stretch, seed) in [0.6, 0.8, 1.0, 1.3].into_iter().flat_map(|stretch| [(stretch, 0), (stretch, 1)]) {
+            let plan: Vec<(f64, f64)> = EXCITING.iter().map(|(way, time)| (*way, time * stretch)).collect();
+            let motion = moves(&plan);
+            let plant = Plant {
+                load_kgm2: inertia,
+                coulomb_nm: 0.1 * torque,
+                viscous_nms: 0.03 * torque,
+                weight_nm: 0.25 * torque,
+                ..tables
+            };
+            let mechanism = stated_load("arm", &plant, &mut Random::new(seed));
+            let extras = [Extra::none()];
+            let run = measured(&recorded_by(&parameters, 16, &mechanism, &motion, &extras, seed), seed);
+            let stated = Stated { parameters: &parameters, mechanism: &mechanism, motion: &motion, extras: &extras };
+            let found = identify(&run, &stated).unwrap();
+            assert!(found.doubts.is_empty(), "{code} {stretch} {seed}: {:?}", found.doubts);
+            limited += found.at_limit;
+        }
+    }
+    assert!(limited > 100, "{limited}");
 }
