@@ -6,6 +6,7 @@ use crate::file_trouble::trouble_text;
 use crate::geometry::geometry;
 use crate::pick;
 use crate::texts::said;
+use crate::toml_syntax;
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, TableFault};
 use project::{ColumnDimensions, Diagnostic, Expected, Fault, Hint, Range};
@@ -65,7 +66,10 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "the project file has {bytes} bytes; the limit is {most}"
             | "die Projektdatei hat {bytes} Byte; zulässig sind höchstens {most}"
         ),
-        Fault::Syntax { message } => said!(language => "not valid TOML: {message}" | "kein gültiges TOML: {message}"),
+        Fault::Syntax { message } => {
+            let message = if language == Language::De { toml_syntax::in_german(message) } else { message.clone() };
+            said!(language => "not valid TOML: {message}" | "kein gültiges TOML: {message}")
+        }
         Fault::MissingKey { path, list } => {
             let name = if *list { format!("[[{path}]]") } else { path.clone() };
             said!(language => "`{name}` is missing" | "`{name}` fehlt")

@@ -53,6 +53,7 @@ pub mod tables;
 pub mod terminal;
 pub mod terms;
 mod texts;
+mod toml_syntax;
 mod twin_keys;
 pub mod upkeep;
 mod usage;
