@@ -125,8 +125,8 @@ mod tests {
         assert!(hints("voltage = \"560 V\"").iter().all(|hint| !matches!(hint, Hint::DidYouMean(_))));
     }
 
-    /// In every mechanism and in the load an unknown key with a length, mass or inertia leads to the keys of that section for
-    /// it, before another section that has a key of the name.
+    /// An unknown key with a length, mass or inertia, in every mechanism and in the load, leads to the keys of that section
+    /// for it, before another section that has a key of the name.
     #[test]
     fn an_unknown_key_leads_to_its_own_section_first() {
         let table = |name: &str| crate::root::KEYS.iter().find(|key| key.name == name).unwrap();

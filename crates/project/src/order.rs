@@ -8,13 +8,13 @@ use actuator::CurvePoint;
 use quantities::Measure;
 
 /// Keys of a section of which the value of the first is at most that of the second.
-pub(crate) type Order = (&'static str, &'static str);
+type KeyOrder = (&'static str, &'static str);
 
-const REQUIREMENTS: [Order; 1] = [("humidity_min", "humidity_max")];
+const REQUIREMENTS: [KeyOrder; 1] = [("humidity_min", "humidity_max")];
 
-const DRIVE: [Order; 1] = [("current_continuous", "current_peak")];
+const DRIVE: [KeyOrder; 1] = [("current_continuous", "current_peak")];
 
-const ACTUATOR: [Order; 5] = [
+const ACTUATOR: [KeyOrder; 5] = [
     ("stall_torque", "torque_max"),
     ("stall_current", "current_max"),
     ("current_max", "current_demagnetisation"),
@@ -22,11 +22,11 @@ const ACTUATOR: [Order; 5] = [
     ("speed_motor_rated", "speed_motor_max"),
 ];
 
-const MEASURED: [Order; 2] = [("gear_torque_1", "gear_torque_2"), ("chopper_off", "chopper_on")];
+const MEASURED: [KeyOrder; 2] = [("gear_torque_1", "gear_torque_2"), ("chopper_off", "chopper_on")];
 
 /// Reports the pairs of an axis that are stated in the wrong order, at the key of the lower value.
 pub(crate) fn check(parts: &Parts, reader: &mut Reader<'_>) {
-    let of = |section: Option<&dyn Fields>, orders: &[Order], reader: &mut Reader<'_>| {
+    let of = |section: Option<&dyn Fields>, orders: &[KeyOrder], reader: &mut Reader<'_>| {
         let Some(section) = section else { return };
         for (lower, upper) in orders {
             let [Some(low), Some(high)] = [lower, upper].map(|name| section.field(name)) else { continue };
@@ -65,7 +65,7 @@ mod tests {
     use crate::{KEYS, Project};
 
     /// Sections with their orders, keys that they need, and units of the values.
-    const SECTIONS: [(&str, &[Order], &str); 4] = [
+    const SECTIONS: [(&str, &[KeyOrder], &str); 4] = [
         ("requirements", &REQUIREMENTS, ""),
         ("drive", &DRIVE, ""),
         ("actuator", &ACTUATOR, "name = \"own\"\n"),
@@ -145,7 +145,7 @@ mod tests {
             ("_off", "_on"),
             ("_low", "_high"),
         ];
-        let listed: Vec<Order> = SECTIONS.iter().flat_map(|(_, orders, _)| orders.iter().copied()).collect();
+        let listed: Vec<KeyOrder> = SECTIONS.iter().flat_map(|(_, orders, _)| orders.iter().copied()).collect();
         fn walk(keys: &[Key], found: &mut Vec<(&'static str, &'static str)>) {
             for low in keys {
                 for (lower, upper) in ENDS {

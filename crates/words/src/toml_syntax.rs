@@ -6,7 +6,7 @@ const MESSAGES: &[(&str, &str)] = &[
     ("carriage return must be followed by newline", "auf einen Wagenrücklauf muss ein Zeilenende folgen"),
     ("missing opening quote", "öffnendes Anführungszeichen fehlt"),
     ("missing comma between array elements", "Komma zwischen den Einträgen der Liste fehlt"),
-    ("missing comma between key-value pairs", "Komma zwischen den Angaben fehlt"),
+    ("missing comma between key-value pairs", "zwischen den Angaben fehlt ein Komma"),
     ("missing assignment between key-value pairs", "Gleichheitszeichen zwischen Schlüssel und Wert fehlt"),
     ("extra assignment between key-value pairs", "Gleichheitszeichen zu viel"),
     ("extra `=`", "Gleichheitszeichen zu viel"),

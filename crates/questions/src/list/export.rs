@@ -74,12 +74,12 @@ mod tests {
     /// have is refused, for the workbook and the report too.
     #[test]
     fn a_date_is_one_of_the_calendar() {
-        let name = |each: &&Argument| (each.value)(Language::En) == values::date(Language::En);
+        let name = |each: &&Argument| (each.value)(Language::default()) == values::date(Language::default());
         let dates = LIST.iter().flat_map(|entry| entry.arguments).filter(name);
         let of_kind = dates.clone().filter(|each| matches!(each.kind, ArgumentKind::Date)).count();
         assert!(of_kind >= 4 && of_kind == dates.count(), "{of_kind}");
         let day = |arguments: &[Argument], text: &'static str| {
-            Given::of(arguments, [("date".into(), text.into())], Language::En)
+            Given::of(arguments, [("date".into(), text.into())], Language::default())
         };
         for (text, expected) in [
             ("2026-11-21", Some(Some("2026-11-21"))),

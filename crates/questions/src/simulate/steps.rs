@@ -15,7 +15,7 @@ const DAYS_CYCLES: u64 = 14;
 /// Limit of the steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StepLimit {
-    /// None: the call states a time limit.
+    /// No limit: the call states a time limit.
     None,
     /// [`STEPS_MOST`], unless the call states a time limit.
     WithoutTimeLimit,

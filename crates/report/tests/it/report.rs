@@ -534,7 +534,7 @@ fn another_gearing_is_proposed_where_nothing_fits() {
     }
 }
 
-/// Where nothing holds the load or no torque is available, the report says so instead of a limit of zero.
+/// A limit of zero is stated in words where nothing holds the load or no torque is available.
 #[test]
 fn a_limit_of_zero_is_stated_in_words() {
     let arm = |hold: &str, speed: &str| {
