@@ -255,9 +255,28 @@ fn taken(binary: &Path, arguments: &[&str], predicted: (f64, f64)) -> Option<Tak
     Some(Taken { seconds: ticks / 100.0, bytes, code, predicted })
 }
 
+/// Returns the larger share of the promised time and memory.
+fn share(taken: &Taken, slower: f64) -> f64 {
+    (taken.seconds / slower / PROMISED.0).max(taken.bytes / PROMISED.1)
+}
+
+/// Returns `true` if a promise or a prediction is exceeded, or the process broke down.
+fn exceeds(taken: &Taken, slower: f64) -> bool {
+    share(taken, slower) > SLACK || taken.of_predicted(slower) > SLACK || !(0..=2).contains(&taken.code)
+}
+
+/// Leaves the project of a case in `target/cost`, to run it again.
+fn keep(case: &Case) {
+    let folder = benches::root().join("target/cost");
+    let name: String = case.name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    std::fs::create_dir_all(&folder).expect("a folder for the cases");
+    std::fs::write(folder.join(RECORDING.0), RECORDING.1).expect("the recording is written");
+    std::fs::write(folder.join(format!("{name}.toml")), &case.project).expect("the project is written");
+}
+
 fn main() -> ExitCode {
     // With a number: the drawn projects alone, of that many seeds; with a program behind it: that one instead of the
-    // release binary.
+    // release binary. The projects that exceed a promise are left in `target/cost`.
     let mut words = std::env::args().skip(1).filter(|word| !word.starts_with('-'));
     let seeds = words.next().and_then(|word| word.parse().ok());
     let binary = words.next().map(PathBuf::from).or_else(binary).expect("the release binary is built");
@@ -283,12 +302,14 @@ fn main() -> ExitCode {
             let out = out.with_extension(if *command == "report" { "pdf" } else { "xlsx" });
             let arguments = arguments(command, path, out.to_str().expect("a folder with a name"));
             let Some(taken) = taken(&binary, &arguments, predicted) else { continue };
+            if exceeds(&taken, slower) {
+                keep(&case);
+            }
             found.push((format!("{command} {}", case.name), taken));
         }
     }
     let _ = std::fs::remove_dir_all(&folder);
-    let share = |taken: &Taken| (taken.seconds / slower / PROMISED.0).max(taken.bytes / PROMISED.1);
-    found.sort_by(|a, b| share(&b.1).total_cmp(&share(&a.1)));
+    found.sort_by(|a, b| share(&b.1, slower).total_cmp(&share(&a.1, slower)));
     println!("{} runs, seconds of a machine {slower:.1} times as fast;", found.len());
     println!("the ten that come nearest to what is promised, or beyond:");
     for (name, taken) in found.iter().take(10) {
@@ -303,13 +324,8 @@ fn main() -> ExitCode {
     }
     let refused = found.iter().filter(|(_, taken)| taken.code == 2).count();
     println!("  {refused} refused before the work began");
-    let broken: Vec<&str> = found
-        .iter()
-        .filter(|(_, taken)| {
-            share(taken) > SLACK || taken.of_predicted(slower) > SLACK || !(0..=2).contains(&taken.code)
-        })
-        .map(|(name, _)| name.as_str())
-        .collect();
+    let broken: Vec<&str> =
+        found.iter().filter(|(_, taken)| exceeds(taken, slower)).map(|(name, _)| name.as_str()).collect();
     if broken.is_empty() {
         return ExitCode::SUCCESS;
     }

@@ -10,11 +10,11 @@ use crate::supply::Edge;
 use crate::workings;
 use actuator::{ContinuousLimit, Drivetrain, ShortTime, chopper_thresholds};
 use derivation::{Finding, Workings};
-use numeric::at_most;
+use numeric::{First, at_most};
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{AMPERE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
 use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque, Unit};
-use trace::{Extent, Node, Panel, Sought};
+use trace::{Extent, Node, Panel, Sought, Trace};
 
 /// Checks U_DC ≤ U_DCmax, the largest *stationary* voltage. Regenerated energy may raise the voltage above it for a
 /// short time while braking (glossary of the manual), and no source states by how much and how long: if the rise that
@@ -89,25 +89,42 @@ impl<'a> Share<'a> {
         self.torque(node) * node.direction < 0.0
     }
 
+    /// Returns the fastest instant, given one that is as fast up to the tolerance of the search; of several the one with
+    /// the largest torque, and the first of these.
+    fn fastest(&self, trace: &Trace, near: Node) -> Node {
+        let mut fastest = near.speed_rad_s.abs();
+        let each = |least: f64, look: &mut dyn FnMut(&Node)| {
+            trace.as_fast_as(least, &mut |node| {
+                if !self.is_braking(node) {
+                    look(node);
+                }
+            });
+        };
+        each(near.speed_rad_s, &mut |node| fastest = fastest.max(node.speed_rad_s.abs()));
+        let mut largest = First::above(f64::NEG_INFINITY, near);
+        each(fastest, &mut |node| largest.see(self.torque(node).abs(), node.time_s, *node));
+        largest.place()
+    }
+
     /// Returns the limit at a speed.
     fn limit(&self, speed_rad_s: f64) -> Torque {
         (self.edge)(self.short_time.at(AngularVelocity::from_si(speed_rad_s)))
     }
 }
 
+/// Share from which nothing is permitted at the speed.
+const NOTHING_PERMITTED: f64 = 1e100;
+
 /// |T| over a limit at a speed. Where nothing is permitted, above every finite share and growing with the speed, so that
-/// the fastest instant is the worst; of equally fast ones that with the largest torque.
+/// the fastest instant is the worst.
 fn share(torque: f64, limit: f64, speed_rad_s: f64) -> f64 {
-    const NOTHING_PERMITTED: f64 = 1e100;
-    /// Weight of the torque, above the share within which two values count as equal.
-    const BY_TORQUE: f64 = 1e3 * numeric::EQUAL;
     let torque = torque.abs();
     if torque == 0.0 {
         0.0
     } else if limit > 0.0 {
         torque / limit
     } else {
-        NOTHING_PERMITTED * (1.0 + speed_rad_s.abs()) * (1.0 + BY_TORQUE * torque / (1.0 + torque))
+        NOTHING_PERMITTED * (1.0 + speed_rad_s.abs())
     }
 }
 
@@ -145,7 +162,10 @@ fn worst_instant(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, 
     let highest = actuator.torque_max.require("T_max")?;
     let short_time = ShortTime::of(actuator, terminal, currents.cold())?;
     let lower = Share::of(currents.inertia, highest.value.si(), &short_time);
-    let Some((found, worst)) = axis.trace.largest_above(&lower, case.least(1.0)) else { return Ok(None) };
+    let Some((found, mut worst)) = axis.trace.largest_above(&lower, case.least(1.0)) else { return Ok(None) };
+    if found >= NOTHING_PERMITTED {
+        worst = lower.fastest(&axis.trace, worst);
+    }
     let (torque, is_braking) = (lower.torque(&worst).abs(), lower.is_braking(&worst));
     if work.is_on() {
         workings::torque_at(&worst, actuator, work);

@@ -57,8 +57,22 @@ impl Instant {
     }
 }
 
-/// Number of evaluated panels of a piece, sixteen nodes each.
+/// Number of evaluated panels of a piece, and of the nodes of each.
 const PANELS: u32 = 8;
+const NODES: usize = 16;
+
+impl Axis {
+    /// Returns the number of instants at which the tension of the ropes is computed in one walk over the cycle; zero
+    /// without a rope.
+    #[must_use]
+    pub fn rope_instants(&self) -> f64 {
+        if !self.mechanism.has_rope() {
+            return 0.0;
+        }
+        let recorded: usize = self.motion.recordings().iter().map(motion::Placed::intervals).sum();
+        (self.motion.pieces().len() * PANELS as usize * NODES + 2 * recorded) as f64
+    }
+}
 
 impl RopeCourse {
     /// Evaluates the ropes of an axis; `None` without any.
@@ -119,7 +133,7 @@ impl OfRope<'_> {
             let tension = |t: f64| at(t).map_or(0.0, |instant| instant.tension_n);
             let mut cuts = if piece.is_rest() { Vec::new() } else { roots(tension, piece.duration_s) };
             let panels = (0..PANELS).map(f64::from).flat_map(|panel| {
-                lobatto(16).iter().map(move |(u, _)| (panel + u) / f64::from(PANELS) * piece.duration_s)
+                lobatto(NODES).iter().map(move |(u, _)| (panel + u) / f64::from(PANELS) * piece.duration_s)
             });
             let extremes = piece.jerk_roots();
             let seen: Vec<Instant> = panels.chain(extremes).filter_map(at).collect();

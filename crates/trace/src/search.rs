@@ -365,7 +365,11 @@ impl Best {
     fn narrow(&mut self, ends: [(f64, f64); 2], sought: &impl Sought, place: impl Fn(f64) -> Node) {
         let mut own = Vertex { value: f64::NEG_INFINITY, node: Node::default() };
         self.narrow_alone(&mut own, ends, sought, place);
-        if own.value > f64::NEG_INFINITY {
+        // A vertex no higher than an end is that end, which was evaluated before; its place differs by the rounding of the
+        // machine, and so would the signals there.
+        let [(_, first), (_, last)] = ends;
+        let highest_end = first.max(last);
+        if own.value > highest_end + NEGLIGIBLE * highest_end.abs() {
             self.see(&own.node, own.value);
         }
     }

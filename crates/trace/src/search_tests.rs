@@ -110,3 +110,30 @@ fn the_series_of_a_panel_are_the_polynomials_through_its_nodes() {
         }
     }
 }
+
+/// The instant of the largest speed is that at which the acceleration vanishes, not one beside it at which the speed is equal
+/// up to rounding: the torque there is that of the load alone.
+#[test]
+fn the_torque_at_the_largest_speed_is_that_of_the_load() {
+    for each in LAWS {
+        for time in [0.35, 0.6, 1.7] {
+            let moves = [law(each, 1.4, time), law(each, -1.4, 1.1 * time)];
+            let trace = Trace::of(&direct(), &motion(&moves), &[], &[]);
+            let speed = Any(|extent: &Extent| extent.speed_rad_s, |node: &Node| node.speed_rad_s.abs());
+            let (_, node) = trace.largest(&speed);
+            let most = trace
+                .largest(&Any(
+                    |extent: &Extent| extent.acceleration_rad_s2.0.abs().max(extent.acceleration_rad_s2.1.abs()),
+                    |node: &Node| node.acceleration_rad_s2.abs(),
+                ))
+                .0;
+            // A ramp ends with its acceleration at the largest speed.
+            let is_ramp = (node.acceleration_rad_s2.abs() - most).abs() <= 1e-9 * most;
+            assert!(
+                is_ramp || node.acceleration_rad_s2.abs() <= 1e-9 * most,
+                "{each:?} in {time} s: {} of {most} rad/s²",
+                node.acceleration_rad_s2
+            );
+        }
+    }
+}

@@ -330,20 +330,55 @@ fn peak_memory(mut child: Child) -> f64 {
     most
 }
 
+/// Writes a Parquet table of inertias in groups of five rows.
+fn put_groups(path: &Path, rows: u32) {
+    let inertias = arrow_array::Float64Array::from_iter_values((0..rows).map(|row| 1.0 + f64::from(row) * 1e-4));
+    let column: arrow_array::ArrayRef = std::sync::Arc::new(inertias);
+    let batch = arrow_array::RecordBatch::try_from_iter([("load.inertia [kg m^2]", column)]).unwrap();
+    let groups = parquet::file::properties::WriterProperties::builder().set_max_row_group_row_count(Some(5)).build();
+    let file = fs::File::create(path).unwrap();
+    let mut writer = parquet::arrow::ArrowWriter::try_new(file, batch.schema(), Some(groups)).unwrap();
+    writer.write(&batch).unwrap();
+    let _ = writer.close().unwrap();
+}
+
+/// The groups of a Parquet table are shorter than a part, and every row is answered: as from the same table as text.
+#[test]
+fn the_groups_of_a_table_lose_no_row() {
+    const ROWS: u32 = 43;
+    let bench = Bench::new();
+    put(bench.here(), "axis.toml", BRIEF);
+    put_groups(&bench.here().join("tasks.parquet"), ROWS);
+    let inertia = |row: u32| format!("{}\n", 1.0 + f64::from(row) * 1e-4);
+    put(bench.here(), "tasks.csv", &format!("load.inertia [kg m^2]\n{}", (0..ROWS).map(inertia).collect::<String>()));
+    let each: Vec<&str> = EVERY_CHECK.split_whitespace().flat_map(|check| ["--check", check]).collect();
+    let answers = ["tasks.csv", "tasks.parquet"].map(|table| {
+        let out = bench.here().join(format!("{table}.csv"));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+        // Parts of some eight rows.
+        command.args(["sweep", "axis.toml", "--table", table, "--memory", "32 MiB", "--out"]).arg(&out).args(&each);
+        let ended = command.current_dir(bench.here()).output().unwrap();
+        assert!(ended.status.code().is_some_and(|code| code < 2), "{}", String::from_utf8_lossy(&ended.stderr));
+        fs::read_to_string(out).unwrap()
+    });
+    let last = answers[0].lines().last().unwrap();
+    assert!(last.starts_with(&format!("{},", ROWS - 1)), "{last}");
+    assert!(answers[0] == answers[1], "{} and {} lines", answers[0].lines().count(), answers[1].lines().count());
+}
+
+const BRIEF: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"20 1/min\"\n\
+    accelerate = \"0.2 s\"\nrun = \"0.5 s\"\nbrake = \"0.2 s\"\npause = \"0.5 s\"\n";
+
+const EVERY_CHECK: &str = "peak_torque peak_speed mean_speed continuous_torque torque_speed_trace peak_current demagnetisation voltage \
+    thermal overload_i2t inertia_ratio gear_mean_torque gear_mean_input_speed gear_life collision_torque bearing_axial bearing_radial \
+    bearing_tilting_moment bearing_life bearing_static tilt_angle torsion natural_frequency resonance_speed brake_holding ambient";
+
 /// Every check of every code of every row: ten times as many rows need no more memory than the parts may take.
 #[cfg(target_os = "linux")]
 #[test]
 fn the_checks_of_every_code_are_held_to_the_memory() {
     let bench = Bench::new();
-    let checks = "peak_torque peak_speed mean_speed continuous_torque torque_speed_trace peak_current demagnetisation voltage thermal \
-        overload_i2t inertia_ratio gear_mean_torque gear_mean_input_speed gear_life collision_torque bearing_axial bearing_radial \
-        bearing_tilting_moment bearing_life bearing_static tilt_angle torsion natural_frequency resonance_speed brake_holding ambient";
-    put(
-        bench.here(),
-        "axis.toml",
-        "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"20 1/min\"\naccelerate = \"0.2 s\"\n\
-        run = \"0.5 s\"\nbrake = \"0.2 s\"\npause = \"0.5 s\"\n",
-    );
+    put(bench.here(), "axis.toml", BRIEF);
     let of = |rows: u32| {
         let inertia = |row: u32| format!("{}\n", 1.0 + f64::from(row) * 1e-4);
         put(
@@ -351,7 +386,7 @@ fn the_checks_of_every_code_are_held_to_the_memory() {
             "tasks.csv",
             &format!("load.inertia [kg m^2]\n{}", (0..rows).map(inertia).collect::<String>()),
         );
-        let each = checks.split_whitespace().flat_map(|check| ["--check", check]);
+        let each = EVERY_CHECK.split_whitespace().flat_map(|check| ["--check", check]);
         let more: Vec<&str> = ["--memory", "32 MiB", "--force"].into_iter().chain(each).collect();
         let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
         peak_memory(command.args(bench.call(&more)).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap())

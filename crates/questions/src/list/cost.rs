@@ -81,7 +81,8 @@ impl Cost {
             }
             Self::Workbook | Self::Course | Self::Other => (2.0 * INSTANTS_MOST, 0.0),
         };
-        1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes / instants + besides
+        let shown = project.axis.motion.stretches().len() as f64 / self.segments();
+        1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes / instants + shown + besides
     }
 
     /// Returns the approximate upper limits of an answer about an axis on one core: time \[s\], and memory of the
@@ -89,12 +90,33 @@ impl Cost {
     #[must_use]
     #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     pub fn predicted(self, project: &Project) -> (f64, f64) {
-        /// Bytes of the process itself, of a sample with its position, speed and acceleration, and of an instant.
-        const BYTES: (f64, f64, f64) = (40e6, 128.0, 512.0);
+        /// Bytes of a sample with its position, speed and acceleration, and of an instant.
+        const BYTES: (f64, f64) = (128.0, 512.0);
         let [recorded, _] = project.axis.samples();
         let nodes = project.axis.instants().saturating_sub(recorded);
-        let bytes = BYTES.0 + BYTES.1 * recorded as f64 + BYTES.2 * nodes as f64;
+        let [process, row] = self.bytes();
+        let rows = project.axis.motion.stretches().len() as f64;
+        let bytes = process + row * rows + BYTES.0 * recorded as f64 + BYTES.1 * nodes as f64;
         (self.share(project) * self.seconds() as f64, bytes)
+    }
+
+    /// Returns the memory of the process itself with its fonts and tables, and that of a segment of the motion in the
+    /// document \[byte\].
+    const fn bytes(self) -> [f64; 2] {
+        match self {
+            Self::Report => [110e6, 0.4e6],
+            Self::Workbook => [40e6, 0.15e6],
+            Self::Ranking { .. } | Self::Check { .. } | Self::Course | Self::Other => [40e6, 0.0],
+        }
+    }
+
+    /// Returns the number of segments that an answer shows within its time.
+    const fn segments(self) -> f64 {
+        match self {
+            Self::Report => 2000.0,
+            Self::Workbook => 4000.0,
+            Self::Ranking { .. } | Self::Check { .. } | Self::Course | Self::Other => f64::INFINITY,
+        }
     }
 
     /// Checks that the catalogue can be judged in this time for each of several ratios of a stage, of which the axis

@@ -92,3 +92,39 @@ fn the_beginning_of_the_cycle_does_not_choose_among_equals() {
         }
     }
 }
+
+/// Beyond the speed of an actuator the trace has no limit of torque, and its value is the torque at the largest speed: there the
+/// acceleration vanishes, and a conveyor needs its friction alone, T = F d/(2 η). An instant beside it at which the speed is
+/// equal up to rounding has another torque.
+#[test]
+fn beyond_the_speed_the_torque_is_that_of_the_largest_speed() {
+    let mut found = 0;
+    for (law, time, force, diameter) in
+        [("modified_sine", 2.0, 60.0, 100.0), ("polynomial_5", 1.7, 35.0, 90.0), ("simple_sine", 1.3, 150.0, 70.0)]
+    {
+        let text = format!(
+            "format = 1\n[axis]\nname = \"belt\"\n[mechanism.conveyor]\nroller_diameter = \"{diameter} mm\"\nmass = \"80 kg\"\n\
+             inertia = \"0.01 kg m^2\"\nfriction_force = \"{force} N\"\nefficiency = 0.9\n[[motion]]\nlaw = \"{law}\"\n\
+             distance = \"500 mm\"\ntime = \"{time} s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n\
+             [requirements]\nsupply = \"560 V\"\n"
+        );
+        let project = questions::read(&text).unwrap();
+        let friction_nm = force * 1e-3 * diameter / 2.0 / 0.9;
+        for code in questions::size(&project).rejected() {
+            let questions::CandidateId::Code(code) = &code.id else { continue };
+            let candidate = questions::check(&project, code).unwrap();
+            let mut checks = candidate.judgement.checks.iter();
+            let trace = checks.find(|check| check.id == sizing::CheckId::TorqueSpeedTrace).unwrap();
+            let (Some(value), Some(limit)) = (trace.value, trace.limit) else { continue };
+            if limit.si == 0.0 {
+                found += 1;
+                assert!(
+                    (value.si - friction_nm).abs() <= 1e-9 * friction_nm,
+                    "{law}, {code}: {} {friction_nm}",
+                    value.si
+                );
+            }
+        }
+    }
+    assert!(found > 50, "{found} actuators are too slow");
+}

@@ -89,6 +89,22 @@ pub enum TableValues {
     Other(usize),
 }
 
+impl TableValues {
+    /// Adds the values of further rows of the same column.
+    fn append(&mut self, more: Self) {
+        match (self, more) {
+            (Self::Floats(values), Self::Floats(more)) => values.extend(more),
+            (Self::Integers(values), Self::Integers(more)) => values.extend(more),
+            (Self::Unsigned(values), Self::Unsigned(more)) => values.extend(more),
+            (Self::Texts(values), Self::Texts(more)) => values.extend(more),
+            (Self::Truths(values), Self::Truths(more)) => values.extend(more),
+            (Self::Other(count), Self::Other(more)) => *count += more,
+            // The kind of a column decides on its values, see `Table::values`.
+            _ => {}
+        }
+    }
+}
+
 /// An open table.
 pub struct Table {
     source: Box<dyn Ranges>,
@@ -176,22 +192,33 @@ impl Table {
         Ok(())
     }
 
-    /// Returns the next rows, at most `most`; `None` after the last.
+    /// Returns the next `rows` rows, fewer only at the end of the table; `None` after the last. The groups of the file
+    /// leave no trace: a part that is counted in rows begins at the same row whatever their sizes.
     ///
     /// # Errors
     /// The fault of the file.
-    pub fn next(&mut self, most: usize) -> Result<Option<Vec<TableValues>>, Fault> {
-        while self.left == 0 {
-            if self.groups.is_empty() {
-                return Ok(None);
+    pub fn next(&mut self, rows: usize) -> Result<Option<Vec<TableValues>>, Fault> {
+        let (mut found, mut count): (Option<Vec<TableValues>>, usize) = (None, 0);
+        while count < rows {
+            if self.left == 0 {
+                if self.groups.is_empty() {
+                    break;
+                }
+                self.begin()?;
+                continue;
             }
-            self.begin()?;
+            let more = self.fill(rows - count)?;
+            if more == 0 {
+                return Err(damaged(Damage::Lengths));
+            }
+            count += more;
+            let values = self.values(more, count)?;
+            match &mut found {
+                None => found = Some(values),
+                Some(found) => found.iter_mut().zip(values).for_each(|(found, more)| found.append(more)),
+            }
         }
-        let count = self.fill(most)?;
-        if count == 0 {
-            return Err(damaged(Damage::Lengths));
-        }
-        self.values(count).map(Some)
+        Ok(found)
     }
 
     /// Opens the next group.
@@ -232,13 +259,13 @@ impl Table {
         Ok(count)
     }
 
-    /// Returns the rows read last, column by column.
-    fn values(&mut self, count: usize) -> Result<Vec<TableValues>, Fault> {
+    /// Returns the rows read last, column by column; `held` is their number with those before that are returned together.
+    fn values(&mut self, count: usize, held: usize) -> Result<Vec<TableValues>, Fault> {
         // A text of a dictionary may occur in every row.
         let lengths = self.streams.iter().flat_map(|stream| &stream.texts).map(|text| text.len() as u64);
         let mut bounded = self.memory.clone();
         bounded.take(lengths.sum::<u64>().saturating_mul(3))?;
-        bounded.take((self.columns.len() as u64).saturating_mul(count as u64).saturating_mul(CELL_BYTES))?;
+        bounded.take((self.columns.len() as u64).saturating_mul(held as u64).saturating_mul(CELL_BYTES))?;
         let mut found: Vec<TableValues> = self.columns.iter().map(|_| TableValues::Other(count)).collect();
         for ((index, ..), stream) in self.used.iter().zip(&self.streams) {
             let Some((slot, column)) = found.get_mut(*index).zip(self.columns.get(*index)) else { continue };

@@ -89,8 +89,8 @@ fn every_kind_of_column_is_read_in_parts() {
         assert_eq!(first[4], TableValues::Unsigned(vec![None, None]));
         assert_eq!(first[5], TableValues::Truths(vec![Some(false), None]));
         assert_eq!(first[6], TableValues::Texts(vec![Some("a".to_owned()), Some("größer".to_owned())]));
-        let rest = table.next(100).unwrap().unwrap();
-        assert_eq!(rest[4], TableValues::Unsigned(vec![Some(7)]), "a part ends with its group");
+        let rest = table.next(1).unwrap().unwrap();
+        assert_eq!(rest[4], TableValues::Unsigned(vec![Some(7)]));
         table.skip(5).unwrap();
         assert_eq!(
             table.next(100).unwrap().unwrap()[3],
@@ -98,6 +98,28 @@ fn every_kind_of_column_is_read_in_parts() {
         );
         assert_eq!(table.next(100).unwrap(), None);
         table.skip(1000).unwrap();
+    }
+}
+
+/// The parts of a table are those of its rows, whatever the groups of the file: all are full but the last, and together they are
+/// the whole.
+#[test]
+fn a_part_goes_on_across_the_groups_of_the_file() {
+    let whole = open(made(Compression::SNAPPY)).unwrap().next(1000).unwrap().unwrap();
+    let TableValues::Floats(all) = &whole[3] else { panic!("{whole:?}") };
+    for rows in 1..=all.len() + 1 {
+        for skipped in 0..all.len() {
+            let mut table = open(made(Compression::SNAPPY)).unwrap();
+            table.skip(skipped as u64).unwrap();
+            let mut found = Vec::new();
+            while let Some(part) = table.next(rows).unwrap() {
+                let TableValues::Floats(values) = &part[3] else { panic!("{part:?}") };
+                assert_eq!(values.len(), rows.min(all.len() - skipped - found.len()), "{rows} rows from {skipped}");
+                assert_eq!(part[0], TableValues::Other(values.len()));
+                found.extend(values.clone());
+            }
+            assert_eq!(found, all[skipped..], "{rows} rows from {skipped}");
+        }
     }
 }
 
