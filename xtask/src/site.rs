@@ -11,7 +11,7 @@ use crate::cargo::{Workspace, cargo, must_succeed};
 const TARGET: &str = "wasm32-wasip1";
 
 /// Maximum size of the engine as fetched by a browser, packed with brotli \[bytes\].
-const ENGINE_MOST: usize = 1 << 20;
+const ENGINE_MOST: usize = 5 << 18;
 
 /// Returns the path of the folder.
 pub(crate) fn folder(root: &Path) -> Result<PathBuf, Error> {
