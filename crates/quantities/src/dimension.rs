@@ -129,33 +129,6 @@ impl Dimension {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_dimension_has_units_of_its_own_and_an_example_that_parses() {
-        for dimension in Dimension::ALL.iter().copied() {
-            assert!(!dimension.units().is_empty(), "{dimension:?}");
-            assert!(dimension.units().iter().all(|unit| unit.dimension == dimension), "{dimension:?}");
-            assert!(crate::parse(dimension, dimension.example()).is_ok(), "{dimension:?}");
-        }
-    }
-
-    #[test]
-    fn names_are_reported_in_both_languages() {
-        assert_eq!(Dimension::Torque.name(Language::De), "Drehmoment");
-        assert_eq!(Dimension::AngularVelocity.name_with_article(Language::De), "eine Drehzahl");
-        assert_eq!(Dimension::Angle.name_with_article(Language::En), "an angle");
-        for dimension in Dimension::ALL {
-            let name = dimension.name(Language::En);
-            let an = name.starts_with(['a', 'e', 'i', 'o', 'u']);
-            let article = if an { "an" } else { "a" };
-            assert_eq!(dimension.name_with_article(Language::En), format!("{article} {name}"));
-        }
-    }
-}
-
 impl Dimension {
     /// Returns the resolution of computed figures in SI: a smaller one is the rounding of its computation, such as an
     /// instant of 3·10⁻¹⁰ s for the start. Zero where small values occur.
@@ -195,6 +168,33 @@ impl Dimension {
             | Self::TiltingStiffness
             | Self::ViscousFriction
             | Self::Information => 0.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_dimension_has_units_of_its_own_and_an_example_that_parses() {
+        for dimension in Dimension::ALL.iter().copied() {
+            assert!(!dimension.units().is_empty(), "{dimension:?}");
+            assert!(dimension.units().iter().all(|unit| unit.dimension == dimension), "{dimension:?}");
+            assert!(crate::parse(dimension, dimension.example()).is_ok(), "{dimension:?}");
+        }
+    }
+
+    #[test]
+    fn names_are_reported_in_both_languages() {
+        assert_eq!(Dimension::Torque.name(Language::De), "Drehmoment");
+        assert_eq!(Dimension::AngularVelocity.name_with_article(Language::De), "eine Drehzahl");
+        assert_eq!(Dimension::Angle.name_with_article(Language::En), "an angle");
+        for dimension in Dimension::ALL {
+            let name = dimension.name(Language::En);
+            let an = name.starts_with(['a', 'e', 'i', 'o', 'u']);
+            let article = if an { "an" } else { "a" };
+            assert_eq!(dimension.name_with_article(Language::En), format!("{article} {name}"));
         }
     }
 }

@@ -69,7 +69,7 @@ pub(super) fn requirements(page: &mut Page<'_, '_>) -> Result<()> {
         page.plain("emergency_stops", count);
     }
     if page.seldom()? {
-        let some = *page.u.choose(&["[\"M512P\"]", "[\"RES\", \"C1024\"]", "[\"M128S\"]", "[\"D2048\"]", "[]"])?;
+        let some = *page.u.choose(&["[\"M512P\"]", "[\"RES\", \"C1024\"]", "[\"M128S\"]", "[\"D2048\"]"])?;
         page.plain("feedback", some);
     }
     page.may_number("holding_safety", 1.0, 3.0)?;
@@ -84,7 +84,7 @@ pub(super) fn requirements(page: &mut Page<'_, '_>) -> Result<()> {
     Ok(())
 }
 
-/// Writes a user's own actuator, with all its data or a part of them.
+/// Writes a user's own actuator, with all its data or a part of them; the ranges keep the order of rated and largest values.
 pub(super) fn actuator(page: &mut Page<'_, '_>) -> Result<()> {
     let data: [(&str, f64, f64, UnitSpellings); 21] = [
         ("torque_max", 20.0, 900.0, TORQUE),
@@ -92,10 +92,10 @@ pub(super) fn actuator(page: &mut Page<'_, '_>) -> Result<()> {
         ("speed_motor_max", 4000.0, 8500.0, SPEED),
         ("speed_motor_rated", 2000.0, 3500.0, SPEED),
         ("inertia_out", 0.05, 8.0, INERTIA),
-        ("stall_torque", 5.0, 400.0, TORQUE),
-        ("stall_current", 0.5, 12.0, CURRENT),
+        ("stall_torque", 2.0, 20.0, TORQUE),
+        ("stall_current", 0.2, 1.0, CURRENT),
         ("current_max", 1.0, 40.0, CURRENT),
-        ("current_demagnetisation", 5.0, 120.0, CURRENT),
+        ("current_demagnetisation", 40.0, 120.0, CURRENT),
         ("no_load_starting_current", 0.02, 0.8, CURRENT),
         ("no_load_current_constant_30", 1e-4, 0.05, &[("A/(1/min)", 1.0)]),
         ("no_load_current_constant_80", 1e-4, 0.05, &[("A/(1/min)", 1.0)]),
@@ -127,11 +127,11 @@ pub(super) fn actuator(page: &mut Page<'_, '_>) -> Result<()> {
         let pairs = page.u.int_in_range(1..=12)?;
         page.plain("pole_pairs", pairs);
     }
-    for key in ["continuous_curve", "short_time_curve"] {
-        if page.u.ratio(1, 3)? {
-            let corners = corners(page)?;
-            page.plain(key, corners);
-        }
+    // Both have an order, which random corners do not keep.
+    if page.u.ratio(1, 2)? {
+        let key = *page.u.choose(&["continuous_curve", "short_time_curve"])?;
+        let corners = corners(page)?;
+        page.plain(key, corners);
     }
     Ok(())
 }

@@ -38,8 +38,8 @@ const MEASURED: [(&str, f64, f64, UnitSpellings); 22] = [
     ("torque_constant_motor", 1e-3, 10.0, &[("N m/A", 1.0)]),
     ("inertia_out", 1e-4, 100.0, INERTIA),
     ("no_load_starting_current", 0.0, 10.0, CURRENT),
-    ("gear_torque_1", 0.1, 500.0, TORQUE),
-    ("gear_torque_2", 0.1, 500.0, TORQUE),
+    ("gear_torque_1", 0.1, 50.0, TORQUE),
+    ("gear_torque_2", 50.0, 500.0, TORQUE),
     ("gear_stiffness_1", 1.0, 1e7, STIFFNESS),
     ("gear_stiffness_2", 1.0, 1e7, STIFFNESS),
     ("gear_stiffness_3", 1.0, 1e7, STIFFNESS),
@@ -61,8 +61,8 @@ const SHARES: [(&str, f64, f64); 6] = [
     ("gear_damping_ratio", 0.0, 1.0),
     ("breakaway_ratio", 1.0, 10.0),
     ("kinematic_share_2", 0.0, 1.0),
-    ("chopper_on", 1.0, 2.0),
-    ("chopper_off", 1.0, 2.0),
+    ("chopper_on", 1.5, 2.0),
+    ("chopper_off", 1.0, 1.5),
 ];
 
 pub(super) fn twin(page: &mut Page<'_, '_>) -> Result<()> {

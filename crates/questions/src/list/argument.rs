@@ -30,8 +30,11 @@ pub struct Argument {
     /// `true` if a value may begin with a minus sign.
     pub signed: bool,
     /// Titles that are accepted for the words, each with its word.
-    pub titles: Option<fn() -> Vec<(String, &'static str)>>,
+    pub titles: Option<Titles>,
 }
+
+/// Function that returns titles, each with its word.
+pub(super) type Titles = fn() -> Vec<(String, &'static str)>;
 
 /// Kind of the value of an argument.
 #[derive(Clone, Copy, Debug)]
@@ -141,7 +144,7 @@ impl Argument {
 
     /// Returns the argument with titles that are accepted for its words: the names that an answer shows.
     #[must_use]
-    pub const fn titled(self, titles: fn() -> Vec<(String, &'static str)>) -> Self {
+    pub const fn titled(self, titles: Titles) -> Self {
         Self { titles: Some(titles), ..self }
     }
 
