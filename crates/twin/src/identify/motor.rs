@@ -101,6 +101,12 @@ const TEETH: f64 = 0.5;
 const LAG: f64 = 0.25;
 const LAG_LEAST_S: f64 = 1e-4;
 
+/// Smallest ratio F with which further signals give a part of the torque; below it they repeat its noise.
+///
+/// # Source
+/// Staiger and Stock, Econometrica 65 (1997)
+const STRONG: f64 = 10.0;
+
 /// Factors by which the signals of a run are larger than those that their columns state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
@@ -316,30 +322,51 @@ impl<'w> Equations<'w> {
 
     /// Returns the torque of each window as the other signals give it \[Nm\].
     ///
-    /// T = X c, X = (Ω', σ, Ω, 1, cos q, sin q), with losses also p X
+    /// T = X c, X = (Ω', σ, Ω, 1) with cos q and sin q, and with losses p X, where these are strong
     ///
     /// # Symbols
     /// p share of the window in which the torque drives
     /// # Source
-    /// two-stage least squares: Theil, Repeated least squares applied to complete equation systems (1953)
+    /// two-stage least squares: Theil, Repeated least squares applied to complete equation systems (1953); F > 10 of strong
+    /// instruments: Staiger and Stock, Instrumental variables regression with weak instruments, Econometrica 65 (1997)
     /// # Valid
     /// the noise of the torque is none of the other signals; what they do not give of the torque says nothing of the motor
     fn instrumented(&self, lag: f64) -> Option<Vec<f64>> {
-        let row = |window: &&Window| {
-            let speed = window.motor_speed + lag * window.motor_acceleration;
-            let acceleration = window.motor_acceleration + lag * window.motor_jerk;
-            let mut regressors = vec![acceleration, window.sign, speed, 1.0, window.cosine, window.sine];
-            if self.has_losses {
-                let share = driving_share(window);
-                let sided: Vec<f64> = regressors.iter().map(|value| share * value).collect();
-                regressors.extend(sided);
-            }
-            Row { regressors, value: window.torque, stroke: window.stroke }
+        let rows = |[hangs, sided]: [bool; 2]| -> Vec<Row> {
+            let row = |window: &&Window| {
+                let speed = window.motor_speed + lag * window.motor_acceleration;
+                let acceleration = window.motor_acceleration + lag * window.motor_jerk;
+                let mut regressors = vec![acceleration, window.sign, speed, 1.0];
+                if hangs {
+                    regressors.extend([window.cosine, window.sine]);
+                }
+                if sided {
+                    let share = driving_share(window);
+                    let of_side: Vec<f64> = regressors.iter().map(|value| share * value).collect();
+                    regressors.extend(of_side);
+                }
+                Row { regressors, value: window.torque, stroke: window.stroke }
+            };
+            self.windows.iter().map(row).collect()
         };
-        let rows: Vec<Row> = self.windows.iter().map(row).collect();
-        let fit = fit(&rows, &[], &[])?;
-        let value = |row: &Row| row.regressors.iter().zip(&fit.values).map(|(a, b)| a * b).sum();
-        Some(rows.iter().map(value).collect())
+        let mut taken = (rows([false; 2]), [false; 2]);
+        let mut found = fit(&taken.0, &[], &[])?;
+        for more in [[true, false], [false, true]] {
+            if more[1] && !self.has_losses {
+                continue;
+            }
+            let parts = [taken.1[0] || more[0], taken.1[1] || more[1]];
+            let wider = rows(parts);
+            let Some(other) = fit(&wider, &[], &[]) else { continue };
+            #[allow(clippy::cast_precision_loss, reason = "a handful")]
+            let [width, added] = [other.values.len() as f64, (other.values.len() - found.values.len()) as f64];
+            let left = other.square / (other.independent - width).max(1.0);
+            if (found.square - other.square) / added > STRONG * left {
+                (taken, found) = ((wider, parts), other);
+            }
+        }
+        let value = |row: &Row| row.regressors.iter().zip(&found.values).map(|(a, b)| a * b).sum();
+        Some(taken.0.iter().map(value).collect())
     }
 
     /// Returns what the tables say of the coefficients: c of the rotor, and d of the losses of the teeth.
