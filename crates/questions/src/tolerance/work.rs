@@ -15,18 +15,17 @@ const MOST: f64 = 1e7;
 pub(super) const FOR_CORNERS: f64 = 1e6;
 
 /// Work of an instant whose load does not depend on the position.
-const PLAIN: f64 = 0.2;
+const PLAIN: f64 = 0.4;
 
 /// Work of an instant at which the loads on the flange are computed for one bearing.
-const ON_THE_FLANGE: f64 = 0.33;
+const ON_THE_FLANGE: f64 = 0.45;
 
 /// Work of an instant at which the tension of the ropes is computed.
 const OF_ROPES: f64 = 0.25;
 
-/// Work of a variant and of an actuator besides that of their instants, and that of a piece of the motion.
-const VARIANT: f64 = 55.0;
-const ACTUATOR: f64 = 20.0;
-const PIECE: f64 = 5.5;
+/// Work of an actuator besides that of its instants, and that of a piece of the motion.
+const ACTUATOR: f64 = 10.0;
+const PIECE: f64 = 1.0;
 
 /// Number of bearings of the actuators judged for a variant: neighbours in a ranking share theirs.
 const BEARINGS: usize = 4;
@@ -38,7 +37,7 @@ pub(super) fn cost_of_a_variant(project: &Project, actuators: usize) -> f64 {
     let instants = project.axis.instants() as f64;
     let made = if project.axis.mechanism.depends_on_position() { instants } else { PLAIN * instants };
     let flange: f64 = project.axis.flange_instants().iter().sum();
-    let variant = VARIANT + PIECE * project.axis.motion.pieces().len() as f64 + OF_ROPES * project.axis.rope_instants();
+    let variant = PIECE * project.axis.motion.pieces().len() as f64 + OF_ROPES * project.axis.rope_instants();
     variant
         + 1.5 * made
         + actuators as f64 * (ACTUATOR + 0.125 * instants)

@@ -89,7 +89,7 @@ fn a_recorded_gear_may_turn_the_other_way() {
     }
     for ratio in ["0", "1e-5", "-1e-5"] {
         let faults = read(LOAD, &format!("recorded_ratio = {{ speed = {ratio} }}"), &recording(AT_OUTPUT, [1.0; 3]));
-        assert!(matches!(faults.unwrap_err().as_slice(), [Fault::NumberOutOfRange { .. }]), "{ratio}");
+        assert!(matches!(faults.unwrap_err().as_slice(), [Fault::RatioTooSmall { .. }]), "{ratio}");
     }
 }
 

@@ -34,6 +34,10 @@ const MOVED: f64 = 0.1;
 /// without a hundredth at each end. A choice: noise of any kind exceeds neither.
 const WILD: [f64; 2] = [20.0, 0.3];
 
+/// The same relative to the range for a torque or a current: at a reversal they jump by the friction, with a peak of the
+/// controller within a row.
+const WILD_FORCE: f64 = 1.0;
+
 /// Largest share of the rows that are single values. A choice: more are a signal.
 const WILD_MOST: f64 = 0.01;
 
@@ -197,7 +201,8 @@ fn outlier(column: Column, values: &[f64], time: &[f64]) -> Option<Doubt> {
     let mut sorted = values.to_vec();
     let range = quantile(&mut sorted, 0.99) - quantile(&mut sorted, 0.01);
     let [of_usual, of_range] = WILD;
-    let least = (of_usual * usual).max(of_range * range);
+    let is_force = matches!(column, Column::Torque | Column::Current);
+    let least = (of_usual * usual).max(if is_force { WILD_FORCE } else { of_range } * range);
     let mut wild = off.iter().enumerate().filter(|(_, off)| **off > least);
     let (first, _) = wild.next()?;
     #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
