@@ -305,12 +305,7 @@ impl Segment {
     }
 
     /// Returns the segment at the output; `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
-    fn spec(
-        &self,
-        travel: Option<f64>,
-        recorded: &mut RecordedMotions,
-        reader: &mut Reader<'_>,
-    ) -> Option<SegmentSpec> {
+    fn spec(&self, travel: Option<f64>, known: &mut RecordedMotions, reader: &mut Reader<'_>) -> Option<SegmentSpec> {
         let before = reader.fault_count();
         let given = Given {
             distance: turned(&self.distance, travel, reader),
@@ -325,7 +320,7 @@ impl Segment {
         // Their own faults do not depend on the keys of a law.
         let read = match law {
             SegmentLaw::Points => self.through_points(given.end_speed, travel, reader).map(SegmentSpec::Points),
-            SegmentLaw::Recorded => crate::recorded::motion(self, travel, recorded, reader).map(SegmentSpec::Recorded),
+            SegmentLaw::Recorded => crate::recorded::motion(self, travel, known, reader).map(SegmentSpec::Recorded),
             SegmentLaw::Manual | SegmentLaw::Dwell | SegmentLaw::Law(_) => None,
         };
         if !is_readable {

@@ -242,10 +242,16 @@ struct Search<'a> {
     seen_blocks: BTreeMap<(usize, usize), Vec<f64>>,
 }
 
-/// Returns `true` if what begins with these states cannot get higher than where it was searched before, since no lag
-/// starts higher: the initial state only adds to the result.
-fn starts_no_higher(states: &[f64], seen: &[f64]) -> bool {
-    states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs())
+/// Returns `true` if a part of this kind was searched before and no lag starts higher now: the initial state only adds to
+/// the result, so no lag can get higher within the part either. Otherwise remembers the states.
+fn was_searched<K: Ord>(seen: &mut BTreeMap<K, Vec<f64>>, kind: K, states: &[f64]) -> bool {
+    let is_no_higher =
+        |seen: &Vec<f64>| states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs());
+    if seen.get(&kind).is_some_and(is_no_higher) {
+        return true;
+    }
+    seen.insert(kind, states.to_vec());
+    false
 }
 
 impl Search<'_> {
@@ -288,7 +294,7 @@ impl Search<'_> {
                         let through = |flow: &Flow| flow.stretch(index);
                         let duration = lags.duration * stretch;
                         if self.may_rise((&self.states, self.now_s), through, duration, most, own)
-                            && !self.was_block_seen((strip.first, place))
+                            && !was_searched(&mut self.seen_blocks, (strip.first, place), &self.states)
                         {
                             self.inside_block(number, strip, place);
                         }
@@ -357,23 +363,10 @@ impl Search<'_> {
         }
     }
 
-    /// Returns `true` if a block of a recording was searched before at an earlier place of it, see [`starts_no_higher`].
-    fn was_block_seen(&mut self, kind: (usize, usize)) -> bool {
-        if self.seen_blocks.get(&kind).is_some_and(|seen| starts_no_higher(&self.states, seen)) {
-            return true;
-        }
-        self.seen_blocks.insert(kind, self.states.clone());
-        false
-    }
-
-    /// Returns `true` if a panel with the same signals was searched before, see [`starts_no_higher`].
+    /// Returns `true` if a panel with the same signals was searched before, see [`was_searched`].
     fn was_seen(&mut self, panel: &Panel<'_>, states: &[f64]) -> bool {
         let Some(like) = panel.like().filter(|like| like.has_others) else { return false };
-        if self.seen.get(&like.first).is_some_and(|seen| starts_no_higher(states, seen)) {
-            return true;
-        }
-        self.seen.insert(like.first, states.to_vec());
-        false
+        was_searched(&mut self.seen, like.first, states)
     }
 
     fn step(&mut self, index: usize, duration: f64) {

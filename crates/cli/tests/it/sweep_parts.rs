@@ -330,17 +330,9 @@ fn peak_memory(mut child: Child) -> f64 {
     most
 }
 
-/// Writes a Parquet table of inertias in groups of five rows.
-fn put_groups(path: &Path, rows: u32) {
-    let inertias = arrow_array::Float64Array::from_iter_values((0..rows).map(|row| 1.0 + f64::from(row) * 1e-4));
-    let column: arrow_array::ArrayRef = std::sync::Arc::new(inertias);
-    let batch = arrow_array::RecordBatch::try_from_iter([("load.inertia [kg m^2]", column)]).unwrap();
-    let groups = parquet::file::properties::WriterProperties::builder().set_max_row_group_row_count(Some(5)).build();
-    let file = fs::File::create(path).unwrap();
-    let mut writer = parquet::arrow::ArrowWriter::try_new(file, batch.schema(), Some(groups)).unwrap();
-    writer.write(&batch).unwrap();
-    let _ = writer.close().unwrap();
-}
+/// The inertias of [`the_groups_of_a_table_lose_no_row`] in row groups of five rows each, written with pyarrow 26:
+/// `pq.write_table(pa.table({"load.inertia [kg m^2]": [1 + 1e-4 * row for row in range(43)]}), path, row_group_size=5)`.
+const GROUPS: &[u8] = include_bytes!("../data/groups.parquet");
 
 /// The groups of a Parquet table are shorter than a part, and every row is answered: as from the same table as text.
 #[test]
@@ -348,7 +340,7 @@ fn the_groups_of_a_table_lose_no_row() {
     const ROWS: u32 = 43;
     let bench = Bench::new();
     put(bench.here(), "axis.toml", BRIEF);
-    put_groups(&bench.here().join("tasks.parquet"), ROWS);
+    fs::write(bench.here().join("tasks.parquet"), GROUPS).unwrap();
     let inertia = |row: u32| format!("{}\n", 1.0 + f64::from(row) * 1e-4);
     put(bench.here(), "tasks.csv", &format!("load.inertia [kg m^2]\n{}", (0..ROWS).map(inertia).collect::<String>()));
     let each: Vec<&str> = EVERY_CHECK.split_whitespace().flat_map(|check| ["--check", check]).collect();

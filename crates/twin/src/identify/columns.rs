@@ -34,7 +34,7 @@ const MOVED: f64 = 0.1;
 /// without a hundredth at each end. A choice: noise of any kind exceeds neither.
 const WILD: [f64; 2] = [20.0, 0.3];
 
-/// The same relative to the range for a torque or a current: at a reversal they jump by the friction, with a peak of the
+/// Largest deviation relative to the range for a torque or a current: at a reversal they jump by the friction, with a peak of the
 /// controller within a row.
 const WILD_FORCE: f64 = 1.0;
 
