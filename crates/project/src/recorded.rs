@@ -333,14 +333,25 @@ pub(crate) fn samples(segment: &Segment) -> usize {
 
 /// Recorded motions of the segments of an axis: segments that use one recording alike share its motion.
 #[derive(Default)]
-pub(crate) struct RecordedMotions(Vec<(Arc<Recording>, [f64; 3], Treatment, Arc<Recorded>)>);
+pub(crate) struct RecordedMotions(Vec<RecordedUse>);
+
+/// A recording with the use that a segment makes of it, and the motion that results.
+struct RecordedUse {
+    recording: Arc<Recording>,
+    /// Factors of position, speed and torque.
+    factors: [f64; 3],
+    treatment: Treatment,
+    motion: Arc<Recorded>,
+}
 
 impl RecordedMotions {
     /// Returns the motion of another segment with the same recording, ratios of its columns, and treatment.
     fn find(&self, of: &Arc<Recording>, factors: [f64; 3], by: &Treatment) -> Option<Arc<Recorded>> {
         let mut known = self.0.iter();
-        let same = known.find(|known| Arc::ptr_eq(&known.0, of) && known.1 == factors && known.2 == *by)?;
-        Some(Arc::clone(&same.3))
+        let is_same = |known: &&RecordedUse| {
+            Arc::ptr_eq(&known.recording, of) && known.factors == factors && known.treatment == *by
+        };
+        known.find(is_same).map(|same| Arc::clone(&same.motion))
     }
 }
 
@@ -393,7 +404,8 @@ pub(crate) fn motion(
         Ok(_) | Err(RecordedFault::Contradiction { .. }) if !segment.states_its_motion() => None,
         Ok(recorded) => {
             let motion = Arc::new(recorded);
-            known.0.push((Arc::clone(recording), factors, treatment, Arc::clone(&motion)));
+            let recording = Arc::clone(recording);
+            known.0.push(RecordedUse { recording, factors, treatment, motion: Arc::clone(&motion) });
             Some(motion)
         }
         Err(fault) => {
