@@ -50,7 +50,7 @@ pub fn format_significant(value: f64, digits: usize, language: Language) -> Stri
 
 impl Unit {
     /// Formats a computed figure, given in SI, in this unit with a count of significant digits
-    /// ([`format_significant`]); one below the resolution of its quantity ([`Dimension::resolution_si`]) is 0.
+    /// ([`format_significant`]); one below the resolution of its quantity ([`resolution_si`](crate::Dimension::resolution_si)) is 0.
     #[must_use]
     pub fn figure(&self, si: f64, digits: usize, language: Language) -> String {
         if self.is_below_resolution(self.from_si(si)) {

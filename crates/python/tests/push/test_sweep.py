@@ -173,7 +173,7 @@ class Sweeps(unittest.TestCase):
         with self.assertRaises(antrieb.AntriebError):
             prepared.table(pa.table({TIME: [1.0, None]}))
         with self.assertRaises(antrieb.AntriebError):
-            antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0]}), check=["peak_torque_"])  # type: ignore[list-item]
+            antrieb.sweep(ARM, antrieb.Table.from_pydict({TIME: [1.0]}), check=["peak_torqe"])  # type: ignore[list-item]
 
     def test_a_folder_belongs_to_its_tasks_and_recordings(self) -> None:
         samples = "".join(f"{step / 50:.2f},{45 - 45 * math.cos(math.pi * step / 50):.6f}\n" for step in range(101))
