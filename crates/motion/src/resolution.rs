@@ -1,6 +1,6 @@
 //! Resolution of recorded samples: the step of a column and the spurious acceleration that it causes.
 
-use numeric::upper_median;
+use numeric::{nth_smallest, upper_median};
 
 /// Rounding error of a value, relative to the largest: 64 units in the last place.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -65,8 +65,9 @@ pub enum Spurious {
 /// the acceleration from that with one value for each update, or with evenly spaced rows.
 ///
 /// # Symbols
-/// s step of the column, h time step; positions: the second difference of rounded values reaches s/h², with smoothing
-/// over n samples four standard deviations, 4 · 8.5 s/(√12 n² h²); speeds: s/h, with smoothing 4 · 2.1 s/(√12 n h)
+/// s step of the column, h time step; positions: the second difference of rounded values reaches s/h² (of unequal time
+/// steps the sum of half a step times each coefficient of its formula), with smoothing over n samples four standard
+/// deviations, 4 · 8.5 s/(√12 n² h²); speeds: s/h, with smoothing 4 · 2.1 s/(√12 n h)
 /// # Source
 /// docs/theory/recorded-motion.md
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +76,7 @@ pub struct MadeUp {
     pub column: SteppedColumn,
     /// Cause.
     pub cause: Spurious,
-    /// Median time step of the samples \[s\].
+    /// Usual time step of the samples \[s\]; of steps the one where the largest spurious acceleration occurs.
     pub interval_s: f64,
     /// Largest spurious acceleration \[rad/s²\].
     pub acceleration_rad_s2: f64,
@@ -115,19 +116,28 @@ pub(crate) fn step(values: &[f64]) -> f64 {
     if step < STEP_LEAST * least { 0.0 } else { step }
 }
 
-/// Returns `true` if the values are rounded to the step: their differences of this order are as large as the step,
-/// while those of a densely sampled motion vanish.
-fn is_rough(values: &[f64], step: f64, order: usize) -> bool {
+/// Returns `true` if the values are rounded to the step: they deviate from the polynomial through their neighbours by
+/// shares of the step, while those of a densely sampled motion follow it.
+///
+/// At equal time steps the deviation is that of the difference of this order: a half of the second, a third of the third.
+fn is_rough(time: &[f64], values: &[f64], step: f64, order: usize) -> bool {
     let (mut rough, mut moving) = (0_usize, 0_usize);
-    let (second, third) = (order == 2, order == 3);
-    for window in values.windows(order + 1) {
-        let difference = match window {
-            [a, b, c] if second => a - 2.0 * b + c,
-            [a, b, c, d] if third => d - 3.0 * c + 3.0 * b - a,
+    for (time, values) in time.windows(order + 1).zip(values.windows(order + 1)) {
+        let deviation = match (time, values) {
+            ([t0, t1, t2], [a, b, c]) => {
+                let u = (t1 - t0) / (t2 - t0);
+                2.0 * (b - a - u * (c - a))
+            }
+            ([t0, t1, t2, t3], [a, b, c, d]) => {
+                // Newton's form of the parabola through the first, the second and the last value.
+                let slope = (b - a) / (t1 - t0);
+                let bow = ((d - b) / (t3 - t1) - slope) / (t3 - t0);
+                3.0 * (c - a - (t2 - t0) * (slope + (t2 - t1) * bow))
+            }
             _ => 0.0,
         };
-        let is_rough = difference.abs() >= ROUGH * step;
-        moving += usize::from(is_rough || window.first() != window.last());
+        let is_rough = deviation.abs() >= ROUGH * step;
+        moving += usize::from(is_rough || values.first() != values.last());
         rough += usize::from(is_rough);
     }
     moving >= 8 && 4 * rough >= moving
@@ -135,13 +145,13 @@ fn is_rough(values: &[f64], step: f64, order: usize) -> bool {
 
 /// Returns the median time step \[s\].
 pub(crate) fn median_interval(time: &[f64]) -> f64 {
-    upper_median(time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one)).unwrap_or(0.0)
+    upper_median(intervals(time)).unwrap_or(0.0)
 }
 
 /// Returns the mean time step \[s\], without gaps: steps up to one and a half of the ninth decile. The mean over all rows
 /// does not depend on the rounding of the time stamps, unlike the median.
 pub(crate) fn mean_interval(time: &[f64]) -> f64 {
-    let steps = || time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one);
+    let steps = || intervals(time);
     let mut all: Vec<f64> = steps().collect();
     let place = all.len() * 9 / 10;
     if place >= all.len() {
@@ -161,16 +171,15 @@ pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, windo
         SteppedColumn::Position => 3,
         SteppedColumn::Speed => 2,
     };
-    if step == 0.0 || !is_rough(values, step, order) {
+    if step == 0.0 || !is_rough(time, values, step, order) {
         return None;
     }
     let rounded = Rounded { time, values, column, step, window_s };
-    let h = median_interval(time);
-    let plain = rounded.plain(h);
-    let acceleration = window_s.map_or(plain, |window| rounded.smoothed(window).min(plain));
     let motion = rounded.motion();
+    let (plain, interval_s) = rounded.between_rows(motion);
+    let acceleration = window_s.map_or(plain, |window| rounded.smoothed(window).min(plain));
     let cause = |smoothing_s| Spurious::Steps { step, smoothing_s };
-    (acceleration > NOTABLE * motion).then(|| rounded.made_up(acceleration, motion, cause))
+    (acceleration > NOTABLE * motion).then(|| rounded.made_up((acceleration, interval_s), motion, cause))
 }
 
 /// Returns the spurious acceleration of held values that are updated at irregular instants, each known to within a row:
@@ -186,7 +195,8 @@ pub(crate) fn made_up_by_updates(
     let rounded = Rounded { time, values, column, step: rate * row_s, window_s };
     let motion = rounded.motion();
     let excess = largest - motion;
-    (excess > EXCESS * motion).then(|| rounded.made_up(excess, motion, |smoothing_s| Spurious::Updates { smoothing_s }))
+    let found = (excess, median_interval(time));
+    (excess > EXCESS * motion).then(|| rounded.made_up(found, motion, |smoothing_s| Spurious::Updates { smoothing_s }))
 }
 
 /// A column with errors of up to half a step.
@@ -216,59 +226,146 @@ impl Rounded<'_> {
         }
     }
 
-    /// Returns the largest acceleration of the motion: the distance of the samples is doubled until the steps are a tenth
-    /// of the motion between them.
+    /// Returns the largest spurious acceleration between two rows, for a motion with a largest acceleration of its own, and
+    /// the usual time step where it occurs \[s\].
+    ///
+    /// At each row it is at most the effect of half a step on each sample in the formula of the acceleration, and at most
+    /// the acceleration found there plus that of the motion: rows that are close to each other by chance mostly have the
+    /// same rounding error.
+    fn between_rows(&self, motion: f64) -> (f64, f64) {
+        let (mut most, mut there) = (0.0_f64, 0.0);
+        let mut see = |bound: f64, found: f64, interval: f64| {
+            let spurious = bound.min(found.abs() + motion);
+            if spurious > most * (1.0 + numeric::EQUAL) {
+                (most, there) = (spurious, interval);
+            }
+        };
+        match self.column {
+            SteppedColumn::Speed => {
+                for (time, values) in self.time.windows(2).zip(self.values.windows(2)) {
+                    if let ([t0, t1], [y0, y1]) = (time, values) {
+                        see(self.plain(t1 - t0), (y1 - y0) / (t1 - t0), t1 - t0);
+                    }
+                }
+            }
+            SteppedColumn::Position => {
+                for (time, values) in self.time.windows(4).zip(self.values.windows(4)) {
+                    let ([t0, t1, t2, t3], [y0, y1, y2, y3]) = (time, values) else { continue };
+                    let (a, b, c) = (t1 - t0, t2 - t1, t3 - t2);
+                    // (ω_2 − ω_1)/b with the slopes of the parabolas through three rows, by the four positions.
+                    let (first, last) = (1.0 / (a * (a + b)), 1.0 / (c * (b + c)));
+                    let turned = (c / (b + c) - a / (a + b)) / (b * b);
+                    let (before, behind) = (-turned - first, turned - last);
+                    let sum = first.abs() + before.abs() + behind.abs() + last.abs();
+                    let found = first * (y0 - y1) + turned * (y2 - y1) + last * (y3 - y2);
+                    see(0.5 * self.step * sum, found, b);
+                }
+            }
+        }
+        let near = |interval: &f64| *interval <= ALIKE * there && ALIKE * *interval >= there;
+        (most, upper_median(intervals(self.time).filter(near)).unwrap_or(there))
+    }
+
+    /// Returns the largest acceleration of the motion: the distance of the samples in time is doubled, from the shortest
+    /// usual time step on, until the steps are a tenth of the motion between them.
     fn motion(&self) -> f64 {
-        let h = median_interval(self.time);
-        let mut apart = 1;
+        let shortest = nth_smallest(intervals(self.time), self.time.len() / RARE).unwrap_or(0.0);
+        let duration = self.time.first().zip(self.time.last()).map_or(0.0, |(first, last)| last - first);
+        let mut apart = shortest;
         loop {
             let found = largest_acceleration(self.time, self.values, self.column, apart);
-            if 2.0 * self.plain(apart as f64 * h) <= 0.1 * found || 6 * apart >= self.values.len() {
+            if 2.0 * self.plain(apart) <= 0.1 * found || 6.0 * apart >= duration {
                 break found;
             }
-            apart *= 2;
+            apart *= 2.0;
         }
     }
 
-    /// Returns the spurious acceleration with the window that reduces it.
-    fn made_up(&self, acceleration: f64, motion: f64, cause: impl Fn(Option<f64>) -> Spurious) -> MadeUp {
-        let h = median_interval(self.time);
+    /// Returns the spurious acceleration at a time step with the window that reduces it.
+    fn made_up(
+        &self,
+        (acceleration, interval_s): (f64, f64),
+        motion: f64,
+        cause: impl Fn(Option<f64>) -> Spurious,
+    ) -> MadeUp {
         let ratio = self.smoothed(1.0) / (NOTABLE * motion);
         let wanted = match self.column {
             SteppedColumn::Position => ratio.sqrt(),
             SteppedColumn::Speed => ratio,
         };
         let duration = self.time.first().zip(self.time.last()).map_or(0.0, |(first, last)| last - first);
-        // Slightly more than an even multiple of the time step, so that the window contains the same number of samples
-        // everywhere; at least seven.
-        let half = (0.5 * wanted / h).ceil().max(3.0);
+        // Slightly more than an even multiple of the usual time step, so that the window contains the same number of
+        // samples almost everywhere: at least seven, and at sparse rows four, which smoothing requires.
+        let h = median_interval(self.time);
+        let half = (0.5 * wanted).max(fourth(self.time));
+        let half = (half / h).ceil().max(3.0);
         let window = (2.0 * half + 0.5) * h;
-        let is_short = window <= 0.1 * duration && half <= 5000.0 && self.window_s.is_none_or(|given| given < window);
+        let shortest = nth_smallest(intervals(self.time), self.time.len() / RARE).unwrap_or(h);
+        let is_short = window <= 0.1 * duration
+            && 0.5 * window <= 5000.0 * shortest
+            && self.window_s.is_none_or(|given| given < window);
         MadeUp {
             column: self.column,
             cause: cause(is_short.then_some(window)),
-            interval_s: h,
+            interval_s,
             acceleration_rad_s2: acceleration,
             motion_rad_s2: motion,
         }
     }
 }
 
-/// Returns the largest acceleration between samples at a distance of `apart` \[rad/s²\].
-fn largest_acceleration(time: &[f64], values: &[f64], column: SteppedColumn, apart: usize) -> f64 {
-    let points = || time.iter().zip(values);
-    let slopes = points().zip(points().skip(apart)).map(|((t0, y0), (t1, y1))| (t0, t1, (y1 - y0) / (t1 - t0)));
-    match column {
-        SteppedColumn::Speed => slopes.fold(0.0, |most, (.., slope)| most.max(slope.abs())),
-        SteppedColumn::Position => {
-            let later = slopes.clone().skip(apart);
-            let second = |((t0, _, before), (_, t2, behind)): ((&f64, &f64, f64), (&f64, &f64, f64))| {
-                2.0 * (behind - before) / (t2 - t0)
-            };
-            slopes.zip(later).map(second).fold(0.0, |most, alpha| most.max(alpha.abs()))
-        }
-    }
+/// Returns the largest distance of a row from the third nearest one beside it \[s\]: half a window that contains four
+/// samples everywhere.
+fn fourth(time: &[f64]) -> f64 {
+    let row = |index: usize| time.get(index).copied();
+    let nearest = |(index, t): (usize, &f64)| {
+        let firsts = index.saturating_sub(3)..=index;
+        let ends = firsts.filter_map(|first| Some((row(first)?, row(first + 3)?)));
+        ends.map(|(first, last)| (t - first).max(last - t)).fold(f64::INFINITY, f64::min)
+    };
+    time.iter().enumerate().map(nearest).fold(0.0, f64::max)
 }
+
+/// Share of the time steps, as its inverse, that may be shorter than the shortest usual one.
+const RARE: usize = 100;
+
+/// Ratio up to which two time steps are of one kind.
+const ALIKE: f64 = 1.5;
+
+/// Returns the time steps \[s\].
+fn intervals(time: &[f64]) -> impl Iterator<Item = f64> + Clone {
+    time.iter().zip(time.iter().skip(1)).map(|(one, other)| other - one)
+}
+
+/// Returns the largest acceleration between samples, each with the first one that is later by `apart` \[s\]: of equally
+/// spaced ones every so many rows [rad/s²].
+fn largest_acceleration(time: &[f64], values: &[f64], column: SteppedColumn, apart: f64) -> f64 {
+    let apart = apart * (1.0 - LATER);
+    let (mut first, mut second) = (0_usize, 0_usize);
+    let mut most = 0.0_f64;
+    let point = |index: usize| time.get(index).copied().zip(values.get(index).copied());
+    for (t0, y0) in time.iter().copied().zip(values.iter().copied()) {
+        while time.get(first).is_some_and(|t| t - t0 < apart) {
+            first += 1;
+        }
+        let Some((t1, y1)) = point(first) else { break };
+        let alpha = match column {
+            SteppedColumn::Speed => (y1 - y0) / (t1 - t0),
+            SteppedColumn::Position => {
+                while time.get(second).is_some_and(|t| t - t1 < apart) {
+                    second += 1;
+                }
+                let Some((t2, y2)) = point(second) else { break };
+                2.0 * ((y2 - y1) / (t2 - t1) - (y1 - y0) / (t1 - t0)) / (t2 - t0)
+            }
+        };
+        most = most.max(alpha.abs());
+    }
+    most
+}
+
+/// Share of a distance of samples by which they may be closer: the rounding of their instants.
+const LATER: f64 = 1e-6;
 
 #[cfg(test)]
 #[path = "resolution_tests.rs"]
