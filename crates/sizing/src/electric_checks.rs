@@ -10,7 +10,7 @@ use crate::supply::Edge;
 use crate::workings;
 use actuator::{ContinuousLimit, Drivetrain, ShortTime, chopper_thresholds};
 use derivation::{Finding, Workings};
-use numeric::{First, at_most};
+use numeric::{AT_THE_LIMIT, First, at_most};
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{AMPERE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
 use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque, Unit};
@@ -89,8 +89,8 @@ impl<'a> Share<'a> {
         self.torque(node) * node.direction < 0.0
     }
 
-    /// Returns the fastest instant, given one that is as fast up to the tolerance of the search; of several the one with
-    /// the largest torque, and the first of these.
+    /// Returns the fastest instant, given one that is as fast up to the tolerance of the search; of several that are equally
+    /// fast up to [`numeric::EQUAL`] the one with the largest torque, and the first of these.
     fn fastest(&self, trace: &Trace, near: Node) -> Node {
         let mut fastest = near.speed_rad_s.abs();
         let each = |least: f64, look: &mut dyn FnMut(&Node)| {
@@ -346,7 +346,7 @@ fn longest_above(axis: &Axis, currents: &Currents<'_>, level: f64) -> f64 {
     for block in axis.trace.blocks() {
         let (low, high) = block.extent.range(currents.settled_weights());
         let mut once = Above::part(block.duration_s / block.times, false);
-        if high.max(-low) > level {
+        if !at_most(high.max(-low), level) {
             once = Above::part(0.0, false);
             axis.trace.panels(block, &mut |panel| once = once.then(above_within(&panel, currents, level)));
         }
@@ -360,9 +360,14 @@ fn longest_above(axis: &Axis, currents: &Currents<'_>, level: f64) -> f64 {
 fn above_within(panel: &Panel<'_>, currents: &Currents<'_>, level: f64) -> Above {
     let [start, ..] = panel.nodes else { return Above::part(0.0, false) };
     let current = |share: f64| currents.at(&panel.at(share));
+    // A current that equals the level up to rounding is not above it, as in every comparison with a limit.
+    let over = |current: f64| {
+        let over = current.abs() - level;
+        if over.abs() <= AT_THE_LIMIT * level { 0.0 } else { over }
+    };
     let mut found = Above::part(0.0, false);
     let mut piece = |(from, a): (f64, f64), (to, b): (f64, f64)| {
-        let (over_a, over_b) = (a.abs() - level, b.abs() - level);
+        let (over_a, over_b) = (over(a), over(b));
         let mut add = |from: f64, to: f64, is_above| {
             found = found.then(Above::part((to - from) * panel.duration_s, is_above));
         };

@@ -116,6 +116,33 @@ fn the_longest_time_above_the_continuous_current_by_hand() {
     }
 }
 
+/// A current that lies at the continuous one but for rounding is not above it, with one sample of a plateau 10⁻¹⁰ higher or
+/// lower as without; a millionth above, the whole plateau is.
+#[test]
+fn a_plateau_at_the_continuous_current_is_not_above_it() {
+    for off in [0.0, 1e-10, -1e-10] {
+        let speed: Vec<f64> = (0..41).map(|k| if k == 20 { 5.0 * (1.0 + off) } else { 5.0 }).collect();
+        let samples = motion::Samples {
+            time_s: Arc::new((0..41).map(|k| f64::from(k) * 0.05).collect()),
+            speed_rad_s: Some(Arc::new(speed)),
+            torque_nm: Some(Arc::new(vec![30.0; 41])),
+            ..motion::Samples::default()
+        };
+        let recorded = motion::Recorded::new(samples, motion::Treatment::default()).unwrap();
+        let load = Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0));
+        let motion = Motion::new(&[SegmentSpec::Recorded(Arc::new(recorded))], None, Closing::Speed).unwrap();
+        let axis = Axis::new(load, motion, vec![Extra::none()]);
+        let actuator = actuator();
+        let electrics = crate::electrics::Electrics::of(&axis, &actuator);
+        let currents = Currents::of(&axis, &actuator, &electrics).unwrap();
+        // 30 Nm and 5 rad/s: 3 + 0.5 + 0.5 A.
+        for (share, expected) in [(1.0, 0.0), (1.0 - 1e-11, 0.0), (1.0 + 1e-11, 0.0), (1.0 - 1e-6, 2.0)] {
+            let longest = longest_above(&axis, &currents, 4.0 * share);
+            assert!((longest - expected).abs() < 1e-9, "{off}, {share}: {longest}");
+        }
+    }
+}
+
 /// Compares the peak at 4/8, the effective value at 1.627/1.7 and the time at 0.5/0.6: the effective value is reported.
 #[test]
 fn the_one_nearest_to_its_limit_is_reported() {

@@ -362,9 +362,6 @@ const BLOCK: usize = 128;
 /// Number of blocks that share one extent.
 const GROUP: usize = 64;
 
-/// Relative difference up to which two instants are equally fast: the speeds of two pieces of a motion are sums that round.
-const AS_FAST: f64 = 1e-12;
-
 /// Neighbouring blocks of recordings with common bounds.
 #[derive(Clone, Debug)]
 struct Group {
@@ -498,9 +495,10 @@ impl Trace {
         }
     }
 
-    /// Visits the evaluated instants at which the axis is as fast as `speed_rad_s`, up to the rounding of a sum, or faster.
+    /// Visits the evaluated instants at which the axis is as fast as `speed_rad_s`, up to the difference of equally high values
+    /// ([`numeric::EQUAL`]), or faster.
     pub fn as_fast_as(&self, speed_rad_s: f64, look: &mut impl FnMut(&Node)) {
-        let least = speed_rad_s.abs() * (1.0 - AS_FAST);
+        let least = speed_rad_s.abs() * (1.0 - numeric::EQUAL);
         for block in self.blocks.iter().filter(|block| block.extent.speed_rad_s >= least) {
             self.panels(block, &mut |panel| {
                 panel.nodes.iter().filter(|node| node.speed_rad_s.abs() >= least).for_each(&mut *look);

@@ -128,3 +128,44 @@ fn beyond_the_speed_the_torque_is_that_of_the_largest_speed() {
     }
     assert!(found > 50, "{found} actuators are too slow");
 }
+
+/// One text as every file.
+struct Only(String);
+
+impl project::Files for Only {
+    fn open(&self, _name: &str) -> std::io::Result<Box<dyn std::io::Read>> {
+        Ok(Box::new(std::io::Cursor::new(self.0.clone().into_bytes())))
+    }
+}
+
+/// On a plateau of the speed the largest torque is reported, though one sample beside it is faster by a rounding of the
+/// logger; a sample that is faster by a visible share is the fastest alone.
+#[test]
+fn a_sample_faster_by_rounding_hides_no_plateau() {
+    let mut found = 0;
+    for (off, is_hidden) in [(0.0, false), (1e-10, false), (1e-5, true)] {
+        let rows = (0..=400).map(|row| {
+            let t = f64::from(row) * 0.01;
+            let speed = if row == 120 { 9.0 * (1.0 + off) } else { (f64::from(row.min(400 - row)) * 0.1).min(9.0) };
+            let torque = if row == 250 { 750.0 } else { 250.0 };
+            format!("{t},{speed:.12},{torque}\n")
+        });
+        let text = "t [s],speed [rad/s],torque [Nm]\n".to_owned() + &rows.collect::<String>();
+        let project = "format = 1\n[load]\ninertia = \"0.1 kg m^2\"\n[[motion]]\nlaw = \"recorded\"\nfile = \"a.csv\"\n\
+            [requirements]\nsupply = \"560 V\"\n";
+        let project = questions::read_all(project, &Only(text)).unwrap().remove(0);
+        for code in questions::size(&project).rejected().iter().step_by(9) {
+            let questions::CandidateId::Code(code) = &code.id else { continue };
+            let candidate = questions::check(&project, code).unwrap();
+            let mut checks = candidate.judgement.checks.iter();
+            let trace = checks.find(|check| check.id == CheckId::TorqueSpeedTrace).unwrap();
+            let (Some(value), Some(limit)) = (trace.value, trace.limit) else { continue };
+            if limit.si == 0.0 {
+                found += 1;
+                let is_largest = (value.si - 750.0).abs() < 1.0;
+                assert_eq!(is_largest, !is_hidden, "{off}, {code}: {} at {:?}", value.si, trace.at);
+            }
+        }
+    }
+    assert!(found > 30, "{found}");
+}
