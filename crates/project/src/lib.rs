@@ -137,6 +137,12 @@ pub enum Assumption {
     SinglePhaseRectifierAndDeviation,
     /// I_0 of the user's actuator is taken to include the no-load starting current.
     OwnStallCurrentIncludesFriction,
+    /// T_0 of the user's actuator is above its T_max: a limit of the motor alone.
+    OwnStallTorqueAboveLargest,
+    /// I_0 of the user's actuator is above its I_max: a limit of the motor alone.
+    OwnStallCurrentAboveLargest,
+    /// n_N of the user's actuator is above its n_mot,max: a limit of the motor alone.
+    OwnRatedSpeedAboveLargest,
     /// No loads on the flange are given: the output bearing is not judged.
     NoFlangeLoads,
     /// The loads on the flange are constant over the cycle.
@@ -253,7 +259,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 75] = [
+    pub const ALL: [Self; 78] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::ConditionsWithinRange,
@@ -265,6 +271,9 @@ impl Assumption {
         Self::SinglePhaseRectifier,
         Self::SinglePhaseRectifierAndDeviation,
         Self::OwnStallCurrentIncludesFriction,
+        Self::OwnStallTorqueAboveLargest,
+        Self::OwnStallCurrentAboveLargest,
+        Self::OwnRatedSpeedAboveLargest,
         Self::NoFlangeLoads,
         Self::FlangeLoadsConstant,
         Self::FlangeMomentsAligned,
@@ -505,6 +514,7 @@ fn assumptions(root: &AxisSection, axis: &Axis, toleranced: bool) -> Vec<Assumpt
     if root.parts.actuator.get().is_some_and(|own| own.stall_current.is_given()) {
         found.push(Assumption::OwnStallCurrentIncludesFriction);
     }
+    found.extend(order::unusual(&root.parts));
     found.extend(required.link_notes());
     if let Some(stage) = root.parts.stage.get() {
         stage.assumptions(&mut found);

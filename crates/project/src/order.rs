@@ -1,9 +1,9 @@
 //! Keys of which one cannot exceed another: rated and largest, continuous and peak, lowest and highest values.
 
-use crate::Fault;
 use crate::read::Reader;
 use crate::root::Parts;
 use crate::section::Fields;
+use crate::{Assumption, Fault};
 use actuator::CurvePoint;
 use quantities::Measure;
 
@@ -14,15 +14,29 @@ const REQUIREMENTS: [KeyOrder; 1] = [("humidity_min", "humidity_max")];
 
 const DRIVE: [KeyOrder; 1] = [("current_continuous", "current_peak")];
 
-const ACTUATOR: [KeyOrder; 5] = [
-    ("stall_torque", "torque_max"),
-    ("stall_current", "current_max"),
-    ("current_max", "current_demagnetisation"),
-    ("no_load_starting_current", "current_max"),
-    ("speed_motor_rated", "speed_motor_max"),
+/// Both values of a pair are limits of one part: a permitted current that demagnetises the motor, or one that does not
+/// overcome the friction of the unit, describes no actuator.
+const ACTUATOR: [KeyOrder; 2] = [("current_max", "current_demagnetisation"), ("no_load_starting_current", "current_max")];
+
+/// Pairs of an own actuator whose order is usual but no law, with the remark on the other order: T_0, I_0 and n_N are limits
+/// of the motor by its heat, T_max, I_max and n_mot,max those of the unit, which the gear sets too. With a motor that is
+/// large for its gear, the former may exceed the latter; every check compares with its own limit, and the lower one decides.
+const UNUSUAL: [(KeyOrder, Assumption); 3] = [
+    (("stall_torque", "torque_max"), Assumption::OwnStallTorqueAboveLargest),
+    (("stall_current", "current_max"), Assumption::OwnStallCurrentAboveLargest),
+    (("speed_motor_rated", "speed_motor_max"), Assumption::OwnRatedSpeedAboveLargest),
 ];
 
 const MEASURED: [KeyOrder; 2] = [("gear_torque_1", "gear_torque_2"), ("chopper_off", "chopper_on")];
+
+/// Returns the remarks on pairs of the own actuator in an unusual order.
+pub(crate) fn unusual(parts: &Parts) -> impl Iterator<Item = Assumption> + '_ {
+    let own = parts.actuator.get();
+    UNUSUAL.iter().filter_map(move |((lower, upper), remark)| {
+        let [low, high] = [lower, upper].map(|name| own?.field(name)?.si());
+        (low? > high?).then_some(*remark)
+    })
+}
 
 /// Reports the pairs of an axis that are stated in the wrong order, at the key of the lower value.
 pub(crate) fn check(parts: &Parts, reader: &mut Reader<'_>) {
@@ -133,6 +147,26 @@ mod tests {
         }
     }
 
+    /// A motor that is large for its gear: the unusual order is accepted and named, the usual one has no remark.
+    #[test]
+    fn a_limit_of_the_motor_above_that_of_the_unit_is_remarked_on() {
+        for ((lower, upper), remark) in UNUSUAL {
+            let unit = match lower {
+                "stall_torque" => "N m",
+                "stall_current" => "A",
+                _ => "1/min",
+            };
+            for (low, high) in [(1.0, 1.0), (30.0, 31.0), (31.0, 30.0), (30.01, 30.0)] {
+                let text = format!(
+                    "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[actuator]\n\
+                     name = \"own\"\n{lower} = \"{low} {unit}\"\n{upper} = \"{high} {unit}\"\n"
+                );
+                let project = Project::read(&text, &|_, _| None).unwrap();
+                assert_eq!(project.assumptions.contains(&remark), low > high, "{text}");
+            }
+        }
+    }
+
     /// Two keys of one section whose names end as those of a lower and an upper value have an order here.
     #[test]
     fn keys_with_an_order_by_their_names_have_one() {
@@ -145,7 +179,8 @@ mod tests {
             ("_off", "_on"),
             ("_low", "_high"),
         ];
-        let listed: Vec<KeyOrder> = SECTIONS.iter().flat_map(|(_, orders, _)| orders.iter().copied()).collect();
+        let mut listed: Vec<KeyOrder> = SECTIONS.iter().flat_map(|(_, orders, _)| orders.iter().copied()).collect();
+        listed.extend(UNUSUAL.iter().map(|(order, _)| *order));
         fn walk(keys: &[Key], found: &mut Vec<(&'static str, &'static str)>) {
             for low in keys {
                 for (lower, upper) in ENDS {

@@ -79,6 +79,18 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "I_0 of the own actuator taken to include its no-load starting current I_NLS",
             "Annahme: I_0 des eigenen Antriebs enthält den lastfreien Anlaufstrom I_NLS",
         ),
+        Assumption::OwnStallTorqueAboveLargest => (
+            "stall torque T_0 of the own actuator above its T_max: taken as the heat limit of the motor alone; T_max limits every torque",
+            "Stillstandsdrehmoment T_0 des eigenen Antriebs größer als T_max: als Erwärmungsgrenze des Motors angesetzt, jedes Drehmoment ist durch T_max begrenzt",
+        ),
+        Assumption::OwnStallCurrentAboveLargest => (
+            "stall current I_0 of the own actuator above its I_max: taken as the heat limit of the motor alone; I_max limits every current",
+            "Stillstandsstrom I_0 des eigenen Antriebs größer als I_max: als Erwärmungsgrenze des Motors angesetzt, jeder Strom ist durch I_max begrenzt",
+        ),
+        Assumption::OwnRatedSpeedAboveLargest => (
+            "rated speed n_N of the own actuator's motor above its largest speed n_mot,max: taken as that of the motor alone; n_mot,max limits every speed",
+            "Bemessungsdrehzahl n_N des eigenen Antriebs größer als n_mot,max: als die des Motors allein angesetzt, jede Drehzahl ist durch n_mot,max begrenzt",
+        ),
         Assumption::NoFlangeLoads => (
             "no loads on the flange are known: the output bearing is not checked",
             "keine Lasten am Flansch bekannt: das Abtriebslager wird nicht geprüft",
