@@ -116,9 +116,8 @@ fn unequal_time_steps_have_the_error_of_their_places() {
                     let found = recorded(samples(&time, Some(&rounded), None));
                     let slopes = |values: &[f64]| crate::recorded::slopes(&time, values);
                     let (with, without) = (slopes(&rounded), slopes(&exact));
-                    let error = |k: usize| {
-                        ((with[k + 1] - without[k + 1]) - (with[k] - without[k])) / (time[k + 1] - time[k])
-                    };
+                    let error =
+                        |k: usize| ((with[k + 1] - without[k + 1]) - (with[k] - without[k])) / (time[k + 1] - time[k]);
                     let errors = (1..time.len() - 2).map(|k| error(k).abs()).fold(0.0, f64::max);
                     let motion = 5.7735 * way / 4.0;
                     let what = format!("kind {kind}, step {step}, h {h}, way {way}: {errors} beside {motion}");

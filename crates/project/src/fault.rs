@@ -22,6 +22,8 @@ pub enum Fault {
     Syntax {
         /// Message of the parser, in English.
         message: String,
+        /// Parts of the file are not read because of it, so that it may hide other faults.
+        hides: bool,
     },
     /// A required key is missing.
     MissingKey {

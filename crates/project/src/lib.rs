@@ -33,6 +33,7 @@ mod own;
 mod read;
 mod recorded;
 mod recording_name;
+mod recovery;
 mod requirements;
 mod roles;
 mod root;

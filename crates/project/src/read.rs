@@ -4,6 +4,7 @@ use crate::bodies::BodySection;
 use crate::inputs::Input;
 use crate::key::{Key, Kind, Variants, example};
 use crate::nearest::{in_another_table, meant, nearest, of_the_quantity};
+use crate::recovery::{Recovery, Replaced};
 use crate::section::{Fields, Section};
 use crate::stated::SectionHead;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
@@ -43,7 +44,14 @@ pub(crate) struct Reader<'t> {
     pub(crate) tolerances: Vec<Tolerance>,
     /// Accepted values, if requested.
     pub(crate) inputs: Option<Vec<Input>>,
+    /// The syntax had errors.
     damaged: bool,
+    /// Parts of the file could not be read.
+    torn: bool,
+    /// Lines that could not be read.
+    unread: Vec<Replaced>,
+    /// Number of faults in lines that could not be read, which are not reported.
+    unread_faults: usize,
     /// Number of faults beyond those that are kept.
     more: usize,
 }
@@ -53,7 +61,17 @@ const FAULTS_MOST: usize = 50;
 
 impl<'t> Reader<'t> {
     pub(crate) const fn new(text: &'t str) -> Self {
-        Self { text, faults: Vec::new(), tolerances: Vec::new(), inputs: None, damaged: false, more: 0 }
+        Self {
+            text,
+            faults: Vec::new(),
+            tolerances: Vec::new(),
+            inputs: None,
+            damaged: false,
+            torn: false,
+            unread: Vec::new(),
+            unread_faults: 0,
+            more: 0,
+        }
     }
 
     /// Creates a reader of a file that is not too large.
@@ -67,12 +85,14 @@ impl<'t> Reader<'t> {
 
     /// Reads a whole file; faults are collected in `self.faults`.
     pub(crate) fn read<S: Section>(&mut self) -> S {
-        let (root, errors) = DeTable::parse_recoverable(self.text);
-        for error in &errors {
-            let span = error.span().unwrap_or(0..0);
-            self.fault(span, Fault::Syntax { message: error.message().to_owned() }, None);
+        let Recovery { text, faults, replaced, hiding } = Recovery::of(self.text);
+        self.damaged = !faults.is_empty();
+        self.torn = hiding.is_some();
+        for (index, (span, message)) in faults.into_iter().enumerate() {
+            self.fault(span, Fault::Syntax { message, hides: hiding == Some(index) }, None);
         }
-        self.damaged = !errors.is_empty();
+        self.unread = replaced;
+        let (root, _) = DeTable::parse_recoverable(text.as_deref().unwrap_or(self.text));
         self.section(root.get_ref(), 0..0, "")
     }
 
@@ -83,7 +103,7 @@ impl<'t> Reader<'t> {
 
     /// Returns the number of faults reported so far.
     pub(crate) const fn fault_count(&self) -> usize {
-        self.faults.len() + self.more
+        self.faults.len() + self.more + self.unread_faults
     }
 
     /// Returns the faults, with a last one that counts those not listed.
@@ -99,6 +119,12 @@ impl<'t> Reader<'t> {
     }
 
     pub(crate) fn fault(&mut self, span: Span<usize>, fault: Fault, hint: Option<Hint>) {
+        // A line that could not be read has its fault of the syntax only.
+        let is_unread = |Replaced { line, .. }: &Replaced| line.start <= span.start && span.start <= line.end;
+        if !span.is_empty() && self.unread.iter().any(is_unread) {
+            self.unread_faults += 1;
+            return;
+        }
         if self.faults.len() >= FAULTS_MOST {
             self.more += 1;
             return;
@@ -120,8 +146,8 @@ impl<'t> Reader<'t> {
         for (name, value) in table {
             let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
                 section.head_mut().has_strays = true;
-                // In a damaged file the key may belong to a heading that could not be read.
-                if !self.damaged {
+                // The key may belong to a heading that could not be read.
+                if !self.torn {
                     self.unknown_key(name, value.get_ref(), keys, path);
                 }
                 continue;
@@ -135,11 +161,13 @@ impl<'t> Reader<'t> {
 
     /// Reports the missing required keys of a table.
     fn missing(&mut self, table: &DeTable<'_>, span: &Span<usize>, keys: &'static [Key], path: &str) {
-        // In a damaged file a missing key may be in the part that could not be read.
-        if self.damaged {
+        // A missing key may be in a part that could not be read.
+        if self.torn {
             return;
         }
-        for key in keys.iter().filter(|key| key.required) {
+        let is_unread = |key: &Key| self.unread.iter().any(|line| line.states(key.name, span));
+        let required: Vec<&Key> = keys.iter().filter(|key| key.required && !is_unread(key)).collect();
+        for key in required {
             if !table.iter().any(|(name, _)| name.get_ref().as_ref() == key.name) {
                 let list = matches!(key.kind, Kind::Variants(_));
                 let path = if list { key.name.to_owned() } else { joined(path, key.name) };
@@ -480,10 +508,13 @@ impl<'t> Reader<'t> {
         let near = |name: &str| strsim::damerau_levenshtein(name, &shortened(kind, WORD_SHOWN));
         let nearest = variants.kinds.iter().min_by_key(|(name, ..)| near(name));
         let Some((_, needed, allowed)) = nearest.filter(|(name, ..)| near(name) * 2 <= name.len()) else { return };
-        let damaged = self.damaged || self.faults.len() >= FAULTS_MOST;
-        if !damaged {
-            for name in needed.iter().filter(|name| find(name).is_none()) {
-                let hint = variants.keys.iter().find(|key| key.name == *name).and_then(example);
+        let is_silent = self.torn || self.faults.len() >= FAULTS_MOST;
+        if !is_silent {
+            let is_unread = |sought: &str| self.unread.iter().any(|line| line.states(sought, &span));
+            let missing: Vec<&str> =
+                needed.iter().filter(|name| find(name).is_none() && !is_unread(name)).copied().collect();
+            for name in missing {
+                let hint = variants.keys.iter().find(|key| key.name == name).and_then(example);
                 let fault = Fault::MissingKey { path: joined(path, name), list: false };
                 self.fault(span.start..span.start + usize::from(!span.is_empty()), fault, hint.map(Hint::Example));
             }

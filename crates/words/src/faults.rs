@@ -66,9 +66,16 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "the project file has {bytes} bytes; the limit is {most}"
             | "die Projektdatei hat {bytes} Byte; zulässig sind höchstens {most}"
         ),
-        Fault::Syntax { message } => {
+        Fault::Syntax { message, hides } => {
             let message = if language == Language::De { toml_syntax::in_german(message) } else { message.clone() };
-            said!(language => "not valid TOML: {message}" | "kein gültiges TOML: {message}")
+            if *hides {
+                said!(language =>
+                    "not valid TOML: {message}; until it is corrected, other faults of the file may be hidden"
+                    | "kein gültiges TOML: {message}; bis zur Korrektur können weitere Fehler der Datei verdeckt sein"
+                )
+            } else {
+                said!(language => "not valid TOML: {message}" | "kein gültiges TOML: {message}")
+            }
         }
         Fault::MissingKey { path, list } => {
             let name = if *list { format!("[[{path}]]") } else { path.clone() };

@@ -158,7 +158,7 @@ mod tests {
         for text in texts {
             let faults = Project::read_all(text, &NoFiles, &|_, _| None).unwrap_err();
             for fault in faults {
-                let Fault::Syntax { message } = &fault.fault else { continue };
+                let Fault::Syntax { message, .. } = &fault.fault else { continue };
                 let german = in_german(message);
                 if german.contains("Meldung") || german.contains("expected") || german.contains("missing") {
                     unknown.push((text, message.clone(), german));
