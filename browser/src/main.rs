@@ -6,6 +6,7 @@
 #![allow(clippy::indexing_slicing, reason = "JSON gives null where there is nothing")]
 
 mod driver;
+mod make;
 mod shell;
 mod stage;
 mod tab;

@@ -1,6 +1,6 @@
 //! A browser tab with the actions of a user: read, type, click, wait.
 
-use crate::driver::Make;
+use crate::make::Make;
 use fantoccini::actions::{InputSource, KeyAction, KeyActions, MOUSE_BUTTON_LEFT, MouseActions, PointerAction};
 use fantoccini::wd::{TimeoutConfiguration, WebDriverCompatibleCommand, WindowHandle};
 use fantoccini::{Client, Locator};

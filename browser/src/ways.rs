@@ -11,7 +11,7 @@ mod same;
 mod screens;
 mod times;
 
-use crate::driver::Make;
+use crate::make::Make;
 use crate::shell::Shell;
 use crate::stage::OpenPage;
 use crate::tab::Worded;

@@ -1,25 +1,14 @@
 //! Generation of projects from bytes: every mechanism, law, stage, load and requirement, mostly with realistic sizes.
 
 mod asked;
+mod load;
 mod motion;
 mod page;
 mod twin;
 
 use arbitrary::{Result, Unstructured};
+use load::{LoadKind, forces};
 use page::{ANGLE, FORCE, INERTIA, LENGTH, MASS, Page, TORQUE};
-
-/// Kind of load on the flange, as needed by the motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Load {
-    /// Rotates without a limit.
-    Free,
-    /// Rotates within a range and returns.
-    Bound,
-    /// Moves along a line and returns.
-    Line,
-    /// Moves along a line without an end.
-    Belt,
-}
 
 /// Generates a project file with one axis or several, without recordings. With `ratios`, some files have several ratios
 /// of their stage, for each of which the whole catalogue is sized while the file is read.
@@ -81,7 +70,7 @@ const COUPLED: &[&str] = &["overhang", "flange_share", "wheel_mass"];
 const PULLED: &[&str] = &["overhang", "flange_share", "wheel_mass", "belt_tension"];
 const MESHED: &[&str] = &["overhang", "flange_share", "wheel_mass", "pressure_angle"];
 
-fn load(page: &mut Page<'_, '_>) -> Result<Load> {
+fn load(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     let kind = page.u.int_in_range(0..=11)?;
     page.effective = match kind {
         1 | 2 => TURNING,
@@ -94,7 +83,7 @@ fn load(page: &mut Page<'_, '_>) -> Result<Load> {
         0 => {
             page.table("load");
             page.key("inertia", 1e-3, 20.0, INERTIA)?;
-            Load::Free
+            LoadKind::Free
         }
         1 => turntable(page)?,
         2 => {
@@ -105,7 +94,7 @@ fn load(page: &mut Page<'_, '_>) -> Result<Load> {
             page.may("payload_distance", 50.0, 900.0, LENGTH)?;
             page.key("axis_tilt", 0.0, 90.0, ANGLE)?;
             page.key("start_angle", -90.0, 90.0, ANGLE)?;
-            Load::Bound
+            LoadKind::Bound
         }
         3 | 4 => {
             let belt = kind == 4;
@@ -118,14 +107,14 @@ fn load(page: &mut Page<'_, '_>) -> Result<Load> {
             page.key("mass", 0.5, 60.0, MASS)?;
             line(page)?;
             page.may("counterweight", 0.1, 20.0, MASS)?;
-            Load::Line
+            LoadKind::Line
         }
         5 => {
             page.table("mechanism.conveyor");
             page.key("roller_diameter", 40.0, 300.0, LENGTH)?;
             page.key("mass", 0.5, 80.0, MASS)?;
             line(page)?;
-            Load::Belt
+            LoadKind::Belt
         }
         6 => {
             page.table("mechanism.slider_crank");
@@ -138,7 +127,7 @@ fn load(page: &mut Page<'_, '_>) -> Result<Load> {
             page.may("inclination", -90.0, 90.0, ANGLE)?;
             page.may("process_force", -200.0, 200.0, FORCE)?;
             page.may("inertia", 1e-3, 1.0, INERTIA)?;
-            Load::Free
+            LoadKind::Free
         }
         7 => table(page)?,
         8 => hoist(page)?,
@@ -174,7 +163,7 @@ fn line(page: &mut Page<'_, '_>) -> Result<()> {
     page.may("inertia", 1e-4, 0.5, INERTIA)
 }
 
-fn hoist(page: &mut Page<'_, '_>) -> Result<Load> {
+fn hoist(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     page.table("mechanism.hoist");
     page.key("drum_diameter", 60.0, 400.0, LENGTH)?;
     if page.often()? {
@@ -191,10 +180,10 @@ fn hoist(page: &mut Page<'_, '_>) -> Result<Load> {
     page.may_number("sheave_efficiency", 0.9, 1.0)?;
     page.may("friction_force", 1.0, 80.0, FORCE)?;
     page.may("process_force", -300.0, 300.0, FORCE)?;
-    Ok(Load::Line)
+    Ok(LoadKind::Line)
 }
 
-fn winder(page: &mut Page<'_, '_>) -> Result<Load> {
+fn winder(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     page.table("mechanism.winder");
     let winding = *page.u.choose(&["up", "off"])?;
     page.word("winding", winding);
@@ -209,10 +198,10 @@ fn winder(page: &mut Page<'_, '_>) -> Result<Load> {
     page.key("density", 500.0, 2700.0, &[("kg/m^3", 1.0)])?;
     page.key("tension", 5.0, 400.0, FORCE)?;
     page.may("inertia", 1e-3, 1.0, INERTIA)?;
-    Ok(Load::Bound)
+    Ok(LoadKind::Bound)
 }
 
-fn scissor_lift(page: &mut Page<'_, '_>) -> Result<Load> {
+fn scissor_lift(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     page.table("mechanism.scissor_lift");
     let stages = page.u.int_in_range(1..=5)?;
     page.plain("stages", stages);
@@ -223,10 +212,10 @@ fn scissor_lift(page: &mut Page<'_, '_>) -> Result<Load> {
     page.may("arm_mass", 1.0, 80.0, MASS)?;
     page.may("inertia", 1e-4, 0.1, INERTIA)?;
     page.may("process_force", -300.0, 300.0, FORCE)?;
-    Ok(Load::Bound)
+    Ok(LoadKind::Bound)
 }
 
-fn four_bar(page: &mut Page<'_, '_>) -> Result<Load> {
+fn four_bar(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     page.table("mechanism.four_bar");
     let crank = page.between(20.0, 150.0)?;
     // The crank is the shortest link; together with the ground it stays shorter than coupler and rocker.
@@ -249,10 +238,10 @@ fn four_bar(page: &mut Page<'_, '_>) -> Result<Load> {
     page.key("axis_tilt", 0.0, 90.0, ANGLE)?;
     page.may("inclination", -90.0, 90.0, ANGLE)?;
     page.may("start_angle", -180.0, 180.0, ANGLE)?;
-    Ok(Load::Free)
+    Ok(LoadKind::Free)
 }
 
-fn turntable(page: &mut Page<'_, '_>) -> Result<Load> {
+fn turntable(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     let in_lines = page.u.ratio(1, 3)?;
     page.table("mechanism.turntable");
     let tilted = page.u.ratio(1, 3)?;
@@ -273,7 +262,7 @@ fn turntable(page: &mut Page<'_, '_>) -> Result<Load> {
             body(page)?;
         }
     }
-    Ok(if tilted { Load::Bound } else { Load::Free })
+    Ok(if tilted { LoadKind::Bound } else { LoadKind::Free })
 }
 
 fn body(page: &mut Page<'_, '_>) -> Result<()> {
@@ -307,7 +296,7 @@ fn body(page: &mut Page<'_, '_>) -> Result<()> {
     Ok(())
 }
 
-fn table(page: &mut Page<'_, '_>) -> Result<Load> {
+fn table(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     page.table("mechanism.table");
     let mut rows = Vec::new();
     let count = page.u.int_in_range(2..=6)?;
@@ -320,7 +309,7 @@ fn table(page: &mut Page<'_, '_>) -> Result<Load> {
     let rows = rows.join(", ");
     page.plain("points", format!("[{rows}]"));
     page.key("start_angle", -45.0, 45.0, ANGLE)?;
-    Ok(Load::Bound)
+    Ok(LoadKind::Bound)
 }
 
 fn stage(page: &mut Page<'_, '_>) -> Result<()> {
@@ -344,14 +333,6 @@ fn stage(page: &mut Page<'_, '_>) -> Result<()> {
     page.may("stiffness", 1e3, 1e6, &[("N m/rad", 1.0)])?;
     page.may("backlash", 0.01, 0.2, ANGLE)?;
     if kind != "coupling" { page.may("pitch_diameter", 30.0, 300.0, LENGTH) } else { Ok(()) }
-}
-
-/// Writes forces at the flange, for the whole cycle or a segment.
-fn forces(page: &mut Page<'_, '_>) -> Result<()> {
-    page.key("radial_force", 1.0, 2000.0, FORCE)?;
-    page.key("radial_distance", 1.0, 300.0, LENGTH)?;
-    page.key("axial_force", 1.0, 2000.0, FORCE)?;
-    page.key("axial_distance", 1.0, 200.0, LENGTH)
 }
 
 /// Returns `true` if the mechanism or its stage loads the flange; next to stated loads the file must then describe its

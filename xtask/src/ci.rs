@@ -74,7 +74,7 @@ pub fn nightly(root: &Path, names: &[String]) -> Result<(), Error> {
 }
 
 fn run(steps: &[Step], root: &Path, names: &[String]) -> Result<(), Error> {
-    all(&named(steps, names)?, root, is_ci())
+    all(&named(steps, names)?, root, crate::tools::is_ci())
 }
 
 /// Returns the steps with these names in their order; all steps if no name is given.
@@ -85,11 +85,6 @@ fn named(steps: &[Step], names: &[String]) -> Result<Vec<Step>, Error> {
         return Err(Error::NoStep { name: unknown.clone(), known: known.join(" ") });
     }
     Ok(steps.iter().filter(|step| names.is_empty() || names.iter().any(|name| is(step, name))).copied().collect())
-}
-
-/// Returns `true` in a run of CI, where a missing tool is a failure.
-pub(crate) fn is_ci() -> bool {
-    std::env::var_os("CI").is_some_and(|value| value == "true")
 }
 
 fn all(steps: &[Step], root: &Path, strict: bool) -> Result<(), Error> {

@@ -28,6 +28,7 @@ pub mod notices;
 pub mod picture;
 mod python;
 mod readme;
+mod readme_words;
 pub mod samples;
 pub mod site;
 pub mod snapshots;

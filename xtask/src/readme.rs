@@ -2,11 +2,12 @@
 //! types must work.
 
 use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::cargo::Workspace;
+use crate::readme_words::{ReadmeWord, split};
+use crate::samples::desk;
 use crate::{Error, picture, samples};
 
 const PREFIX: &str = "cargo run -- ";
@@ -28,20 +29,6 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     lines.iter().try_for_each(|line| line.try_in(&program, &desk))?;
     samples::check(root)?;
     picture::check(root)
-}
-
-/// Creates an empty folder under the target directory with a copy of `examples/`.
-pub(crate) fn desk(root: &Path) -> Result<PathBuf, Error> {
-    let desk = Workspace::ask(root)?.target.join("xtask").join("readme");
-    if desk.exists() {
-        fs::remove_dir_all(&desk).map_err(|source| Error::File { path: desk.clone(), source })?;
-    }
-    create(&desk)?;
-    let examples = root.join("examples");
-    if examples.is_dir() {
-        copy(&examples, &desk.join("examples"))?;
-    }
-    Ok(desk)
 }
 
 #[derive(Debug, PartialEq)]
@@ -139,73 +126,6 @@ fn command(number: usize, printed: &str) -> Result<Line, Error> {
     };
     let words = words.into_iter().filter_map(ReadmeWord::text).collect();
     Ok(Line { number, printed: printed.to_owned(), words, into })
-}
-
-#[derive(Debug, PartialEq)]
-pub(crate) enum ReadmeWord {
-    Text(String),
-    Into,
-}
-
-impl ReadmeWord {
-    pub(crate) fn text(self) -> Option<String> {
-        match self {
-            Self::Text(text) => Some(text),
-            Self::Into => None,
-        }
-    }
-}
-
-/// Splits a line into words like a shell, with quotes, `>` and a comment only, so that the README's commands have the
-/// same meaning in every shell.
-pub(crate) fn split(line: &str) -> Result<Vec<ReadmeWord>, &'static str> {
-    let mut words = Vec::new();
-    let mut word: Option<String> = None;
-    let mut quote: Option<char> = None;
-    for letter in line.chars() {
-        match (quote, letter) {
-            (Some(mark), _) if letter == mark => quote = None,
-            (Some(_), _) => word.get_or_insert_default().push(letter),
-            (None, '"' | '\'') => {
-                quote = Some(letter);
-                word.get_or_insert_default();
-            }
-            (None, '#') if word.is_none() => break,
-            (None, '>') => {
-                words.extend(word.take().map(ReadmeWord::Text));
-                words.push(ReadmeWord::Into);
-            }
-            (None, '|' | '&' | ';' | '<' | '$' | '`' | '\\' | '*') => {
-                return Err("a README command stands alone: no pipe, variable, pattern or second command");
-            }
-            (None, _) if letter.is_whitespace() => words.extend(word.take().map(ReadmeWord::Text)),
-            (None, _) => word.get_or_insert_default().push(letter),
-        }
-    }
-    if quote.is_some() {
-        return Err("a quote is not closed");
-    }
-    words.extend(word.map(ReadmeWord::Text));
-    Ok(words)
-}
-
-fn create(folder: &Path) -> Result<(), Error> {
-    fs::create_dir_all(folder).map_err(|source| Error::File { path: folder.to_path_buf(), source })
-}
-
-fn copy(from: &Path, to: &Path) -> Result<(), Error> {
-    let file = |source| Error::File { path: from.to_path_buf(), source };
-    create(to)?;
-    for entry in fs::read_dir(from).map_err(file)? {
-        let entry = entry.map_err(file)?;
-        let target = to.join(entry.file_name());
-        if entry.file_type().map_err(file)?.is_dir() {
-            copy(&entry.path(), &target)?;
-        } else {
-            fs::copy(entry.path(), target).map_err(file)?;
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -5,12 +5,12 @@
 
 use std::fs;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::Error;
-use crate::cargo::program;
-use crate::readme::{desk, split};
+use crate::cargo::{Workspace, program};
+use crate::readme_words::split;
 use crate::tidy::tree::Tree;
 
 const PROMPT: &str = "$ ";
@@ -216,6 +216,39 @@ fn like(shown: &str, given: &str) -> f64 {
 
 fn without_figures(line: &str) -> String {
     line.chars().filter(|letter| !letter.is_ascii_digit() && !letter.is_whitespace()).collect()
+}
+
+/// Creates an empty folder under the target directory with a copy of `examples/`.
+pub(crate) fn desk(root: &Path) -> Result<PathBuf, Error> {
+    let desk = Workspace::ask(root)?.target.join("xtask").join("readme");
+    if desk.exists() {
+        fs::remove_dir_all(&desk).map_err(|source| Error::File { path: desk.clone(), source })?;
+    }
+    create(&desk)?;
+    let examples = root.join("examples");
+    if examples.is_dir() {
+        copy(&examples, &desk.join("examples"))?;
+    }
+    Ok(desk)
+}
+
+fn create(folder: &Path) -> Result<(), Error> {
+    fs::create_dir_all(folder).map_err(|source| Error::File { path: folder.to_path_buf(), source })
+}
+
+fn copy(from: &Path, to: &Path) -> Result<(), Error> {
+    let file = |source| Error::File { path: from.to_path_buf(), source };
+    create(to)?;
+    for entry in fs::read_dir(from).map_err(file)? {
+        let entry = entry.map_err(file)?;
+        let target = to.join(entry.file_name());
+        if entry.file_type().map_err(file)?.is_dir() {
+            copy(&entry.path(), &target)?;
+        } else {
+            fs::copy(entry.path(), target).map_err(file)?;
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -8,7 +8,6 @@ use std::process::{Command, Stdio};
 
 use crate::Error;
 use crate::cargo::{cargo, must_succeed, spelled};
-use crate::ci::is_ci;
 use crate::tools::NEXTEST;
 
 /// Runs every test; installs cargo-nextest if missing.
@@ -23,7 +22,7 @@ pub fn run(root: &Path) -> Result<(), Error> {
             closing.nextest(nextest, root)?;
             closing.cargo_test(cargo(root, &["test", "--workspace", "--doc", "--no-fail-fast"]), root)?;
         }
-        Err(error) if is_ci() => return Err(error),
+        Err(error) if crate::tools::is_ci() => return Err(error),
         Err(error) => {
             eprintln!("test: {error}; `cargo test` runs the tests instead, without a limit in time");
             closing.cargo_test(cargo(root, &["test", "--workspace", "--no-fail-fast"]), root)?;

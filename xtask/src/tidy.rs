@@ -9,6 +9,7 @@ use crate::Error;
 
 mod architecture;
 mod book;
+mod circles;
 mod data_files;
 mod guides;
 pub(crate) mod layers;
@@ -45,12 +46,13 @@ impl fmt::Display for Violation {
 
 type Rule = fn(&Path) -> Vec<Violation>;
 
-const RULES: [Rule; 16] = [
+const RULES: [Rule; 17] = [
     tree::not_empty,
     layers::rule,
     layers::document,
     architecture::rule,
     book::rule,
+    circles::rule,
     guides::rule,
     source::length,
     source::markers,

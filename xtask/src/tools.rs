@@ -221,6 +221,11 @@ fn numbers(version: &str) -> Vec<u64> {
     version.split('.').map_while(|part| part.parse().ok()).collect()
 }
 
+/// Returns `true` in a run of CI, where a missing tool is a failure.
+pub(crate) fn is_ci() -> bool {
+    std::env::var_os("CI").is_some_and(|value| value == "true")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

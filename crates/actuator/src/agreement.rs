@@ -2,7 +2,7 @@
 //! permits.
 
 use crate::curve::Curve;
-use crate::heat::HeatModel;
+use crate::heat_model::HeatModel;
 use crate::parameters::Drivetrain;
 use provenance::{Datum, Sourced};
 use quantities::{AngularVelocity, Measure, Torque};

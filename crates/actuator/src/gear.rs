@@ -3,7 +3,9 @@
 use derivation::Workings;
 use provenance::{Datum, Missing, Source, Sourced};
 use quantities::unit::{HOUR, REVOLUTION_PER_MINUTE};
-use quantities::{Angle, AngularVelocity, Frequency, Measure, MomentOfInertia, Time, Torque, TorsionalStiffness};
+use quantities::{
+    Angle, AngularVelocity, Frequency, Measure, MomentOfInertia, Time, Torque, TorqueConstant, TorsionalStiffness,
+};
 
 /// Data of the gear.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -238,6 +240,23 @@ pub fn collision_count_max(cycles: f64, speed_out: AngularVelocity, ratio: f64, 
 #[must_use]
 pub fn resonance_speed(frequency: Frequency, ratio: f64) -> AngularVelocity {
     AngularVelocity::from_si(std::f64::consts::PI * frequency.si() / ratio)
+}
+
+/// Returns the motor current per torque while the load drives, relative to that while driving \[1\]: η (2 − 1/η) = 2η −
+/// 1.
+///
+/// The gear loses the same share of the torque in both directions: driving T_mot i = T/η, driven T_mot i = T (2 − 1/η).
+///
+/// # Symbols
+/// η = k_Tout/(i k_TM), at most one: a rounded k_TM may yield more
+/// # Source
+/// docs/theory/energy.md; loss proportional to the torque
+/// # Valid
+/// η ≥ ½; below that the gear is self-locking and no power returns
+#[must_use]
+pub fn driven_share(out: TorqueConstant, motor: TorqueConstant, ratio: f64) -> f64 {
+    let efficiency = (out.si() / (ratio * motor.si())).min(1.0);
+    (2.0 * efficiency - 1.0).max(0.0)
 }
 
 #[cfg(test)]

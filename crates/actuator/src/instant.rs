@@ -5,8 +5,9 @@
 //! [`Network`](crate::Network) and [`overload_slope`](crate::overload_slope); the voltage is in
 //! [`MotorVoltage`](crate::MotorVoltage).
 
+use crate::copper::copper_resistance;
 use crate::friction::FrictionAt;
-use crate::motor::{copper_resistance, driven_share};
+use crate::gear::driven_share;
 use crate::parameters::Drivetrain;
 use crate::temperature::Losses;
 use provenance::Missing;

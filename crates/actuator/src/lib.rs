@@ -5,12 +5,15 @@ mod accuracy;
 mod agreement;
 mod battery;
 mod brake;
+mod copper;
 mod curve;
 mod environment;
+mod error_budget;
 mod feedback;
 mod friction;
 mod gear;
 mod heat;
+mod heat_model;
 mod instant;
 mod link;
 mod motor;
@@ -22,27 +25,27 @@ mod screw_joint;
 mod temperature;
 mod voltage;
 
-pub use accuracy::{
-    Accuracy, BudgetCase, Contribution, ErrorBudget, ErrorKind, PositionLoop, deviation_at, error_budget,
-};
+pub use accuracy::Accuracy;
 pub use agreement::{PublishedDuty, published_duty};
 pub use battery::{Battery, BatteryFault, BatteryLife};
 pub use brake::{Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle};
+pub use copper::copper_resistance;
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use environment::{Environment, Protection};
+pub use error_budget::{BudgetCase, Contribution, ErrorBudget, ErrorKind, PositionLoop, deviation_at, error_budget};
 pub use feedback::{Feedback, FeedbackSide};
 pub use friction::{FrictionAt, NoLoadFriction};
 pub use gear::{
-    Gear, LifeLaw, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free,
-    resonance_speed,
+    Gear, LifeLaw, Torsion, collision_count_max, cubic_mean_torque, driven_share, natural_frequency,
+    natural_frequency_free, resonance_speed,
 };
-pub use heat::{Heat, HeatModel, LossMeans, Settled};
+pub use heat::Heat;
+pub use heat_model::{HeatModel, LossMeans, Settled};
 pub use instant::{LossLaw, MotorCurrent, OperatingPoint, TerminalPower};
 pub use link::chopper_thresholds;
 pub use motor::{
-    ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, driven_share,
-    estimated_continuous_torque, explain_friction, explain_stall_loss, speed_max, speed_max_with, speed_rated_out,
-    speed_rated_out_with,
+    ContinuousLimit, continuous_torque, continuous_torque_with, estimated_continuous_torque, explain_friction,
+    explain_stall_loss, speed_max, speed_max_with, speed_rated_out, speed_rated_out_with,
 };
 pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, dynamic_load_factors, mean_load,

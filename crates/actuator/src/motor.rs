@@ -1,6 +1,7 @@
 //! Current, speed limits and continuous torque of the motor, referred to the output.
 
-use crate::heat::{HeatModel, Settled};
+use crate::copper::copper_resistance;
+use crate::heat_model::{HeatModel, Settled};
 use crate::parameters::Drivetrain;
 use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source, Sourced};
@@ -8,45 +9,7 @@ use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, ONE,
     REVOLUTION_PER_MINUTE, WATT,
 };
-use quantities::{
-    AngularVelocity, ElectricalResistance, Measure, NoLoadCurrentConstant, ThermodynamicTemperature, Time, Torque,
-    TorqueConstant,
-};
-
-/// Temperature coefficient of copper at 20 °C \[1/K\]: handbook value 3.93e-3; IEC 60034-1 uses 1/(235+20) = 3.92e-3.
-const COPPER_TEMPERATURE_COEFFICIENT: f64 = 3.93e-3;
-
-/// Returns the resistance of a copper winding at a temperature.
-///
-/// R = R_20 (1 + 3.93e-3 (ϑ − 20 °C))
-///
-/// # Valid
-/// −40 °C to 200 °C, linear law of copper
-#[must_use]
-pub fn copper_resistance(
-    resistance_20: ElectricalResistance,
-    temperature: ThermodynamicTemperature,
-) -> ElectricalResistance {
-    let rise = temperature.si() - 293.15;
-    ElectricalResistance::from_si(resistance_20.si() * (1.0 + COPPER_TEMPERATURE_COEFFICIENT * rise))
-}
-
-/// Returns the motor current per torque while the load drives, relative to that while driving \[1\]: η (2 − 1/η) = 2η −
-/// 1.
-///
-/// The gear loses the same share of the torque in both directions: driving T_mot i = T/η, driven T_mot i = T (2 − 1/η).
-///
-/// # Symbols
-/// η = k_Tout/(i k_TM), at most one: a rounded k_TM may yield more
-/// # Source
-/// docs/theory/energy.md; loss proportional to the torque
-/// # Valid
-/// η ≥ ½; below that the gear is self-locking and no power returns
-#[must_use]
-pub fn driven_share(out: TorqueConstant, motor: TorqueConstant, ratio: f64) -> f64 {
-    let efficiency = (out.si() / (ratio * motor.si())).min(1.0);
-    (2.0 * efficiency - 1.0).max(0.0)
-}
+use quantities::{AngularVelocity, Measure, NoLoadCurrentConstant, Time, Torque};
 
 /// Returns the largest output speed: the exact quotient n_mot,max / i, or n_max if motor speed or ratio are unknown.
 ///

@@ -5,7 +5,9 @@ use provenance::{CellRef, Datum};
 use quantities::unit::{
     AMPERE, MILLIAMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, REVOLUTION_PER_MINUTE,
 };
-use quantities::{ElectricCurrent, NoLoadCurrentConstant};
+use quantities::{
+    ElectricCurrent, ElectricalResistance, NoLoadCurrentConstant, ThermodynamicTemperature, TorqueConstant,
+};
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("26.1", "x", "");

@@ -2,7 +2,7 @@
 
 use crate::curve::{Curve, CurvePoint};
 use crate::friction::{FrictionAt, NoLoadFriction};
-use crate::heat::HeatModel;
+use crate::heat_model::HeatModel;
 use crate::motor::{ContinuousLimit, continuous_torque_with, speed_max, speed_rated_out};
 use crate::parameters::Drivetrain;
 use crate::voltage::MotorVoltage;

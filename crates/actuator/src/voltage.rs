@@ -1,6 +1,6 @@
 //! Terminal voltage of the motor in the dq frame of the rotor.
 
-use crate::motor::copper_resistance;
+use crate::copper::copper_resistance;
 use crate::parameters::Drivetrain;
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};

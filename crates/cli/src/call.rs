@@ -2,15 +2,14 @@
 
 use crate::answer::CommandAnswer;
 use crate::fault::memory;
-use crate::layout::Layout;
-use crate::save::{Saver, not_to_stdout};
+use crate::save::Saver;
 use crate::source::SourceFile as File;
 use crate::waiting::{progress, waited_s};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use project::Project;
 use quantities::Language;
-use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, LIST, Reads, Unanswered, bounded};
+use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, Reads, Unanswered, bounded};
 use questions::read_code;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -45,41 +44,6 @@ pub fn named_file(value: &str) -> String {
 /// Layout of the answer to a question on the terminal.
 pub(crate) type Show = fn(&Call<'_>, &Inquiry<'_>) -> Result<CommandAnswer, Unanswered>;
 
-/// Answers a question of the list: as a record, or in the layout of the terminal.
-pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<CommandAnswer, Unanswered> {
-    let Some((command, mut found)) = matches.subcommand() else { return Ok(CommandAnswer::none()) };
-    let mut command = command.to_owned();
-    while let Some((below, matches)) = found.subcommand() {
-        command = format!("{command} {below}");
-        found = matches;
-    }
-    let is_given = |option: &str| found.try_contains_id(option).unwrap_or(false);
-    let mut entries = LIST.iter().copied().filter(|entry| entry.command() == command);
-    let Some(first) = entries.next() else { return Ok(CommandAnswer::none()) };
-    let other = entries.find(|entry| entry.reads != Reads::Nothing && entry.option().is_some_and(is_given));
-    let entry = other.unwrap_or(first);
-    // A file that cannot be written is reported before anything is read.
-    let path = |option| found.try_get_one::<PathBuf>(option).ok().flatten();
-    let mut pdfs = entry.files().filter(|file| file.is_pdf()).filter_map(|file| path(file.option));
-    if let Some(path) = pdfs.find(|path| path.as_os_str() == "-") {
-        return Err(not_to_stdout(path, language));
-    }
-    let files = read(entry, found, language)?;
-    let call = Call { entry, matches: found, as_json, language, files };
-    let inquiry = call.put(entry)?;
-    let is_record = as_json && entry.answer.is_some() && entry.gives.is_record() && !call.writes();
-    let shown = match Layout::of(entry) {
-        Some(layout) if !is_record => (layout.show)(&call, &inquiry)?,
-        _ => call.record(&inquiry)?,
-    };
-    Ok(CommandAnswer { talk: call.understood(&inquiry) + &shown.talk, ..shown })
-}
-
-/// Returns an answer of the list.
-fn record(answer: &questions::list::Answer) -> CommandAnswer {
-    CommandAnswer { talk: answer.remarks.clone(), ..CommandAnswer::data(answer.text.clone()) }.fits(answer.fits)
-}
-
 /// Reads the files that a question is about.
 fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<File>, Unanswered> {
     let names: &[&str] = match (entry.reads, entry.option()) {
@@ -94,6 +58,23 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
         File::read(&path, memory, language)
     };
     names.iter().map(each).collect()
+}
+
+/// Returns an answer of the list.
+fn record(answer: &questions::list::Answer) -> CommandAnswer {
+    CommandAnswer { talk: answer.remarks.clone(), ..CommandAnswer::data(answer.text.clone()) }.fits(answer.fits)
+}
+
+impl<'m> Call<'m> {
+    /// Reads the files of a call of the command of a question.
+    pub(crate) fn read(
+        entry: &'static Entry,
+        matches: &'m ArgMatches,
+        as_json: bool,
+        language: Language,
+    ) -> Result<Self, Unanswered> {
+        Ok(Self { entry, matches, as_json, language, files: read(entry, matches, language)? })
+    }
 }
 
 impl Call<'_> {
@@ -176,7 +157,7 @@ impl Call<'_> {
     }
 
     /// Returns `true` if files are written.
-    fn writes(&self) -> bool {
+    pub(crate) fn writes(&self) -> bool {
         self.entry.files().any(|file| self.path(file.option).is_some())
     }
 
@@ -199,7 +180,7 @@ impl Call<'_> {
     }
 
     /// Returns a remark on each code that was not written canonically.
-    fn understood(&self, inquiry: &Inquiry<'_>) -> String {
+    pub(crate) fn understood(&self, inquiry: &Inquiry<'_>) -> String {
         let codes = self.entry.arguments.iter().filter(|argument| matches!(argument.kind, ArgumentKind::Code));
         let read = codes.flat_map(|argument| inquiry.given.all(argument.name)).filter_map(|text| {
             let reading = read_code(text, self.language).ok()?;

@@ -12,6 +12,7 @@ use words::{Usage, Word, help, usage_text};
 const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
+mod argument;
 pub(crate) mod library;
 pub(crate) mod own;
 mod question;
@@ -56,7 +57,7 @@ fn with_plain_flag(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
 }
 
 fn deadline(language: Language) -> Arg {
-    own::text("deadline", values::time(language), help::deadline(language))
+    argument::text("deadline", values::time(language), help::deadline(language))
 }
 
 /// Builds the whole command line.
@@ -67,7 +68,7 @@ pub(crate) fn build(language: Language) -> Command {
 /// Builds the command line for one call: commands that the call does not name are listed without their arguments, which
 /// saves a quarter of a millisecond at each start.
 pub(crate) fn build_for(arguments: &[OsString], language: Language) -> Command {
-    built(language, &|entry| arguments.iter().any(|word| word == last(entry)))
+    built(language, &|entry| arguments.iter().any(|word| word == question::last(entry)))
 }
 
 fn built(language: Language, is_whole: &dyn Fn(&Entry) -> bool) -> Command {
@@ -132,13 +133,9 @@ const EXAMPLES: [(&str, &str); 9] = [
 pub(crate) fn examples() -> Vec<(&'static str, String)> {
     let own = EXAMPLES.iter().map(|(name, call)| (*name, (*call).to_owned()));
     let call = |entry: &Entry| format!("{NAME} {} {}", entry.command, entry.example).trim_end().to_owned();
-    let of_list = LIST.iter().filter(|entry| entry.option().is_none()).map(|entry| (last(entry), call(entry)));
+    let of_list =
+        LIST.iter().filter(|entry| entry.option().is_none()).map(|entry| (question::last(entry), call(entry)));
     own.chain(of_list).collect()
-}
-
-/// Returns the last word of a command.
-fn last(entry: &Entry) -> &'static str {
-    entry.command().rsplit(' ').next().unwrap_or_default()
 }
 
 /// Returns the arguments with `help COMMAND` replaced by `COMMAND --help`, also behind options that all commands have.
@@ -177,9 +174,9 @@ fn commands(language: Language, is_whole: &dyn Fn(&Entry) -> bool) -> Command {
         .styles(Styles::styled())
         .subcommand_required(true)
         .arg_required_else_help(true)
-        .arg(own::flag("json", help::json(language)).global(true))
+        .arg(argument::flag("json", help::json(language)).global(true))
         .arg(
-            own::text("lang", values::lang(language), help::lang(language))
+            argument::text("lang", values::lang(language), help::lang(language))
                 .global(true)
                 .value_parser(PossibleValuesParser::new(languages)),
         );

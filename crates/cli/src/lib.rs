@@ -5,6 +5,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this face speaks to the terminal")]
 
 mod answer;
+mod ask;
 mod call;
 mod chapter;
 mod code;
@@ -118,7 +119,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> CommandAnswer {
         Some(("drive", found)) => drive::drive(found, language),
         Some(("completions", found)) => Ok(command::completions(found, language)),
         Some(("man", found)) => command::man(found, language),
-        _ => call::answer(matches, json, language),
+        _ => ask::answer(matches, json, language),
     };
     answered.unwrap_or_else(|why| fault::unanswered(&why, json, language))
 }

@@ -3,6 +3,7 @@
 
 mod parts;
 mod run;
+mod table;
 
 use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
@@ -13,16 +14,10 @@ use questions::list::{Inquiry, Unanswered, sweep};
 use questions::sweep::{SweepSummary, Tally};
 use run::SweepRun;
 use std::fmt::Write as _;
-use std::fs::File;
-use std::path::{Path, PathBuf};
-use sweep_io::{BatchHead, BatchSweep, Batches, Format, NoBatch};
-use words::{file_trouble, sweeps};
-
-/// A table in a file.
-struct Table<'c> {
-    path: &'c Path,
-    language: Language,
-}
+use std::path::PathBuf;
+use sweep_io::{BatchHead, Format};
+use table::Table;
+use words::sweeps;
 
 /// `antrieb sweep PROJECT --table FILE --out FILE`
 pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
@@ -75,57 +70,6 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     let summary = tally.summary(Some(path_text(out)), language);
     let data = if call.as_json { written(&summary) } else { shown(&summary, language) };
     Ok(CommandAnswer { talk, ..CommandAnswer::data(data) }.fits(summary.fitting > 0))
-}
-
-impl Table<'_> {
-    /// Returns a message about the table.
-    fn refused(&self, why: &str) -> Unanswered {
-        Unanswered::message(sweeps::unreadable(&path_text(self.path), &why, self.language))
-    }
-
-    fn file(&self) -> Result<File, Unanswered> {
-        File::open(self.path).map_err(|error| self.refused(&file_trouble(&error, self.language)))
-    }
-
-    /// Opens the table at a row, so many at a time.
-    fn open(&self, skipped: u64, rows: usize) -> Result<Batches, Unanswered> {
-        let opened = Batches::open(self.file()?, skipped, rows, self.language);
-        opened.map_err(|why| self.refused(&why.text(self.language)))
-    }
-
-    /// Returns the sweep over the table and the number of its rows, after all cells have been read without faults.
-    fn checked(
-        &self,
-        mut batches: Batches,
-        mut head: BatchHead,
-        beside: disk::Beside,
-    ) -> Result<(BatchSweep, u64), Unanswered> {
-        let mut rows = 0;
-        let unread = loop {
-            if head.is_enough() {
-                break None;
-            }
-            match batches.next(self.language) {
-                Ok(Some(batch)) => {
-                    head.check(&batch, rows);
-                    rows += batch.num_rows() as u64;
-                }
-                Ok(None) => {
-                    head.refuse_empty(rows);
-                    break None;
-                }
-                Err(NoBatch::Line(fault)) => {
-                    head.refuse_line(fault, rows);
-                    rows += 1;
-                }
-                Err(NoBatch::Table(why)) => break Some(self.refused(&why)),
-            }
-        };
-        match (head.ready(&path_text(self.path), Box::new(beside)), unread) {
-            (Ok(sweep), None) => Ok((sweep, rows)),
-            (ready, unread) => Err(Unanswered::together(ready.err().into_iter().chain(unread).collect())),
-        }
-    }
 }
 
 /// Returns the summary for the terminal.

@@ -1,7 +1,7 @@
 //! Data common to a product family: calibrations of the models, thresholds of the supervision, the battery of an
 //! encoder.
 
-use crate::parts;
+use crate::cells::{feedback_cell, number_of, quantity_of};
 use actuator::Battery;
 use catalogue::{Cell, ManualTable, SeriesData};
 use order_code::{Feedback, FeedbackKind, OrderCode, Series};
@@ -43,12 +43,12 @@ pub(crate) fn published_as<T>(grade: Grade, datum: Datum<T>) -> Datum<T> {
 
 /// Returns a pure number of a drive \[1\].
 pub(crate) fn number(series: Series, drive: &str, symbol: &str) -> Datum<f64> {
-    published_as(Grade::Estimated, parts::number_of(cell(series, drive, symbol)))
+    published_as(Grade::Estimated, number_of(cell(series, drive, symbol)))
 }
 
 /// Returns a quantity of a drive.
 pub(crate) fn quantity<Q: Measure>(series: Series, drive: &str, symbol: &str) -> Datum<Q> {
-    published_as(Grade::Estimated, parts::quantity_of(cell(series, drive, symbol)))
+    published_as(Grade::Estimated, quantity_of(cell(series, drive, symbol)))
 }
 
 /// Returns a band of a drive from its two edges.
@@ -195,7 +195,7 @@ pub(crate) fn battery_of(feedback: Feedback) -> Datum<Battery> {
     let time = |symbol| quantity::<Time>(series, "", symbol);
     let share = |symbol| number(series, "", symbol);
     let recommended =
-        parts::feedback_cell(series, feedback.as_str(), "encoder_exchange_interval").map(catalogue::datum_of::<Time>);
+        feedback_cell(series, feedback.as_str(), "encoder_exchange_interval").map(catalogue::datum_of::<Time>);
     let found = (|| {
         let capacity = time("battery_capacity");
         let capacity = capacity.known()?;

@@ -3,6 +3,7 @@
 //! The rules are read from tables 11.2, 11.3 and 12.1 of the manual at first use; none is repeated in code.
 
 mod actuators;
+mod cells;
 mod codes;
 mod family;
 mod matrix;

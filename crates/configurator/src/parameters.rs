@@ -1,5 +1,6 @@
 //! Parameters of the actuator of an ordering code.
 
+use crate::cells::{by_size, number_of, quantity_of};
 use crate::family;
 use crate::parts;
 use actuator::{
@@ -125,8 +126,8 @@ fn drivetrain(drive: &Drive, code: &OrderCode, of_gear: OfGear) -> Drivetrain {
         stall_current_motor: largest_stall_current(drive, code),
         stall_current_includes_friction: winding.is_none_or(|data| data.stall_current_includes_friction),
         no_load_starting_current: drive.datum("I_NLS", starting, feedback, ratio),
-        no_load_current_constant_cold: parts::quantity_of(cold),
-        no_load_current_constant_warm: parts::quantity_of(warm),
+        no_load_current_constant_cold: quantity_of(cold),
+        no_load_current_constant_warm: quantity_of(warm),
         no_load_temperatures: temperatures(cold, warm),
         friction_printed_from: family::quantity(code.series(), "", "friction_printed_from"),
         friction_cold_growth: family::cold_growth(code.series()),
@@ -135,7 +136,7 @@ fn drivetrain(drive: &Drive, code: &OrderCode, of_gear: OfGear) -> Drivetrain {
         voltage_constant_motor: drive.datum("k_EM", "20 degC", feedback, ratio),
         resistance_ll: drive.datum("R_LL", "20 degC", feedback, ratio),
         inductance_ll: drive.datum("L_LL", "", feedback, ratio),
-        pole_pairs: parts::number_of(drive.cell("p", "", feedback, ratio)),
+        pole_pairs: number_of(drive.cell("p", "", feedback, ratio)),
         hollow_shaft: drive.datum("d_H", "", feedback, ratio),
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
@@ -250,17 +251,12 @@ fn environment(winding: Winding) -> Environment {
     let protection =
         cell("protection_class").and_then(|cell| Some(cell.sourced(actuator::Protection::read(cell.corrected)?)));
     Environment {
-        altitude_max: parts::quantity_of(cell("altitude")),
+        altitude_max: quantity_of(cell("altitude")),
         protection: Datum::of(protection),
         humidity: Datum::of(humidity),
-        vibration_max: parts::quantity_of(cell("vibration_resistance")),
-        shock_max: parts::quantity_of(cell("shock_resistance")),
+        vibration_max: quantity_of(cell("vibration_resistance")),
+        shock_max: quantity_of(cell("shock_resistance")),
     }
-}
-
-/// Returns a value from the tables that list data by size.
-pub(crate) fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
-    parts::quantity_of(catalogue::size_cell(code.size, code.ratio, symbol))
 }
 
 /// Returns the gear data of tables 54.3 and 54.4, the published ratings where they exist, and the estimated rated torque.
@@ -277,10 +273,10 @@ fn gear(code: &OrderCode) -> Gear {
         rated_torque: rated_by_the_stronger(code),
         average_torque_max: rating("T_A"),
         collision_torque_max: rating("T_M"),
-        collision_cycles: of_the_life(code, "collision_cycles", None, parts::number_of),
-        nominal_life: of_the_life(code, "L_n", Some(data.gear_series), parts::quantity_of),
-        life_reference_speed: of_the_life(code, "n_N_gear", None, parts::quantity_of),
-        life_ratio: of_the_life(code, "life_ratio_50_10", None, parts::number_of),
+        collision_cycles: of_the_life(code, "collision_cycles", None, number_of),
+        nominal_life: of_the_life(code, "L_n", Some(data.gear_series), quantity_of),
+        life_reference_speed: of_the_life(code, "n_N_gear", None, quantity_of),
+        life_ratio: of_the_life(code, "life_ratio_50_10", None, number_of),
         ratcheting_torque: published("ratcheting-torque", "T_ratchet", code, code.ratio.as_str()),
         buckling_torque: published("ratcheting-torque", "T_buckle", code, ""),
         input_speed_max: input_speed("n_in_max"),
@@ -333,7 +329,7 @@ fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &st
     let cell = catalogue::table_cells(table)
         .iter()
         .find(|cell| cell.place.symbol == symbol && cell.place.drive == head && cell.place.ratio == ratio);
-    family::published_as(Grade::Published, parts::quantity_of(cell))
+    family::published_as(Grade::Published, quantity_of(cell))
 }
 
 /// Returns the data of table 55.1 on the output bearing of a size.

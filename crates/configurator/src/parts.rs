@@ -1,23 +1,14 @@
 //! Parts of an actuator other than motor and gear: brake, feedback, accuracy, bolted joints.
 
-use crate::parameters::by_size;
+use crate::cells::{by_size, feedback_cell, number_of, quantity_of};
+use crate::family::battery_of;
 use actuator::{Accuracy, Brake, Feedback, FeedbackSide, ScrewJoint};
-use catalogue::{Cell, Drive, ManualTable, SeriesData};
+use catalogue::{Cell, Drive};
 use order_code::{Brake as BrakeOrdered, FeedbackKind, OrderCode, Series};
 use provenance::{Datum, Grade, Sourced};
 use quantities::{Angle, Measure};
 use std::borrow::Cow;
 use std::sync::LazyLock;
-
-/// Returns the pure number of a cell \[1\].
-pub(crate) fn number_of(cell: Option<&'static Cell>) -> Datum<f64> {
-    Datum::of(cell.and_then(|cell| Some(cell.sourced(cell.limit().number()?))))
-}
-
-/// Returns the quantity of a cell that may be missing.
-pub(crate) fn quantity_of<Q: Measure>(cell: Option<&'static Cell>) -> Datum<Q> {
-    cell.map_or(Datum::NotPrinted, catalogue::datum_of)
-}
 
 /// Returns the data of tables `*.2` and `*.3` of a drive on its brake.
 pub(crate) fn brake(drive: &Drive, code: &OrderCode) -> Brake {
@@ -35,20 +26,6 @@ pub(crate) fn brake(drive: &Drive, code: &OrderCode) -> Brake {
         brakings_max: number_of(drive.cell("N_brakings", "n = 0", feedback, ratio)),
         emergency_max: number_of(drive.cell("N_emergency", "", feedback, ratio)),
     }
-}
-
-/// Returns a cell that holds at every ratio, from the tables of a feedback or of the encoder at the output.
-pub(crate) fn feedback_cell(series: Series, name: &str, symbol: &str) -> Option<&'static Cell> {
-    let data = SeriesData::of(series);
-    let is_of_feedback = |table: &&ManualTable| {
-        table.id == data.output_encoder
-            || (table.source == data.manual && SeriesData::begins(data.feedback, table.section))
-    };
-    catalogue::tables()
-        .iter()
-        .filter(is_of_feedback)
-        .flat_map(ManualTable::cells)
-        .find(|cell| cell.feedback == name && cell.place.symbol == symbol && cell.place.ratio.is_empty())
 }
 
 /// Returns a full turn divided by a number of steps.
@@ -92,7 +69,7 @@ fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
             Some(FeedbackKind::SineIncremental | FeedbackKind::SquareIncremental) | None => false,
         },
         buffered_by_battery: cell("turns_memory").is_some(),
-        battery: if cell("turns_memory").is_some() { crate::family::battery_of(ordered) } else { Datum::NotApplicable },
+        battery: if cell("turns_memory").is_some() { battery_of(ordered) } else { Datum::NotApplicable },
         exchange_interval: if_printed(value("encoder_exchange_interval")),
     }
 }

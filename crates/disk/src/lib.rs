@@ -9,6 +9,7 @@ mod left;
 mod parts;
 mod read;
 mod save;
+mod temporary;
 mod unfinished;
 
 pub use parts::{Parts, PartsTrouble};

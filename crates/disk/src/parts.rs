@@ -6,7 +6,7 @@
 
 mod dir;
 
-use crate::left;
+use crate::temporary;
 use dir::Dir;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result, Write};
@@ -223,7 +223,7 @@ impl Parts {
 /// Creates a folder with a mark, under a temporary name first, so that no folder without a mark exists at the path.
 fn make(path: &Path) -> Result<()> {
     let beside = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let temporary = beside.join(left::name());
+    let temporary = beside.join(temporary::name());
     Dir::make(&temporary)?;
     let marked = Dir::open(&temporary).and_then(|dir| put(&dir, MARK, written("").as_bytes()));
     // Renaming replaces an empty folder only. If another run was faster, its folder is looked at by the next attempt,

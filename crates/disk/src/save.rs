@@ -1,7 +1,7 @@
 //! Writing of files: completely or not at all, at the given path only.
 
 use crate::unfinished::Unfinished;
-use crate::{left, path_text};
+use crate::{left, path_text, temporary};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
@@ -213,7 +213,7 @@ fn begin(place: &Destination<'_>, unfinished: &Unfinished) -> std::io::Result<Na
 /// Creates a file with a new temporary name.
 fn temporary(folder: &Path, with: impl Fn(&mut Builder<'_, '_>)) -> std::io::Result<NamedTempFile> {
     loop {
-        let name = left::name();
+        let name = temporary::name();
         let mut builder = Builder::new();
         builder.prefix(&name).rand_bytes(0);
         with(&mut builder);

@@ -2,8 +2,8 @@
 //! values.
 
 use crate::abort::Abort;
-use crate::drive::Given;
-use crate::scale::Scale;
+use crate::given::Given;
+use crate::scale::{INCREMENTS_USUAL, Scale};
 use installation::commission::cia402::DataType;
 use quantities::identified;
 use std::collections::BTreeMap;
@@ -80,9 +80,6 @@ pub(crate) struct Dictionary {
 pub(crate) const INC: &str = "inc";
 const INC_S: &str = "inc/s";
 const INC_S2: &str = "inc/s²";
-
-/// Encoder increments per motor turn where no table states them. Assumed.
-pub(crate) const INCREMENTS_USUAL: i64 = 65_536;
 
 /// Upper limit of the objects mapped into one PDO.
 pub(crate) const MAPPED_MOST: u8 = 8;

@@ -5,33 +5,16 @@ mod control;
 use crate::abort::Abort;
 use crate::course::{Move, SetpointLine, Wanted};
 use crate::dictionary::{Address, DISTURBANCES, Dictionary, ERRORS_MOST, Entry, Value, entries};
+use crate::given::Given;
+use crate::mode::Mode;
 use crate::pdo;
-use crate::profile::Mode;
 use crate::scale::{Scale, bounded};
 use crate::state::State;
 use crate::trouble::Trouble;
-use installation::commission::cia402::Object;
 use twin::{Demand, EventKind, Fault, POSITION_EVERY, Reading, ScenarioId, Setup, Twin};
 
 /// Duration of a step \[s\]: one period of the position loop.
 pub const HALF_MS_S: f64 = 0.5e-3;
-
-/// Data of a drive in addition to its twin.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Given {
-    /// Node number on the bus, 1 to 127.
-    pub node: u8,
-    /// Manufacturer device name (1008h).
-    pub name: String,
-    /// Seed of the phases and the noise, also the serial number.
-    pub seed: u32,
-    /// Objects with values from the commissioning data of the code.
-    pub objects: Vec<Object>,
-    /// The feedback retains its turns by a battery.
-    pub has_battery: bool,
-    /// The motor connector has contacts for the KTY of the winding, so that a drive can read it.
-    pub has_kty: bool,
-}
 
 /// Stop requested by the controller (605Ah–605Eh).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +77,7 @@ impl<'a> Drive<'a> {
         let twin = Twin::commanded(setup)?;
         let mut scale = Scale::new(given);
         let dictionary = Dictionary::new(entries(given, &scale, twin.most(), twin.limits().ramp_rad_s2));
-        scale.follow(&dictionary);
+        scale.follow(|index, sub| dictionary.number(index, sub));
         let mut drive = Self {
             twin,
             dictionary,
@@ -179,7 +162,7 @@ impl<'a> Drive<'a> {
         if everything {
             self.disable(State::NotReadyToSwitchOn);
             self.dictionary.restart(0x2000, u16::MAX);
-            self.scale.follow(&self.dictionary);
+            self.scale.follow(|index, sub| self.dictionary.number(index, sub));
             self.twin.disturb(ScenarioId::Cycle);
             self.limit_current();
             self.take_mode(Mode::None);
@@ -293,7 +276,7 @@ impl<'a> Drive<'a> {
             0x6060 => self.take_mode(Mode::of(value).unwrap_or_default()),
             0x6072 | 0x6073 | 0x6075 => self.limit_current(),
             0x607A => self.take_position(value),
-            0x607E | 0x608F | 0x6091 | 0x6092 => self.scale.follow(&self.dictionary),
+            0x607E | 0x608F | 0x6091 | 0x6092 => self.scale.follow(|index, sub| self.dictionary.number(index, sub)),
             _ => {}
         }
         Ok(())

@@ -1,8 +1,10 @@
 //! Conversion between user units and angles of the output.
 
-use crate::dictionary::{Dictionary, INCREMENTS_USUAL};
-use crate::drive::Given;
+use crate::given::Given;
 use std::f64::consts::TAU;
+
+/// Encoder increments per motor turn where no table states them. Assumed.
+pub(crate) const INCREMENTS_USUAL: i64 = 65_536;
 
 /// Conversion of output angles into increments.
 ///
@@ -40,13 +42,13 @@ impl Scale {
         Self { encoder, ratio, increments, is_reversed, per_rad: encoder, speed_sign: 1.0, zero_rad: 0.0 }
     }
 
-    /// Adopts the present values of the factor group.
-    pub(crate) fn follow(&mut self, dictionary: &Dictionary) {
+    /// Adopts the present values of the factor group; `number` returns the value of an object by index and sub-index.
+    pub(crate) fn follow(&mut self, number: impl Fn(u16, u8) -> i64) {
         #[allow(clippy::cast_precision_loss, reason = "at most 32 bit")]
-        let get = |index: u16, sub: u8| dictionary.number(index, sub) as f64;
+        let get = |index: u16, sub: u8| number(index, sub) as f64;
         let feed = get(0x6092, 1) / get(0x6092, 2);
         let of_a_turn = get(0x608F, 1) / get(0x608F, 2) * get(0x6091, 1) / get(0x6091, 2);
-        let polarity = dictionary.number(0x607E, 0);
+        let polarity = number(0x607E, 0);
         let sign = |bit: u8| if (polarity >> bit & 1 == 1) == self.is_reversed { 1.0 } else { -1.0 };
         self.per_rad = sign(7) * self.encoder * feed / of_a_turn;
         self.speed_sign = sign(6) * sign(7);

@@ -6,6 +6,7 @@
 
 pub mod checklist;
 pub mod cia402;
+mod counting;
 pub mod encoder;
 pub mod expected;
 pub mod recorded;
@@ -302,7 +303,7 @@ pub fn commission(code: &OrderCode) -> Option<Commissioning> {
         Gap::LoopGains,
         Gap::OwnObjects,
     ];
-    if recorded::counting_fact(code).is_none() {
+    if counting::counting_fact(code).is_none() {
         gaps.push(Gap::Counting);
     }
     for &id in ParameterId::ALL {

@@ -4,17 +4,20 @@ mod cables;
 mod comparison;
 mod drop;
 mod pin_list;
+mod role;
 mod signal;
 
 pub use cables::{Cable, CableFor, CableLength, CableRole};
 pub use comparison::{PinComparison, PinDifference, PinFinding, Severity, compare};
 pub use drop::{Circuit, DropVerdict, VoltageDrop, voltage_drops};
 pub use pin_list::{LISTED_BYTES_MAX, ListFault, ListedPin, PinColumn, PinList, read_pin_list};
+pub use role::Role;
 pub use signal::{Polarity, Protocol, SignalGroup, SignalMeaning, TrackForm, WiringSignal};
 
 use catalogue::{Cell, ManualTable, SeriesData};
 use order_code::{Brake, OrderCode};
 use quantities::identified;
+use role::holds;
 
 /// Wiring of one ordering code.
 #[derive(Clone, Debug)]
@@ -34,19 +37,6 @@ impl CodeWiring {
     #[must_use]
     pub fn connector(&self, role: Role) -> Option<&Connector> {
         self.connectors.iter().find(|connector| connector.role == role)
-    }
-}
-
-identified! {
-    /// Role of a connector.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-    pub enum Role {
-        /// Motor phases, protective earth, brake.
-        Motor = "motor",
-        /// Motor feedback.
-        Feedback = "feedback",
-        /// Encoder at the gear output, option EC.
-        OutputEncoder = "output_encoder",
     }
 }
 
@@ -201,14 +191,6 @@ pub fn wiring(code: &OrderCode) -> Option<CodeWiring> {
     let cables = cables::cables(code);
     let absences = absences(code, &connectors, &cables);
     Some(CodeWiring { code: *code, connectors, cables, absences })
-}
-
-/// Returns `true` if a cell applies to the size and feedback of a code.
-pub(crate) fn holds(cell: &Cell, role: Role, code: &OrderCode) -> bool {
-    let size = format!("{}-{}", code.series().as_str(), code.size);
-    let feedback = if role == Role::OutputEncoder { "EC" } else { code.feedback.as_str() };
-    let among = |entry: &str, name: &str| entry.is_empty() || entry.split(" / ").any(|each| each == name);
-    among(cell.place.drive, &size) && among(cell.feedback, feedback)
 }
 
 fn connector(role: Role, kind: &str, pins: &str, code: &OrderCode) -> Option<Connector> {

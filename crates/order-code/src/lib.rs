@@ -35,6 +35,7 @@
 //! `S` begins `SP`, and no word is the remaining `P`. The tests check this for all codes; a second reading would be an
 //! error ([`CodeError::Ambiguous`]), not a guess.
 
+mod departure;
 mod error;
 mod field;
 mod grammar;
@@ -43,8 +44,9 @@ mod pattern;
 mod scan;
 mod tokens;
 
+pub use departure::Departure;
 pub use error::{CodeError, CodeErrors, Expected};
 pub use field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
 pub use grammar::{FEEDBACKS, FeedbackKind, FieldWords, Grammar, Meaning, OPTIONS_1, OPTIONS_2, Series, extend};
-pub use parse::{Departure, Parsed, Spans, parse};
+pub use parse::{Parsed, Spans, parse};
 pub use pattern::{Pattern, Slot};

@@ -1,9 +1,9 @@
 //! Splitting of a text into words: separators, readings, and diagnosis of text without a reading.
 
+use crate::departure::Departure;
 use crate::error::{CodeError, CodeErrors, Expected, nearest_token};
 use crate::field::Field;
 use crate::grammar::{FieldWords, Series};
-use crate::parse::Departure;
 use crate::tokens::{FoundWord, Step, complete_readings, in_any_order, readings};
 use std::cell::OnceCell;
 use std::ops::Range;

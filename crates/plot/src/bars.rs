@@ -1,16 +1,17 @@
 //! Utilisation of limits as horizontal bars.
 
-use crate::canvas::{Anchor, Canvas, Fill, HAIR, Hatch, RULE, Setting, Stroke, TEXT, number};
+use crate::canvas::{Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT};
+use crate::chart_title::{title, title_height};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::{Point, Rect};
 use crate::item::{Tags, tagged};
 use crate::label::Label;
+use crate::number::number;
 use crate::picture::Picture;
 use crate::plane::{EDGE, PlaneAxis, TICK, X_BELOW, X_LABELS, X_TITLE};
-use crate::style::{Colour, Style};
+use crate::style::{Colour, Hatch, Style};
 use crate::ticks::Ticks;
 use crate::titled::titled;
-use crate::xy::{title, title_height};
 
 /// Bars against a limit of 100 %, one row for each check.
 #[derive(Clone, Debug, PartialEq)]

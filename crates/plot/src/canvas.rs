@@ -7,8 +7,9 @@ use crate::font::{ASCENT, DESCENT, FONT_FAMILY};
 use crate::geometry::Rect;
 use crate::item::Tags;
 use crate::label::{Label, RunKind, TextRun, is_drawable};
+use crate::number::number;
 use crate::picture::{Picture, TextBox};
-use crate::style::{Colour, Style, Theme};
+use crate::style::{Colour, Hatch, Style, Theme};
 
 /// Font sizes in px at 96 px to the inch; the smallest is 7 pt.
 pub(crate) const TITLE: f64 = 15.0;
@@ -70,19 +71,6 @@ pub(crate) enum Fill {
     None,
     Flat(Colour, f64),
     Pattern(String),
-}
-
-/// Lines of a pattern, distinct without colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Hatch {
-    /// Rising lines.
-    Rising,
-    /// Falling lines.
-    Falling,
-    /// Rising and falling lines.
-    Crossed,
-    /// Dots.
-    Dots,
 }
 
 pub(crate) struct Canvas<'a> {
@@ -383,17 +371,6 @@ pub(crate) fn text_area(at: (f64, f64), label: &Label, setting: Setting) -> Rect
     Rect { left, right: left + width, top: at.1 - setting.size * ASCENT, bottom: at.1 + setting.size * DESCENT }
 }
 
-/// Writes a coordinate with at most two decimals. Non-finite values are removed earlier; here they are written as
-/// empty.
-pub(crate) fn number(value: f64) -> String {
-    if !value.is_finite() {
-        return String::from("0");
-    }
-    let mut text = format!("{value:.2}");
-    text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
-    if text == "-0" { String::from("0") } else { text }
-}
-
 /// Escapes a text for XML, in an element or an attribute.
 pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -414,22 +391,6 @@ pub(crate) fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn coordinates_are_short_and_never_minus_zero() {
-        for (value, text) in [
-            (1.0, "1"),
-            (100.0, "100"),
-            (0.5, "0.5"),
-            (-0.004, "0"),
-            (-0.006, "-0.01"),
-            (12.345, "12.35"),
-            (f64::NAN, "0"),
-            (f64::INFINITY, "0"),
-        ] {
-            assert_eq!(number(value), text);
-        }
-    }
 
     #[test]
     fn nothing_of_xml_gets_through() {

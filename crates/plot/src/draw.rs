@@ -3,13 +3,12 @@
 use crate::canvas::{Anchor, Canvas, Fill, HAIR, Setting, Stroke, TEXT};
 use crate::font::{ASCENT, DESCENT};
 use crate::geometry::{Point, Rect};
-use crate::item::{Area, At, Item, Line, Markers, Note, Reference, Tags, is_data, pieces};
+use crate::item::{Area, At, Item, Line, Markers, Note, Reference, Tags, is_data, lines_of, pieces};
 use crate::label::Label;
 use crate::legend::{MARKER, draw_marker, fill, rule, stroke};
 use crate::place::{Near, OccupiedPlane};
 use crate::plane::Plane;
 use crate::reduce::{line_path, outline_path, reduced, without_repeats};
-use crate::stacked::lines_of;
 use crate::style::Colour;
 
 /// Number of points above which markers are thinned to one per half pixel and have no data attributes.

@@ -1,15 +1,16 @@
 //! Mating face of a connector: pins with their numbers in a round insert, and a list of their signals.
 
-use crate::canvas::{Anchor, Canvas, Fill, RULE, Setting, Stroke, TEXT, number};
+use crate::canvas::{Anchor, Canvas, Fill, RULE, Setting, Stroke, TEXT};
+use crate::chart_title::{title, title_height};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::Point;
 use crate::item::{Tags, tagged};
 use crate::label::Label;
+use crate::number::number;
 use crate::picture::Picture;
 use crate::plane::EDGE;
 use crate::style::{Colour, Style, Tone};
 use crate::titled::titled;
-use crate::xy::{title, title_height};
 
 /// A round face with pins, and a list of them.
 #[derive(Clone, Debug, Default, PartialEq)]

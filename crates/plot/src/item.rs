@@ -1,8 +1,7 @@
 //! Items of a plane.
 
-use crate::canvas::Hatch;
 use crate::label::Label;
-use crate::style::Tone;
+use crate::style::{Hatch, Tone};
 
 /// Class, data and tooltip of an item, for scripts and style sheets of a page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -427,4 +426,12 @@ pub(crate) fn pieces(points: &[(f64, f64)]) -> (Vec<Vec<(f64, f64)>>, usize) {
     let dropped = points.iter().filter(|point| !is_data(**point)).count();
     let pieces = points.split(|point| !is_data(*point)).filter(|piece| !piece.is_empty());
     (pieces.map(<[_]>::to_vec).collect(), dropped)
+}
+
+/// Returns the lines among the items.
+pub(crate) fn lines_of(items: &[Item]) -> impl Iterator<Item = &Line> {
+    items.iter().filter_map(|item| match item {
+        Item::Line(line) => Some(line),
+        Item::Area(_) | Item::Markers(_) | Item::Reference(_) | Item::Note(_) => None,
+    })
 }

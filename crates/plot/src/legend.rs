@@ -178,7 +178,7 @@ const RING: f64 = 6.8;
 
 /// Draws a marker.
 pub(crate) fn draw_marker(canvas: &mut Canvas<'_>, shape: Shape, (x, y): Point, colour: Colour, hollow: bool) {
-    use crate::canvas::number;
+    use crate::number::number;
     let polygon = |corners: &[(f64, f64)]| {
         let mut d = String::new();
         for (index, (dx, dy)) in corners.iter().enumerate() {

@@ -2,6 +2,7 @@
 
 mod bars;
 mod canvas;
+mod chart_title;
 mod draw;
 mod face;
 mod font;
@@ -9,6 +10,7 @@ mod geometry;
 mod item;
 mod label;
 mod legend;
+mod number;
 mod picture;
 mod place;
 mod plane;
@@ -22,7 +24,6 @@ mod titled;
 mod xy;
 
 pub use bars::{Bar, BarChart, Verdict};
-pub use canvas::Hatch;
 pub use face::{FaceChart, FacePin};
 pub use font::{FONT_FAMILY, font_files};
 pub use geometry::Rect;
@@ -31,5 +32,5 @@ pub use label::Label;
 pub use picture::{Picture, TextBox};
 pub use plane::PlaneAxis;
 pub use stacked::{Panel, StackedChart};
-pub use style::{Size, Style, Theme, Tone};
+pub use style::{Hatch, Size, Style, Theme, Tone};
 pub use xy::XyChart;

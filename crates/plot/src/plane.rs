@@ -1,9 +1,10 @@
 //! Axes: range, ticks and labels.
 
-use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, number};
+use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::{Point, Rect};
 use crate::label::{Label, RunKind, SIZE_MIN, TextRun};
+use crate::number::number;
 use crate::style::Colour;
 use crate::ticks::{LARGEST, Ticks};
 

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::canvas::number;
 use crate::geometry::{Point, Rect};
+use crate::number::number;
 
 /// Width of a column \[px\]: half a pixel of a standard screen.
 const COLUMN: f64 = 0.5;

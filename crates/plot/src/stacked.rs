@@ -1,9 +1,10 @@
 //! Panels one above the other with a shared axis, usually of time.
 
 use crate::canvas::{AXIS, Anchor, Canvas, HAIR, RULE, Setting, Stroke, TEXT};
+use crate::chart_title::{title, title_height};
 use crate::draw::{self, Labelled};
 use crate::geometry::Rect;
-use crate::item::{Item, Tags};
+use crate::item::{Item, Tags, lines_of};
 use crate::label::Label;
 use crate::legend::{self, LegendEntry, LegendRow};
 use crate::picture::Picture;
@@ -12,7 +13,6 @@ use crate::plane::{EDGE, Plane, PlaneAxis, X_BELOW, x_ticks, y_margin, y_ticks};
 use crate::style::{Colour, Style};
 use crate::ticks::Ticks;
 use crate::titled::titled;
-use crate::xy::{title, title_height};
 
 /// Panels with one shared axis, and the borders of segments drawn through all of them.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,14 +31,6 @@ impl StackedChart {
         let lines = self.panels.iter().flat_map(|panel| lines_of(&panel.items).map(|line| (&panel.y, line)));
         (&self.x, lines.collect())
     }
-}
-
-/// Returns the lines among the items.
-pub(crate) fn lines_of(items: &[Item]) -> impl Iterator<Item = &crate::Line> {
-    items.iter().filter_map(|item| match item {
-        Item::Line(line) => Some(line),
-        Item::Area(_) | Item::Markers(_) | Item::Reference(_) | Item::Note(_) => None,
-    })
 }
 
 /// One panel: a y axis and its items. A limit is a [`Reference`](crate::Reference).

@@ -1,5 +1,6 @@
 //! The house style: sizes, colours, theme.
 
+use crate::number::number;
 use quantities::Language;
 
 /// Style of a chart: size, theme and language.
@@ -78,11 +79,7 @@ impl Size {
     /// Returns the attributes `width` and `height` of the picture.
     pub(crate) fn written(self) -> (String, String) {
         let write = |px: f64| {
-            if self.millimetres {
-                format!("{}mm", crate::canvas::number(px / PX_PER_MM))
-            } else {
-                crate::canvas::number(px)
-            }
+            if self.millimetres { format!("{}mm", number(px / PX_PER_MM)) } else { number(px) }
         };
         (write(self.width), write(self.height))
     }
@@ -194,6 +191,19 @@ const COLOURS: [(&str, &str, &str); 17] = [
     ("series-4", "#b87b00", "#f2bd4b"),
     ("series-5", "#3b3f8f", "#a5a9f5"),
 ];
+
+/// Lines of a pattern, distinct without colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Hatch {
+    /// Rising lines.
+    Rising,
+    /// Falling lines.
+    Falling,
+    /// Rising and falling lines.
+    Crossed,
+    /// Dots.
+    Dots,
+}
 
 #[cfg(test)]
 mod tests {

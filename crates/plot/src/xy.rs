@@ -1,9 +1,10 @@
 //! Charts of one plane: curves, areas and points over two axes, and maps of candidates.
 
-use crate::canvas::{AXIS, Anchor, Canvas, Fill, RULE, Setting, Stroke, TITLE};
+use crate::canvas::{AXIS, Anchor, Canvas, Fill, RULE, Setting, Stroke};
+use crate::chart_title::{TITLE_ROW, title, title_height};
 use crate::draw::{self, Labelled};
 use crate::geometry::Rect;
-use crate::item::{Item, Markers, Shape};
+use crate::item::{Item, Markers, Shape, lines_of};
 use crate::label::Label;
 use crate::legend::{self, LegendEntry};
 use crate::picture::Picture;
@@ -40,7 +41,7 @@ impl XyChart {
     /// Returns both axes, and every line with the axis of its values.
     #[must_use]
     pub fn lines(&self) -> (&PlaneAxis, Vec<(&PlaneAxis, &crate::Line)>) {
-        (&self.x, crate::stacked::lines_of(&self.items).map(|line| (&self.y, line)).collect())
+        (&self.x, lines_of(&self.items).map(|line| (&self.y, line)).collect())
     }
 
     /// Creates an empty chart.
@@ -257,26 +258,4 @@ fn legend_corner(field: &OccupiedPlane, area: &Rect, entries: &[LegendEntry]) ->
     let corners = [(right, top), (left, top), (right, bottom), (left, bottom), (middle, top), (middle, bottom)];
     let boxes = corners.map(|(left, top)| Rect { left, right: left + width, top, bottom: top + height });
     field.best(boxes).filter(|(_, cost)| *cost == 0.0).map(|(area, _)| area)
-}
-
-const TITLE_ROW: f64 = 19.0;
-
-fn title_lines(canvas: &Canvas<'_>, title: &Label) -> Vec<Label> {
-    title.wrapped(canvas.style.size.width - 2.0 * EDGE, TITLE, true)
-}
-
-/// Returns the height of a title above the chart.
-pub(crate) fn title_height(canvas: &Canvas<'_>, title: &Label) -> f64 {
-    let lines: f64 = title_lines(canvas, title).iter().map(|_| TITLE_ROW).sum();
-    if lines > 0.0 { lines + 6.0 } else { 0.0 }
-}
-
-/// Draws the title; returns its lower end.
-pub(crate) fn title(canvas: &mut Canvas<'_>, title: &Label) -> f64 {
-    let mut y = EDGE;
-    for line in title_lines(canvas, title) {
-        canvas.text((EDGE, y + TITLE * 0.85), &line, Setting::new(TITLE, Colour::Ink, Anchor::Start).bold());
-        y += TITLE_ROW;
-    }
-    y
 }

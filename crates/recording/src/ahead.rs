@@ -1,6 +1,6 @@
 //! Search for the heading of a CSV, which may follow lines about the file.
 
-use crate::cells::{CellSplitter, DELIMITERS};
+use crate::cells::{DELIMITERS, delimiter, split};
 use crate::clock::is_clock;
 use crate::encoding;
 use crate::faults::Fault;
@@ -12,7 +12,6 @@ use crate::series::Encoding;
 use crate::tools::Headers;
 use memchr::memchr;
 use quantities::Unit;
-use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::io::Read;
 
@@ -226,11 +225,6 @@ fn stated_delimiter(line: &[u8]) -> Option<u8> {
     (key.eq_ignore_ascii_case(b"sep=") && DELIMITERS.contains(&sign)).then_some(sign)
 }
 
-/// Returns the delimiter found in a line: `;`, else a tab, else `,`, else `|`; `,` if there is none of them.
-pub(crate) fn delimiter(header: &[u8]) -> u8 {
-    DELIMITERS.into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
-}
-
 /// Returns the delimiters to try, most likely first.
 fn possible_delimiters(stated: Option<u8>, likely: u8) -> Vec<u8> {
     let others = DELIMITERS.into_iter().filter(|sign| *sign != likely);
@@ -267,19 +261,6 @@ pub(crate) fn is_spaced_row(line: &[u8]) -> bool {
 fn is_heading_of(comment: &[u8], row: &[u8], delimiter: u8) -> bool {
     let (Some(names), Some(cells)) = (split(comment, delimiter), split(row, delimiter)) else { return false };
     names.len() == cells.len() && values(&names).0 == 0 && names.iter().any(|name| is_usual_name(name))
-}
-
-thread_local! {
-    /// Splitters for the search for a heading, which splits the same lines at every delimiter.
-    static SPLITTERS: RefCell<[CellSplitter; 4]> = RefCell::new(DELIMITERS.map(CellSplitter::new));
-}
-
-pub(crate) fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
-    let cells = SPLITTERS.with_borrow_mut(|all| {
-        let known = all.iter_mut().find(|cells| cells.delimiter == delimiter);
-        known.map_or_else(|| CellSplitter::new(delimiter).try_all(line), |cells| cells.try_all(line))
-    })?;
-    Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
 }
 
 /// Counts the numbers and clock times among the non-empty cells, and the non-empty cells.

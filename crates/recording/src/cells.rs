@@ -1,8 +1,11 @@
 //! Cells of a line of a CSV.
 
-use crate::faults::{Fault, FaultCollector};
+use crate::collected::FaultCollector;
+use crate::encoding;
+use crate::faults::Fault;
 use csv_core::{ReadRecordResult, ReaderBuilder};
 use memchr::{memchr, memchr2_iter};
+use std::cell::RefCell;
 use std::ops::Range;
 
 /// Signs that separate cells.
@@ -116,4 +119,23 @@ fn range_of(ends: &[usize], index: usize) -> Range<usize> {
 pub(crate) fn ends_empty(line: &[u8], more: usize, delimiter: u8) -> bool {
     let blanks = line.iter().rev().filter(|sign| **sign != b' ');
     blanks.take(more).filter(|sign| **sign == delimiter).count() == more
+}
+
+/// Returns the delimiter found in a line: `;`, else a tab, else `,`, else `|`; `,` if there is none of them.
+pub(crate) fn delimiter(header: &[u8]) -> u8 {
+    DELIMITERS.into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
+}
+
+thread_local! {
+    /// Splitters for the search for a heading, which splits the same lines at every delimiter.
+    static SPLITTERS: RefCell<[CellSplitter; 4]> = RefCell::new(DELIMITERS.map(CellSplitter::new));
+}
+
+/// Returns the cells of a line as trimmed texts.
+pub(crate) fn split(line: &[u8], delimiter: u8) -> Option<Vec<String>> {
+    let cells = SPLITTERS.with_borrow_mut(|all| {
+        let known = all.iter_mut().find(|cells| cells.delimiter == delimiter);
+        known.map_or_else(|| CellSplitter::new(delimiter).try_all(line), |cells| cells.try_all(line))
+    })?;
+    Some(cells.iter().map(|cell| encoding::text(cell).trim().to_owned()).collect())
 }

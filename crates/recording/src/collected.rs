@@ -1,17 +1,13 @@
 //! Faults of a file as they are found.
 
 use crate::FAULTS_MAX;
-use crate::faults::{Fault, Remedy};
-use std::mem::Discriminant;
+use crate::faults::{Fault, FaultKind, Remedy};
 
 /// Number of faults after which reading stops, because the rest of the file gives no new information.
 const COUNTED_MAX: u64 = 10_000;
 
 /// Number of equal faults reported individually; of more than that, only the first is kept.
 const EQUAL_MAX: u64 = 3;
-
-/// Key of equal faults: variant and column.
-pub(crate) type FaultKind = (Discriminant<Fault>, Option<String>);
 
 /// Faults of a file, in the order found.
 #[derive(Debug, Default)]

@@ -1,6 +1,7 @@
 //! Assignment of columns to roles, and their units.
 
-use crate::faults::{Fault, FaultCollector, NearColumn, excerpt};
+use crate::collected::FaultCollector;
+use crate::faults::{Fault, NearColumn, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
 use crate::names::{Named, Sureness, before_nanoseconds, before_seconds};

@@ -3,15 +3,17 @@
 use crate::ahead::{Ahead, is_spaced_row};
 use crate::cells::{CellSplitter, ends_empty};
 use crate::clock::{Clock, is_clock, is_clock_of_unknown_form};
+use crate::collected::FaultCollector;
 use crate::columns::{Heading, Pick, Picks, Said, decide, pick, units_alone, unused};
 use crate::csv_faults::{cell_fault, ragged};
 use crate::encoding;
-use crate::faults::{Fault, FaultCollector, excerpt};
+use crate::faults::{Fault, excerpt};
 use crate::gather::{Gather, SampleUse, check_window};
 use crate::layout::{Layout, Role};
-use crate::limits::{COLUMNS_MAX, FILE_BYTES_MAX, Limit, Memory};
+use crate::limits::{COLUMNS_MAX, FILE_BYTES_MAX, Limit};
 use crate::lines::Lines;
-use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
+use crate::memory::Memory;
+use crate::number::{Bad, Decimals, Tick, finite, is_value, plain, with_unit};
 use crate::plain::{PlainRows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
 use crate::thousands::Thousands;
@@ -294,11 +296,6 @@ fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
     }
     texts.iter_mut().filter(|text| is_missing(text)).for_each(String::clear);
     Some(texts)
-}
-
-/// Returns `true` if a cell is a number, with or without a unit behind it.
-pub(crate) fn is_value(cell: &str) -> bool {
-    Decimals::is_number(cell) || with_unit(cell).is_some()
 }
 
 /// Returns `true` if a cell of the row is a number, with or without a unit.

@@ -1,9 +1,8 @@
 //! Faults of the rows and cells of a CSV.
 
-use crate::csv::is_value;
 use crate::encoding;
 use crate::faults::{Fault, FileRow, excerpt};
-use crate::number::{Bad, is_grouped};
+use crate::number::{Bad, is_grouped, is_value};
 
 /// Returns the fault of a row with more or fewer cells than the header; commas that separate cells `may_be_twice` decimal signs
 /// as well, where the cells are whole numbers.

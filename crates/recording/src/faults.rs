@@ -1,6 +1,5 @@
 //! Reasons why a file cannot be read as a recording.
 
-pub(crate) use crate::collected::{FaultCollector, FaultKind};
 pub use crate::damage::Damage;
 use crate::layout::Role;
 use crate::limits::{Limit, SAMPLES_MAX};
@@ -9,6 +8,7 @@ use crate::series::{Along, KnownBy};
 use quantities::{Angle, Dimension, Time, Unit, is_unseen};
 use std::fmt;
 use std::io::ErrorKind;
+use std::mem::Discriminant;
 use thiserror::Error;
 
 /// Place in a file.
@@ -515,6 +515,9 @@ pub enum Fault {
         stopped: bool,
     },
 }
+
+/// Key of equal faults: variant and column.
+pub(crate) type FaultKind = (Discriminant<Fault>, Option<String>);
 
 impl Fault {
     /// Returns the kind of a fault in a line or its cells; `None` for a fault of the whole file.

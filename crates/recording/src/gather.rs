@@ -1,11 +1,13 @@
 //! Assembly of a recording from consecutive samples.
 
 use crate::GAP_FACTOR;
+use crate::collected::FaultCollector;
 use crate::columns::check_course;
-use crate::faults::{Fault, FaultCollector, FileRow, Remedy, Stamp, excerpt};
+use crate::faults::{Fault, FileRow, Remedy, Stamp, excerpt};
 use crate::lacking::Lacking;
 use crate::layout::{Layout, Role};
-use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
+use crate::limits::{MAGNITUDE_MAX, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
+use crate::memory::Memory;
 use crate::modulo::{first_jump, unwrap_revolutions};
 use crate::number::{Bad, Tick};
 use crate::order::Order;

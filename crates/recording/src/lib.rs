@@ -31,6 +31,7 @@ mod lacking;
 mod layout;
 mod limits;
 mod lines;
+mod memory;
 mod modulo;
 mod names;
 mod number;
@@ -50,9 +51,10 @@ pub use encoding::read_text;
 pub use faults::{Damage, Fault, FileRow, NearColumn, Remedy, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
 pub use limits::{
-    BLANK_BYTES_MAX, DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory,
-    NESTING_MAX, SAMPLES_MAX, STEP_MIN_S, TABLE_COLUMNS_MAX,
+    BLANK_BYTES_MAX, DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, NESTING_MAX,
+    SAMPLES_MAX, STEP_MIN_S, TABLE_COLUMNS_MAX,
 };
+pub use memory::Memory;
 pub use names::name_and_unit;
 pub use number::{is_grouped, number, with_unit};
 pub use packed::{Content, Foreign, Packing, Sniffed, opened};

@@ -105,6 +105,11 @@ pub fn with_unit(text: &str) -> Option<(&str, &str)> {
     (!unit.is_empty() && Unit::of(unit).is_some()).then_some((number, unit))
 }
 
+/// Returns `true` if a cell is a number, with or without a unit behind it.
+pub(crate) fn is_value(cell: &str) -> bool {
+    Decimals::is_number(cell) || with_unit(cell).is_some()
+}
+
 /// Returns a number with either decimal sign, or with a point alone.
 #[must_use]
 pub fn number(text: &str, may_have_comma: bool) -> Option<f64> {

@@ -11,12 +11,14 @@ mod table;
 mod thrift;
 mod unpack;
 
+use crate::collected::FaultCollector;
 use crate::columns::{Heading, Pick, Said, decide, pick, unused};
-use crate::faults::{Damage, Fault, FaultCollector, FileRow, Remedy, excerpt};
+use crate::faults::{Damage, Fault, FileRow, Remedy, excerpt};
 use crate::gather::{Gather, SampleUse, check_window};
 use crate::lacking::is_spare;
 use crate::layout::{Layout, Role};
-use crate::limits::{Limit, Memory, ROWS_MAX, SAMPLES_MAX};
+use crate::limits::{Limit, ROWS_MAX, SAMPLES_MAX};
+use crate::memory::Memory;
 use crate::names::Named;
 use crate::number::{Bad, Tick};
 use crate::series::{KnownBy, Recording};

@@ -2,9 +2,10 @@
 
 use crate::ahead::Ahead;
 use crate::cells::CellSplitter;
+use crate::collected::FaultCollector;
 use crate::csv::advance;
 use crate::encoding;
-use crate::faults::{FaultCollector, excerpt};
+use crate::faults::excerpt;
 use crate::number::Decimals;
 use std::io::Read;
 

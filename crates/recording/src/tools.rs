@@ -1,7 +1,7 @@
 //! Headers of tools whose tables have no line of headings of their own: TwinCAT Scope lists the properties of each channel line by
 //! line, LabVIEW writes one header for the file and one for the table.
 
-use crate::ahead::{delimiter, split};
+use crate::cells::{delimiter, split};
 use crate::clock::is_clock;
 use crate::number::Decimals;
 use quantities::Unit;

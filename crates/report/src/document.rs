@@ -1,7 +1,7 @@
 //! The document as the template reads it: every number already in the words of its language, every list in its order.
 
 mod alternatives;
-mod axis;
+pub(crate) mod axis;
 #[cfg(feature = "pdf")]
 pub(crate) mod checklist;
 mod checks;
@@ -60,11 +60,6 @@ struct Date {
     year: u16,
     month: u8,
     day: u8,
-}
-
-/// Returns the name by which the template finds a figure of an axis, drawn in one of its sizes.
-pub(crate) fn figure_file(axis: usize, index: usize, size: usize) -> String {
-    format!("figure-{axis}-{index}-{size}.svg")
 }
 
 impl ReportDocument {

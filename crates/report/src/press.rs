@@ -2,8 +2,9 @@
 //!
 //! The only file that knows the engine's interface, which changes with its every minor version.
 
+use crate::document::axis::figure_file;
 use crate::document::checklist::CheckListDocument;
-use crate::document::{figure_file, laid_out};
+use crate::document::laid_out;
 use crate::glyphs::Glyphs;
 use crate::{Content, Fault, Settings, form, template};
 use answers::Commissioning;

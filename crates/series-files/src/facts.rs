@@ -1,68 +1,9 @@
 //! Facts stated in prose by a source: checked for their form and written as static records.
 
 use crate::code::variant_of;
+use crate::fact_file::FactEntry;
 use crate::read::Data;
-use serde::Deserialize;
 use std::collections::BTreeSet;
-
-/// One fact, as described in `data/README.md`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct FactEntry {
-    id: String,
-    section: String,
-    source: String,
-    kind: Option<String>,
-    topics: Vec<String>,
-    signal: Option<String>,
-    step: Option<String>,
-    #[serde(default)]
-    holds_for: HoldsFor,
-    value: Option<Value>,
-    #[serde(default)]
-    values: Vec<Value>,
-    en: String,
-    de: String,
-    /// File with the fact, for error messages.
-    #[serde(skip)]
-    pub file: String,
-    /// Index of its series among the codes of the data.
-    #[serde(skip)]
-    pub series: usize,
-}
-
-/// Codes that a fact holds for; an absent key leaves the field open.
-#[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields)]
-struct HoldsFor {
-    #[serde(default)]
-    feedback: Vec<String>,
-    #[serde(default)]
-    winding: Vec<String>,
-    #[serde(default)]
-    size: Vec<String>,
-    brake: Option<bool>,
-    ec: Option<bool>,
-    kty: Option<bool>,
-}
-
-/// A number of the sentence in machine-readable form.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Value {
-    id: Option<String>,
-    number: f64,
-    unit: Option<String>,
-    bound: String,
-}
-
-/// One file of facts.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct FactsFile {
-    /// Facts of the file.
-    pub fact: Vec<FactEntry>,
-}
 
 const GRADES: &[&str] = &["printed", "published", "assumed"];
 const TOPICS: &[&str] = &["wiring", "mount", "commission", "upkeep", "safety"];

@@ -6,6 +6,7 @@
 
 mod cells;
 mod code;
+mod fact_file;
 mod facts;
 mod read;
 

@@ -2,7 +2,7 @@
 #![allow(missing_docs, reason = "data/README.md describes every key")]
 
 use crate::code::Code;
-use crate::facts::{FactEntry, FactsFile};
+use crate::fact_file::{FactEntry, FactsFile};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -3,10 +3,10 @@
 use crate::body::{Bodies, CountedBody, NoBody, read};
 use crate::folder::Workplace;
 use crate::gate::{Barred, admit, preferred};
+use crate::idle::IdleSlot;
 use crate::lanes::Lanes;
 use crate::limits::RequestLimits;
 use crate::pack::{OpenFiles, sent, sent_open};
-use crate::serve::IdleSlot;
 use crate::token::Token;
 use bytes::Bytes;
 use http_body_util::Full;

@@ -10,6 +10,7 @@ mod body;
 mod drive;
 mod folder;
 mod gate;
+mod idle;
 mod lanes;
 mod limits;
 mod owner;

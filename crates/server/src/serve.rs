@@ -2,6 +2,7 @@
 
 use crate::answer::{Respond, Responder};
 use crate::folder::Workplace;
+use crate::idle::{Idle, IdleSlot};
 use crate::lanes::Lanes;
 use crate::limits::RequestLimits;
 use crate::token::{IN_QUERY, Token};
@@ -9,17 +10,16 @@ use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use quantities::Language;
-use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::future::Future;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 use std::path::PathBuf;
 use std::pin::pin;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::TcpStream;
-use tokio::sync::{Notify, OwnedSemaphorePermit, Semaphore, watch};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use words::{file_trouble, serving};
 
 /// Longest duration of a connection, so that slow clients do not keep a slot.
@@ -195,89 +195,6 @@ impl Server {
         // A save in progress is completed; a cancelled computation ends at its next step.
         runtime.shutdown_timeout(end_time);
         served
-    }
-}
-
-/// Connections without a running request: idle ones, and those with an incomplete request. When every place is taken, a
-/// new connection replaces the one that has waited longest, so that half-sent requests do not exclude others.
-/// Connections that never sent the token are replaced first.
-#[derive(Debug, Default)]
-pub(crate) struct Idle(Mutex<Waiting>);
-
-/// Idle connections by [`IdleKey`]: at most one entry for each connection.
-#[derive(Debug, Default)]
-struct Waiting {
-    last: u64,
-    all: BTreeMap<IdleKey, Arc<Notify>>,
-}
-
-/// `true` if the connection has sent the token, and its number in the order of becoming idle.
-type IdleKey = (bool, u64);
-
-impl Idle {
-    fn closes_longest(&self) {
-        let idle = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, close)) = idle.all.pop_first() {
-            close.notify_one();
-        }
-    }
-}
-
-/// A connection in the list of idle ones.
-#[derive(Debug)]
-pub(crate) struct IdleSlot {
-    all: Arc<Idle>,
-    close: Arc<Notify>,
-    /// Key while it is idle, and `true` if it has sent the token.
-    state: Mutex<(Option<IdleKey>, bool)>,
-}
-
-impl IdleSlot {
-    fn new(all: &Arc<Idle>) -> Self {
-        let place = Self { all: Arc::clone(all), close: Arc::default(), state: Mutex::default() };
-        place.idle();
-        place
-    }
-
-    /// Marks the connection as idle. A rejected request never was busy: the connection keeps its place among the
-    /// waiting ones, so that a client with rejected requests is not treated as younger than a silent one.
-    fn idle(&self) {
-        let (place, is_known) = &mut *self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        if place.is_some() {
-            return;
-        }
-        let idle = &mut *self.all.0.lock().unwrap_or_else(PoisonError::into_inner);
-        idle.last += 1;
-        let key = (*is_known, idle.last);
-        let _ = idle.all.insert(key, Arc::clone(&self.close));
-        *place = Some(key);
-    }
-
-    /// Marks the connection as busy: a request is complete, and its answer is not interrupted. It belongs to the user if the request
-    /// `has_token`; a stranger who reads a file that is open to all remains one.
-    pub(crate) fn busy(&self, has_token: bool) {
-        let (place, is_known) = &mut *self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        *is_known |= has_token;
-        if let Some(key) = place.take() {
-            let _ = self.all.0.lock().unwrap_or_else(PoisonError::into_inner).all.remove(&key);
-        }
-    }
-
-    /// Completes when a new connection replaces this one.
-    async fn closed(&self) {
-        loop {
-            self.close.notified().await;
-            // A request may have become complete meanwhile.
-            if self.state.lock().unwrap_or_else(PoisonError::into_inner).0.is_some() {
-                return;
-            }
-        }
-    }
-}
-
-impl Drop for IdleSlot {
-    fn drop(&mut self) {
-        self.busy(false);
     }
 }
 

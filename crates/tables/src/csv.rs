@@ -1,6 +1,7 @@
 //! A table as CSV.
 
-use crate::table::{Cell, Table};
+use crate::cell::Cell;
+use crate::table::Table;
 use questions::sweep::csv::quoted;
 use std::fmt::Write as _;
 

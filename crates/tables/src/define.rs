@@ -1,62 +1,21 @@
 //! Definitions of the tables: content and origin of each.
 
+use crate::cell::Cell;
 use crate::format::Format;
 use crate::results;
 use crate::rows::Rows;
-use crate::table::{Cell, Column, ColumnContent, Table};
-use project::{Project, inputs};
+use crate::subject::{Subject, column};
+use crate::table::{ColumnContent, Table};
+use project::inputs;
 use quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND, WATT,
 };
-use quantities::{Language, Measure, Unit};
-use questions::{Candidate, Sample, Sizing, course, moves};
-use words::{Word, assumption_text, capitalised, law_text, tables, terms, without_keys};
+use quantities::{Measure, Unit};
+use questions::{Sample, course, moves};
+use words::{Word, assumption_text, law_text, tables, terms, without_keys};
 
 /// Names of the tables, in the order of a workbook.
 pub const NAMES: [&str; 7] = questions::list::export::TABLES;
-
-/// Subject of the tables: one axis of a project with its results.
-#[derive(Clone, Copy, Debug)]
-pub struct Subject<'a> {
-    /// Text of the project file.
-    pub text: &'a str,
-    /// Index of the axis in the file.
-    pub axis: usize,
-    /// Axis.
-    pub project: &'a Project,
-    /// Ranking of the catalogue for the axis.
-    pub sizing: &'a Sizing<'a>,
-    /// Actuator of the tables.
-    pub chosen: &'a Candidate<'a>,
-    /// Number of actuators shown from the top of the ranking, in addition to the chosen one and that of the project.
-    pub top: usize,
-    /// Language of the words.
-    pub language: Language,
-}
-
-/// Creates a column of a definition.
-pub(crate) fn column(
-    name: &str,
-    title: Word,
-    kind: ColumnContent,
-    unit: Option<&'static Unit>,
-    about: Word,
-    language: Language,
-) -> Column {
-    titled(name, title(language).to_owned(), kind, unit, about, language)
-}
-
-/// Creates a column whose title is composed from its content.
-pub(crate) fn titled(
-    name: &str,
-    title: String,
-    kind: ColumnContent,
-    unit: Option<&'static Unit>,
-    about: Word,
-    language: Language,
-) -> Column {
-    Column { name: name.to_owned(), title, unit, about: about(language).to_owned(), kind }
-}
 
 impl Subject<'_> {
     /// Returns a table by its name, for a format; `None` for a name that is not in [`NAMES`]. The rows of a course that
@@ -79,33 +38,6 @@ impl Subject<'_> {
     #[must_use]
     pub fn tables(&self) -> Vec<Table> {
         NAMES.iter().filter_map(|name| self.table(name, Format::Workbook)).collect()
-    }
-
-    /// Returns the shown candidates, best first, each judged with every check, with its rank if it fits.
-    pub(crate) fn shown(&self) -> Vec<(Option<usize>, Candidate<'_>)> {
-        let ranked = self.sizing.candidates.iter().enumerate();
-        let mut shown: Vec<(Option<usize>, Candidate<'_>)> = ranked
-            .filter(|(index, candidate)| *index < self.top || candidate.id == self.chosen.id)
-            .map(|(index, candidate)| {
-                let full = match &candidate.id {
-                    questions::CandidateId::Code(code) => questions::check(self.project, code).ok(),
-                    questions::CandidateId::Own(_) => None,
-                };
-                (candidate.fits().then_some(index + 1), full.unwrap_or_else(|| candidate.clone()))
-            })
-            .collect();
-        let others = self.sizing.own.iter().chain(std::iter::once(self.chosen));
-        for other in others {
-            if shown.iter().all(|(_, each)| each.id != other.id) {
-                shown.push((None, other.clone()));
-            }
-        }
-        shown
-    }
-
-    pub(crate) fn made(&self, name: &'static str, title: Word, about: Word, columns: Vec<Column>, rows: Rows) -> Table {
-        let (title, about) = (capitalised(title(self.language)), about(self.language).to_owned());
-        Table { name, title, about, columns, rows, derived: Vec::new() }
     }
 
     fn inputs(&self) -> Table {

@@ -1,10 +1,13 @@
 //! Formats of tables, and the memory of a long course in each.
 
 use crate::table::Table;
-use crate::xlsx::SHEET_ROWS_MOST;
 use project::Project;
 use questions::{Refusal, course_rows};
 use std::path::Path;
+
+/// Largest number of rows of a table on a sheet; a longer one is named on the first sheet and left to the other
+/// formats. A choice of this crate that keeps a workbook small; a sheet could hold 2²⁰.
+pub const SHEET_ROWS_MOST: usize = 200_000;
 
 /// Format of tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 //! A table as a record.
 
-use crate::table::{Cell, Column, ColumnContent, Table};
+use crate::cell::Cell;
+use crate::table::{Column, ColumnContent, Table};
 use answers::{ColumnKind, Number, TableCell, TableColumn, TableRow};
 use serde::{Serialize, Serializer};
 

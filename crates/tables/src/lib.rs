@@ -9,6 +9,7 @@
 //! Names of tables and columns and their units are the contract with scripts and are equal in both languages; titles,
 //! remarks and sources are translated.
 
+mod cell;
 mod csv;
 mod define;
 mod error;
@@ -18,6 +19,7 @@ mod json;
 mod parquet;
 mod results;
 mod rows;
+mod subject;
 mod table;
 mod trace;
 mod xlsx;
@@ -25,11 +27,14 @@ mod xlsx;
 pub use crate::csv::csv;
 pub use crate::json::record;
 pub use crate::parquet::parquet;
-pub use define::{NAMES, Subject};
+pub use cell::Cell;
+pub use define::NAMES;
 pub use error::WriteError;
-pub use format::Format;
+pub use format::{Format, SHEET_ROWS_MOST};
 pub use ical::calendar;
 pub use rows::Rows;
-pub use table::{Cell, Column, ColumnContent, Derived, Table};
+pub use subject::Subject;
+pub use table::{Column, ColumnContent, Derived, Table};
 pub use trace::{trace, trace_csv};
-pub use xlsx::{Front, SHEET_ROWS_MOST, xlsx};
+pub use xlsx::cover::Front;
+pub use xlsx::xlsx;

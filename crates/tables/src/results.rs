@@ -1,7 +1,8 @@
 //! Tables of the results: demand, candidates, checks.
 
-use crate::define::{Subject, column, titled};
-use crate::table::{Cell, Column, ColumnContent, Derived, Table};
+use crate::cell::Cell;
+use crate::subject::{Subject, column, titled};
+use crate::table::{Column, ColumnContent, Derived, Table};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit};
 use questions::texts::{by_importance, margin_share, verdict_of, verdict_text};

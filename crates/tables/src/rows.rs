@@ -1,6 +1,6 @@
 //! Rows of a table, stored so that a long series of numbers takes no more memory than its numbers.
 
-use crate::table::{Cell, rounded};
+use crate::cell::{Cell, rounded};
 use std::borrow::Cow;
 
 /// Rows of a table, each with a cell for every column.

@@ -1,8 +1,8 @@
 //! Course of a simulation as a table.
 
 use crate::csv::csv;
-use crate::define::column;
 use crate::rows::Rows;
+use crate::subject::column;
 use crate::table::{ColumnContent, Table};
 use quantities::Language;
 use questions::{SIGNALS, Signal, TIME, TwinSample};

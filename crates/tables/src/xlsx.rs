@@ -1,42 +1,21 @@
 //! A whole workbook.
 
 mod charts;
-mod cover;
+pub(crate) mod cover;
+mod paper;
 mod sheet;
 mod style;
 
 use crate::error::WriteError;
 use crate::format;
 use crate::table::Table;
-
-use project::Project;
+use cover::Front;
+use paper::{Paper, height, lines};
 use quantities::Language;
-use questions::Candidate;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, Worksheet};
 use sheet::Links;
 use style::Styles;
 use words::{Word, capitalised, tables, terms};
-
-/// Largest number of rows of a table on a sheet; a longer one is named on the first sheet and left to the other
-/// formats. A choice of this crate that keeps a workbook small; a sheet could hold 2²⁰.
-pub const SHEET_ROWS_MOST: usize = 200_000;
-
-/// Content of the first sheet in addition to the tables.
-#[derive(Clone, Copy, Debug)]
-pub struct Front<'a> {
-    /// Name of the project file.
-    pub file: &'a str,
-    /// Revision of the project, if stated.
-    pub revision: Option<&'a str>,
-    /// Date, if stated; the clock is not used.
-    pub date: Option<&'a str>,
-    /// Axis.
-    pub project: &'a Project,
-    /// Actuator of the tables.
-    pub chosen: &'a Candidate<'a>,
-    /// Language of the words.
-    pub language: Language,
-}
 
 /// Writes a workbook with a first sheet, a sheet for each table and one with the meaning of every column.
 ///
@@ -98,94 +77,4 @@ fn meanings(tables: &[Table], styles: &Styles, language: Language) -> Result<Wor
     sheet.set_freeze_panes(1, 0)?;
     Paper::for_width(widths.iter().sum()).set(&mut sheet);
     Ok(sheet)
-}
-
-/// Estimates the number of lines of a text in a column width, rather high than low: a surplus line is empty, a missing
-/// one is cut off.
-fn lines(text: &str, characters: f64) -> u32 {
-    let mut lines = 0;
-    for paragraph in text.split('\n') {
-        let (mut used, mut rows) = (0.0, 1);
-        for word in paragraph.split(' ') {
-            #[allow(clippy::cast_precision_loss, reason = "the length of a word")]
-            let long = word.chars().count() as f64 * 1.08;
-            let space = if used > 0.0 { 1.0 } else { 0.0 };
-            if used + space + long <= characters {
-                used += space + long;
-            } else {
-                rows += u32::from(used > 0.0);
-                // A word longer than the column is broken.
-                let mut rest = long;
-                while rest > characters {
-                    rest -= characters;
-                    rows += 1;
-                }
-                used = rest;
-            }
-        }
-        lines += rows;
-    }
-    lines
-}
-
-/// Returns the height of a row of `lines` lines in points; the limit of a sheet is 409.
-fn height(lines: u32) -> f64 {
-    (f64::from(lines) * 15.0).min(409.0)
-}
-
-/// Paper of a printed sheet, landscape, with the heading on every page.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Paper {
-    /// Size of the paper.
-    size: Size,
-    /// Number of pages beside each other.
-    pages: u16,
-}
-
-/// Size of a paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Size {
-    A4,
-    /// For sheets illegible on A4.
-    A3,
-}
-
-/// Characters of all columns that A4 and A3 hold at a scale of sixty per cent, below which letters are hard to read.
-const CHARACTERS: [f64; 2] = [240.0, 340.0];
-
-impl Paper {
-    /// One page of A4.
-    const A4: Self = Self { size: Size::A4, pages: 1 };
-
-    /// Returns the smallest paper on which columns of this total width in characters stay legible, A3 on as many pages as
-    /// that takes.
-    fn for_width(characters: f64) -> Self {
-        let [a4, a3] = CHARACTERS;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
-        let pages = (characters / a3).ceil().clamp(1.0, 20.0) as u16;
-        if characters <= a4 { Self::A4 } else { Self { size: Size::A3, pages } }
-    }
-
-    fn set(self, sheet: &mut Worksheet) {
-        let number = match self.size {
-            Size::A4 => 9,
-            Size::A3 => 8,
-        };
-        sheet.set_paper_size(number).set_landscape().set_print_fit_to_pages(self.pages, 0);
-        sheet.set_margins(0.4, 0.4, 0.5, 0.5, 0.3, 0.3);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_text_takes_the_lines_that_its_words_need() {
-        assert_eq!(lines("", 10.0), 1);
-        assert_eq!(lines("one two", 10.0), 1);
-        assert_eq!(lines("one two three four", 12.0), 2);
-        assert_eq!(lines("a\nb", 10.0), 2);
-        assert_eq!(lines(&"x".repeat(25), 10.0), 3);
-    }
 }

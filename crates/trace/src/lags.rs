@@ -2,25 +2,18 @@
 
 mod batches;
 mod course;
+mod lag;
 
 use super::gains::{Gain, GainTables, Gains, Products, rounded, sum, sum_of_magnitudes, swing};
 use super::recording::Strip;
 use super::rule::{SHORT, short};
-use super::{Form, Node, Panel, Run, Trace};
+use super::{Node, Panel, Run, Trace};
 use batches::{Batch, Batches};
 use course::{Bounds, Course, may_turn, turn};
+pub use lag::Lag;
 use numeric::{EQUAL, First};
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
-
-/// One first-order lag y' = (u − y)/τ of a form, in the steady periodic state.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lag {
-    /// τ \[s\], greater than zero.
-    pub tau_s: f64,
-    /// u
-    pub form: Form,
-}
 
 /// Largest value of a signal and the instant in the cycle at which it is reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +85,7 @@ impl Flow {
 impl Trace {
     /// Returns the mean of a form over the cycle.
     #[cfg(test)]
-    pub fn mean(&self, form: &Form) -> f64 {
+    pub fn mean(&self, form: &super::Form) -> f64 {
         let sum = self.gram.0.iter().flatten().zip(form.0.iter().flatten()).map(|(g, q)| g * q).sum::<f64>();
         sum / self.duration
     }

@@ -1,10 +1,10 @@
 //! Motion of a generated project: moves that close the cycle, suited to the load.
 
+use super::load::{LoadKind, forces};
 use super::page::{
     ACCELERATION, ANGLE, INERTIA, JERK, LENGTH, MASS, Page, SPEED, TIME, TORQUE, UnitSpellings, WAY_ACCELERATION,
     WAY_JERK, WAY_SPEED,
 };
-use super::{Load, forces};
 use arbitrary::Result;
 
 /// Distance in rad or m, with the units in which it and its rates are written.
@@ -40,9 +40,9 @@ const LAWS: [&str; 9] = [
     "parabola",
 ];
 
-pub(super) fn motions(page: &mut Page<'_, '_>, load: Load, single: bool) -> Result<()> {
-    let way = if matches!(load, Load::Line | Load::Belt) { LINE } else { TURN };
-    let endless = matches!(load, Load::Free | Load::Belt);
+pub(super) fn motions(page: &mut Page<'_, '_>, load: LoadKind, single: bool) -> Result<()> {
+    let way = if matches!(load, LoadKind::Line | LoadKind::Belt) { LINE } else { TURN };
+    let endless = matches!(load, LoadKind::Free | LoadKind::Belt);
     match page.u.int_in_range(0..=7)? {
         0 if endless => constant(page, &way),
         1 => manual(page, &way, load, single),
@@ -154,15 +154,15 @@ fn time_of(text: &str) -> f64 {
 }
 
 /// Writes the manual's cycle; back and forth for a bound load.
-fn manual(page: &mut Page<'_, '_>, way: &Way, load: Load, single: bool) -> Result<()> {
-    let speed = page.between(0.1, 4.0)? * if load == Load::Line { 0.1 } else { 1.0 };
+fn manual(page: &mut Page<'_, '_>, way: &Way, load: LoadKind, single: bool) -> Result<()> {
+    let speed = page.between(0.1, 4.0)? * if load == LoadKind::Line { 0.1 } else { 1.0 };
     let speed = page.literal(speed * way.speed.1, way.speed.0)?;
     let mut times = Vec::new();
     for key in ["accelerate", "run", "brake"] {
         let time = page.between(0.02, 0.4)?;
         times.push((key, page.literal(time, TIME)?));
     }
-    let back = load == Load::Line || load == Load::Bound;
+    let back = load == LoadKind::Line || load == LoadKind::Bound;
     for sign in ["", "-"].into_iter().take(if back && !single { 2 } else { 1 }) {
         page.row("motion");
         page.word("law", "manual");

@@ -125,7 +125,7 @@ fn is_product(file: &str) -> bool {
 }
 
 /// Returns a source without its tests, which stand last.
-fn product_part(text: &str) -> &str {
+pub(super) fn product_part(text: &str) -> &str {
     text.find("#[cfg(test)]\nmod ").and_then(|at| text.get(..at)).unwrap_or(text)
 }
 

@@ -1,8 +1,8 @@
 //! Options and help that only the command line has, in addition to the arguments and output files of a question.
 
-use super::question;
-use clap::builder::{IntoResettable, PossibleValuesParser, StyledStr, ValueParser};
-use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
+use super::argument::{self, flag, text};
+use clap::builder::{PossibleValuesParser, ValueParser};
+use clap::{Arg, ArgGroup, Command, value_parser};
 use quantities::Language;
 use questions::SIGNALS;
 use questions::list::{plot, report, wiring};
@@ -16,7 +16,7 @@ pub(crate) fn nothing(command: Command, _: Language) -> Command {
 
 /// Adds the fields of the title page of the report of the best actuator.
 pub(crate) fn size(command: Command, language: Language) -> Command {
-    command.args(report::TITLE_PAGE.map(|field| question::of(&field, language)))
+    command.args(report::TITLE_PAGE.map(|field| argument::of(&field, language)))
 }
 
 /// Adds the date of delivery from which the maintenance follows.
@@ -54,7 +54,7 @@ pub(crate) fn simulate(command: Command, language: Language) -> Command {
 
 /// Adds the options of a picture.
 pub(crate) fn picture(command: Command, language: Language) -> Command {
-    command.args([plot::THEME, plot::WIDTH, plot::HEIGHT].map(|argument| question::of(&argument, language)))
+    command.args([plot::THEME, plot::WIDTH, plot::HEIGHT].map(|argument| argument::of(&argument, language)))
 }
 
 /// Adds the choice of the drawn connector, and the options of a picture.
@@ -80,16 +80,6 @@ pub(crate) fn shapes(command: Command, language: Language) -> Command {
         shapes.push('\n');
     }
     command.after_help(format!("{}\n{shapes}{}", help::shapes(language), help::shapes_all(language)))
-}
-
-/// Creates an option with a value.
-pub(super) fn text(name: &'static str, value: &'static str, help: impl IntoResettable<StyledStr>) -> Arg {
-    Arg::new(name).long(name).value_name(value).help(help)
-}
-
-/// Creates an option without a value.
-pub(super) fn flag(name: &'static str, help: &'static str) -> Arg {
-    Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
 }
 
 pub(super) fn serve(language: Language) -> Command {

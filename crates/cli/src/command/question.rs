@@ -1,18 +1,21 @@
 //! Command of a question: arguments and files from the list, and the options of its layout.
 
-use super::own;
+use super::argument;
 use crate::layout::Layout;
-use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
-use clap::{Arg, ArgAction, Command, value_parser};
+use clap::{Arg, Command, value_parser};
 use quantities::Language;
 use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, Gives, OutputFile, Reads, media};
-use std::ffi::OsStr;
 use words::help::{self, values};
+
+/// Returns the last word of a command.
+pub(super) fn last(entry: &Entry) -> &'static str {
+    entry.command().rsplit(' ').next().unwrap_or_default()
+}
 
 /// Returns the command of a question without its arguments, for the list of commands.
 pub(super) fn listed(entry: &Entry, language: Language) -> Command {
     let is_pdf = matches!(entry.gives, Gives::Media(media) if media.contains(&media::PDF));
-    Command::new(super::last(entry)).about(with_report(is_pdf, (entry.about)(language), language))
+    Command::new(last(entry)).about(with_report(is_pdf, (entry.about)(language), language))
 }
 
 /// Returns the command of a question.
@@ -32,11 +35,16 @@ pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
     // A file without an option stands before the project that it is about.
     let is_first =
         |argument: &&Argument| matches!((argument.kind, argument.form), (ArgumentKind::File, ArgumentForm::Bare));
-    command = command
-        .args(arguments.iter().copied().filter(|argument| is_first(argument)).map(|argument| of(argument, language)));
+    command = command.args(
+        arguments
+            .iter()
+            .copied()
+            .filter(|argument| is_first(argument))
+            .map(|argument| argument::of(argument, language)),
+    );
     command = command.args(sources(entry, language));
     for argument in arguments.iter().copied().filter(|argument| !is_first(argument)) {
-        let option = of(argument, language);
+        let option = argument::of(argument, language);
         let option = match arguments.iter().find(|other| other.instead_of == Some(argument.name)) {
             Some(other) => option.required_unless_present(other.name),
             None => option,
@@ -49,7 +57,7 @@ pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
         command = (layout.own)(command, language);
     }
     if entry.files().next().is_some() {
-        command = command.arg(own::flag("force", help::force(language)));
+        command = command.arg(argument::flag("force", help::force(language)));
     }
     command
 }
@@ -103,62 +111,4 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
         Reads::Nothing | Reads::Pins | Reads::Measured => Vec::new(),
     };
     words.into_iter().map(|word| word.required(true)).collect()
-}
-
-/// Words that the help lists as the possible values; the question itself reports invalid ones.
-#[derive(Clone)]
-struct AnyOf(Vec<&'static str>);
-
-impl TypedValueParser for AnyOf {
-    type Value = String;
-
-    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
-        StringValueParser::new().parse_ref(command, arg, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        Some(Box::new(self.0.iter().map(PossibleValue::new)))
-    }
-}
-
-/// Converts an argument for the command-line library.
-pub(super) fn of(argument: &Argument, language: Language) -> Arg {
-    let words = argument.words();
-    let about = if argument.required && !words.is_empty() {
-        // A call without a valid word fails, so the help lists them.
-        format!("{}: {}", (argument.about)(language), words.join(", "))
-    } else {
-        (argument.about)(language).to_owned()
-    };
-    let mut arg = Arg::new(argument.name).help(about).required(argument.required);
-    arg = match argument.form {
-        ArgumentForm::Option => arg.long(argument.name),
-        ArgumentForm::Bare => arg,
-        ArgumentForm::Words | ArgumentForm::Each if argument.required => arg.num_args(1..),
-        ArgumentForm::Words | ArgumentForm::Each => arg.num_args(0..),
-    };
-    if let ArgumentKind::Flag = argument.kind {
-        return arg.action(ArgAction::SetTrue);
-    }
-    arg = arg.value_name((argument.value)(language)).allow_hyphen_values(argument.signed);
-    arg = match argument.kind {
-        ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
-        // A list, or a title, is no possible value for the library.
-        ArgumentKind::Word(_) if argument.is_list() || argument.titles.is_some() => arg.value_parser(AnyOf(words)),
-        ArgumentKind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
-        ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
-    };
-    if argument.repeated && argument.form == ArgumentForm::Option {
-        arg = arg.action(ArgAction::Append);
-    }
-    if let Some(usual) = argument.usual {
-        arg = arg.default_value(usual);
-    }
-    if let Some(needs) = argument.needs {
-        arg = arg.requires(needs);
-    }
-    match argument.instead_of {
-        Some(other) => arg.conflicts_with(other),
-        None => arg,
-    }
 }

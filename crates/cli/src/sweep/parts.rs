@@ -1,7 +1,7 @@
 //! Finished parts of the output, kept next to it until it is complete, so that an interrupted call continues.
 
-use super::Table;
 use super::run::SweepRun;
+use super::table::Table;
 use crate::fault::path_text;
 use disk::PartsTrouble;
 use quantities::Language;

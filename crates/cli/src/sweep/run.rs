@@ -1,6 +1,6 @@
 //! Identity of a run: one hash of everything that the output depends on. A call continues a run with the same hash.
 
-use super::Table;
+use super::table::Table;
 use project::Files;
 use questions::list::Unanswered;
 use questions::list::catalogue::export_csv;

@@ -3,7 +3,7 @@
 //! On Unix each name is resolved in the opened folder and no link is followed, so renaming the folder cannot redirect
 //! the access. On other systems names are joined to the path, and links are refused.
 
-use crate::left::is_own;
+use crate::temporary::is_own;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
 use std::path::Path;

@@ -177,7 +177,7 @@ fn the_folder_is_closed_to_others() {
 fn a_folder_that_a_killed_run_did_not_place_is_removed_later() {
     let beside = tempfile::tempdir().unwrap();
     let old = std::time::SystemTime::now() - std::time::Duration::from_secs(100);
-    let temporary = [left::name(), left::name()].map(|name| beside.path().join(name));
+    let temporary = [temporary::name(), temporary::name()].map(|name| beside.path().join(name));
     for path in &temporary {
         Dir::make(path).unwrap();
         put(&Dir::open(path).unwrap(), MARK, written("").as_bytes()).unwrap();
@@ -186,7 +186,7 @@ fn a_folder_that_a_killed_run_did_not_place_is_removed_later() {
     for path in &temporary {
         File::open(path).unwrap().set_modified(old).unwrap();
     }
-    left::clear(beside.path());
+    crate::left::clear(beside.path());
     assert!(!temporary[0].exists() && temporary[1].join("mine.txt").exists());
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Drive, Ending, SetpointCourse};
 use crate::course::SetpointLine;
-use crate::profile::Mode;
+use crate::mode::Mode;
 use crate::state::{Command, State, transition};
 
 /// Bits of the controlword.

@@ -1,6 +1,7 @@
 //! CiA 402 objects that follow from a code, as whole numbers with their rounding error.
 
-use super::recorded::{REVERSED, counting_fact};
+use super::counting::counting_fact;
+use super::recorded::REVERSED;
 use super::{Commissioning, ParameterId, ParameterToSet, clean};
 use catalogue::Fact;
 use quantities::identified;

@@ -6,9 +6,9 @@ mod causes;
 pub use causes::Cause;
 
 use super::Commissioning;
+use super::counting::counting_fact;
 use super::expected::{ExpectedValue, Measurand};
-use catalogue::Fact;
-use order_code::{FeedbackKind, OrderCode};
+
 use provenance::{Grade, Source};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Frequency, Inductance, Measure,
@@ -284,19 +284,6 @@ fn compare(about: &Commissioning, what: Measurand, value: Option<f64>, expected:
 
 /// Fact that the gear reverses the direction.
 pub(super) const REVERSED: &str = "direction_reversed_by_gear";
-
-/// Returns the fact that states the direction of increasing position.
-///
-/// Section 6.22 states it for the absolute encoders and the signal sequence of C1024 and D2048 for the same direction;
-/// it states nothing for the resolver.
-pub(super) fn counting_fact(code: &OrderCode) -> Option<&'static Fact> {
-    let id = match code.feedback.kind()? {
-        FeedbackKind::EndatMultiturn | FeedbackKind::SsiMultiturn => "position_rises_absolute",
-        FeedbackKind::SineIncremental | FeedbackKind::SquareIncremental => "direction_of_signals",
-        FeedbackKind::Resolver => return None,
-    };
-    catalogue::fact(id).filter(|fact| fact.holds_for.series == code.series())
-}
 
 fn position(about: &Commissioning, measured: &MeasuredValues) -> Judged {
     let what = Measurand::DirectionPosition;

@@ -1,6 +1,6 @@
 //! Cables listed in sections 6.24 and 6.25.
 
-use super::{Role, holds};
+use super::role::{Role, holds};
 use catalogue::{Cell, ManualTable, SeriesData};
 use order_code::{Brake, OrderCode};
 use quantities::identified;

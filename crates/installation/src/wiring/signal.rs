@@ -1,6 +1,6 @@
 //! Signals on pins, and their spellings.
 
-use super::Role;
+use super::role::Role;
 use order_code::{Feedback, FeedbackKind};
 use quantities::identified;
 

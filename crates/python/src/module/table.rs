@@ -1,6 +1,6 @@
 //! Tables and sweeps as Python objects.
 
-use super::{Handed, beside, refused, text};
+use super::call::{Handed, beside, refused, text};
 use crate::SweepCall;
 use crate::module::capsules;
 use crate::sweep::checked;

@@ -3,7 +3,6 @@
 use super::alternatives::Alternatives;
 use super::checks::{Checks, Titles, is_of_another_gear};
 use super::demand::{DemandTable, MotionTable};
-use super::figure_file;
 use super::inputs::{Inputs, MechanismData, groups};
 use super::laid_out::{LaidOut, laid_out};
 use super::operation::{CycleData, DataSheet, data_sheet, operation};
@@ -335,4 +334,9 @@ fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Format
             })
             .collect(),
     }
+}
+
+/// Returns the name by which the template finds a figure of an axis, drawn in one of its sizes.
+pub(crate) fn figure_file(axis: usize, index: usize, size: usize) -> String {
+    format!("figure-{axis}-{index}-{size}.svg")
 }

@@ -245,32 +245,6 @@ fn no_cookie_is_set_and_none_is_taken() {
     assert!(!up.ask("GET /", "accept: */*\r\n").contains("text/html"));
 }
 
-/// An answer that never was busy leaves nothing behind.
-#[test]
-fn a_connection_has_one_place_among_the_idle_ones() {
-    let all = Arc::<Idle>::default();
-    let length = || all.0.lock().unwrap().all.len();
-    let (stranger, user) = (IdleSlot::new(&all), IdleSlot::new(&all));
-    for _ in 0..1000 {
-        stranger.busy(false);
-        stranger.idle();
-        user.busy(true);
-        user.idle();
-    }
-    assert_eq!(length(), 2);
-    user.busy(true);
-    assert_eq!(length(), 1);
-    user.idle();
-    // The stranger goes first, however long the user is idle.
-    let third = IdleSlot::new(&all);
-    all.closes_longest();
-    all.closes_longest();
-    let left: Vec<bool> = all.0.lock().unwrap().all.keys().map(|(is_known, _)| *is_known).collect();
-    assert_eq!(left, [true]);
-    drop((stranger, user, third));
-    assert_eq!(length(), 0);
-}
-
 /// Requests that are turned away, then more idle connections than there are places: the user is answered at once.
 #[test]
 fn a_stranger_without_the_token_does_not_slow_the_user() {

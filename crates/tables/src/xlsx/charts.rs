@@ -1,9 +1,10 @@
 //! Charts of the tables: the course of the cycle and the utilisation of the checks.
 
-use super::Paper;
+use super::paper::Paper;
 use super::sheet::FIRST;
+use crate::cell::Cell;
 use crate::error::WriteError;
-use crate::table::{Cell, Table};
+use crate::table::Table;
 use quantities::Language;
 use rust_xlsxwriter::{Chart, ChartLine, ChartType, Worksheet};
 use words::tables;

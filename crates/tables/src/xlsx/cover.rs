@@ -1,20 +1,38 @@
 //! The first sheet: the task, the result, and an explanation of the other sheets.
 
+use super::paper::{Paper, height, lines};
 use super::sheet::FIRST;
 use super::style::{Styles, decimals};
-use super::{Front, Paper, height, lines};
 use crate::error::WriteError;
 use crate::format;
 use crate::table::Table;
 use answers::Identified;
+use project::Project;
 use provenance::Grade;
 use quantities::unit::NEWTON_METRE;
 use quantities::{Language, Measure};
-use questions::Fit;
 use questions::texts::{governing_text, standing_text};
+use questions::{Candidate, Fit};
 use rust_xlsxwriter::utility::row_col_to_cell;
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
 use words::{Word, capitalised, grade_about, grade_word, tables, terms};
+
+/// Content of the first sheet in addition to the tables.
+#[derive(Clone, Copy, Debug)]
+pub struct Front<'a> {
+    /// Name of the project file.
+    pub file: &'a str,
+    /// Revision of the project, if stated.
+    pub revision: Option<&'a str>,
+    /// Date, if stated; the clock is not used.
+    pub date: Option<&'a str>,
+    /// Axis.
+    pub project: &'a Project,
+    /// Actuator of the tables.
+    pub chosen: &'a Candidate<'a>,
+    /// Language of the words.
+    pub language: Language,
+}
 
 /// Widths of the three columns in characters.
 const WIDTHS: [f64; 3] = [30.0, 34.0, 80.0];

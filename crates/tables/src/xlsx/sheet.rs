@@ -1,9 +1,10 @@
 //! One table on a sheet.
 
+use super::paper::{Paper, height, lines};
 use super::style::{MARGIN, NEAR, RATIO, SHARE, Styles, decimals, single};
-use super::{Paper, height, lines};
+use crate::cell::Cell;
 use crate::error::WriteError;
-use crate::table::{Cell, Column, ColumnContent, Derived, Table};
+use crate::table::{Column, ColumnContent, Derived, Table};
 use quantities::Language;
 use questions::{Direction, Verdict};
 use rust_xlsxwriter::utility::{column_number_to_name, row_col_to_cell};

@@ -1,6 +1,6 @@
 //! Search for the maximum of a sum of lags within a panel.
 
-use super::Lag;
+use super::lag::Lag;
 use crate::Panel;
 use crate::rule::{MOST, PARTS, Values, dot, lagged, parts, rule};
 use numeric::root;

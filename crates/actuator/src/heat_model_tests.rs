@@ -1,8 +1,8 @@
 //! Tests of the heat model.
 
 use super::*;
-use crate::Parameters;
-use provenance::{CellRef, Grade, Source, Sourced};
+use crate::{Heat, Parameters};
+use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::{AMPERE_PER_REVOLUTION_PER_MINUTE, REVOLUTION_PER_MINUTE};
 use quantities::{ElectricalResistance, NoLoadCurrentConstant, TorqueConstant};
 
