@@ -12,7 +12,7 @@ use crate::notes::Note;
 use actuator::{Drivetrain, OutputBearing, Parameters};
 use derivation::Workings;
 use numeric::at_least;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// Result of judging one actuator for one axis: demand and checks.
 #[derive(Clone, Debug)]
@@ -168,13 +168,19 @@ pub struct Judge<'a> {
     shared: Shared,
 }
 
+/// Checks in the order in which they are judged.
+static IN_ORDER: LazyLock<Vec<CheckId>> = LazyLock::new(|| {
+    let mut checks = CheckId::ALL.to_vec();
+    checks.sort_by_key(|id| id.place());
+    checks
+});
+
 impl<'a> Judge<'a> {
     /// Creates a judge of actuators for an axis.
     #[must_use]
     pub fn new(axis: &'a Axis, scope: Scope, depth: Depth) -> Self {
-        let mut checks: Vec<CheckId> = CheckId::ALL.to_vec();
+        let mut checks = IN_ORDER.clone();
         checks.retain(|id| id.is_made(axis) && (scope != Scope::Deciding || id.can_fail(axis)));
-        checks.sort_by_key(|id| id.place());
         Self { axis, scope, depth, explain: false, checks, shared: Shared::default() }
     }
 
@@ -222,16 +228,17 @@ impl<'a> Judge<'a> {
             if id == CheckId::Regeneration && is_energy_left_out(scope, &case, &found) {
                 continue;
             }
-            case.only_failing = depth == Depth::Failing && is_rejected;
-            let answer = || {
-                let mut check = answered(id, &case, explain)?;
-                naming(&mut check, governing);
-                Some(check)
+            let check = match shared.get(id) {
+                Some(known) => Arc::clone(known),
+                None => {
+                    case.only_failing = depth == Depth::Failing && is_rejected;
+                    let Some(mut check) = answered(id, &case, explain) else { continue };
+                    naming(&mut check, governing);
+                    shared.store(Arc::new(check))
+                }
             };
-            if let Some(check) = shared.get_or_make(id, answer) {
-                is_rejected |= check.verdict == Verdict::Fail;
-                found.push(check);
-            }
+            is_rejected |= check.verdict == Verdict::Fail;
+            found.push(check);
         }
         Judgement { demand, manual, checks: found }
     }
@@ -272,16 +279,16 @@ impl Shared {
         electrics
     }
 
-    fn get_or_make(&mut self, id: CheckId, make: impl FnOnce() -> Option<Check>) -> Option<Arc<Check>> {
-        if id.shared_by() == SharedBy::Nothing {
-            return make().map(Arc::new);
+    fn get(&self, id: CheckId) -> Option<&Arc<Check>> {
+        self.answers.iter().find(|check| check.id == id)
+    }
+
+    /// Keeps an answer if it holds for several actuators, and returns it.
+    fn store(&mut self, check: Arc<Check>) -> Arc<Check> {
+        if check.id.shared_by() != SharedBy::Nothing {
+            self.answers.push(Arc::clone(&check));
         }
-        if let Some(known) = self.answers.iter().find(|check| check.id == id) {
-            return Some(Arc::clone(known));
-        }
-        let made = Arc::new(make()?);
-        self.answers.push(Arc::clone(&made));
-        Some(made)
+        check
     }
 }
 
