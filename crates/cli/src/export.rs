@@ -48,7 +48,7 @@ pub(crate) fn export(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAn
     let front = Front {
         file: &name,
         revision: args.revision.as_deref(),
-        date: args.date.as_deref(),
+        date: args.date,
         project: &project,
         chosen: &chosen,
         language,

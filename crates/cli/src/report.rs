@@ -140,7 +140,7 @@ fn settings(args: &args::Args) -> Settings {
         text: change.text.clone(),
     };
     Settings {
-        date: args.date.clone().filter(|date| !date.is_empty()),
+        date: args.date,
         revision: text(&args.revision),
         project: text(&args.title),
         number: text(&args.number),

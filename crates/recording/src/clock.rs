@@ -2,6 +2,7 @@
 //! `0 days 00:00:00.002`.
 
 use crate::number::{Decimals, Tick, with_unit};
+use chrono::NaiveDate;
 
 /// Seconds of a day.
 const DAY_S: i64 = 86_400;
@@ -273,16 +274,9 @@ fn date_of(date: &str) -> Option<Date> {
 
 /// Returns the days since 1970 of a day of the calendar.
 fn days_of(year: i64, month: i64, day: i64) -> Option<i64> {
-    let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    let lengths = [31, if is_leap { 29 } else { 28 }, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
-    let month = usize::try_from(month).ok()?.checked_sub(1)?;
-    let length = *lengths.get(month)?;
-    if year < 1900 || !(1..=length).contains(&day) {
-        return None;
-    }
-    let before = |year: i64| 365 * year + year / 4 - year / 100 + year / 400;
-    let in_year: i64 = lengths.iter().take(month).sum();
-    Some(before(year - 1) - before(1969) + in_year + day - 1)
+    let [month, day] = [month, day].map(u32::try_from);
+    let date = NaiveDate::from_ymd_opt(i32::try_from(year).ok().filter(|year| *year >= 1900)?, month.ok()?, day.ok()?)?;
+    Some(date.signed_duration_since(NaiveDate::default()).num_days())
 }
 
 /// Parses a number of at most `most` digits.

@@ -26,6 +26,7 @@ pub use press::{
 };
 
 use answers::{Chapter, Dossier};
+use chrono::NaiveDate;
 use quantities::Language;
 use serde::Serialize;
 use words::terminal;
@@ -33,7 +34,7 @@ use words::terminal;
 /// Returns the input of the template: every number formatted for the language, every list in its order.
 ///
 /// # Errors
-/// [`Fault::NoAxis`] and [`Fault::Date`]; [`Fault::Typesetting`] if the input is no JSON, which is a defect.
+/// [`Fault::NoAxis`]; [`Fault::Typesetting`] if the input is no JSON, which is a defect.
 #[cfg(feature = "document")]
 pub fn document(content: &Content, settings: &Settings) -> Result<serde_json::Value, Fault> {
     let document = document::ReportDocument::build(content, settings)?;
@@ -142,8 +143,8 @@ pub struct Diagram {
 /// Data of the title page besides the results, and the extent of the report.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
-    /// The date of the document, `2026-11-21`; none is invented, and [`Settings::pdf_a`] needs one.
-    pub date: Option<String>,
+    /// The date of the document; none is invented, and [`Settings::pdf_a`] needs one.
+    pub date: Option<NaiveDate>,
     /// Revision of the document.
     pub revision: String,
     /// Project, plant or order.
@@ -184,11 +185,6 @@ pub struct Change {
 pub enum Fault {
     /// The report has no axis.
     NoAxis,
-    /// The date is no calendar date.
-    Date {
-        /// Text of the date.
-        text: String,
-    },
     /// An archive file requires the date of its creation, and this crate reads no clock.
     NoDate,
     /// The typesetting engine refused the document.
@@ -214,7 +210,6 @@ impl Fault {
     pub fn message(&self, language: Language) -> String {
         match self {
             Self::NoAxis => terminal::report_without_axis(language).to_owned(),
-            Self::Date { text } => terminal::not_a_date(text, language),
             Self::NoDate => terminal::archive_needs_a_date(language).to_owned(),
             Self::Typesetting { message } => terminal::report_not_typeset(message, language),
             Self::Export { message } => terminal::report_not_written(message, language),

@@ -25,8 +25,7 @@ use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
 /// Typesets the report as PDF, tagged, with every font embedded.
 ///
 /// # Errors
-/// [`Fault::NoAxis`], [`Fault::Date`] and [`Fault::NoDate`] for invalid content; the others when the engine refuses,
-/// which is a defect.
+/// [`Fault::NoAxis`] and [`Fault::NoDate`] for invalid content; the others when the engine refuses, which is a defect.
 pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
     if settings.pdf_a && settings.date.is_none() {
         return Err(Fault::NoDate);

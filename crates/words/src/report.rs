@@ -2,6 +2,7 @@
 
 use crate::texts::{Word, texts};
 use crate::{capitalised, check_title, terminal, terms};
+use chrono::NaiveDate;
 use quantities::Language;
 use sizing::CheckId;
 use std::collections::BTreeMap;
@@ -18,11 +19,12 @@ pub fn words(language: Language) -> BTreeMap<&'static str, String> {
 
 /// Formats a date as in a letter.
 #[must_use]
-pub fn date(year: u16, month: u8, day: u8, language: Language) -> String {
-    match language {
-        Language::De => format!("{day:02}.{month:02}.{year:04}"),
-        Language::En => format!("{year:04}-{month:02}-{day:02}"),
-    }
+pub fn date(date: NaiveDate, language: Language) -> String {
+    let form = match language {
+        Language::De => "%d.%m.%Y",
+        Language::En => "%Y-%m-%d",
+    };
+    date.format(form).to_string()
 }
 
 /// Words that are defined elsewhere, here at the beginning of a line.

@@ -97,9 +97,9 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
     };
     let axis = AxisContent { dossier: found, figures: vec![figure], chapters: Vec::new() };
     let content = Content { language: case.language, axes: vec![axis.clone(), axis] };
-    let date = Some(String::from("2026-11-22"));
+    let date = chrono::NaiveDate::from_ymd_opt(2026, 11, 22);
     for full in [false, true] {
-        let settings = Settings { date: date.clone(), full, ..Settings::default() };
+        let settings = Settings { date, full, ..Settings::default() };
         let document = report::document(&content, &settings);
         assert!(document.is_ok(), "{:?}", document.err());
         let document = document.unwrap_or_default();

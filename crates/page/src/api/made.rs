@@ -174,7 +174,7 @@ fn tabled(inquiry: &Inquiry<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered>
         let front = Front {
             file: &source.name,
             revision: args.revision.as_deref(),
-            date: args.date.as_deref(),
+            date: args.date,
             project: &project,
             chosen: &chosen,
             language,

@@ -5,6 +5,7 @@ use super::{
     AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Record, Unanswered,
     argument, media,
 };
+use chrono::NaiveDate;
 use order_code::OrderCode;
 use words::{help, help::values, requests, terminal};
 
@@ -32,7 +33,7 @@ arguments! {
         /// The revision for the first sheet.
         revision: Option<String> = Argument::option("revision", values::text, help::export_revision) => label,
         /// The day for the first sheet.
-        date: Option<String> = Argument::option("date", values::date, help::export_date).of(ArgumentKind::Date) => day,
+        date: Option<NaiveDate> = Argument::option("date", values::date, help::export_date).of(ArgumentKind::Date) => day,
     }
 }
 
@@ -94,6 +95,7 @@ mod tests {
             let of_report = day(report::Args::ARGUMENTS, text).and_then(|given| report::Args::read(&given));
             for found in [of_export, of_report.map(|found| found.date)] {
                 let found = found.ok();
+                let found = found.map(|date| date.map(|date| date.to_string()));
                 assert_eq!(found.as_ref().map(Option::as_deref), expected, "{text}");
             }
         }

@@ -5,6 +5,7 @@ use super::unanswered::Unanswered;
 use crate::codes::{read_code, read_pattern};
 use crate::upkeep::read_date;
 use answers::Fault;
+use chrono::NaiveDate;
 use order_code::{OrderCode, Pattern};
 use quantities::{Language, seen};
 use std::borrow::Cow;
@@ -106,13 +107,10 @@ pub(super) fn label(given: &Given, argument: &Argument) -> Result<Option<String>
     given.text(argument).map(|text| bounded(argument.name, text, given.language)).transpose()
 }
 
-/// Returns a calendar date as its text; without one, or with an empty text, `None`.
-pub(super) fn day(given: &Given, argument: &Argument) -> Result<Option<String>, Unanswered> {
+/// Returns a calendar date; without one, or with an empty text, `None`.
+pub(super) fn day(given: &Given, argument: &Argument) -> Result<Option<NaiveDate>, Unanswered> {
     let Some(text) = given.text(argument).filter(|text| !text.is_empty()) else { return Ok(None) };
-    match read_date(text, given.language) {
-        Ok(date) => Ok(Some(date.to_string())),
-        Err(fault) => Err(Unanswered::option(argument.name, fault)),
-    }
+    read_date(text, given.language).map(Some).map_err(|fault| Unanswered::option(argument.name, fault))
 }
 
 /// Returns the text of an option, of limited length and without invisible characters.

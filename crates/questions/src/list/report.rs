@@ -7,6 +7,7 @@ use super::{
 };
 use crate::subject::names;
 use crate::upkeep::read_date;
+use chrono::NaiveDate;
 use order_code::OrderCode;
 use words::{help, help::values, terminal};
 
@@ -50,7 +51,7 @@ arguments! {
         /// Includes wiring, mounting and commissioning.
         installation: bool = Argument::flag("installation", help::report_installation) => flag,
         /// The day of the document.
-        date: Option<String> = DATE => day,
+        date: Option<NaiveDate> = DATE => day,
         /// Revision of the document.
         revision: Option<String> = REVISION => label,
         /// Project, plant or order.

@@ -1,6 +1,7 @@
 //! Numbers and units in the format of a language.
 
 use answers::{Grade, Number};
+use chrono::NaiveDate;
 use quantities::{Language, Unit, format_number, format_significant};
 use words::percent_text;
 
@@ -126,8 +127,8 @@ impl Formatter {
     }
 
     /// Formats a date.
-    pub(super) fn date(&self, year: u16, month: u8, day: u8) -> String {
-        words::report::date(year, month, day, self.0)
+    pub(super) fn date(&self, date: NaiveDate) -> String {
+        words::report::date(date, self.0)
     }
 }
 

@@ -504,8 +504,6 @@ fn no_text_leaves_the_page() {
 #[test]
 fn what_cannot_be_set_is_a_fault() {
     let content = short();
-    let no_date = Settings { date: Some("yesterday".to_owned()), ..settings() };
-    assert!(matches!(report::pdf(&content, &no_date), Err(Fault::Date { .. })));
     let undated = Settings { pdf_a: true, ..Settings::default() };
     assert!(matches!(report::pdf(&content, &undated), Err(Fault::NoDate)));
     let mut broken = content.clone();

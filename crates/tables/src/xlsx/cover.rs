@@ -7,6 +7,7 @@ use crate::error::WriteError;
 use crate::format;
 use crate::table::Table;
 use answers::Identified;
+use chrono::NaiveDate;
 use project::Project;
 use provenance::Grade;
 use quantities::unit::NEWTON_METRE;
@@ -25,7 +26,7 @@ pub struct Front<'a> {
     /// Revision of the project, if stated.
     pub revision: Option<&'a str>,
     /// Date, if stated; the clock is not used.
-    pub date: Option<&'a str>,
+    pub date: Option<NaiveDate>,
     /// Axis.
     pub project: &'a Project,
     /// Actuator of the tables.
@@ -70,18 +71,11 @@ impl Page<'_> {
         self.next(["", value, ""])
     }
 
-    /// Writes a calendar date as a date; any other text as written.
-    fn date(&mut self, text: &str) -> Result<(), WriteError> {
-        let label = terms::date;
-        let mut parts = text.splitn(3, '-').map(str::parse::<u16>);
-        let mut next = || parts.next().and_then(Result::ok);
-        let found = next().zip(next()).zip(next()).and_then(|((year, month), day)| {
-            ExcelDateTime::from_ymd(year, u8::try_from(month).ok()?, u8::try_from(day).ok()?).ok()
-        });
-        let Some(date) = found else { return self.pair(label, text) };
+    fn date(&mut self, date: NaiveDate) -> Result<(), WriteError> {
         let form = tables::date_format(self.language);
-        self.sheet.write_string_with_format(self.row, 0, label(self.language), &self.styles.label)?;
+        self.sheet.write_string_with_format(self.row, 0, terms::date(self.language), &self.styles.label)?;
         let format = self.styles.date.clone().set_num_format(form);
+        let date = ExcelDateTime::parse_from_str(&date.to_string())?;
         self.sheet.write_datetime_with_format(self.row, 1, &date, &format)?;
         self.next([""; 3])
     }

@@ -45,7 +45,7 @@ fn each(language: Language, top: usize, look: &mut dyn FnMut(&str, &[Table], &Fr
             let front = Front {
                 file: &name,
                 revision: Some("C"),
-                date: Some("2026-03-01"),
+                date: chrono::NaiveDate::from_ymd_opt(2026, 3, 1),
                 project,
                 chosen: &chosen,
                 language,

@@ -132,7 +132,7 @@ fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, la
 
 pub fn settings() -> Settings {
     Settings {
-        date: Some("2026-11-21".to_owned()),
+        date: chrono::NaiveDate::from_ymd_opt(2026, 11, 21),
         revision: "B".to_owned(),
         project: "Assembly line 4".to_owned(),
         number: "AX-4711-02".to_owned(),
