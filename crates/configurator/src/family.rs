@@ -2,7 +2,7 @@
 //! encoder.
 
 use crate::cells::{feedback_cell, number_of, quantity_of};
-use actuator::Battery;
+use actuator::{Battery, Parameters};
 use catalogue::{Cell, ManualTable, SeriesData};
 use order_code::{Feedback, FeedbackKind, OrderCode, Series};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
@@ -134,36 +134,22 @@ pub fn ptc_cell(code: &OrderCode) -> Option<&'static Cell> {
     CELLS.iter().copied().find(|cell| cell.place.drive.split(" / ").any(|drive| drive == head))
 }
 
-/// Assumptions for another manufacturer's actuator whose file states no value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Assumed {
-    /// Growth of friction at low temperature, lower and upper edge \[1/K\]: a property of the grease of strain wave
-    /// gears.
-    pub friction_cold_growth: Datum<(f64, f64)>,
-    /// Temperature below which friction grows at this rate.
-    pub friction_printed_from: Datum<ThermodynamicTemperature>,
-    /// Largest J_L/J_out for highly dynamic duty \[1\].
-    pub inertia_ratio_recommended: Datum<f64>,
-    /// Winding temperature at which the voltage is checked.
-    pub winding_shutdown: Datum<ThermodynamicTemperature>,
-    /// Swing angle below which the output bearing may fret.
-    pub swing_min: Datum<Angle>,
-}
-
-/// Returns the family data that apply to any strain wave actuator, graded as assumptions.
+/// Returns the parameters of another manufacturer's actuator whose file states no value: the data of the family that
+/// apply to any strain wave actuator, graded as assumptions.
 #[must_use]
-pub fn assumed() -> Assumed {
+pub fn own_actuator() -> Parameters {
     fn assume<T>(datum: Datum<T>) -> Datum<T> {
         datum.map(|known| Sourced { grade: Grade::Assumed, ..known })
     }
     let series = Series::default();
-    Assumed {
-        friction_cold_growth: assume(cold_growth(series)),
-        friction_printed_from: assume(quantity(series, "", "friction_printed_from")),
-        inertia_ratio_recommended: assume(inertia_ratio_recommended(series)),
-        winding_shutdown: assume(winding_threshold(series, "shutdown")),
-        swing_min: assume(swing_min(series)),
-    }
+    let mut parameters = Parameters::unknown();
+    // The growth of friction at low temperature is a property of the grease of strain wave gears.
+    parameters.friction_cold_growth = assume(cold_growth(series));
+    parameters.friction_printed_from = assume(quantity(series, "", "friction_printed_from"));
+    parameters.inertia_ratio_recommended = assume(inertia_ratio_recommended(series));
+    parameters.heat.winding_shutdown = assume(winding_threshold(series, "shutdown"));
+    parameters.output_bearing.swing_min = assume(swing_min(series));
+    parameters
 }
 
 /// Returns t_c and t_o, the longest closing and opening times of all brakes in the manual: the demand is computed once

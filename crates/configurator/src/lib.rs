@@ -15,7 +15,7 @@ mod rules;
 
 pub use actuators::{actuator, actuators, catalogue_actuators};
 pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
-pub use family::{Assumed, assumed, battery, brake_times, ptc_cell};
+pub use family::{battery, brake_times, own_actuator, ptc_cell};
 pub use nearest::{nearest, nearest_to};
 pub use parameters::{parameters, published_curve_points};
 pub use requirements::{Requirements, Unmet};

@@ -43,7 +43,7 @@ pub(crate) fn named_apart(axes: &[OneOfSeveral], reader: &mut Reader<'_>) {
 #[cfg(test)]
 mod tests {
     use super::distinguishing;
-    use crate::{Fault, NoFiles, Project};
+    use crate::{Fault, NoCatalogue, NoFiles, Project};
 
     /// Two names that differ in case or spaces alone are refused, those that differ in anything else are not.
     #[test]
@@ -58,7 +58,7 @@ mod tests {
                     )
                 };
                 let text = format!("format = 1\n{}{}", axis(one), axis(other));
-                let found = Project::read_all(&text, &NoFiles, &|_, _| None);
+                let found = Project::read_all(&text, &NoFiles, &NoCatalogue::shared(), &|_, _| None);
                 let is_one = distinguishing(one) == distinguishing(other);
                 let faults = found.err().unwrap_or_default();
                 let alike = faults.iter().find_map(|each| match each.fault {

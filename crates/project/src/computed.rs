@@ -67,7 +67,7 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Assumption, Files, Project};
+    use crate::{Assumption, Files, NoCatalogue, Project};
     use std::io::{Cursor, Read, Result};
 
     /// One file under every name.
@@ -85,7 +85,8 @@ mod tests {
             "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n\
              [[motion]]\n{segment}\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n"
         );
-        let read = Project::read_all(&text, &One(file), &|_, _| None).unwrap_or_else(|faults| panic!("{faults:?}"));
+        let read = Project::read_all(&text, &One(file), &NoCatalogue::shared(), &|_, _| None)
+            .unwrap_or_else(|faults| panic!("{faults:?}"));
         let found = read.iter().flat_map(|axis| axis.assumptions.clone());
         let of = |each| if let Assumption::Motionless(segment, hidden) = each { Some((segment, hidden)) } else { None };
         found.filter_map(of).collect()

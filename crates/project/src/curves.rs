@@ -1,14 +1,13 @@
 //! Curves that the user measured or digitised, for actuators of the catalogue.
 
-use crate::Fault;
 use crate::about::About;
 use crate::key::Variants;
 use crate::read::Reader;
 use crate::section::{OfKinds, Section, names, section};
 use crate::stated::{Stated, StatedField};
 use crate::value::{Rows, WordChoice, choices};
+use crate::{Catalogue, Fault};
 use actuator::{Curve, CurvePoint, Parameters};
-use configurator::{actuators, catalogue_actuators};
 use order_code::{OrderCode, Pattern};
 use provenance::{Datum, Grade, Source, Sourced};
 use std::sync::{Arc, OnceLock};
@@ -54,6 +53,7 @@ choices! {
 /// and comparing its texts do not need it.
 #[derive(Clone, Debug)]
 pub struct OwnCatalogue {
+    catalogue: Arc<dyn Catalogue>,
     curves: Vec<UserCurve>,
     plain: OnceLock<Vec<(OrderCode, Parameters)>>,
     output_encoder: OnceLock<Vec<(OrderCode, Parameters)>>,
@@ -68,7 +68,7 @@ impl OwnCatalogue {
     }
 
     fn changed(&self, output_encoder: bool) -> Vec<(OrderCode, Parameters)> {
-        let mut actuators = actuators(output_encoder).to_vec();
+        let mut actuators = self.catalogue.actuators(output_encoder).to_vec();
         for (code, parameters) in &mut actuators {
             self.curves.iter().filter(|curve| curve.pattern.matches(code)).for_each(|curve| curve.apply(parameters));
         }
@@ -109,7 +109,11 @@ impl UserCurve {
 }
 
 /// Reads the catalogue with the curves of a project file; faults are reported.
-pub(crate) fn read(sections: &[CurveSection], reader: &mut Reader<'_>) -> Option<Arc<OwnCatalogue>> {
+pub(crate) fn read(
+    sections: &[CurveSection],
+    catalogue: &Arc<dyn Catalogue>,
+    reader: &mut Reader<'_>,
+) -> Option<Arc<OwnCatalogue>> {
     let mut found = Vec::new();
     for (index, section) in sections.iter().enumerate().filter(|(_, section)| section.is_whole()) {
         let (Some(kind), Some(code)) = (section.kind.value(), section.code.get()) else { continue };
@@ -122,7 +126,7 @@ pub(crate) fn read(sections: &[CurveSection], reader: &mut Reader<'_>) -> Option
                 continue;
             }
         };
-        if !catalogue_actuators().iter().any(|(code, _)| pattern.matches(code)) {
+        if !catalogue.actuators(false).iter().any(|(code, _)| pattern.matches(code)) {
             reader.fault(section.code.span(), Fault::NoSuchCode { written: code.clone() }, None);
             continue;
         }
@@ -131,8 +135,11 @@ pub(crate) fn read(sections: &[CurveSection], reader: &mut Reader<'_>) -> Option
             found.push(UserCurve { index: index + 1, pattern, kind, curve, source });
         }
     }
-    (!found.is_empty())
-        .then(|| Arc::new(OwnCatalogue { curves: found, plain: OnceLock::new(), output_encoder: OnceLock::new() }))
+    if found.is_empty() {
+        return None;
+    }
+    let catalogue = Arc::clone(catalogue);
+    Some(Arc::new(OwnCatalogue { catalogue, curves: found, plain: OnceLock::new(), output_encoder: OnceLock::new() }))
 }
 
 /// Builds a curve from its corner points.

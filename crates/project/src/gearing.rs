@@ -36,7 +36,7 @@ impl Project {
         let mut root = self.root.clone();
         root.set(path, si)?;
         let mut reader = Reader::new("");
-        let draft = prepare(&root, &mut reader)?;
+        let draft = prepare(&root, &*self.catalogue, &mut reader)?;
         (reader.fault_count() == 0).then(|| Self { axis: finish(&root, draft), root, ..self.clone() })
     }
 
@@ -58,7 +58,7 @@ impl Project {
             backlash: None,
             pitch_diameter: None,
         };
-        let mut draft = prepare(&self.root, &mut Reader::new(""))?;
+        let mut draft = prepare(&self.root, &*self.catalogue, &mut Reader::new(""))?;
         draft.mechanism.stage = Some(stage);
         draft.motion = draft.motion.geared(ratio);
         (draft.bearing.has_loads, draft.bearing.derived) = (false, None);

@@ -8,6 +8,7 @@ mod about;
 mod axis_names;
 mod bodies;
 mod cam;
+mod catalogue;
 mod computed;
 mod curves;
 mod diagnostic;
@@ -69,6 +70,7 @@ pub mod names {
 
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, inertia};
+pub use catalogue::{Catalogue, NoCatalogue};
 pub use computed::Overrun;
 pub use curves::OwnCatalogue;
 pub use diagnostic::{Diagnostic, place};
@@ -376,6 +378,7 @@ pub struct Project {
     pub assumptions: Vec<Assumption>,
     /// Quantities with a tolerance, in the order of the reader.
     pub tolerances: Vec<Tolerance>,
+    catalogue: Arc<dyn Catalogue>,
     /// The axis as read: it contains the places of the values, and with tolerances it is built again with other values.
     root: AxisSection,
 }
@@ -401,8 +404,8 @@ impl Project {
     ///
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
-    pub fn read(text: &str, choose: Choose<'_>) -> Result<Self, Vec<Diagnostic>> {
-        let mut axes = Self::read_all(text, &NoFiles, choose)?;
+    pub fn read(text: &str, catalogue: &Arc<dyn Catalogue>, choose: Choose<'_>) -> Result<Self, Vec<Diagnostic>> {
+        let mut axes = Self::read_all(text, &NoFiles, catalogue, choose)?;
         match (axes.pop(), axes.is_empty()) {
             (Some(only), true) => Ok(only),
             _ => Err(vec![Diagnostic::at(text, 0..0, Fault::OneAxisOnly, None)]),
@@ -413,10 +416,15 @@ impl Project {
     ///
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
-    pub fn read_all(text: &str, files: &dyn Files, choose: Choose<'_>) -> Result<Vec<Self>, Vec<Diagnostic>> {
+    pub fn read_all(
+        text: &str,
+        files: &dyn Files,
+        catalogue: &Arc<dyn Catalogue>,
+        choose: Choose<'_>,
+    ) -> Result<Vec<Self>, Vec<Diagnostic>> {
         let mut reader = Reader::of_file(text)?;
         let mut root: Root = reader.read();
-        let own = curves::read(root.curve.get().map_or(&[], |all| all.0.as_slice()), &mut reader);
+        let own = curves::read(root.curve.get().map_or(&[], |all| all.0.as_slice()), catalogue, &mut reader);
         let mut recordings = Recordings::new(files);
         let several = match root.axis.get_mut() {
             Some(OneOrMany::Many(several)) => std::mem::take(several),
@@ -424,7 +432,7 @@ impl Project {
         };
         let axes: Vec<Option<Self>> = if several.is_empty() {
             let axis = AxisSection::single(root);
-            vec![Self::build(axis, None, (&mut recordings, own.as_ref(), choose), &mut reader)]
+            vec![Self::build(axis, None, (&mut recordings, catalogue, own.as_ref(), choose), &mut reader)]
         } else {
             for field in root.parts.fields().into_iter().filter(|field| field.is_written()) {
                 reader.fault(field.span(), Fault::OutsideTheAxes { key: field.name() }, None);
@@ -432,7 +440,7 @@ impl Project {
             axis_names::named_apart(&several, &mut reader);
             let build = |(index, axis)| {
                 let axis = AxisSection::of_several(axis);
-                Self::build(axis, Some(index), (&mut recordings, own.as_ref(), choose), &mut reader)
+                Self::build(axis, Some(index), (&mut recordings, catalogue, own.as_ref(), choose), &mut reader)
             };
             several.into_iter().enumerate().map(build).collect()
         };
@@ -447,21 +455,26 @@ impl Project {
     fn build(
         mut root: AxisSection,
         index: Option<usize>,
-        (recordings, own_catalogue, choose): (&mut Recordings<'_>, Option<&Arc<OwnCatalogue>>, Choose<'_>),
+        (recordings, catalogue, own_catalogue, choose): (
+            &mut Recordings<'_>,
+            &Arc<dyn Catalogue>,
+            Option<&Arc<OwnCatalogue>>,
+            Choose<'_>,
+        ),
         reader: &mut Reader<'_>,
     ) -> Option<Self> {
         if let Some(segments) = root.parts.motion.get_mut() {
             recordings.resolve(&mut segments.0, reader);
         }
         let root = &root;
-        let axis = prepare(root, reader).map(|draft| finish(root, draft));
-        let actuator = build_actuator(root, reader);
+        let axis = prepare(root, &**catalogue, reader).map(|draft| finish(root, draft));
+        let actuator = build_actuator(root, &**catalogue, reader);
         let tolerances = tolerance::of_axis(&reader.tolerances, index);
         for window in tolerances.iter().filter(|each| each.path.ends_with("].from") || each.path.ends_with("].to")) {
             reader.fault(window.span.clone(), Fault::NoTolerance, None);
         }
         if reader.fault_count() == 0 && axis.is_some() {
-            tolerance::hold(root, &tolerances, reader);
+            tolerance::hold(root, &**catalogue, &tolerances, reader);
         }
         let required = root.parts.requirements.get();
         let axis = axis?;
@@ -469,6 +482,7 @@ impl Project {
             ratios: Vec::new(),
             name: root.name.clone().unwrap_or_default(),
             own_catalogue: own_catalogue.cloned(),
+            catalogue: Arc::clone(catalogue),
             twin: root.parts.twin.get().map(|twin| twin.input()).unwrap_or_default(),
             recordings: root.segments().iter().filter_map(|segment| segment.recording().cloned()).collect(),
             assumptions: assumptions(root, &axis, !tolerances.is_empty()),
@@ -492,7 +506,7 @@ impl Project {
     fn with_ratio(&self, root: &AxisSection, ratio: f64) -> Option<Self> {
         let mut root = root.clone();
         root.set_ratio(ratio);
-        let draft = prepare(&root, &mut Reader::new(""))?;
+        let draft = prepare(&root, &*self.catalogue, &mut Reader::new(""))?;
         let axis = finish(&root, draft);
         let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
         Some(Self { axis, root, assumptions, ..self.clone() })
@@ -536,10 +550,11 @@ struct Draft {
     motion: Motion,
     extras: Vec<Extra>,
     bearing: BearingDuty,
+    brake_times: Option<BrakeTimes>,
 }
 
 /// Prepares an axis and reports all of its faults; [`finish`] only computes.
-fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
+fn prepare(root: &AxisSection, catalogue: &dyn Catalogue, reader: &mut Reader<'_>) -> Option<Draft> {
     if !root.parts.motion.is_written() && !reader.is_damaged() {
         let hint = Hint::Example("[[motion]]".to_owned());
         let fault = Fault::MissingKey { path: root.parts.motion.name().to_owned(), list: true };
@@ -548,7 +563,7 @@ fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
     flange::stated(root, reader);
     order::check(&root.parts, reader);
     if let Some(required) = root.parts.requirements.get() {
-        required.battery(reader);
+        required.battery(catalogue, reader);
         required.check(root.driven().is_none_or(|driven| driven.travel().is_some()), reader);
     }
     let stage = root.parts.stage.get().and_then(|stage| stage.build(reader));
@@ -561,15 +576,13 @@ fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
     let bearing = flange::duty(root, &mechanism, reader);
     let (motion, extras) = motion::motion(root, &load, reader)?;
     let motion = motion.geared(mechanism.stage_ratio());
-    Some(Draft { mechanism, motion, extras, bearing })
+    Some(Draft { mechanism, motion, extras, bearing, brake_times: catalogue.brake_times() })
 }
 
 /// Combines load, motion and requirements.
 fn finish(root: &AxisSection, draft: Draft) -> Axis {
-    let mut axis = match configurator::brake_times() {
-        Some((closing, opening)) => {
-            Axis::braked(draft.mechanism, draft.motion, draft.extras, BrakeTimes { closing, opening })
-        }
+    let mut axis = match draft.brake_times {
+        Some(times) => Axis::braked(draft.mechanism, draft.motion, draft.extras, times),
         None => Axis::new(draft.mechanism, draft.motion, draft.extras),
     };
     if let Some(required) = root.parts.requirements.get() {
@@ -582,6 +595,6 @@ fn finish(root: &AxisSection, draft: Draft) -> Axis {
     axis
 }
 
-fn build_actuator(root: &AxisSection, reader: &mut Reader<'_>) -> Option<OwnActuator> {
-    root.parts.actuator.get()?.build(reader)
+fn build_actuator(root: &AxisSection, catalogue: &dyn Catalogue, reader: &mut Reader<'_>) -> Option<OwnActuator> {
+    root.parts.actuator.get()?.build(catalogue.own_actuator(), reader)
 }

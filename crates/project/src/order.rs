@@ -77,7 +77,7 @@ pub(crate) fn is_above(continuous: &actuator::Curve, short_time: &actuator::Curv
 mod tests {
     use super::*;
     use crate::key::{Key, Kind};
-    use crate::{KEYS, Project};
+    use crate::{KEYS, NoCatalogue, Project};
 
     /// Sections with their orders, keys that they need, and units of the values.
     const SECTIONS: [(&str, &[KeyOrder], &str); 4] = [
@@ -91,7 +91,7 @@ mod tests {
         let text = format!(
             "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[{section}]\n{lines}"
         );
-        let read = Project::read(&text, &|_, _| None).err().unwrap_or_default();
+        let read = Project::read(&text, &NoCatalogue::shared(), &|_, _| None).err().unwrap_or_default();
         read.into_iter().map(|each| (each.fault, text.get(each.span).unwrap_or_default().to_owned())).collect()
     }
 
@@ -162,7 +162,7 @@ mod tests {
                     "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[actuator]\n\
                      name = \"own\"\n{lower} = \"{low} {unit}\"\n{upper} = \"{high} {unit}\"\n"
                 );
-                let project = Project::read(&text, &|_, _| None).unwrap();
+                let project = Project::read(&text, &NoCatalogue::shared(), &|_, _| None).unwrap();
                 assert_eq!(project.assumptions.contains(&remark), low > high, "{text}");
             }
         }

@@ -66,17 +66,11 @@ fn celsius(temperature: f64) -> ThermodynamicTemperature {
 }
 
 impl ActuatorSection {
-    pub(crate) fn build(&self, reader: &mut Reader<'_>) -> Option<OwnActuator> {
-        let mut parameters = Parameters::unknown();
-        let assumed = configurator::assumed();
-        parameters.friction_printed_from = assumed.friction_printed_from;
-        parameters.friction_cold_growth = assumed.friction_cold_growth;
-        parameters.output_bearing.swing_min = assumed.swing_min;
-        parameters.inertia_ratio_recommended = assumed.inertia_ratio_recommended;
-        parameters.heat.winding_shutdown = match own(&self.winding_temperature_max) {
-            Datum::Known(stated) => Datum::Known(stated),
-            Datum::NotPrinted | Datum::NotApplicable => assumed.winding_shutdown,
-        };
+    /// Returns the actuator; `parameters` are those of one whose file states no value.
+    pub(crate) fn build(&self, mut parameters: Parameters, reader: &mut Reader<'_>) -> Option<OwnActuator> {
+        if let Datum::Known(stated) = own(&self.winding_temperature_max) {
+            parameters.heat.winding_shutdown = Datum::Known(stated);
+        }
         parameters.torque_max = own(&self.torque_max);
         parameters.speed_max = own(&self.speed_max);
         parameters.speed_motor_max = own(&self.speed_motor_max);

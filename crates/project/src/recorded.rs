@@ -446,7 +446,7 @@ fn treatment(segment: &Segment, standstill: Option<AngularVelocity>) -> Treatmen
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Project;
+    use crate::{NoCatalogue, Project};
     use std::cell::RefCell;
 
     const TEXT: &str = "t [s],q [deg],M [Nm]\n0,0,1\n1,0,1\n2,0,1\n";
@@ -486,7 +486,7 @@ mod tests {
             "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n{}",
             segments.collect::<String>()
         );
-        let read = Project::read_all(&text, shelf, &|_, _| None);
+        let read = Project::read_all(&text, shelf, &NoCatalogue::shared(), &|_, _| None);
         read.err().unwrap_or_default().into_iter().map(|diagnostic| diagnostic.fault).collect()
     }
 
@@ -507,7 +507,8 @@ mod tests {
                 "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"recorded\"\nfile = 'a.csv'\n{bound}\n"
             );
             let shelf = Shelf::of(TEXT, Grant::default());
-            let found = Project::read_all(&text, &shelf, &|_, _| None).err().unwrap_or_default();
+            let found =
+                Project::read_all(&text, &shelf, &NoCatalogue::shared(), &|_, _| None).err().unwrap_or_default();
             let hints: Vec<bool> = found.iter().map(|each| each.hint == Some(crate::Hint::TimeOfClock)).collect();
             assert_eq!(hints, [bound.contains(':')], "{bound}: {found:?}");
         }

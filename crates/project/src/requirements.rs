@@ -1,5 +1,6 @@
 //! Requirements on the actuator.
 
+use crate::Catalogue;
 use crate::about::About;
 use crate::key::example;
 use crate::read::Reader;
@@ -266,9 +267,9 @@ impl RequirementsSection {
     }
 
     /// Reports an operation for which the life of the battery is unknown.
-    pub(crate) fn battery(&self, reader: &mut Reader<'_>) {
+    pub(crate) fn battery(&self, catalogue: &dyn Catalogue, reader: &mut Reader<'_>) {
         let Some(operation) = self.operation_per_day.value() else { return };
-        let battery = configurator::battery();
+        let battery = catalogue.battery();
         let Some(model) = battery.known() else { return };
         if let Err(fault) = model.value.life(operation, self.storage.or_zero()) {
             let operation = matches!(fault, BatteryFault::OperationOutOfRange { .. });

@@ -3,7 +3,7 @@
 use crate::read::Reader;
 use crate::recorded;
 use crate::root::AxisSection;
-use crate::{Diagnostic, Fault, Hint};
+use crate::{Catalogue, Diagnostic, Fault, Hint};
 use crate::{OwnActuator, Project, build_actuator, finish, prepare, requirements};
 use configurator::Requirements;
 use quantities::Unit;
@@ -58,7 +58,7 @@ pub const fn sign(corner: usize, quantity: usize) -> f64 {
 
 /// Reports the first tolerance within which the project cannot be built: each quantity at its ends with the others
 /// nominal, and then, where these are possible, the corners.
-pub(crate) fn hold(root: &AxisSection, tolerances: &[Tolerance], reader: &mut Reader<'_>) {
+pub(crate) fn hold(root: &AxisSection, catalogue: &dyn Catalogue, tolerances: &[Tolerance], reader: &mut Reader<'_>) {
     let recorded: usize = root.segments().iter().map(recorded::samples).sum();
     let mut root = root.clone();
     let mut fails = |values: &[(&Tolerance, f64)], reader: &Reader<'_>| {
@@ -67,9 +67,9 @@ pub(crate) fn hold(root: &AxisSection, tolerances: &[Tolerance], reader: &mut Re
         }
         let mut trial = Reader::new(reader.text);
         let own = values.iter().any(|(tolerance, _)| tolerance.path.starts_with("actuator."));
-        let built = prepare(&root, &mut trial).is_some();
+        let built = prepare(&root, catalogue, &mut trial).is_some();
         if own {
-            build_actuator(&root, &mut trial);
+            build_actuator(&root, catalogue, &mut trial);
         }
         for (tolerance, _) in values {
             let _ = root.set(&tolerance.path, tolerance.nominal);
@@ -173,8 +173,8 @@ impl<'p> Varied<'p> {
             self.root.set(path, *value).ok_or_else(Vec::new)?;
         }
         let mut reader = Reader::new("");
-        let draft = prepare(&self.root, &mut reader);
-        let actuator = self.of_actuator.then(|| build_actuator(&self.root, &mut reader));
+        let draft = prepare(&self.root, &*self.project.catalogue, &mut reader);
+        let actuator = self.of_actuator.then(|| build_actuator(&self.root, &*self.project.catalogue, &mut reader));
         let Some(draft) = draft.filter(|_| reader.fault_count() == 0) else { return Err(reader.into_faults()) };
         Ok(Variant {
             axis: finish(&self.root, draft),

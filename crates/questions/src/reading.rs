@@ -13,10 +13,13 @@ use crate::list::Cost;
 use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
 use crate::tolerance::Draw;
-use project::{Diagnostic, Files, Grant, Project, RatioAnswer};
+use actuator::{Battery, Parameters};
+use order_code::OrderCode;
+use project::{Catalogue, Diagnostic, Files, Grant, Project, RatioAnswer};
+use provenance::Datum;
 use quantities::Language;
 use serde_json::Value;
-use sizing::{StepObserver, Unobserved, finished, rank};
+use sizing::{BrakeTimes, StepObserver, Unobserved, finished, rank};
 use std::cell::Cell;
 use std::io::Read;
 use std::sync::Arc;
@@ -27,7 +30,7 @@ use std::sync::atomic::AtomicBool;
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
 pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
-    Project::read(text, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+    Project::read(text, &catalogue(), &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
 /// Reads a project file with one axis or several, in their order, and the files that it refers to.
@@ -35,7 +38,33 @@ pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
 pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagnostic>> {
-    Project::read_all(text, files, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+    Project::read_all(text, files, &catalogue(), &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+}
+
+/// The catalogue of this program.
+#[derive(Debug)]
+struct Printed;
+
+impl Catalogue for Printed {
+    fn actuators(&self, output_encoder: bool) -> &[(OrderCode, Parameters)] {
+        configurator::actuators(output_encoder)
+    }
+
+    fn brake_times(&self) -> Option<BrakeTimes> {
+        configurator::brake_times().map(|(closing, opening)| BrakeTimes { closing, opening })
+    }
+
+    fn battery(&self) -> Datum<Battery> {
+        configurator::battery()
+    }
+
+    fn own_actuator(&self) -> Parameters {
+        configurator::own_actuator()
+    }
+}
+
+fn catalogue() -> Arc<dyn Catalogue> {
+    Arc::new(Printed)
 }
 
 /// Reasons why there is no project.
@@ -66,7 +95,7 @@ pub fn read_all_watched(text: &str, files: &dyn Files, progress: &Progress) -> R
         })
     };
     let cancellable = Cancellable { files, progress, opened: Cell::new(false) };
-    let read = Project::read_all(text, &cancellable, &choose);
+    let read = Project::read_all(text, &cancellable, &catalogue(), &choose);
     // Only the reading of a file can be interrupted; the faults of a text alone are complete.
     let stopped = || (read.is_err() && cancellable.opened.get() && progress.is_over()).then(|| Refusal::from(Stopped));
     refused
