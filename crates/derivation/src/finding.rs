@@ -38,6 +38,16 @@ macro_rules! findings {
 findings! {
     AccelerationAt ["t"];
     TorqueOfLoadAt ["t"];
+    PositionAt ["t"];
+    RecordedTorqueAt ["t"];
+    SumOfBodies [];
+    AngleOfMassAt ["t"];
+    FlangeForcesAt ["t" "R"];
+    TableAt ["q"];
+    SpeedsOfFalls ["z_f"];
+    LinkageInertia ["q" "l_g" "l_1" "l_2" "l_3" "J_0" "J_p" "m_2" "s_2" "J_c2" "J_c3"];
+    LinkageTorque ["q" "l_g" "l_1" "l_2" "l_3" "m_2" "s_2" "m_3" "s_3" "T_r3" "gamma" "beta"];
+    RopesThroughSheaves ["T_w" "J_0" "m_c" "sigma" "eta_F"];
     SpeedAt ["t"];
     DirectionAt ["t"];
     PeakSpeed "max(abs(n))" ["n"];

@@ -172,7 +172,8 @@ impl Workings {
     ) {
         let Some(steps) = &mut self.steps else { return };
         // The same input value is recorded once.
-        if steps.iter().any(|step| step.symbol == symbol && step.si == si && step.how == How::Given) {
+        let is_same = |step: &Step| step.symbol == symbol && step.si == si && step.unit.json == unit.json;
+        if steps.iter().any(|step| is_same(step) && step.how == How::Given) {
             return;
         }
         let (source, part) = (source.clone(), Part::Step);

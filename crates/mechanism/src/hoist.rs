@@ -78,7 +78,7 @@ impl Hoist {
         self.drum_diameter.si() / (2.0 * f64::from(self.falls))
     }
 
-    fn has_rope(&self) -> bool {
+    pub(crate) fn has_rope(&self) -> bool {
         self.rope_mass.si() > 0.0 && self.hanging.si() > 0.0
     }
 
@@ -88,7 +88,7 @@ impl Hoist {
     }
 
     /// Returns Σ u², the sum of the squared speeds of the falls relative to that of the load.
-    fn speeds(&self) -> f64 {
+    pub(crate) fn speeds(&self) -> f64 {
         let mut left = self.falls;
         let (mut speed, mut sum) = (f64::from(left), 0.0);
         // At the drum the rope is n times as fast as the load, and two less after each pair of sheaves.

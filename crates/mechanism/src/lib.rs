@@ -12,6 +12,8 @@ mod body;
 mod conveyor;
 pub mod drawing;
 mod equations;
+mod explain;
+mod explain_flange;
 mod extremes;
 mod flange;
 mod four_bar;
@@ -32,6 +34,8 @@ mod turntable;
 mod winder;
 
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, SolidShape, inertia};
+pub use explain::At;
+pub use explain_flange::FlangeLoadKind;
 pub use extremes::Extremes;
 pub use flange::{Aligned, Contact, FlangeForces, Mounting, Recurrence};
 pub use four_bar::FourBar;

@@ -91,6 +91,12 @@ impl ScissorLift {
         }
     }
 
+    /// Returns b, w and w' at a position \[m\], \[m\], [m/rad].
+    pub(crate) fn linkage(&self, position_rad: f64) -> (f64, f64, f64) {
+        let (l, b) = (self.arm_length.si(), self.base(position_rad));
+        (b, (l * l - b * b).sqrt(), self.course(position_rad).rise)
+    }
+
     /// Returns the thrust of the screw \[N\].
     fn thrust(&self, at: &Instant<'_>) -> f64 {
         let screw_less = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };

@@ -56,6 +56,12 @@ impl SliderCrank {
         }
     }
 
+    /// Returns x' and x'' at a position [m/rad], [m/rad²].
+    pub(crate) fn rates(&self, position_rad: f64) -> [f64; 2] {
+        let course = self.course(position_rad);
+        [course.first, course.second]
+    }
+
     /// Returns the force of the rod on the slider along its line \[N\].
     ///
     /// F = (m + m_p)(x' α + x'' ω² + g sin γ) + F_p

@@ -71,7 +71,7 @@ impl Winder {
     }
 
     /// Returns r(q), limited by core and full roll \[m\].
-    fn radius(&self, position_rad: f64) -> f64 {
+    pub(crate) fn radius(&self, position_rad: f64) -> f64 {
         let free = 0.5 * self.start_diameter.si() + self.sign() * self.thickness.si() * position_rad / TAU;
         free.max(0.5 * self.core_diameter.si()).min(0.5 * self.full_diameter.si())
     }

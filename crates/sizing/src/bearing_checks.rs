@@ -10,6 +10,7 @@ use crate::swings::SmallSwings;
 use crate::workings;
 use actuator::{BearingType, FlangeLoad, OutputBearing};
 use derivation::{Finding, Workings};
+use mechanism::{At, FlangeLoadKind};
 use provenance::{CellRef, Grade, Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
 use quantities::{Angle, Force, Length, Measure, Time, Torque, Unit};
@@ -119,7 +120,7 @@ fn force<Q: Measure>(
     duty.forces_known(axis)?;
     let peak = of(borne.loads());
     let source = if duty.derived.is_some() { DERIVED } else { project(names.2) };
-    largest_force(duty, names, peak.value(), work);
+    largest_force(borne, names, peak, work);
     work.given(symbol, &NEWTON, limit);
     work.limit(symbol);
     Ok(Comparison {
@@ -136,16 +137,106 @@ fn is_constant(duty: &BearingDuty) -> bool {
 }
 
 /// Records the derivation of the largest force.
-fn largest_force(duty: &BearingDuty, (symbol, what, key): Names, value: f64, work: &mut Workings) {
+fn largest_force(borne: &Borne<'_>, (symbol, what, key): Names, peak: Peak, work: &mut Workings) {
     if !work.is_on() {
         return;
     }
-    if duty.derived.is_some() {
-        work.found(symbol, &NEWTON, value, Finding::LargestOfMechanism, &DERIVED, Grade::Computed);
+    if borne.duty.derived.is_some() {
+        let kind = if symbol == "F_a" { FlangeLoadKind::Axial } else { FlangeLoadKind::Radial };
+        of_mechanism(borne, kind, peak, Finding::LargestInMotion, work);
     } else {
-        stated(is_constant(duty), (symbol, &NEWTON, value, key), what, work);
+        stated(is_constant(borne.duty), (symbol, &NEWTON, peak.value(), key), what, work);
     }
     work.value(symbol);
+}
+
+/// Records the derivation of a largest load of the mechanism, `F_r`, `F_a` or `M`, at its instant; `what` where the motion
+/// does not reach it by its states there.
+fn of_mechanism(borne: &Borne<'_>, kind: FlangeLoadKind, peak: Peak, what: Finding, work: &mut Workings) {
+    let (symbol, unit) = match kind {
+        FlangeLoadKind::Radial => ("F_r", &NEWTON),
+        FlangeLoadKind::Axial => ("F_a", &NEWTON),
+        FlangeLoadKind::Moment => ("M", &NEWTON_METRE),
+    };
+    if !work.is_on() {
+        return;
+    }
+    let Some((at, derived)) = state_of_peak(borne, kind, peak).zip(borne.duty.derived.as_ref()) else {
+        work.found(symbol, unit, peak.value(), what, &DERIVED, Grade::Computed);
+        return;
+    };
+    let offset = borne.bearing.offset.known();
+    let acts = derived.acts.get(at.segment).copied().unwrap_or(false);
+    let [radial, axial, moment] =
+        stated_in(borne.duty, at.segment, offset.map_or_else(|| Length::from_si(0.0), |offset| offset.value));
+    if let Some(offset) = offset.filter(|_| kind == FlangeLoadKind::Moment && (acts || moment != 0.0)) {
+        work.given("R", &METRE, offset);
+    }
+    let centre = offset.map_or_else(|| Length::from_si(0.0), |offset| offset.value);
+    let own = acts.then(|| borne.axis.mechanism.explain_flange(kind, &at, (&derived.mounting, centre), work));
+    let load = borne.duty.loads.get(at.segment);
+    let part = match kind {
+        FlangeLoadKind::Radial => radial,
+        FlangeLoadKind::Axial => axial,
+        FlangeLoadKind::Moment => moment,
+    };
+    let Some(load) = load.filter(|_| part != 0.0) else {
+        // Without a load of the segment nothing acts on the flange.
+        work.formula(symbol, unit, peak.value(), own.unwrap_or("0"), &DERIVED);
+        return;
+    };
+    let of_mechanism = if kind == FlangeLoadKind::Moment { "M_m" } else { "F_m" };
+    if let Some(text) = own {
+        work.formula(of_mechanism, unit, peak.value() - part, text, &DERIVED);
+    }
+    let text = match (kind, own.is_some()) {
+        (FlangeLoadKind::Radial, true) => "F_m + F_rs",
+        (FlangeLoadKind::Radial, false) => "F_rs",
+        (FlangeLoadKind::Axial, true) => "F_m + F_as",
+        (FlangeLoadKind::Axial, false) => "F_as",
+        (FlangeLoadKind::Moment, true) => "M_m + M_s",
+        (FlangeLoadKind::Moment, false) => "M_s",
+    };
+    if kind != FlangeLoadKind::Axial {
+        work.stated("F_rs", &NEWTON, load.radial_force.si(), "bearing.radial_force");
+    }
+    if kind != FlangeLoadKind::Radial {
+        work.stated("F_as", &NEWTON, load.axial_force.si(), "bearing.axial_force");
+    }
+    if kind == FlangeLoadKind::Moment {
+        work.stated("L_r", &METRE, load.radial_distance.si(), "bearing.radial_distance");
+        work.stated("L_a", &METRE, load.axial_distance.si(), "bearing.axial_distance");
+        work.formula("M_s", &NEWTON_METRE, moment, "F_rs*(L_r + R) + F_as*L_a", &MODEL);
+    }
+    work.formula(symbol, unit, peak.value(), text, &DERIVED);
+}
+
+/// Returns F_r, F_a and M that the project states for a segment.
+fn stated_in(duty: &BearingDuty, segment: usize, offset: Length) -> [f64; 3] {
+    duty.loads.get(segment).map_or([0.0; 3], |load| {
+        [load.radial_force.si(), load.axial_force.si(), actuator::tilting_moment(load, offset).si()]
+    })
+}
+
+/// Returns the state of the motion at a peak; `None` if no state at its instant has this load.
+fn state_of_peak(borne: &Borne<'_>, kind: FlangeLoadKind, peak: Peak) -> Option<At> {
+    let (axis, derived) = (borne.axis, borne.duty.derived.as_ref()?);
+    let offset = borne.bearing.offset.known().map_or_else(|| Length::from_si(0.0), |offset| offset.value);
+    let load = |at: &At| {
+        let forces = if derived.acts.get(at.segment).copied().unwrap_or(false) {
+            axis.mechanism.flange_forces(&at.output, &at.extra, at.recorded_nm, &derived.mounting)
+        } else {
+            mechanism::FlangeForces::default()
+        };
+        let [radial, axial, moment] = stated_in(borne.duty, at.segment, offset);
+        match kind {
+            FlangeLoadKind::Radial => forces.radial() + radial,
+            FlangeLoadKind::Axial => forces.axial() + axial,
+            FlangeLoadKind::Moment => forces.moment(offset) + moment,
+        }
+    };
+    let mut found = workings::states_at(axis, peak.at(), &[1.0, -1.0, 0.0]).map(|moving| moving.at(axis));
+    found.find(|at| (load(at) - peak.value()).abs() <= 1e-9 * peak.value().abs())
 }
 
 /// Records the value of the user, from the segment that `what` names if there are several.
@@ -184,8 +275,8 @@ pub(crate) fn explain_largest_moment(borne: &Borne<'_>, work: &mut Workings) {
     let (duty, bearing) = (borne.duty, borne.bearing);
     let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
     if duty.derived.is_some() {
-        let moment = borne.loads().whole().moment.value();
-        work.found("M", &NEWTON_METRE, moment, Finding::LargestOfMechanism, &DERIVED, Grade::Computed);
+        let moment = borne.loads().whole().moment;
+        of_mechanism(borne, FlangeLoadKind::Moment, moment, Finding::LargestOfMechanism, work);
         return;
     }
     explain_stated_moment(borne, offset, |_| true, work);
@@ -288,7 +379,7 @@ pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome 
     let limit = borne.bearing.tilting_moment_max.require("M_dyn_max")?;
     if let Some(offset) = borne.bearing.offset.known().filter(|_| work.is_on()) {
         if borne.duty.derived.is_some() {
-            work.found("M", &NEWTON_METRE, moment.value(), Finding::LargestInMotion, &DERIVED, Grade::Computed);
+            of_mechanism(borne, FlangeLoadKind::Moment, moment, Finding::LargestInMotion, work);
         } else {
             explain_stated_moment(borne, offset, |states| states.turns, work);
         }
@@ -307,14 +398,11 @@ pub(crate) fn static_moment(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     let loads = borne.known_moments()?;
     let pitch = borne.bearing.pitch_diameter.require("d_p")?;
     let limit = borne.bearing.static_moment_max.require("M_0_max")?;
-    let Peaks { radial, axial, moment } = loads.resting;
+    let Peaks { moment, .. } = loads.resting;
     let load = forces_alone(&loads.resting);
     let equivalent = actuator::static_equivalent_moment(&load, Torque::from_si(moment.value()), pitch.value).si();
     if work.is_on() {
-        let source = if borne.duty.derived.is_some() { DERIVED } else { MODEL };
-        for (symbol, unit, peak) in [("F_r", &NEWTON, radial), ("F_a", &NEWTON, axial), ("M", &NEWTON_METRE, moment)] {
-            work.found(symbol, unit, peak.value(), Finding::LargestAtRest, &source, Grade::Computed);
-        }
+        explain_peaks(borne, &loads.resting, (Finding::LargestAtRest, |states| states.rests), work);
         work.given("d_p", &METRE, pitch);
         work.formula("M_eq", &NEWTON_METRE, equivalent, "M + d_p/2*(F_r + 0.44*F_a)", &equation("76.1"));
         work.value("M_eq");
@@ -495,7 +583,11 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     if work.is_on() {
         match duty.loads.first().filter(|_| duty.derived.is_none() && is_constant(duty)) {
             Some(load) => load_moment(duty, load, offset, Finding::EverySegmentInMotion, work),
-            None => explain_largest(largest, duty, work),
+            None => {
+                let is_derived = duty.derived.is_some();
+                let what = if is_derived { Finding::LargestOfMechanism } else { Finding::LargestOverSegments };
+                explain_peaks(borne, largest, (what, |_| true), work);
+            }
         }
         work.given("d_p", &METRE, pitch);
         work.given("C_0", &NEWTON, rating);
@@ -521,14 +613,29 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
     }
 }
 
-/// Records the derivation of the largest loads of the cycle, each by itself: `F_r`, `F_a` and `M`.
-fn explain_largest(largest: &Peaks, duty: &BearingDuty, work: &mut Workings) {
-    let source = if duty.derived.is_some() { DERIVED } else { MODEL };
-    let what = if duty.derived.is_some() { Finding::LargestOfMechanism } else { Finding::LargestOverSegments };
-    for (symbol, unit, peak) in
-        [("F_r", &NEWTON, largest.radial), ("F_a", &NEWTON, largest.axial), ("M", &NEWTON_METRE, largest.moment)]
+/// Records the derivation of largest loads, each by itself: `F_r`, `F_a` and `M`; of stated loads those of the segments in a
+/// state of the gear.
+fn explain_peaks(
+    borne: &Borne<'_>,
+    largest: &Peaks,
+    (what, counts): (Finding, fn(&States) -> bool),
+    work: &mut Workings,
+) {
+    let (duty, bearing) = (borne.duty, borne.bearing);
+    if duty.derived.is_some() {
+        of_mechanism(borne, FlangeLoadKind::Radial, largest.radial, what, work);
+        of_mechanism(borne, FlangeLoadKind::Axial, largest.axial, what, work);
+        of_mechanism(borne, FlangeLoadKind::Moment, largest.moment, what, work);
+        return;
+    }
+    if let Some(offset) = bearing.offset.known() {
+        explain_stated_moment(borne, offset, counts, work);
+    }
+    let constant = is_constant(duty);
+    for (symbol, peak, key) in
+        [("F_r", largest.radial, "bearing.radial_force"), ("F_a", largest.axial, "bearing.axial_force")]
     {
-        work.found(symbol, unit, peak.value(), what, &source, Grade::Computed);
+        stated(constant, (symbol, &NEWTON, peak.value(), key), what, work);
     }
 }
 

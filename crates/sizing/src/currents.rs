@@ -179,11 +179,17 @@ impl<'e> Currents<'e> {
     }
 
     /// Records the derivation of the current at an instant in one of the states; the result is `I`.
-    pub(crate) fn explain(&self, node: &Node, friction: &FrictionAt, actuator: &Parameters, work: &mut Workings) {
+    pub(crate) fn explain(
+        &self,
+        node: &Node,
+        friction: &FrictionAt,
+        (axis, actuator): (&Axis, &Parameters),
+        work: &mut Workings,
+    ) {
         if !work.is_on() {
             return;
         }
-        workings::torque_at(node, actuator, work);
+        workings::torque_at(axis, node, actuator, work);
         let source = Source::Model { name: "current" };
         work.known("k_Tout", &NEWTON_METRE_PER_AMPERE, &actuator.torque_constant_out);
         let what = if friction == self.cold { Finding::GearCold } else { Finding::GearSettled };
@@ -401,7 +407,7 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let (worst, at) = axis.trace.largest(&terminal);
     let (cold, warm) = (currents.cold, &currents.warm);
     let friction = if terminal.at(&at, cold) >= terminal.at(&at, warm) { cold } else { warm };
-    currents.explain(&at, friction, actuator, work);
+    currents.explain(&at, friction, (axis, actuator), work);
     let current = ElectricCurrent::from_si(currents.in_state(&at, friction));
     motor.explain(actuator, AngularVelocity::from_si(at.speed_rad_s), current, work);
     let model = Source::Model { name: "voltage" };
@@ -466,7 +472,7 @@ fn current_check(
     let by_cold_only =
         id == CheckId::PeakCurrent && !at_most(current, most) && currents.heat.is_ok() && may_be_cold_only();
     let source = Source::Model { name: "current" };
-    currents.explain(&node, currents.larger(&node), actuator, work);
+    currents.explain(&node, currents.larger(&node), (axis, actuator), work);
     work.formula("I_peak", &AMPERE, current, "abs(I)", &source);
     work.value("I_peak");
     work.given(symbol, &AMPERE, limit);

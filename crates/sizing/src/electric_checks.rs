@@ -168,7 +168,7 @@ fn worst_instant(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, 
     }
     let (torque, is_braking) = (lower.torque(&worst).abs(), lower.is_braking(&worst));
     if work.is_on() {
-        workings::torque_at(&worst, actuator, work);
+        workings::torque_at(axis, &worst, actuator, work);
         work.formula("T_at", &NEWTON_METRE, torque, "abs(T)", &workings::DEMAND);
         work.value("T_at");
     }
@@ -249,7 +249,7 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     };
     let symbols = match of {
         Of::Peak(node) => {
-            currents.explain(&node, currents.larger(&node), actuator, work);
+            currents.explain(&node, currents.larger(&node), (axis, actuator), work);
             work.formula("I_peak", unit, value, "abs(I)", &source);
             ("I_peak", "I_D_max")
         }

@@ -247,7 +247,7 @@ fn explain_budget(
         if unknown(ErrorKind::Torsion) {
             missing(work, "phi", &ARCMINUTE);
         } else {
-            explain_torsion(&actuator.gear, case.torque, work);
+            explain_torsion(axis, &actuator.gear, case.torque, work);
         }
     }
     let feedback = if motor { &actuator.feedback } else { &actuator.feedback_out };
@@ -380,7 +380,7 @@ pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
     let worst = axis.moments().load_peak;
     let source = Source::Equation { number: "73.1" };
     let limit = axis.asked.torsion_max.map(Measure::si);
-    explain_torsion(&actuator.gear, worst, work);
+    explain_torsion(axis, &actuator.gear, worst, work);
     let (angle, symbol, source) = match &axis.mechanism.stage {
         None => (curve.angle(worst), "phi", source),
         Some(stage) => (stage::torsion(stage, curve.angle(worst), worst, work), "phi_L", stage::MODEL),
@@ -394,11 +394,10 @@ pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -
 
 /// Records the derivation of the torsion under the largest torque of the load, `phi`, by the equation of the region
 /// that it reaches.
-fn explain_torsion(gear: &Gear, torque: Torque, work: &mut Workings) {
+fn explain_torsion(axis: &Axis, gear: &Gear, torque: Torque, work: &mut Workings) {
     let Some(curve) = gear.torsion().filter(|_| work.is_on()) else { return };
     let (angle, [k1, k2, k3]) = (curve.angle(torque).si(), &gear.stiffness);
-    let what = Finding::PeakLoad;
-    work.found("T", &NEWTON_METRE, torque.si(), what, &workings::DEMAND, Grade::Computed);
+    workings::peak_load(axis, "T", work);
     work.known("K_1", &NEWTON_METRE_PER_RADIAN, k1);
     if torque.si() <= curve.torque_1.si() {
         work.formula("phi", &ARCMINUTE, angle, "T/K_1*10800/pi", &equation("73.1"));

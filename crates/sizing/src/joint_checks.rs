@@ -7,7 +7,7 @@ use crate::list::{Case, Outcome};
 use crate::notes::Note;
 use crate::workings;
 use actuator::{Parameters, ScrewJoint};
-use derivation::{Finding, Workings};
+use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, ONE};
 use quantities::{Measure, Time, Torque};
@@ -62,8 +62,7 @@ fn load_torque(axis: &Axis, work: &mut Workings) -> Through {
     if let Some(collision) = collision(axis, moments.load_peak.si(), work) {
         return collision;
     }
-    let what = Finding::PeakLoad;
-    work.found("T_j", &NEWTON_METRE, moments.load_peak.si(), what, &workings::DEMAND, Grade::Computed);
+    workings::peak_load(axis, "T_j", work);
     (moments.load_peak, Some(moments.load_peak_at), "T_j")
 }
 
@@ -90,7 +89,7 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
         return Ok(collision);
     }
     if work.is_on() {
-        workings::instant(&node, actuator, work);
+        workings::instant(axis, &node, actuator, work);
         let text = match ratio {
             Some(ratio) => {
                 work.given_number("i", ratio);

@@ -3,8 +3,10 @@
 use crate::axis::Axis;
 use crate::comparison::{Asking, equation, project};
 use crate::demand::{Demand, ManualDemand};
+use crate::flange::output;
 use actuator::Parameters;
 use derivation::{Finding, Workings};
+use mechanism::{At, Output};
 use provenance::{Grade, Source};
 use quantities::Measure;
 use quantities::unit::{
@@ -29,27 +31,115 @@ pub(crate) fn inertia_source(axis: &Axis) -> Source {
 }
 
 /// Records an instant: J_out, α and T_L there.
-pub(crate) fn instant(node: &Node, actuator: &Parameters, work: &mut Workings) {
+pub(crate) fn instant(axis: &Axis, node: &Node, actuator: &Parameters, work: &mut Workings) {
     own_inertia(actuator, work);
     work.figure("t", &SECOND, node.time_s, &DEMAND, Grade::Computed);
-    work.found(
-        "alpha",
-        &RADIAN_PER_SECOND_SQUARED,
-        node.acceleration_rad_s2,
-        Finding::AccelerationAt,
-        &DEMAND,
-        Grade::Computed,
-    );
-    work.found("T_L", &NEWTON_METRE, node.load_nm, Finding::TorqueOfLoadAt, &DEMAND, Grade::Computed);
+    acceleration(node, work);
+    load_torque(axis, node, moving_at(axis, node).as_ref(), work);
+}
+
+fn acceleration(node: &Node, work: &mut Workings) {
+    let (unit, alpha) = (&RADIAN_PER_SECOND_SQUARED, node.acceleration_rad_s2);
+    work.found("alpha", unit, alpha, Finding::AccelerationAt, &DEMAND, Grade::Computed);
+}
+
+/// Records T_L at the instant `t` with the acceleration `alpha`: by the law of the mechanism, where the motion reaches the
+/// instant with this torque.
+fn load_torque(axis: &Axis, node: &Node, moving: Option<&Moving>, work: &mut Workings) {
+    match moving {
+        Some(moving) => axis.mechanism.explain_torque(&moving.at(axis), node.load_nm, work),
+        None => work.found("T_L", &NEWTON_METRE, node.load_nm, Finding::TorqueOfLoadAt, &DEMAND, Grade::Computed),
+    }
+}
+
+/// Records the largest load torque of the cycle under a symbol.
+pub(crate) fn peak_load(axis: &Axis, symbol: &'static str, work: &mut Workings) {
+    if !work.is_on() {
+        return;
+    }
+    let (_, node) = axis.trace.largest(&TorqueWith { inertia_kgm2: 0.0 });
+    let moving = moving_at(axis, &node);
+    work.figure("t", &SECOND, node.time_s, &DEMAND, Grade::Computed);
+    if moving.is_some() && axis.mechanism.explains_by_acceleration() {
+        acceleration(&node, work);
+    }
+    load_torque(axis, &node, moving.as_ref(), work);
+    work.formula(symbol, &NEWTON_METRE, axis.moments().load_peak.si(), "abs(T_L)", &DEMAND);
+}
+
+/// State of the output at an instant of the motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moving {
+    time_s: f64,
+    output: Output,
+    pub(crate) segment: usize,
+    recorded_nm: f64,
+}
+
+impl Moving {
+    pub(crate) fn at(&self, axis: &Axis) -> At {
+        let extra = axis.extras.get(self.segment).copied().unwrap_or_default();
+        At { time_s: self.time_s, output: self.output, extra, recorded_nm: self.recorded_nm, segment: self.segment }
+    }
+}
+
+/// Returns the state of the motion at a node; `None` if no part of the motion has its torque there, as while the brake holds.
+fn moving_at(axis: &Axis, node: &Node) -> Option<Moving> {
+    let gram = axis.trace.gram();
+    let effective = (gram.square([1.0, 0.0, 0.0, 0.0]) / axis.moments().duration.si()).max(0.0).sqrt();
+    let fits = |moving: &Moving| {
+        let torque = axis.mechanism.torque_at(&moving.at(axis));
+        let accelerated = moving.output.acceleration_rad_s2 - node.acceleration_rad_s2;
+        (torque - node.load_nm).abs() <= 1e-9 * axis.moments().load_peak.si() && accelerated.abs() <= 1e-6 * effective
+    };
+    let mut found = states_at(axis, node.time_s, &[node.direction]).find(fits)?;
+    found.output.acceleration_rad_s2 = node.acceleration_rad_s2;
+    Some(found)
+}
+
+/// Shares of the cycle by which a state beside an instant is evaluated: at a corner of the load each part of the motion has
+/// the torque of its own side.
+const BESIDE: [f64; 5] = [0.0, 1e-12, -1e-12, 1e-9, -1e-9];
+
+/// Returns the states of the motion at an instant and beside it, in some directions.
+pub(crate) fn states_at<'a>(axis: &'a Axis, time_s: f64, directions: &'a [f64]) -> impl Iterator<Item = Moving> + 'a {
+    let beside = BESIDE.map(|share| time_s + share * axis.moments().duration.si());
+    beside.into_iter().flat_map(move |at_s| {
+        let of = move |direction: &f64| states_exactly_at(axis, at_s, *direction);
+        directions.iter().flat_map(of).map(move |moving| Moving { time_s, ..moving })
+    })
+}
+
+/// Returns the states of the parts of the motion at an instant: of several, where one part ends and another begins.
+fn states_exactly_at(axis: &Axis, time_s: f64, direction: f64) -> impl Iterator<Item = Moving> + '_ {
+    let near = 1e-9 * axis.moments().duration.si();
+    let within = move |start: f64, duration: f64| time_s >= start - near && time_s <= start + duration + near;
+    let pieces = axis.motion.pieces().iter().filter(move |piece| within(piece.start_s, piece.duration_s));
+    let of_pieces = pieces.map(move |piece| {
+        let t = (time_s - piece.start_s).clamp(0.0, piece.duration_s);
+        Moving { time_s, output: output(piece, t, direction), segment: piece.segment, recorded_nm: 0.0 }
+    });
+    let recorded = axis.motion.recordings().iter().flat_map(move |placed| {
+        let own = (time_s - placed.start_s) / placed.stretch;
+        let next = placed.recorded.time_s().partition_point(|t| *t < own);
+        (next.saturating_sub(2)..next + 1).filter_map(|index| placed.interval(index)).map(move |interval| {
+            let share = ((time_s - interval.start_s) / interval.duration_s).clamp(0.0, 1.0);
+            let (position_rad, speed_rad_s, recorded_nm) = interval.at(share);
+            let acceleration_rad_s2 = interval.acceleration_rad_s2();
+            let output = Output { position_rad, speed_rad_s, acceleration_rad_s2, direction };
+            Moving { time_s, output, segment: placed.segment, recorded_nm }
+        })
+    });
+    of_pieces.chain(recorded)
 }
 
 /// Records the torque at an instant: α and T_L there, and `T` = J_out α + T_L.
-pub(crate) fn torque_at(node: &Node, actuator: &Parameters, work: &mut Workings) {
+pub(crate) fn torque_at(axis: &Axis, node: &Node, actuator: &Parameters, work: &mut Workings) {
     if !work.is_on() {
         return;
     }
     let inertia = actuator.inertia_out.known().map_or(0.0, |inertia| inertia.value.si());
-    instant(node, actuator, work);
+    instant(axis, node, actuator, work);
     work.formula("T", &NEWTON_METRE, inertia * node.acceleration_rad_s2 + node.load_nm, "J_out*alpha + T_L", &DEMAND);
 }
 
@@ -60,7 +150,7 @@ pub(crate) fn peak_torque(axis: &Axis, actuator: &Parameters, demand: &Demand, w
     }
     let inertia = actuator.inertia_out.known().map_or(0.0, |inertia| inertia.value.si());
     let (_, node) = axis.trace.largest(&TorqueWith { inertia_kgm2: inertia });
-    torque_at(&node, actuator, work);
+    torque_at(axis, &node, actuator, work);
     work.formula("T_peak", &NEWTON_METRE, demand.torque_peak.si(), "abs(T)", &DEMAND);
 }
 

@@ -9,9 +9,10 @@ use quantities::Language;
 use questions::list::explain::derivation;
 use questions::{Check, explain};
 use sizing::derivation::{How, Part, evaluate};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::PathBuf;
+use testkit::projects::{Draws, LAWS, mechanisms, moved};
 
 fn examples() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples")
@@ -60,8 +61,8 @@ fn projects() -> Vec<Project> {
     found
 }
 
-/// Returns the errors in the workings of a check.
-fn faults(check: &Check) -> Vec<String> {
+/// Returns the errors in the workings of a check; differences below `rounding` times 10⁻⁹ are those of sums that cancel.
+fn faults(check: &Check, rounding: f64) -> Vec<String> {
     let mut faults = Vec::new();
     let steps = &check.workings;
     for (part, figure) in [(Part::Value, check.value), (Part::Limit, check.limit)] {
@@ -78,7 +79,7 @@ fn faults(check: &Check) -> Vec<String> {
         }
         match evaluate(steps, index) {
             None => {}
-            Some(Ok(value)) if (value - step.value()).abs() <= 1e-9 * (1e-6 + step.value().abs()) => {}
+            Some(Ok(value)) if (value - step.value()).abs() <= 1e-9 * (rounding + step.value().abs()) => {}
             Some(found) => {
                 let How::Formula { text, .. } = &step.how else { continue };
                 faults.push(format!("{} = {text} gives {found:?}, not {}", step.symbol, step.value()));
@@ -110,7 +111,7 @@ fn every_check_is_explained_and_every_formula_gives_its_number() {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in &candidate.judgement.checks {
                 checks += 1;
-                let faults = faults(check);
+                let faults = faults(check, 1e-6);
                 if !faults.is_empty() {
                     let place = format!("{code}, {}: {}", project.name, faults.join("; "));
                     found.entry(check.id.id()).or_insert(place);
@@ -120,6 +121,83 @@ fn every_check_is_explained_and_every_formula_gives_its_number() {
     }
     assert!(checks > 10_000, "{checks}");
     assert!(found.is_empty(), "{found:#?}");
+}
+
+/// Returns the steps of a derivation.
+fn steps<'n>(node: &'n Node, all: &mut Vec<&'n Node>) {
+    all.push(node);
+    node.operands.iter().for_each(|operand| steps(operand, all));
+}
+
+/// Of every mechanism, alone and behind a stage, under every law of motion: each check has its derivation or the stated reason
+/// why it has none; load torque and loads on the flange are computed by the law of the mechanism, whose formulas give them.
+#[test]
+fn every_check_of_every_drawn_mechanism_is_derived_or_has_its_reason() {
+    let requirements = "brake = true\nsupply = \"560 V\"\nambient = \"35 degC\"\nlever_arm = \"500 mm\"\n\
+        deviation_max = \"2 mm\"\ntorsion_max = \"5 arcmin\"\ngear_life_min = \"20000 h\"\nbearing_life_min = \"20000 h\"\n\
+        natural_frequency_min = \"3 Hz\"\ntilt_angle_max = \"1 arcmin\"\nstop_angle_max = \"90 deg\"\n";
+    let mut draws = Draws::new(5);
+    let (mut mechanisms_seen, mut by_law, mut of_flange) = (BTreeSet::new(), 0, 0);
+    let mut found: BTreeMap<String, String> = BTreeMap::new();
+    for seed in [1, 2] {
+        for drawn in mechanisms(&mut Draws::new(seed)) {
+            let law = draws.one_of(&LAWS);
+            let distance = draws.within(0.1, 1.0) * drawn.stroke_deg.min(720.0);
+            let time = draws.within(0.5, 2.0);
+            let motion = moved(law, distance, time)
+                + "[[motion]]\nlaw = \"dwell\"\ntime = \"0.3 s\"\n"
+                + &moved(law, -distance, time);
+            let bearing = draws.one_of(&[
+                "load_factor = 1.2\n",
+                "load_factor = 1.2\nradial_force = \"80 N\"\nradial_distance = \"20 mm\"\n",
+            ]);
+            let text = drawn.project(&motion, if drawn.bearing.is_some() { bearing } else { "" }, requirements);
+            let project = questions::read(&text.replace("single_move = true\n", ""))
+                .unwrap_or_else(|why| panic!("{text}\n{why:?}"));
+            for (code, _) in catalogue_actuators().iter().step_by(97) {
+                let Ok(candidate) = explain(&project, code) else { continue };
+                for check in &candidate.judgement.checks {
+                    let place = || format!("{} of {code} with {}, {law}", check.id.id(), drawn.key);
+                    let faults = faults(check, 1e-3);
+                    if !faults.is_empty() {
+                        found
+                            .entry(format!("{}: {}", check.id.id(), drawn.key))
+                            .or_insert_with(|| format!("{}: {faults:?}", place()));
+                    }
+                    let explained = derivation(check, Language::De);
+                    let is_explained = check.value.is_none() || explained.value.is_some();
+                    let has_reason = check.missing.is_some() || explained.value.is_some() || !check.notes.is_empty();
+                    assert!(is_explained && has_reason, "{}: no derivation and no reason", place());
+                    let mut all = Vec::new();
+                    explained.value.iter().chain(&explained.limit).for_each(|node| steps(node, &mut all));
+                    for node in all.into_iter().filter(|node| !node.repeated) {
+                        assert!(!node.term.is_empty(), "{}: {} has no word", place(), node.symbol);
+                        let is_formula = node.figures.is_some();
+                        if node.symbol == "T_L" {
+                            by_law += 1;
+                            mechanisms_seen.insert(drawn.key);
+                            assert!(is_formula, "{}: T_L has no law", place());
+                        }
+                        let is_peak = matches!(
+                            check.id.id(),
+                            "bearing_axial"
+                                | "bearing_radial"
+                                | "bearing_tilting_moment"
+                                | "bearing_static"
+                                | "bearing_static_moment"
+                                | "tilt_angle"
+                        );
+                        if is_peak && drawn.bearing.is_some() && matches!(node.symbol.as_str(), "F_r" | "F_a" | "M") {
+                            of_flange += 1;
+                            assert!(is_formula, "{}: {} has no law", place(), node.symbol);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
+    assert!(mechanisms_seen.len() >= 12 && by_law > 500 && of_flange > 500, "{mechanisms_seen:?} {by_law} {of_flange}");
 }
 
 /// The cells that derivations cite are in the catalogue.
