@@ -75,6 +75,9 @@ findings! {
     CurrentWithinVoltage ["n" "U_M"];
     GearCold [];
     GearSettled [];
+    StateCold [];
+    StateSettled [];
+    StateWarmest [];
     LawOfFriction ["theta_g"];
     EffectiveCurrent "sqrt(int(I^2)/t_0)" ["t_0"];
     TimeAboveContinuous ["I_D"];

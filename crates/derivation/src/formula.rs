@@ -169,6 +169,7 @@ impl Formula {
                     ("abs", [term]) => return format!("|{}|", bare(term)),
                     ("int", [term]) => return format!("∫{term} dt"),
                     ("sum", [term]) => return format!("Σ {term}"),
+                    (name, [term]) => return format!("{name}({})", bare(term)),
                     (name, terms) => return format!("{name}({})", terms.join("; ")),
                 }
             }
@@ -374,6 +375,8 @@ mod tests {
             ("a/b", "(−3 Nm)/(4 Nm/A)"),
             ("b^2 + c^2", "(4 Nm/A)² + 7²"),
             ("abs(a)", "|−3 Nm|"),
+            ("cos(a)", "cos(−3 Nm)"),
+            ("max(a, b)", "max((−3 Nm); 4 Nm/A)"),
             ("abs(a - b)", "|(−3 Nm) − 4 Nm/A|"),
             ("b/c", "4 Nm/A/7"),
         ] {

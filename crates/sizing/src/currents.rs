@@ -189,19 +189,57 @@ impl<'e> Currents<'e> {
         if !work.is_on() {
             return;
         }
-        workings::torque_at(axis, node, actuator, work);
-        let source = Source::Model { name: "current" };
-        work.known("k_Tout", &NEWTON_METRE_PER_AMPERE, &actuator.torque_constant_out);
+        self.explain_point(node, (axis, actuator), work);
         let what = if friction == self.cold { Finding::GearCold } else { Finding::GearSettled };
+        self.explain_state("I", node, (friction, what), work);
+    }
+
+    /// Records the derivation of the largest current `I_peak` at an instant: that of the cold gear beside that of the settled
+    /// cycle, of which the larger one governs.
+    pub(crate) fn explain_peak(&self, node: &Node, of: (&Axis, &Parameters), work: &mut Workings) {
+        if !work.is_on() {
+            return;
+        }
+        let source = Source::Model { name: "current" };
+        let current = self.extreme(node).abs();
+        let [cold, warm] = self.in_both_states(node).map(f64::abs);
+        // Without torque the friction of the cold gear is the larger one by its definition.
+        if cold.max(warm) > current {
+            self.explain(node, self.larger(node), of, work);
+            work.formula("I_peak", &AMPERE, current, "abs(I)", &source);
+            return;
+        }
+        self.explain_point(node, of, work);
+        self.explain_state("I_cold", node, (self.cold, Finding::StateCold), work);
+        let settled = if self.heat.is_ok() { Finding::StateSettled } else { Finding::StateWarmest };
+        self.explain_state("I_warm", node, (&self.warm, settled), work);
+        work.formula("I_peak", &AMPERE, current, "max(abs(I_cold), abs(I_warm))", &source);
+    }
+
+    /// Records torque, torque constant, speed and direction at an instant.
+    fn explain_point(&self, node: &Node, (axis, actuator): (&Axis, &Parameters), work: &mut Workings) {
+        workings::torque_at(axis, node, actuator, work);
+        work.known("k_Tout", &NEWTON_METRE_PER_AMPERE, &actuator.torque_constant_out);
+        work.found("n", &REVOLUTION_PER_MINUTE, node.speed_rad_s, Finding::SpeedAt, &workings::DEMAND, Grade::Computed);
+        work.found("sigma", &ONE, node.direction, Finding::DirectionAt, &workings::DEMAND, Grade::Computed);
+    }
+
+    /// Records the friction of a state and the current in it.
+    fn explain_state(
+        &self,
+        symbol: &'static str,
+        node: &Node,
+        (friction, what): (&FrictionAt, Finding),
+        work: &mut Workings,
+    ) {
+        let source = Source::Model { name: "current" };
         work.found("theta_g", &DEGREE_CELSIUS, friction.temperature.si(), what, &source, Grade::Estimated);
         let what = Finding::LawOfFriction;
         work.found("I_s", &AMPERE, friction.counted.si(), what, &source, Grade::Estimated);
         let constant = friction.constant.si();
         work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, what, &source, Grade::Estimated);
-        work.found("n", &REVOLUTION_PER_MINUTE, node.speed_rad_s, Finding::SpeedAt, &workings::DEMAND, Grade::Computed);
-        work.found("sigma", &ONE, node.direction, Finding::DirectionAt, &workings::DEMAND, Grade::Computed);
         let text = "T/k_Tout + sigma*(I_s + K*abs(n))";
-        work.formula("I", &AMPERE, self.in_state(node, friction), text, &source);
+        work.formula(symbol, &AMPERE, self.in_state(node, friction), text, &source);
     }
 }
 
@@ -472,8 +510,7 @@ fn current_check(
     let by_cold_only =
         id == CheckId::PeakCurrent && !at_most(current, most) && currents.heat.is_ok() && may_be_cold_only();
     let source = Source::Model { name: "current" };
-    currents.explain(&node, currents.larger(&node), (axis, actuator), work);
-    work.formula("I_peak", &AMPERE, current, "abs(I)", &source);
+    currents.explain_peak(&node, (axis, actuator), work);
     work.value("I_peak");
     work.given(symbol, &AMPERE, limit);
     let limit_source = match curve.filter(|_| most > printed) {

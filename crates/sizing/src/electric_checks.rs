@@ -249,8 +249,7 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     };
     let symbols = match of {
         Of::Peak(node) => {
-            currents.explain(&node, currents.larger(&node), (axis, actuator), work);
-            work.formula("I_peak", unit, value, "abs(I)", &source);
+            currents.explain_peak(&node, (axis, actuator), work);
             ("I_peak", "I_D_max")
         }
         Of::Effective => {

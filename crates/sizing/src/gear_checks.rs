@@ -1,7 +1,8 @@
 //! Checks of the gear. It transmits the torque of the load only: the rotor's inertia is on its other side.
 
 use crate::axis::Axis;
-use crate::bearing_checks::{self, Borne};
+use crate::bearing_checks::Borne;
+use crate::bearing_workings;
 use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked, project};
 use crate::list::{Case, Outcome};
@@ -292,7 +293,7 @@ fn explain_tilt(axis: &Axis, actuator: &Parameters, case: &BudgetCase, work: &mu
     };
     match (case.tilting_moment, actuator.output_bearing.tilting_stiffness.known(), &axis.bearing) {
         (Some(moment), Some(stiffness), Some(duty)) => {
-            bearing_checks::explain_largest_moment(&Borne::of(axis, duty, &actuator.output_bearing), work);
+            bearing_workings::explain_largest_moment(&Borne::of(axis, duty, &actuator.output_bearing), work);
             work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
             let tilt = actuator::tilt_angle(moment, stiffness.value);
             work.formula("gamma", &ARCMINUTE, tilt.si(), "M/K_B", &equation("76.4"));

@@ -6,6 +6,7 @@
 
 mod axis;
 mod bearing_checks;
+mod bearing_workings;
 mod brake_checks;
 mod brake_times;
 mod check;

@@ -160,6 +160,12 @@ pub fn found_condition(what: Finding, language: Language) -> String {
             "gear in thermal steady state: the less favourable of both states",
             "Getriebe im thermischen Beharrungszustand: der ungünstigere der beiden Zustände",
         ),
+        Finding::StateCold => ("gear at ambient temperature", "Getriebe auf Umgebungstemperatur"),
+        Finding::StateSettled => ("gear in thermal steady state", "Getriebe im thermischen Beharrungszustand"),
+        Finding::StateWarmest => (
+            "highest temperature of the table, without a heat model",
+            "höchste Temperatur der Tabelle, ohne Erwärmungsmodell",
+        ),
         Finding::LawOfFriction => ("friction law at theta_g", "Reibungsgesetz bei theta_g"),
         Finding::TimeAboveContinuous => {
             ("longest time over the cycle with |I| above I_D", "längste Zeit im Zyklus mit |I| über I_D")
@@ -483,6 +489,8 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("f_w", "load factor", "Betriebsfaktor"),
     ("I", "motor current", "Motorstrom"),
     ("I_f", "friction current", "Reibungsstrom"),
+    ("I_cold", "current with a cold gear", "Strom bei kaltem Getriebe"),
+    ("I_warm", "current with a warm gear", "Strom bei betriebswarmem Getriebe"),
     ("I_peak", "peak current", "Spitzenstrom"),
     ("I_th", "current at the permissible loss", "Strom bei zulässiger Verlustleistung"),
     ("I_U", "current at the voltage limit", "Strom an der Spannungsgrenze"),

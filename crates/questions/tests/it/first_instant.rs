@@ -138,7 +138,7 @@ impl project::Files for Only {
     }
 }
 
-/// On a plateau of the speed the largest torque is reported, though one sample beside it is faster by a rounding of the
+/// The largest torque on a plateau of the speed is reported, though one sample beside it is faster by a rounding of the
 /// logger; a sample that is faster by a visible share is the fastest alone.
 #[test]
 fn a_sample_faster_by_rounding_hides_no_plateau() {

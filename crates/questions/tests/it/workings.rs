@@ -129,7 +129,7 @@ fn steps<'n>(node: &'n Node, all: &mut Vec<&'n Node>) {
     node.operands.iter().for_each(|operand| steps(operand, all));
 }
 
-/// Of every mechanism, alone and behind a stage, under every law of motion: each check has its derivation or the stated reason
+/// Every mechanism, alone and behind a stage, under every law of motion: each check has its derivation or the stated reason
 /// why it has none; load torque and loads on the flange are computed by the law of the mechanism, whose formulas give them.
 #[test]
 fn every_check_of_every_drawn_mechanism_is_derived_or_has_its_reason() {
@@ -198,6 +198,34 @@ fn every_check_of_every_drawn_mechanism_is_derived_or_has_its_reason() {
     }
     assert!(found.is_empty(), "{found:#?}");
     assert!(mechanisms_seen.len() >= 12 && by_law > 500 && of_flange > 500, "{mechanisms_seen:?} {by_law} {of_flange}");
+}
+
+/// Checks of the largest current show the current with cold and with warm gear, of which the larger one governs, whatever the
+/// verdict is; where the warm gear alone decides, its current is that compared with the limit.
+#[test]
+fn the_current_of_both_states_of_the_gear_is_derived() {
+    let (mut failed, mut passed) = (0, 0);
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(13) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in candidate.judgement.checks.iter().filter(|check| check.id.id() == "peak_current") {
+                let Some(value) = derivation(check, Language::En).value else { continue };
+                let mut all = Vec::new();
+                steps(&value, &mut all);
+                let of = |symbol: &str| all.iter().find(|node| node.symbol == symbol).map(|node| node.value.0.abs());
+                let (Some(cold), Some(warm)) = (of("I_cold"), of("I_warm")) else {
+                    panic!("{code}, {}: one state only", project.name)
+                };
+                assert!((cold.max(warm) - value.value.0).abs() <= 1e-9 * value.value.0, "{code}: {cold} {warm}");
+                let constants =
+                    all.iter().filter(|node| matches!(node.symbol.as_str(), "k_Tout" | "theta_g" | "K")).count();
+                assert!(constants >= 5, "{code}: {constants}");
+                let is_failed = check.verdict == sizing::Verdict::Fail;
+                (failed, passed) = (failed + i32::from(is_failed), passed + i32::from(!is_failed));
+            }
+        }
+    }
+    assert!(failed > 20 && passed > 20, "{failed} {passed}");
 }
 
 /// The cells that derivations cite are in the catalogue.
