@@ -221,7 +221,7 @@ mod tests {
     fn what_is_not_there_has_its_nearest() {
         let nearest = glossary(Some("torque_maxx"), Language::En).unwrap_err();
         assert!(nearest.contains(&"torque_max".to_owned()), "{nearest:?}");
-        assert!(glossary(Some("qqqqqq"), Language::En).unwrap_err().is_empty());
+        assert!(glossary(Some("vvyvvyvv"), Language::En).unwrap_err().is_empty());
     }
 
     #[test]

@@ -172,10 +172,13 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "`{path}`: \"{written}\" is below absolute zero"
             | "`{path}`: „{written}“ liegt unter dem absoluten Nullpunkt"
         ),
-        Fault::Implausible { path, written, low, high } => said!(language =>
-            "`{path}`: \"{written}\" is implausible; permitted are magnitudes from {low:e} to {high:e} in SI units, and zero"
-            | "`{path}`: „{written}“ ist unplausibel; zulässig sind Beträge von {low:e} bis {high:e} in SI-Einheiten und null"
-        ),
+        Fault::Implausible { path, written, low, high } => {
+            let [low, high] = [low, high].map(|bound| power_text(*bound, language));
+            said!(language =>
+                "`{path}`: \"{written}\" is implausible; permitted are magnitudes from {low} to {high} in SI units, and zero"
+                | "`{path}`: „{written}“ ist unplausibel; zulässig sind Beträge von {low} bis {high} in SI-Einheiten und null"
+            )
+        }
         Fault::TextTooLong { path, most } => {
             said!(language => "`{path}` is longer than {most} characters" | "`{path}` ist länger als {most} Zeichen")
         }
@@ -441,6 +444,17 @@ fn more(count: usize, language: Language) -> String {
     }
 }
 
+/// Returns a very large or small bound, a power of ten without its factor of one.
+fn power_text(bound: f64, language: Language) -> String {
+    let exponent = bound.abs().log10().round();
+    let text = format_significant(bound, 4, language);
+    let is_power = (bound / 10_f64.powf(exponent) - 1.0).abs() < 1e-12;
+    match text.split_once('·') {
+        Some((_, power)) if is_power => power.to_owned(),
+        _ => text,
+    }
+}
+
 /// Returns a bound of a plain number with all of its digits.
 fn bound_text(bound: f64, language: Language) -> String {
     let text = bound.to_string().replace('-', "−");
@@ -527,7 +541,7 @@ fn curve(fault: CurveFault, language: Language) -> String {
             ("a curve requires at least two points", "eine Kennlinie erfordert mindestens zwei Punkte")
         }
         CurveFault::DoesNotStartAtZero => {
-            ("a curve starts at standstill, 0 1/min", "eine Kennlinie beginnt im Stillstand, 0 1/min")
+            ("a curve starts at standstill, 0 1/min", "eine Kennlinie beginnt im Stillstand, bei 0 min⁻¹")
         }
         CurveFault::SpeedsNotAscending => (
             "the speeds of a curve must increase from point to point",

@@ -360,11 +360,12 @@ pub(crate) fn close_the_recording(language: Language) -> String {
 
 /// Returns the turns of a winder for a speed of its web, or the web wound by one turn.
 pub(crate) fn web_of_winder(web_m_s: Option<f64>, diameters_m: [f64; 2], language: Language) -> String {
-    let figure = |value: f64| format_significant(value, 4, Language::OF_ERRORS);
     let [start, core] = diameters_m.map(|diameter| shown(diameter, &MILLIMETRE, language));
     match web_m_s {
         Some(web) => {
-            let speed = |diameter: f64| figure(REVOLUTION_PER_MINUTE.from_si(2.0 * web / diameter));
+            // A line of the project file has a decimal point.
+            let line = |value: f64| format_significant(value, 4, Language::OF_ERRORS);
+            let speed = |diameter: f64| line(REVOLUTION_PER_MINUTE.from_si(2.0 * web / diameter));
             let [at_start, at_core] = diameters_m.map(speed);
             said!(language =>
                 "the diameter changes with every turn, n = v/(π D): speed = \"{at_start} 1/min\" at the start diameter {start}, \"{at_core} 1/min\" at the core {core}; with a constant web speed judge both ends, each with its start_diameter"
@@ -372,7 +373,8 @@ pub(crate) fn web_of_winder(web_m_s: Option<f64>, diameters_m: [f64; 2], languag
             )
         }
         None => {
-            let [at_start, at_core] = diameters_m.map(|diameter| figure(std::f64::consts::PI * diameter));
+            let wound = |diameter: f64| format_significant(std::f64::consts::PI * diameter, 4, language);
+            let [at_start, at_core] = diameters_m.map(wound);
             said!(language =>
                 "the diameter changes with every turn: state turns of the roll in rev; one turn winds {at_start} m at the start diameter {start}, {at_core} m at the core {core}"
                 | "der Durchmesser ändert sich mit jeder Umdrehung: Umdrehungen der Rolle in rev angeben; eine Umdrehung wickelt {at_start} m am Anfangsdurchmesser {start}, {at_core} m am Kern {core}"

@@ -413,7 +413,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             )),
         ),
         Fault::ThousandsPossible { line, column, text } => {
-            let (whole, decimal) = (text.replace(['.', ','], ""), format!("{text}0"));
+            // In the notation of the file.
+            let (whole, decimal) = (q(&text.replace(['.', ','], "")), q(&format!("{text}0")));
             (
                 said!(language =>
                     "line {line}: {} in {} is ambiguous: {whole} with a thousands separator or {decimal} with a decimal separator; the column has numbers up to 999 without a separator and others with exactly three digits after it"

@@ -11,17 +11,100 @@ use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};
 use recording::{Damage, FileRow, Limit};
 use sizing::{Amount, BrakeStop, Budget, CheckId, Fit, Note, ResonanceSpeeds, TooManyInstants, Verdict};
+use std::cell::{Cell, RefCell};
 use std::io::ErrorKind;
 
-/// Both are there, and German is not English.
+thread_local! {
+    /// Factor of all values in the texts, so that they have decimals, thousands and powers of ten.
+    static FACTOR: Cell<f64> = const { Cell::new(1.0) };
+    /// Texts whose figures have the mark of the other language.
+    static WRONG: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Returns a plain number of a text times the factor.
+fn x(value: f64) -> f64 {
+    value * FACTOR.get()
+}
+
+/// Parts of a text whose points and commas are no decimal marks: code, quoted text, lines of a file, references to tables,
+/// sections and equations, dates.
+fn without_quotations(text: &str) -> String {
+    // An erratum is named by its table: T17.1-number.
+    let is_erratum =
+        |word: &&str| word.strip_prefix('T').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    let text = text.split(' ').filter(|word| !is_erratum(word)).collect::<Vec<_>>().join(" ");
+    let mut left = text.replace("MATLAB 7.3", "…").replace("15.2 und 18.1", "…").replace("15.2 and 18.1", "…");
+    for (open, close) in [("`", "`"), ("\"", "\""), ("„", "“"), ("‚", "‘")] {
+        while let Some(from) = left.find(open) {
+            let Some(length) = left[from + open.len()..].find(close) else { break };
+            left.replace_range(from..from + open.len() + length + close.len(), "…");
+        }
+    }
+    for before in [
+        "table ",
+        "tables ",
+        "section ",
+        "eq. ",
+        "Tabelle ",
+        "Tabellen ",
+        "Abschnitt ",
+        "Abschn. ",
+        "Gl. ",
+        "Kapitel ",
+        "Matrix ",
+        "matrix ",
+        "chapter ",
+    ] {
+        while let Some(from) = left.find(before) {
+            let end = from + before.len();
+            let length = left[end..].find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(left.len() - end);
+            left.replace_range(from..end + length, "…");
+        }
+    }
+    left
+}
+
+/// Figures of a text have the decimal mark of the language, and no other.
+fn has_own_marks(what: &str, text: &str, language: Language) {
+    let other = if language == Language::De { '.' } else { ',' };
+    let plain: Vec<char> = without_quotations(text).chars().collect();
+    let wrong =
+        plain.windows(3).any(|three| three[0].is_ascii_digit() && three[1] == other && three[2].is_ascii_digit());
+    let units = ["1/min", "kg m^2", "kg m²", " N m", "rpm"];
+    let plain: String = plain.into_iter().collect();
+    let has_unit_of_files = language == Language::De && units.iter().any(|unit| plain.contains(unit));
+    if wrong || has_unit_of_files {
+        WRONG.with_borrow_mut(|all| all.push(format!("{what}: {text}")));
+    }
+}
+
+/// Both are there, German is not English, and figures have the mark of the language.
 fn differ(what: &str, text: impl Fn(Language) -> String) {
     let (en, de) = (text(Language::En), text(Language::De));
+    has_own_marks(what, &en, Language::En);
+    has_own_marks(what, &de, Language::De);
     assert!(!en.trim().is_empty() && !de.trim().is_empty(), "{what}: \"{en}\", \"{de}\"");
     assert_ne!(en, de, "{what}");
 }
 
 fn q<Q: Measure>(si: f64) -> Q {
-    Q::from_si(si)
+    Q::from_si(x(si))
+}
+
+/// Every text with values that have decimals, thousands or a power of ten.
+#[test]
+fn figures_have_the_decimal_mark_of_their_language() {
+    for factor in [0.5, 1.2345, 1234.5, 1e-7, 3.3e5] {
+        FACTOR.set(factor);
+        checks_and_verdicts();
+        assumptions_laws_shapes_and_fields();
+        terms_of_the_glossary();
+        rules_requirements_and_codes();
+        notes();
+        faults_and_hints();
+    }
+    let wrong = WRONG.take();
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 #[test]
@@ -122,23 +205,23 @@ fn every_named_model_has_its_page() {
 
 #[test]
 fn notes() {
-    let figure = Amount { si: 1.0, unit: &NEWTON_METRE };
+    let figure = Amount { si: x(1.0), unit: &NEWTON_METRE };
     let speeds = [(q(1.0), q(2.0)); 3];
     let stop =
         |permitted| Note::BrakeStop(Box::new(BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted }));
     let all = [
         Note::FrictionTemperatures { cold: q(293.0), settled: Some(q(333.0)) },
         Note::FrictionTemperatures { cold: q(293.0), settled: None },
-        Note::FrictionExtrapolated { low: 0.5, high: 2.0 },
+        Note::FrictionExtrapolated { low: x(0.5), high: x(2.0) },
         Note::UntilWarm,
         Note::EstimatedUpTo(figure),
         Note::InsideBand,
         Note::RiseAbove(q(313.0)),
         Note::CycleNotShort { cycle: q(100.0), time_constant: q(60.0) },
         Note::BrakingTorqueAssumed,
-        Note::RecommendationForHighDynamics { factor: 3.0 },
+        Note::RecommendationForHighDynamics { factor: x(3.0) },
         Note::SwingTooSmall { swing: q(0.05), least: q(0.09) },
-        Note::SmallSwings { count: 3, largest: q(0.05), share: 0.5, least: q(0.09) },
+        Note::SmallSwings { count: 3, largest: q(0.05), share: x(0.5), least: q(0.09) },
         Note::RatingOfInterchangeableGear,
         Note::RatingByStrongerGear,
         Note::NotDeratedForAltitude,
@@ -152,15 +235,15 @@ fn notes() {
         Note::Housing(q(330.0)),
         Note::HangingLoad,
         Note::Sag(q(0.01)),
-        stop(Some(10.0)),
+        stop(Some(x(10.0))),
         stop(None),
         Note::BrakeDoesNotStop,
         Note::NothingHolds,
         Note::NothingHoldsWithoutPower,
         Note::DwellTooShortForBrake { shortest: q(0.05), needed: q(0.1) },
         Note::BrakeTimesAssumed,
-        Note::BrakingsLast { each_cycle: 2.0, lasts: Some(q(3.6e6)) },
-        Note::BrakingsLast { each_cycle: 2.0, lasts: None },
+        Note::BrakingsLast { each_cycle: x(2.0), lasts: Some(q(3.6e6)) },
+        Note::BrakingsLast { each_cycle: x(2.0), lasts: None },
         Note::DcLinkRises { to: q(700.0), free: q(100.0) },
         Note::TripsAtStallCurrent(q(2.1)),
         Note::AboveEndOfCurve { speed: q(30.0), end: q(25.0) },
@@ -168,9 +251,9 @@ fn notes() {
         Note::Ratcheting { ratcheting: q(100.0), buckling: Some(q(200.0)) },
         Note::NoBrake,
         Note::EnergyPerCycle { motoring: q(10.0), regenerated: q(1.0), peak: q(5.0) },
-        Note::CollisionsPermitted(100.0),
-        Note::Capacitor { energy: q(10.0), capacitance_f: 1e-3 },
-        Note::ReferenceLost { turns: 4096.0 },
+        Note::CollisionsPermitted(x(100.0)),
+        Note::Capacitor { energy: q(10.0), capacitance_f: x(1e-3) },
+        Note::ReferenceLost { turns: x(4096.0) },
         Note::NeedsReferencing,
         Note::NoSpeedHeld,
         Note::BatteryExchange { recommended: q(1e8), latest: q(2e8) },
@@ -216,7 +299,7 @@ fn move_faults() -> Vec<Fault> {
         MoveFault::SpeedNotClosed { end: q(1.0), start: q(2.0) },
         MoveFault::PositionNotClosed { gap: q(1.0) },
     ]);
-    let both = |fault: MoveFault| [None, Some(0.01)].map(|travel_m_per_rad| Fault::Move { fault, travel_m_per_rad });
+    let both = |fault: MoveFault| [None, Some(x(0.01))].map(|travel_m_per_rad| Fault::Move { fault, travel_m_per_rad });
     all.into_iter().flat_map(both).collect()
 }
 
@@ -302,7 +385,7 @@ fn recording_faults() -> Vec<Fault> {
     let damaged = damages.map(|reason| recording::Fault::ParquetUnreadable { reason });
     let jump = |along, has_speed| {
         let (at, count) = (FileRow::Row(3), if has_speed { 1 } else { 2 });
-        recording::Fault::PositionJumps { at, column: name(), size: 12.5, along, has_speed, count }
+        recording::Fault::PositionJumps { at, column: name(), size: x(12.5), along, has_speed, count }
     };
     let samples = [
         recording::Fault::ValueImplausible { at: FileRow::Line(3), column: name(), text: name() },
@@ -335,8 +418,8 @@ fn recording_faults() -> Vec<Fault> {
         RecordedFault::WindowOverMotion { window: q(2.0), duration: q(1.5) },
         RecordedFault::WindowTooLong { most: 10 },
         RecordedFault::StampsUneven { scatter: q(0.01), interval: q(0.002) },
-        RecordedFault::Contradiction { share: 0.1, factor: None },
-        RecordedFault::Contradiction { share: 0.2, factor: Some(0.8) },
+        RecordedFault::Contradiction { share: x(0.1), factor: None },
+        RecordedFault::Contradiction { share: x(0.2), factor: Some(x(0.8)) },
     ];
     all.extend(recorded.map(|fault| Fault::Recorded { name: "run.csv".to_owned(), fault }));
     all
@@ -367,7 +450,7 @@ fn other_faults() -> Vec<Fault> {
         .collect();
     all.extend([Range::Any, Range::NotNegative, Range::Positive].map(|range| Fault::ToleranceEnd {
         path: path(),
-        end: -1.0,
+        end: x(-1.0),
         unit: &KILOGRAM,
         range,
     }));
@@ -430,13 +513,13 @@ fn other_faults() -> Vec<Fault> {
             error: QuantityError::UnitMissing { span: 0..1, expected: Dimension::Torque },
             also: vec![Dimension::Angle],
         },
-        Fault::NumberOutOfRange { path: path(), low: 0.0, high: 1.0 },
-        Fault::NumberOutOfRange { path: path(), low: 1.0, high: 1.0 },
+        Fault::NumberOutOfRange { path: path(), low: x(0.0), high: x(1.0) },
+        Fault::NumberOutOfRange { path: path(), low: x(1.0), high: x(1.0) },
         Fault::RatioTooSmall { path: path(), magnitude: (1e-4, 1e4) },
         Fault::QuantityOutOfRange { path: path(), written: word(), positive: true },
         Fault::QuantityOutOfRange { path: path(), written: word(), positive: false },
         Fault::BelowAbsoluteZero { path: path(), written: word() },
-        Fault::Implausible { path: path(), written: word(), low: 1e-12, high: 1e12 },
+        Fault::Implausible { path: path(), written: word(), low: x(1e-12), high: x(1e12) },
         Fault::TextTooLong { path: path(), most: 200 },
         Fault::ControlCharacter { path: path() },
         Fault::NotAChoice { path: path(), written: word() },
@@ -456,8 +539,11 @@ fn other_faults() -> Vec<Fault> {
         Fault::NoRatioInACoupling { key: "ratio" },
         Fault::TooManyTolerances { most: 64 },
         Fault::NoTolerance,
-        Fault::ImpossibleWithin { values: vec![(path(), 1.0, &MILLIMETRE)], why: Some(Box::new(Fault::RodTooShort)) },
-        Fault::ImpossibleWithin { values: vec![(path(), 1.0, &MILLIMETRE); 5], why: None },
+        Fault::ImpossibleWithin {
+            values: vec![(path(), x(1.0), &MILLIMETRE)],
+            why: Some(Box::new(Fault::RodTooShort)),
+        },
+        Fault::ImpossibleWithin { values: vec![(path(), x(1.0), &MILLIMETRE); 5], why: None },
         Fault::Code(CodeError::Empty),
         Fault::NoSuchCode { written: word() },
         Fault::Battery(BatteryFault::OperationOutOfRange { per_day: q(1e6) }),
@@ -466,21 +552,21 @@ fn other_faults() -> Vec<Fault> {
         Fault::MotorSide {
             name: word(),
             headings: vec![word()],
-            ratios: vec![("position", Some(80.0)), ("speed", None)],
+            ratios: vec![("position", Some(x(80.0))), ("speed", None)],
         },
         Fault::NoColumnWithRatio { path: path() },
         Fault::NoMechanism,
         Fault::TooManyMechanisms,
         Fault::NoLine { path: path() },
         Fault::RodTooShort,
-        Fault::BeyondRange { position_rad: 9.0, range_rad: (-1.0, 8.0) },
+        Fault::BeyondRange { position_rad: x(9.0), range_rad: (x(-1.0), x(8.0)) },
         Fault::NoFlangeLoads,
         Fault::FlangeLoadsUndecided { key: "radial_force", section: "bearing".into() },
         Fault::ReplacesEverything { key: "radial_force" },
         Fault::BeltOrTeeth,
-        Fault::ToothAngle { key: "helix_angle", most_deg: 60.0 },
+        Fault::ToothAngle { key: "helix_angle", most_deg: x(60.0) },
         Fault::JointWithoutTorque,
-        Fault::Instants(TooManyInstants { segment: 0, instants: 10.0, most: 5.0 }),
+        Fault::Instants(TooManyInstants { segment: 0, instants: x(10.0), most: x(5.0) }),
         Fault::UnknownUnit { written: word() },
     ]);
     all
@@ -511,8 +597,8 @@ fn faults_and_hints() {
         Hint::TimeOfClock,
         Hint::KeysOfQuantity { dimension: Dimension::Length, keys: vec!["centre_distance", "payload_distance"] },
         Hint::KeyOfTable { key: "payload", table: "[[motion]]".to_owned() },
-        Hint::WebOfWinder { web_m_s: Some(0.4), start_m: 0.4, core_m: 0.076 },
-        Hint::WebOfWinder { web_m_s: None, start_m: 0.4, core_m: 0.076 },
+        Hint::WebOfWinder { web_m_s: Some(x(0.4)), start_m: x(0.4), core_m: x(0.076) },
+        Hint::WebOfWinder { web_m_s: None, start_m: x(0.4), core_m: x(0.076) },
     ];
     for hint in &hints {
         differ(&format!("{hint:?}"), |language| words::hint_text(hint, language));
