@@ -366,7 +366,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("s_w", "thickness of the web", "Dicke der Bahn"),
     ("T_e", "external torque", "äußeres Moment"),
     ("T_g", "friction of the guide at the output", "Reibung der Führung am Abtrieb"),
-    ("T_h", "torque of weight and forces", "Moment aus Gewicht und Kräften"),
+    ("T_h", "torque of gravity and forces", "Moment aus Schwerkraft und Kräften"),
     ("T_M", "torque required by the mechanism", "von der Mechanik gefordertes Moment"),
     ("T_p", "process torque", "Prozessmoment"),
     ("T_r", "losses of the sheaves", "Verluste der Seilrollen"),
