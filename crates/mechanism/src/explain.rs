@@ -4,7 +4,7 @@ mod laws;
 
 use crate::equations::Reduced;
 use crate::stage::with_losses;
-use crate::{Extra, Mechanism, MechanismId, MechanismKind, Output};
+use crate::{Extra, LinearKind, Mechanism, MechanismId, MechanismKind, Output};
 use derivation::{Finding, Workings};
 use provenance::{Grade, Source};
 use quantities::unit::{
@@ -249,6 +249,47 @@ impl Mechanism {
             steps.work.figure(symbol, &KILOGRAM_SQUARE_METRE, value.si(), &key(name), Grade::Printed);
         }
         steps.work.formula("T_L", &NEWTON_METRE, torque_nm, text, &STAGE);
+    }
+
+    /// Records the force along the axis of a screw, `F_l`: the torque of what it moves by its travel per angle, without the
+    /// inertia that turns with it. Returns `false`, and records nothing, for another mechanism and with additions to the load
+    /// that this derivation does not have.
+    pub(crate) fn explain_thrust(&self, at: &At, thrust_n: f64, work: &mut Workings) -> bool {
+        let kind = &self.kind;
+        let is_screw = match kind {
+            MechanismKind::Linear(linear) => linear.kind == LinearKind::Screw,
+            kind => matches!(kind, MechanismKind::ScissorLift(_)),
+        };
+        if !is_screw || at.recorded_nm != 0.0 || at.extra.inertia.si() != 0.0 {
+            return false;
+        }
+        let reduced = kind.reduced(at.output.position_rad, &at.extra);
+        let alone = Reduced { holding: reduced.holding - at.extra.torque.si(), ..reduced };
+        let mut steps = Steps::of(self.id(), at.segment, work);
+        let (output, extra) = (&at.output, &at.extra);
+        if self.depends_on_position() {
+            steps.found("q", &RADIAN, output.position_rad, Finding::PositionAt);
+        }
+        let (unit, alpha) = (&RADIAN_PER_SECOND_SQUARED, output.acceleration_rad_s2);
+        steps.found("alpha", unit, alpha, Finding::AccelerationAt);
+        if reduced.slope != 0.0 {
+            steps.found("omega", &RADIAN_PER_SECOND, output.speed_rad_s, Finding::SpeedAt);
+        }
+        if reduced.coulomb != 0.0 {
+            steps.found("sigma", &ONE, output.direction, Finding::DirectionAt);
+        }
+        let parts = match kind {
+            MechanismKind::Linear(linear) => linear.explain(&alone, extra, &mut steps),
+            MechanismKind::ScissorLift(lift) => lift.explain(&alone, (output, extra), &mut steps),
+            _ => return false,
+        };
+        let text = match (parts.guide, parts.slope) {
+            (true, _) => "((J_M - J_0)*alpha + T_h + T_g*sigma)/k",
+            (false, true) => "((J_M - J_0)*alpha + J_q*omega^2/2 + T_h)/k",
+            (false, false) => "((J_M - J_0)*alpha + T_h)/k",
+        };
+        steps.work.formula("F_l", &NEWTON, thrust_n, text, &Source::Model { name: "flange-loads" });
+        true
     }
 
     /// Records `T_x`, the sum of the torques without a law of the mechanism; returns `true` if there are some.

@@ -2,11 +2,14 @@
 
 use crate::explain::{At, Steps};
 use crate::flange::{cosine, metres, sine};
-use crate::{Aligned, FlangeForces, Mechanism, MechanismKind, Mounting, Rotor, RotorKind};
+use crate::{
+    Aligned, FlangeForces, Mechanism, MechanismId, MechanismKind, Mounting, Rotor, RotorKind, Winder, Winding,
+};
 use derivation::{Finding, Workings};
 use provenance::{Grade, Source};
 use quantities::unit::{
-    KILOGRAM, METRE, NEWTON, NEWTON_METRE, RADIAN, RADIAN_PER_SECOND, RADIAN_PER_SECOND_SQUARED, SECOND,
+    KILOGRAM, KILOGRAM_PER_CUBIC_METRE, METRE, NEWTON, NEWTON_METRE, ONE, RADIAN, RADIAN_PER_SECOND,
+    RADIAN_PER_SECOND_SQUARED, SECOND,
 };
 use quantities::{Length, Measure, Unit};
 
@@ -40,6 +43,24 @@ impl Mechanism {
             return rotor.explain_flange(kind, at, (mounting, offset, &forces), work);
         }
         instant(at, work);
+        let is_alone = self.stage.is_none() && mounting.wheel_mass.is_none();
+        if kind == FlangeLoadKind::Axial && is_alone {
+            let share = mounting.share.unwrap_or(1.0);
+            if share != 0.0 && self.explain_thrust(at, forces.axial_n / share, work) {
+                work.figure("w_F", &ONE, share, &bearing("bearing.flange_share"), Grade::Printed);
+                return "w_F*abs(F_l)";
+            }
+        }
+        if let (MechanismKind::Winder(winder), true, None) = (&self.kind, is_alone, mounting.share)
+            && kind != FlangeLoadKind::Axial
+        {
+            winder.explain_pull(at, forces.aligned.radial_n, work);
+            if kind == FlangeLoadKind::Radial {
+                return "F_n";
+            }
+            work.figure("L_0", &METRE, metres(mounting.overhang), &bearing("bearing.overhang"), Grade::Printed);
+            return "abs(L_0 + R)*F_n";
+        }
         // A part that is zero has no line, unless it is the only one.
         let mut parts = |unit: &'static Unit, [vector, aligned]: [(&'static str, f64); 2]| {
             let is_shown = |(_, si): &(&str, f64)| *si != 0.0;
@@ -81,6 +102,32 @@ impl Mechanism {
 /// Records the instant.
 fn instant(at: &At, work: &mut Workings) {
     work.figure("t", &SECOND, at.time_s, &MODEL, Grade::Computed);
+}
+
+impl Winder {
+    /// Records tension and weight of the roll, `F_n`.
+    fn explain_pull(&self, at: &At, pull_n: f64, work: &mut Workings) {
+        let mut steps = Steps::of(MechanismId::Winder, at.segment, work);
+        steps.found("q", &RADIAN, at.output.position_rad, Finding::PositionAt);
+        for (symbol, value, key) in [
+            ("D_0", self.start_diameter, "start_diameter"),
+            ("D_k", self.core_diameter, "core_diameter"),
+            ("D_f", self.full_diameter, "full_diameter"),
+            ("s_w", self.thickness, "thickness"),
+            ("b_w", self.width, "width"),
+        ] {
+            steps.own(symbol, &METRE, value.si(), key);
+        }
+        steps.own("rho", &KILOGRAM_PER_CUBIC_METRE, self.density.si(), "density");
+        steps.own("F_w", &NEWTON, self.tension.si(), "tension");
+        let text = match self.winding {
+            Winding::Up => "min(max(D_0/2 + s_w*q/(2*pi), D_k/2), D_f/2)",
+            Winding::Off => "min(max(D_0/2 - s_w*q/(2*pi), D_k/2), D_f/2)",
+        };
+        steps.work.formula("r_w", &METRE, self.radius(at.output.position_rad), text, &MODEL);
+        let text = "9.80665*pi*rho*b_w*(r_w^2 - (D_k/2)^2) + abs(F_w)";
+        steps.work.formula("F_n", &NEWTON, pull_n, text, &MODEL);
+    }
 }
 
 impl Rotor {
