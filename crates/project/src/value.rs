@@ -9,10 +9,11 @@ use actuator::CurvePoint;
 use mechanism::TablePoint;
 use quantities::unit::ONE;
 use quantities::{
-    Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, Dimension, EffectiveVoltage,
+    Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, CurrentGain, Dimension, EffectiveVoltage,
     ElectricCurrent, ElectricPotential, ElectricalResistance, Energy, Force, Frequency, Inductance, Jerk, Lead, Length,
-    Mass, MassDensity, Measure, MomentOfInertia, NoLoadCurrentConstant, Power, ThermodynamicTemperature, Time, Torque,
-    TorqueConstant, TorsionalStiffness, Unit, Velocity, ViscousFriction, VoltageConstant,
+    Mass, MassDensity, Measure, MomentOfInertia, NoLoadCurrentConstant, PositionGain, Power, SpeedGain,
+    ThermodynamicTemperature, Time, Torque, TorqueConstant, TorsionalStiffness, Unit, Velocity, ViscousFriction,
+    VoltageConstant,
 };
 use std::marker::PhantomData;
 use std::ops::Range as Span;
@@ -101,8 +102,8 @@ macro_rules! quantities {
 }
 
 quantities! {
-    Acceleration Angle AngularVelocity EffectiveVoltage ElectricCurrent ElectricPotential ElectricalResistance Energy Force Frequency Inductance Lead Length Mass
-    MassDensity MomentOfInertia NoLoadCurrentConstant Power ThermodynamicTemperature Time Torque TorqueConstant
+    Acceleration Angle AngularVelocity CurrentGain EffectiveVoltage ElectricCurrent ElectricPotential ElectricalResistance Energy Force Frequency Inductance Lead Length Mass
+    MassDensity MomentOfInertia NoLoadCurrentConstant PositionGain Power SpeedGain ThermodynamicTemperature Time Torque TorqueConstant
     TorsionalStiffness ViscousFriction VoltageConstant
 }
 

@@ -117,6 +117,12 @@ dimensions! {
     TiltingStiffness: a "tilting stiffness", eine "Kippsteifigkeit", "70 N m/arcmin";
     /// Viscous friction, torque per angular velocity, SI unit N m s/rad.
     ViscousFriction: a "viscous friction", eine "viskose Reibung", "0.5 N m s/rad";
+    /// Gain of a position loop, speed per deviation, SI unit 1/s.
+    PositionGain: a "position gain", eine "Verstärkung der Lageregelung", "25 1/s";
+    /// Gain of a speed loop, torque per angular velocity, SI unit N m s/rad.
+    SpeedGain: a "speed gain", eine "Verstärkung der Drehzahlregelung", "900 N m s/rad";
+    /// Gain of a current loop, voltage per current, SI unit V/A.
+    CurrentGain: a "current gain", eine "Verstärkung der Stromregelung", "20 V/A";
     /// Length of a data word, unit bit.
     Information: a "data word length", eine "Datenwortlänge", "29 bit";
 }
@@ -167,6 +173,9 @@ impl Dimension {
             | Self::TorsionalStiffness
             | Self::TiltingStiffness
             | Self::ViscousFriction
+            | Self::PositionGain
+            | Self::SpeedGain
+            | Self::CurrentGain
             | Self::Information => 0.0,
         }
     }

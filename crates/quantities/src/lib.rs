@@ -40,8 +40,8 @@ pub use dimension::Dimension;
 pub use error::QuantityError;
 pub use format::{format_number, format_significant, parse_german};
 pub use measure::{
-    EffectiveVoltage, Lead, Measure, NoLoadCurrentConstant, TiltingStiffness, TorqueConstant, TorsionalStiffness,
-    ViscousFriction, VoltageConstant,
+    CurrentGain, EffectiveVoltage, Lead, Measure, NoLoadCurrentConstant, PositionGain, SpeedGain, TiltingStiffness,
+    TorqueConstant, TorsionalStiffness, ViscousFriction, VoltageConstant,
 };
 pub use parse::{Reading, parse, parse_as};
 pub use seen::{is_unseen, seen};

@@ -114,4 +114,10 @@ newtypes! {
     TiltingStiffness,
     /// Friction torque per angular velocity [Nm/(rad/s)].
     ViscousFriction,
+    /// Speed per deviation of the position [1/s].
+    PositionGain,
+    /// Torque per deviation of the speed [Nm/(rad/s)].
+    SpeedGain,
+    /// Voltage per deviation of the current [V/A].
+    CurrentGain,
 }

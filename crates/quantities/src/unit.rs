@@ -464,15 +464,13 @@ with_stiffnesses! {
                     "Vrms/1000 min^-1", "mV/rpm", "mV/(1/min)", "mV/(min^-1)", "mV/min^-1"],
                 (over (1000.0 * per_minute()));
             VOLT_PER_REVOLUTION_PER_MINUTE: "V/(1/min)", "V/min⁻¹", "V/min^-1",
-                ["V/(min^-1)", "V/rpm"],
-                (over per_minute());
+                ["V/(min^-1)", "V/rpm"], (over per_minute());
             VOLT_SECOND_PER_RADIAN: "V s/rad", "Vs/rad", "Vs/rad", ["V/(rad/s)"], (si);
             MILLIVOLT_SECOND_PER_RADIAN: "mV s/rad", "mVs/rad", "mVs/rad", ["mV/(rad/s)"], (over 1e3);
         }
         NoLoadCurrentConstant [] {
             AMPERE_PER_REVOLUTION_PER_MINUTE: "A/(1/min)", "A/min⁻¹", "A/min^-1",
-                ["A/(min^-1)", "A/rpm"],
-                (over per_minute());
+                ["A/(min^-1)", "A/rpm"], (over per_minute());
             MILLIAMPERE_PER_REVOLUTION_PER_MINUTE: "10^-3 A/(1/min)", "10⁻³ A/min⁻¹", "10^-3 A/min^-1",
                 ["mA/(1/min)", "mA/(min^-1)", "mA/min^-1", "mA/rpm"],
                 (over (1e3 * per_minute()));
@@ -585,6 +583,15 @@ with_stiffnesses! {
                     "kp cm/1000 1/min", "kp cm/1000 min^-1"],
                 (times STANDARD_GRAVITY_M_S2 / 1e2 / (1e3 * per_minute()));
             NEWTON_METRE_SECOND_PER_DEGREE: "N m s/deg", "Nms/°", "Nms/deg", ["N m/(deg/s)"], (over degree());
+        }
+        PositionGain [] {
+            PER_SECOND: "1/s", "s⁻¹", "1/s", ["s^-1"], (si);
+        }
+        SpeedGain [] {
+            SPEED_GAIN_NEWTON_METRE_SECOND_PER_RADIAN: "N m s/rad", "Nms/rad", "Nms/rad", ["N m/(rad/s)"], (si);
+        }
+        CurrentGain [] {
+            VOLT_PER_AMPERE: "V/A", "V/A", "V/A", [], (si);
         }
         Information [] {
             BIT: "bit", "bit", "bit", [], (si);

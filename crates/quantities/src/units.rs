@@ -41,10 +41,12 @@ impl Unit {
     }
 
     /// Returns the unit with this spelling, of any dimension. If several dimensions share the spelling, it belongs to
-    /// the first of [`Dimension::ALL`]: `g` is a gram, `K` a temperature.
+    /// the first of [`Dimension::ALL`]: `g` is a gram, `K` a temperature. Units of gains are found by their dimension
+    /// only: `1/s` alone is rad/s to some and revolutions per second to others.
     #[must_use]
     pub fn of(spelling: &str) -> Option<&'static Self> {
-        with_spelling(spelling, |_| true)
+        use Dimension::{CurrentGain, PositionGain, SpeedGain};
+        with_spelling(spelling, |unit| !matches!(unit.dimension, CurrentGain | PositionGain | SpeedGain))
     }
 
     /// Returns the unit of a dimension with this spelling.

@@ -313,10 +313,7 @@ fn parameters(project: &Project, actuator: &Actuator, supply: &Supply) -> Parame
 
 /// Returns the parameters with the measured values of the project in their place.
 pub(crate) fn replaced(project: &Project, mut parameters: Parameters) -> Parameters {
-    for (key, value) in &project.twin.replaced {
-        // Every key of the section belongs to the model: a test checks it.
-        let _ = parameters.replace(key, value.clone());
-    }
+    project.twin.replace(&mut parameters);
     parameters
 }
 

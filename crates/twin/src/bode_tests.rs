@@ -2,7 +2,7 @@ use super::*;
 use crate::{Parameters, Switches};
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, Hold, Motion, SegmentSpec};
-use provenance::{Grade, Source, Sourced};
+use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, MomentOfInertia, Time, Torque};
 
 /// Returns the motor speed in response to a sinusoidal speed setpoint, as a complex amplitude over the last periods.
@@ -37,10 +37,11 @@ fn swung(setup: &Setup<'_>, frequency: f64) -> Complex {
 fn the_simulated_drive_answers_as_the_transfer_function_says() {
     let code = order_code::parse("CHA-20A-100-H-C1024").unwrap().code;
     let mut parameters = Parameters::of(&configurator::parameters(&code).unwrap());
-    for (key, value) in [("gear_damping_ratio", 0.3), ("winding_time_constant", 1e15), ("housing_time_constant", 1e15)]
-    {
-        let source = Source::Model { name: "twin" };
-        parameters.replace(key, Sourced { value, source, grade: Grade::Assumed, errata: &[] }).unwrap();
+    parameters.model.gear_damping_ratio.value = 0.3;
+    let heat = &mut parameters.actuator.heat;
+    for time_constant in [&mut heat.winding_time_constant, &mut heat.housing_time_constant] {
+        let (value, source) = (Time::from_si(1e15), Source::Model { name: "twin" });
+        *time_constant = Datum::Known(Sourced { value, source, grade: Grade::Assumed, errata: &[] });
     }
     let mechanism = Mechanism::direct(MomentOfInertia::from_si(1.3), Torque::from_si(0.0));
     let rest = SegmentSpec::Dwell(Time::from_si(4.0), Hold::Motor);

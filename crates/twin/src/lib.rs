@@ -32,7 +32,7 @@ pub use identify::{
     Column, Delay, Doubt, Estimate, HeldColumn, Identification, Identified, IdentifyFault, Misread, Observed, Open,
     Scatter, Stated, Zero, identify, identify_while,
 };
-pub use parameters::{MeasuredLoad, Model, NoSuchParameter, Parameter, Parameters};
+pub use parameters::{MeasuredLoad, Model, Parameter, Parameters};
 pub use plant::Energies;
 pub use scenario::{Event, EventKind, Failed, Reaction, Scenario, ScenarioId};
 pub use setup::{Fault, SUBSTEPS_USUAL, Setup, Supply, Switches};

@@ -8,7 +8,6 @@ use quantities::{
     Angle, Dimension, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Measure, MomentOfInertia,
     NoLoadCurrentConstant, ThermodynamicTemperature, Time, Torque, TorqueConstant, TorsionalStiffness, VoltageConstant,
 };
-use std::sync::Arc;
 
 /// A parameter of the exported file.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,10 +27,6 @@ impl Parameter {
     }
 }
 
-/// Error: a parameter cannot be replaced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NoSuchParameter;
-
 /// Parameters of the simulation of an actuator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -43,12 +38,11 @@ pub struct Parameters {
     pub load: MeasuredLoad,
 }
 
-/// A key of the actuator's data with its read and write access.
+/// A key of the actuator's data with its read access.
 struct Of {
     key: &'static str,
     dimension: Dimension,
     get: fn(&Actuator) -> Option<Sourced<f64>>,
-    set: fn(&mut Actuator, Sourced<f64>),
 }
 
 /// Defines the data of the actuator, one per line: key, field and quantity.
@@ -58,7 +52,6 @@ macro_rules! data {
             key: $key,
             dimension: <$quantity as Scalar>::DIMENSION,
             get: |actuator| Some(actuator.$($place).+.known()?.clone().map(<$quantity as Scalar>::value)),
-            set: |actuator, value| actuator.$($place).+ = Datum::Known(value.map(<$quantity as Scalar>::of)),
         }),*];
     };
 }
@@ -66,7 +59,6 @@ macro_rules! data {
 /// A quantity or a pure number.
 trait Scalar {
     const DIMENSION: Dimension;
-    fn of(si: f64) -> Self;
     fn value(self) -> f64;
 }
 
@@ -74,9 +66,6 @@ macro_rules! scalars {
     ($($quantity:ty),*) => {$(
         impl Scalar for $quantity {
             const DIMENSION: Dimension = <$quantity as Measure>::DIMENSION;
-            fn of(si: f64) -> Self {
-                Measure::from_si(si)
-            }
             fn value(self) -> f64 {
                 self.si()
             }
@@ -102,9 +91,6 @@ scalars!(
 
 impl Scalar for f64 {
     const DIMENSION: Dimension = Dimension::Ratio;
-    fn of(si: f64) -> Self {
-        si
-    }
     fn value(self) -> f64 {
         self
     }
@@ -174,11 +160,6 @@ macro_rules! model {
                     value: Some(self.$name.clone()),
                 }),*]
             }
-
-            fn place(&mut self, key: &str) -> Option<&mut Sourced<f64>> {
-                $(if key == stringify!($name) { return Some(&mut self.$name); })*
-                None
-            }
         }
     };
 }
@@ -239,11 +220,6 @@ macro_rules! load {
                 let stated = [$(($key, Dimension::$dimension, &self.$name)),*];
                 let stated = stated.into_iter().filter(|(.., value)| value.is_some());
                 stated.map(|(key, dimension, value)| Parameter { key, dimension, value: value.clone() }).collect()
-            }
-
-            fn place(&mut self, key: &str) -> Option<&mut Option<Sourced<f64>>> {
-                $(if key == $key { return Some(&mut self.$name); })*
-                None
             }
         }
     };
@@ -322,32 +298,6 @@ impl Parameters {
         let model = Model::default().list().into_iter().map(|each| (each.key, each.dimension));
         let load = MeasuredLoad::KEYS.iter().copied();
         DATA.iter().map(|of| (of.key, of.dimension)).chain(stiffness).chain(model).chain(load).collect()
-    }
-
-    /// Replaces a parameter by a measured value, in SI.
-    ///
-    /// # Errors
-    /// [`NoSuchParameter`] for a key that is not in [`Parameters::list`].
-    pub fn replace(&mut self, key: &str, value: Sourced<f64>) -> Result<(), NoSuchParameter> {
-        if let Some(of) = DATA.iter().find(|of| of.key == key) {
-            (of.set)(&mut self.actuator, value);
-            // A measured constant is the slope of the torque, without the no-load current.
-            self.actuator.stall_current_includes_friction |= key == "torque_constant_out";
-            return Ok(());
-        }
-        if let Some(place) = STIFFNESS.iter().position(|known| *known == key) {
-            let drivetrain = Arc::make_mut(&mut self.actuator.drivetrain);
-            if let Some(stiffness) = drivetrain.gear.stiffness.get_mut(place) {
-                *stiffness = Datum::Known(value.map(TorsionalStiffness::from_si));
-            }
-            return Ok(());
-        }
-        if let Some(place) = self.load.place(key) {
-            *place = Some(value);
-            return Ok(());
-        }
-        *self.model.place(key).ok_or(NoSuchParameter)? = value;
-        Ok(())
     }
 }
 

@@ -20,9 +20,12 @@ const SCENARIOS: [&str; 12] = [
 
 const SWITCHES: [&str; 7] = ["cold", "friction", "hysteresis", "kinematic_error", "delay", "limits", "noise"];
 
-/// Gains as plain numbers, with their ranges.
-const GAINS: [(&str, f64, f64); 3] =
-    [("position_gain", 0.1, 1e4), ("speed_gain", 0.1, 1e6), ("current_gain", 0.1, 1e4)];
+/// Gains, with their ranges.
+const GAINS: [(&str, f64, f64, UnitSpellings); 3] = [
+    ("position_gain", 0.1, 1e4, &[("1/s", 1.0)]),
+    ("speed_gain", 0.1, 1e6, &[("N m s/rad", 1.0)]),
+    ("current_gain", 0.1, 1e4, &[("V/A", 1.0)]),
+];
 
 const TIMES: [(&str, f64, f64); 3] =
     [("speed_time", 1e-5, 1.0), ("speed_filter", 1e-6, 0.1), ("current_time", 1e-5, 1.0)];
@@ -86,9 +89,9 @@ pub(super) fn twin(page: &mut Page<'_, '_>) -> Result<()> {
             page.plain(switch, on);
         }
     }
-    for (key, low, high) in GAINS {
+    for (key, low, high, units) in GAINS {
         if page.seldom()? {
-            page.may_number(key, low, high)?;
+            page.key(key, low, high, units)?;
         }
     }
     for (key, low, high) in TIMES {

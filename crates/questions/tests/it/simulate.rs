@@ -41,7 +41,7 @@ fn a_cycle_is_summed_up_and_compared_with_the_sizing() {
 #[test]
 fn the_project_states_scenario_gains_and_measured_values() {
     let text = format!(
-        "{TABLE}\n[twin]\nscenario = \"emergency_stop\"\nat = \"0.15 s\"\nposition_gain = 12\n[twin.measured]\nresistance_ll = \"2.5 ohm\"\n"
+        "{TABLE}\n[twin]\nscenario = \"emergency_stop\"\nat = \"0.15 s\"\nposition_gain = \"12 1/s\"\n[twin.measured]\nresistance_ll = \"2.5 ohm\"\n"
     );
     let (record, _) = simulated(&text, &[CODE]).unwrap();
     assert_eq!((&record["scenario"], &record["at"]), (&"emergency_stop".into(), &0.15.into()));
@@ -62,7 +62,7 @@ fn what_cannot_run_is_refused_with_its_reason() {
     assert!(refused(TABLE, &[CODE, ("scenario", "brake_stuck")]).contains("brake"));
     assert!(refused(TABLE, &[CODE, ("scenario", "emergency_stop"), ("at", "9 s")]).contains("1.3"));
     assert!(refused(TABLE, &[CODE, ("cycles", "100000")]).contains("steps"));
-    let unstable = format!("{TABLE}\n[twin]\ncurrent_gain = 900\n");
+    let unstable = format!("{TABLE}\n[twin]\ncurrent_gain = \"900 V/A\"\n");
     assert!(refused(&unstable, &[CODE]).contains("is unstable"));
     let joint = include_str!("../../../../examples/robot-joint.toml");
     assert!(!refused(joint, &[CODE]).is_empty());

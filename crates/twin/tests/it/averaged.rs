@@ -1,7 +1,6 @@
 //! Operation over days by mean losses, against the stepped model.
 
-use super::{NOTHING, load, one_move, parameters};
-use provenance::{Grade, Source, Sourced};
+use super::{NOTHING, load, one_move, parameters, replaced};
 use twin::{Averaged, Operation, Parameters, Scenario, Setup, Twin, averaged};
 
 const DAY_S: f64 = 86_400.0;
@@ -9,10 +8,9 @@ const DAY_S: f64 = 86_400.0;
 /// Returns an actuator whose housing and winding are warm within minutes, so that the stepped model comes to an end.
 fn quick() -> Parameters {
     let mut parameters = parameters("CHA-20A-100-H-C1024");
-    for (key, value) in [("winding_time_constant", 8.0), ("housing_time_constant", 80.0)] {
-        let source = Source::Model { name: "twin" };
-        parameters.replace(key, Sourced { value, source, grade: Grade::Assumed, errata: &[] }).unwrap();
-    }
+    let heat = &mut parameters.actuator.heat;
+    replaced(&mut heat.winding_time_constant, 8.0);
+    replaced(&mut heat.housing_time_constant, 80.0);
     parameters
 }
 

@@ -1,6 +1,6 @@
 //! The course of a run: set-point and axis of one instant.
 
-use super::{NOTHING, load, one_move, parameters};
+use super::{NOTHING, load, one_move, parameters, replaced};
 use quantities::Measure;
 use quantities::unit::REVOLUTION_PER_MINUTE;
 use twin::{Gains, Setup, Supply, Switches, Twin};
@@ -94,14 +94,7 @@ fn the_overload_is_related_to_the_stall_current_of_the_ratio() {
         }
         let mut parameters = twin::Parameters::of(&actuator);
         let tau = 0.5;
-        let source = provenance::Source::Project { key: "twin".into() };
-        let known = |value| provenance::Sourced {
-            value,
-            source: source.clone(),
-            grade: provenance::Grade::Assumed,
-            errata: &[],
-        };
-        parameters.replace("winding_time_constant", known(tau)).unwrap();
+        replaced(&mut parameters.actuator.heat.winding_time_constant, tau);
         let torque = Torque::from_si(0.5 * actuator.stall_torque.known().unwrap().value.si());
         let friction = Friction { external: torque, ..Friction::none() };
         let mechanism = Mechanism { friction, ..load(0.5, 0.0) };

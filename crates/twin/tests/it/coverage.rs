@@ -265,11 +265,11 @@ fn lines_of_a_transmission_with_losses_come_back_from_their_own_run() {
         };
         let first = said(&recorded_by(&all, 16, &right, &motion, &extras, 1), &all);
         let mut measured = all.clone();
-        for (key, of) in [("load_inertia", Identified::LoadInertia), ("load_coulomb", Identified::Coulomb)] {
+        let load = &mut measured.load;
+        for (place, of) in [(&mut load.inertia, Identified::LoadInertia), (&mut load.coulomb, Identified::Coulomb)] {
             let source = provenance::Source::Model { name: "twin" };
-            let value = found(&first, of).unwrap_or_else(|| panic!("{efficiency}: {key}")).value;
-            let value = provenance::Sourced { value, source, grade: provenance::Grade::Assumed, errata: &[] };
-            measured.replace(key, value).unwrap();
+            let value = found(&first, of).unwrap_or_else(|| panic!("{efficiency}: {of:?}")).value;
+            *place = Some(provenance::Sourced { value, source, grade: provenance::Grade::Assumed, errata: &[] });
         }
         let again = said(&recorded_by(&measured, 16, &wrong, &motion, &extras, 2), &all);
         for of in [Identified::LoadInertia, Identified::Coulomb] {

@@ -314,16 +314,16 @@ fn measured_values_of_the_first_segment_keep_what_the_others_add() {
         let plain = arm.plain(&extras[0]).unwrap();
         let mut measured = parameters(CODE);
         let flange = 0.02 * measured.actuator.inertia_out.known().unwrap().value.si();
-        for (key, value) in [
-            ("load_inertia", plain.inertia_kgm2 + flange),
-            ("load_coulomb", plain.coulomb_nm),
-            ("load_gravity", plain.weight_nm),
-            ("load_gravity_angle", plain.angle_rad),
-            ("load_external", plain.constant_nm),
+        let load = &mut measured.load;
+        for (place, value) in [
+            (&mut load.inertia, plain.inertia_kgm2 + flange),
+            (&mut load.coulomb, plain.coulomb_nm),
+            (&mut load.gravity, plain.weight_nm),
+            (&mut load.gravity_angle, plain.angle_rad),
+            (&mut load.external, plain.constant_nm),
         ] {
             let source = provenance::Source::Model { name: "twin" };
-            let value = provenance::Sourced { value, source, grade: provenance::Grade::Assumed, errata: &[] };
-            measured.replace(key, value).unwrap();
+            *place = Some(provenance::Sourced { value, source, grade: provenance::Grade::Assumed, errata: &[] });
         }
         let own = parameters(CODE);
         let end = |parameters: &twin::Parameters| {

@@ -1,16 +1,14 @@
 //! The linear drive against another integrator, and the order of the step.
 
-use super::{NOTHING, load, one_move, parameters};
-use provenance::{Grade, Source, Sourced};
+use super::{NOTHING, load, one_move, parameters, replaced};
 use twin::{Parameters, Setup, Switches, Twin};
 
 /// Parameters whose winding does not warm up.
 fn of_constant_resistance() -> Parameters {
     let mut parameters = parameters("CHA-20A-100-H-C1024");
-    for key in ["winding_time_constant", "housing_time_constant"] {
-        let source = Source::Model { name: "twin" };
-        parameters.replace(key, Sourced { value: 1e15, source, grade: Grade::Assumed, errata: &[] }).unwrap();
-    }
+    let heat = &mut parameters.actuator.heat;
+    replaced(&mut heat.winding_time_constant, 1e15);
+    replaced(&mut heat.housing_time_constant, 1e15);
     parameters
 }
 

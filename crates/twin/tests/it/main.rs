@@ -21,6 +21,7 @@ mod wrong_projects;
 
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
+use provenance::{Datum, Grade, Source, Sourced};
 use quantities::unit::REVOLUTION_PER_MINUTE;
 use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
 use twin::Parameters;
@@ -28,6 +29,12 @@ use twin::Parameters;
 /// Returns the parameters of a code.
 fn parameters(code: &str) -> Parameters {
     Parameters::of(&configurator::parameters(&order_code::parse(code).unwrap().code).unwrap())
+}
+
+/// Replaces a datum by a value in SI.
+fn replaced<Q: Measure>(datum: &mut Datum<Q>, si: f64) {
+    let source = Source::Model { name: "twin" };
+    *datum = Datum::Known(Sourced { value: Q::from_si(si), source, grade: Grade::Assumed, errata: &[] });
 }
 
 /// Returns the signals of its feedback.

@@ -1,9 +1,8 @@
 //! Scenarios, balance, determinism, bounds.
 
-use super::{NOTHING, encoder, load, one_move, parameters};
+use super::{NOTHING, encoder, load, one_move, parameters, replaced};
 use feedback::{Failure, Finding};
 use mechanism::{Friction, Mechanism};
-use provenance::{Grade, Source, Sourced};
 use quantities::{Measure, Torque};
 use twin::{EventKind, Fault, LoopResponse, Reaction, Scenario, ScenarioId, Setup, Switches, Twin, settled};
 
@@ -126,8 +125,7 @@ fn a_lost_battery_sends_the_axis_off() {
 #[test]
 fn the_same_setup_gives_the_same_bits() {
     let mut parameters = parameters(CODE);
-    let source = Source::Model { name: "twin" };
-    parameters.replace("current_noise", Sourced { value: 0.02, source, grade: Grade::Assumed, errata: &[] }).unwrap();
+    parameters.model.current_noise.value = 0.02;
     let (mechanism, motion, extras) = (load(0.3, 1.0), one_move(30.0, 0.1, 0.1, 0.1), NOTHING());
     let run = |seed: u64, chunk: u64| {
         let mut twin = Twin::new(&Setup { seed, ..Setup::of(&parameters, &mechanism, &motion, &extras) }).unwrap();
@@ -208,14 +206,12 @@ fn what_cannot_be_simulated_is_refused() {
     };
     let light = load(1e-5, 0.0);
     let mut rigid = with_brake.clone();
-    let source = Source::Model { name: "twin" };
-    rigid.replace("flange_inertia_share", Sourced { value: 1e-6, source, grade: Grade::Assumed, errata: &[] }).unwrap();
+    rigid.model.flange_inertia_share.value = 1e-6;
     let setup = Setup { mechanism: &light, parameters: &rigid, ..setup };
     let Some(Fault::StepTooLong { substeps }) = Twin::new(&setup).err() else { panic!("runs") };
     assert!(Twin::new(&Setup { substeps, ..setup }).is_ok());
     let mut bad = with_brake.clone();
-    let source = Source::Model { name: "twin" };
-    bad.replace("resistance_ll", Sourced { value: f64::NAN, source, grade: Grade::Assumed, errata: &[] }).unwrap();
+    replaced(&mut bad.actuator.resistance_ll, f64::NAN);
     assert_eq!(of(&bad, &mechanism, Scenario::default()), Some(Fault::OutOfRange("resistance_ll")));
 }
 

@@ -1,25 +1,19 @@
 //! Steady states are the formulas of the sizing.
 
-use super::{NOTHING, load, one_move, parameters};
+use super::{NOTHING, load, one_move, parameters, replaced};
 use actuator::{MotorCurrent, MotorVoltage, NoLoadFriction, OperatingPoint, emergency_stop};
 use mechanism::{Friction, Mechanism};
-use provenance::{Grade, Source, Sourced};
 use quantities::unit::{AMPERE, REVOLUTION_PER_MINUTE};
 use quantities::{
     AngularVelocity, ElectricCurrent, Measure, MomentOfInertia, ThermodynamicTemperature, Time, Torque, ViscousFriction,
 };
-use twin::{EventKind, Parameters, Reaction, Scenario, ScenarioId, Setup, Supply, Switches, Twin};
-
-fn replaced(parameters: &mut Parameters, key: &str, value: f64) {
-    let source = Source::Project { key: "twin".into() };
-    parameters.replace(key, Sourced { value, source, grade: Grade::Assumed, errata: &[] }).unwrap();
-}
+use twin::{EventKind, Reaction, Scenario, ScenarioId, Setup, Supply, Switches, Twin};
 
 /// Means of i_q/√2 and U_LL at a constant speed under a load torque, the gear at 30 °C.
 fn running(code: &str, rpm: f64, torque: f64) -> (f64, f64) {
     let mut parameters = parameters(code);
-    replaced(&mut parameters, "housing_time_constant", 1e12);
-    replaced(&mut parameters, "winding_time_constant", 1e12);
+    replaced(&mut parameters.actuator.heat.housing_time_constant, 1e12);
+    replaced(&mut parameters.actuator.heat.winding_time_constant, 1e12);
     let mechanism =
         Mechanism { friction: Friction { external: Torque::from_si(torque), ..Friction::none() }, ..load(1.0, 0.0) };
     let (motion, extras) = (one_move(rpm, 0.3, 1.4, 0.1), NOTHING());
@@ -73,10 +67,10 @@ fn at_the_stall_torque_the_windings_of_48_volt_take_the_stall_current() {
     let mechanism =
         Mechanism { friction: Friction { external: Torque::from_si(torque), ..Friction::none() }, ..load(0.1, 0.0) };
     let mut parameters = parameters.clone();
-    replaced(&mut parameters, "no_load_current_constant_cold", 1e-9);
-    replaced(&mut parameters, "no_load_current_constant_warm", 1e-9);
-    replaced(&mut parameters, "winding_time_constant", 1e12);
-    replaced(&mut parameters, "housing_time_constant", 1e12);
+    replaced(&mut parameters.actuator.no_load_current_constant_cold, 1e-9);
+    replaced(&mut parameters.actuator.no_load_current_constant_warm, 1e-9);
+    replaced(&mut parameters.actuator.heat.winding_time_constant, 1e12);
+    replaced(&mut parameters.actuator.heat.housing_time_constant, 1e12);
     let (motion, extras) = (one_move(2.0, 0.2, 1.4, 0.1), NOTHING());
     let switches = Switches { hysteresis: false, kinematic_error: false, noise: false, ..Switches::default() };
     let setup = Setup {
@@ -97,7 +91,7 @@ fn at_the_stall_torque_the_windings_of_48_volt_take_the_stall_current() {
 #[test]
 fn a_stop_by_the_brake_is_that_of_the_sizing() {
     let mut parameters = parameters("CHA-20A-100-H-C1024-B");
-    replaced(&mut parameters, "gear_damping_ratio", 0.3);
+    parameters.model.gear_damping_ratio.value = 0.3;
     let (mechanism, motion, extras) = (load(1.3, 0.0), one_move(30.0, 0.3, 0.5, 0.1), NOTHING());
     let switches =
         Switches { friction: false, hysteresis: false, kinematic_error: false, noise: false, ..Switches::default() };
@@ -132,9 +126,9 @@ fn the_overload_supervision_trips_at_its_time() {
     let mut parameters = parameters("CHA-20A-100-H-C1024");
     let stall = parameters.actuator.stall_current.known().unwrap().value.si();
     // A winding that trips within a second, and stays cold.
-    replaced(&mut parameters, "winding_time_constant", 0.5);
-    replaced(&mut parameters, "housing_time_constant", 1e12);
-    replaced(&mut parameters, "winding_shutdown", 1e6);
+    replaced(&mut parameters.actuator.heat.winding_time_constant, 0.5);
+    replaced(&mut parameters.actuator.heat.housing_time_constant, 1e12);
+    replaced(&mut parameters.actuator.heat.winding_shutdown, 1e6);
     let torque = Torque::from_si(1.4 * stall * parameters.actuator.torque_constant_out.known().unwrap().value.si());
     let mechanism = Mechanism { friction: Friction { external: torque, ..Friction::none() }, ..load(1.3, 0.0) };
     let motion = motion::Motion::new(
@@ -173,9 +167,9 @@ fn the_ptc_responds_where_no_kty_is_led_out() {
     );
     let run = |code: &str, lag_s: f64, held: f64| {
         let mut parameters = parameters(code);
-        replaced(&mut parameters, "winding_time_constant", 0.5);
-        replaced(&mut parameters, "housing_time_constant", 1e12);
-        replaced(&mut parameters, "ptc_lag", lag_s);
+        replaced(&mut parameters.actuator.heat.winding_time_constant, 0.5);
+        replaced(&mut parameters.actuator.heat.housing_time_constant, 1e12);
+        parameters.model.ptc_lag.value = lag_s;
         let stall = parameters.actuator.stall_current_motor.known().unwrap().value.si();
         let constant = parameters.actuator.torque_constant_out.known().unwrap().value.si();
         let torque = Torque::from_si(held * stall * constant);
@@ -219,10 +213,10 @@ fn the_ptc_responds_where_no_kty_is_led_out() {
 #[test]
 fn the_thermal_end_value_is_that_of_the_network() {
     let mut parameters = parameters("CHA-20A-100-H-C1024");
-    replaced(&mut parameters, "winding_time_constant", 0.05);
-    replaced(&mut parameters, "housing_time_constant", 0.2);
+    replaced(&mut parameters.actuator.heat.winding_time_constant, 0.05);
+    replaced(&mut parameters.actuator.heat.housing_time_constant, 0.2);
     // A winding that is so quick is overloaded while it accelerates; the supervision leaves it on.
-    replaced(&mut parameters, "stall_current", 10.0);
+    replaced(&mut parameters.actuator.stall_current, 10.0);
     let (mechanism, motion, extras) = (load(1.3, 5.0), one_move(20.0, 0.1, 3.8, 0.1), NOTHING());
     let switches = Switches { kinematic_error: false, hysteresis: false, noise: false, ..Switches::default() };
     let setup = Setup { switches, ambient_k: 313.15, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
