@@ -18,7 +18,7 @@ const REMAINING: [(&str, usize); 14] = [
     ("crates/quantities", 4),
     ("crates/questions", 63),
     ("crates/recording", 7),
-    ("crates/sizing", 36),
+    ("crates/sizing", 37),
     ("crates/trace", 8),
     ("crates/twin", 26),
     ("crates/words", 5),
