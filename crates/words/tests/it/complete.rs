@@ -1,5 +1,6 @@
 //! Every identifier has its words in both languages, and they are not the same words.
 
+use crate::marks::{FACTOR, WRONG, has_own_marks, x};
 use actuator::{BatteryFault, CurveFault, CurveKind};
 use configurator::{BrokenRule, Rule, Unmet};
 use mechanism::{BodyError, Geometry, TableFault};
@@ -11,72 +12,7 @@ use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};
 use recording::{Damage, FileRow, Limit};
 use sizing::{Amount, BrakeStop, Budget, CheckId, Fit, Note, ResonanceSpeeds, TooManyInstants, Verdict};
-use std::cell::{Cell, RefCell};
 use std::io::ErrorKind;
-
-thread_local! {
-    /// Factor of all values in the texts, so that they have decimals, thousands and powers of ten.
-    static FACTOR: Cell<f64> = const { Cell::new(1.0) };
-    /// Texts whose figures have the mark of the other language.
-    static WRONG: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
-}
-
-/// Returns a plain number of a text times the factor.
-fn x(value: f64) -> f64 {
-    value * FACTOR.get()
-}
-
-/// Parts of a text whose points and commas are no decimal marks: code, quoted text, lines of a file, references to tables,
-/// sections and equations, dates.
-fn without_quotations(text: &str) -> String {
-    // An erratum is named by its table: T17.1-number.
-    let is_erratum =
-        |word: &&str| word.strip_prefix('T').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
-    let text = text.split(' ').filter(|word| !is_erratum(word)).collect::<Vec<_>>().join(" ");
-    let mut left = text.replace("MATLAB 7.3", "…").replace("15.2 und 18.1", "…").replace("15.2 and 18.1", "…");
-    for (open, close) in [("`", "`"), ("\"", "\""), ("„", "“"), ("‚", "‘")] {
-        while let Some(from) = left.find(open) {
-            let Some(length) = left[from + open.len()..].find(close) else { break };
-            left.replace_range(from..from + open.len() + length + close.len(), "…");
-        }
-    }
-    for before in [
-        "table ",
-        "tables ",
-        "section ",
-        "eq. ",
-        "Tabelle ",
-        "Tabellen ",
-        "Abschnitt ",
-        "Abschn. ",
-        "Gl. ",
-        "Kapitel ",
-        "Matrix ",
-        "matrix ",
-        "chapter ",
-    ] {
-        while let Some(from) = left.find(before) {
-            let end = from + before.len();
-            let length = left[end..].find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(left.len() - end);
-            left.replace_range(from..end + length, "…");
-        }
-    }
-    left
-}
-
-/// Figures of a text have the decimal mark of the language, and no other.
-fn has_own_marks(what: &str, text: &str, language: Language) {
-    let other = if language == Language::De { '.' } else { ',' };
-    let plain: Vec<char> = without_quotations(text).chars().collect();
-    let wrong =
-        plain.windows(3).any(|three| three[0].is_ascii_digit() && three[1] == other && three[2].is_ascii_digit());
-    let units = ["1/min", "kg m^2", "kg m²", " N m", "rpm"];
-    let plain: String = plain.into_iter().collect();
-    let has_unit_of_files = language == Language::De && units.iter().any(|unit| plain.contains(unit));
-    if wrong || has_unit_of_files {
-        WRONG.with_borrow_mut(|all| all.push(format!("{what}: {text}")));
-    }
-}
 
 /// Both are there, German is not English, and figures have the mark of the language.
 fn differ(what: &str, text: impl Fn(Language) -> String) {

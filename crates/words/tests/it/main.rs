@@ -3,6 +3,7 @@
 mod commissioned;
 mod complete;
 mod glossary_page;
+mod marks;
 mod project_page;
 mod quantities;
 mod texts;
