@@ -25,7 +25,7 @@ fn without_quotations(text: &str) -> String {
     let mut left = text.replace("MATLAB 7.3", "…").replace("15.2 und 18.1", "…").replace("15.2 and 18.1", "…");
     for (open, close) in [("`", "`"), ("\"", "\""), ("„", "“"), ("‚", "‘")] {
         while let Some(from) = left.find(open) {
-            let Some(length) = left[from + open.len()..].find(close) else { break };
+            let Some(length) = left.get(from + open.len()..).and_then(|rest| rest.find(close)) else { break };
             left.replace_range(from..from + open.len() + length + close.len(), "…");
         }
     }
@@ -46,7 +46,8 @@ fn without_quotations(text: &str) -> String {
     ] {
         while let Some(from) = left.find(before) {
             let end = from + before.len();
-            let length = left[end..].find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(left.len() - end);
+            let rest = left.get(end..).unwrap_or_default();
+            let length = rest.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(rest.len());
             left.replace_range(from..end + length, "…");
         }
     }
@@ -57,8 +58,9 @@ fn without_quotations(text: &str) -> String {
 pub(crate) fn has_own_marks(what: &str, text: &str, language: Language) {
     let other = if language == Language::De { '.' } else { ',' };
     let plain: Vec<char> = without_quotations(text).chars().collect();
-    let wrong =
-        plain.windows(3).any(|three| three[0].is_ascii_digit() && three[1] == other && three[2].is_ascii_digit());
+    let is_foreign =
+        |three: &[char]| matches!(three, [a, mark, b] if a.is_ascii_digit() && *mark == other && b.is_ascii_digit());
+    let wrong = plain.windows(3).any(is_foreign);
     let units = ["1/min", "kg m^2", "kg m²", " N m", "rpm"];
     let plain: String = plain.into_iter().collect();
     let has_unit_of_files = language == Language::De && units.iter().any(|unit| plain.contains(unit));
