@@ -56,7 +56,7 @@ pub struct Place {
 impl Faults {
     /// Combines the faults of several questions without duplicates.
     #[must_use]
-    pub fn together(all: impl IntoIterator<Item = Self>) -> Self {
+    pub fn combined(all: impl IntoIterator<Item = Self>) -> Self {
         let mut found = Self::default();
         for faults in all {
             for error in faults.errors {

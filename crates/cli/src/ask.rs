@@ -29,7 +29,7 @@ pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) ->
         return Err(not_to_stdout(path, language));
     }
     let call = Call::read(entry, found, as_json, language)?;
-    let inquiry = call.put(entry)?;
+    let inquiry = call.inquiry(entry)?;
     let is_record = as_json && entry.answer.is_some() && entry.gives.is_record() && !call.writes();
     let shown = match Layout::of(entry) {
         Some(layout) if !is_record => (layout.show)(&call, &inquiry)?,

@@ -79,7 +79,7 @@ impl<'m> Call<'m> {
 
 impl Call<'_> {
     /// Converts the call to the question of its command.
-    pub(crate) fn put(&self, entry: &Entry) -> Result<Inquiry<'_>, Unanswered> {
+    pub(crate) fn inquiry(&self, entry: &Entry) -> Result<Inquiry<'_>, Unanswered> {
         Ok(Inquiry {
             given: self.given(entry.arguments)?,
             sources: self.files.iter().map(File::source).collect(),
@@ -165,18 +165,18 @@ impl Call<'_> {
     pub(crate) fn inputs<'p>(&self, projects: impl IntoIterator<Item = &'p Project>) -> Vec<PathBuf> {
         let Some(file) = self.files.first() else { return Vec::new() };
         let recordings = projects.into_iter().flat_map(|project| &project.recordings);
-        let recordings = recordings.map(|read| file.beside().folder.join(&read.file));
+        let recordings = recordings.map(|read| file.project_files().folder.join(&read.file));
         [file.path().to_owned()].into_iter().chain(recordings).collect()
     }
 
     /// Returns the folder of the project.
-    pub(crate) fn beside(&self) -> Option<disk::Beside> {
-        self.files.first().map(|file| file.beside().clone())
+    pub(crate) fn project_files(&self) -> Option<disk::ProjectFiles> {
+        self.files.first().map(|file| file.project_files().clone())
     }
 
     /// Returns the memory that the project may use, in bytes.
     pub(crate) fn memory(&self) -> u64 {
-        self.files.first().map_or(questions::MEMORY_USUAL, |file| file.beside().grant.memory)
+        self.files.first().map_or(questions::MEMORY_USUAL, |file| file.project_files().grant.memory)
     }
 
     /// Returns a remark on each code that was not written canonically.

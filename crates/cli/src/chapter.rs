@@ -24,7 +24,7 @@ pub(crate) fn curve(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     }
     let (code, plane) = curve::found(inquiry)?;
     if plot::is_asked(call) {
-        return plot::put(&figures::curves(&code, &plane, language), call, &[]);
+        return plot::draw(&figures::curves(&code, &plane, language), call, &[]);
     }
     let mut out = format!("{code}\n");
     for curve in &plane.curves {

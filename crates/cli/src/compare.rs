@@ -21,7 +21,7 @@ const BESIDE: usize = 3;
 /// `antrieb compare PROJECT --code A --code B`
 pub(crate) fn compare(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let (args, axes) = compare::put(inquiry)?;
+    let (args, axes) = compare::read(inquiry)?;
     let found = inquiry.each(&axes, |project| {
         let found = args.comparison(project, inquiry)?;
         Ok((text(&found, project, language), found.candidates.iter().any(Candidate::fits)))

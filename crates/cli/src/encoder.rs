@@ -11,7 +11,7 @@ use questions::list::{Inquiry, Unanswered, encoder, encoder_trace};
 pub(crate) fn encoder(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let file = call.path("vcd");
-    let trace = || call.put(&encoder_trace::ENTRY).and_then(|inquiry| encoder_trace::found(&inquiry));
+    let trace = || call.inquiry(&encoder_trace::ENTRY).and_then(|inquiry| encoder_trace::found(&inquiry));
     let (mut record, trace) = match (encoder::found(inquiry), file.map(|_| trace()).transpose()) {
         (Ok(record), Ok(trace)) => (record, trace),
         // A fault of a shared argument occurs in both calls and is reported once.

@@ -29,7 +29,7 @@ pub(crate) fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
 /// Returns the answer to a faulty call: the faults, underlined in their texts, and as a record if JSON is requested.
 pub(crate) fn unanswered(why: &Unanswered, as_json: bool, language: Language) -> CommandAnswer {
     let mut said: Vec<String> = Vec::new();
-    talk(why, &mut said, language);
+    add_messages(why, &mut said, language);
     if is_about_text(why) {
         said.push(closing(why.faults(waited_s(), language).errors.len(), language));
     }
@@ -53,7 +53,7 @@ fn is_about_text(why: &Unanswered) -> bool {
 }
 
 /// Adds the message of each reason, without repetition.
-fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
+fn add_messages(why: &Unanswered, said: &mut Vec<String>, language: Language) {
     let error = terminal::error(language);
     let text = match why {
         // In records, a body has one name in both languages.
@@ -84,7 +84,7 @@ fn talk(why: &Unanswered, said: &mut Vec<String>, language: Language) {
             let code = code.map_or_else(String::new, |code| format!("{code}\n"));
             format!("{error}: {}\n{code}", seen(&what))
         }
-        Unanswered::Together(all) => return all.iter().for_each(|one| talk(one, said, language)),
+        Unanswered::Together(all) => return all.iter().for_each(|one| add_messages(one, said, language)),
     };
     if !said.contains(&text) {
         said.push(text);

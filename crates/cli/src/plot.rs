@@ -31,7 +31,7 @@ pub(crate) fn plot(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
     let candidate = args.candidate(&project, inquiry)?;
     let drawing = figures::draw(figure, &project, &candidate, by, progress(), language)
         .map_err(|fault| Unanswered::message(fault.message(waited_s(), language)))?;
-    Ok(put(&drawing, call, &inputs)?.fits(candidate.fits()))
+    Ok(draw(&drawing, call, &inputs)?.fits(candidate.fits()))
 }
 
 /// Returns `true` if a picture is requested.
@@ -50,7 +50,7 @@ pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf], other: Option<&Pa
 }
 
 /// Draws the picture and writes it to the files that [`destination`] has checked, or to standard output.
-pub(crate) fn put(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn draw(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let picture = drawing.render(&style(drawing, call)?);
     let png = call.path("png");

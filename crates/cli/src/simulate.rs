@@ -56,7 +56,7 @@ pub(crate) fn simulate(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     }
     if let Some(run) = runs.first().filter(|_| draws) {
         let drawing = figures::of_a_run(args.figure.as_deref(), run, language);
-        return Ok(plot::put(&drawing, call, &inputs)?.fits(fits));
+        return Ok(plot::draw(&drawing, call, &inputs)?.fits(fits));
     }
     let data = if call.as_json {
         written(&Answered::of(records, Fit::of(fits)))

@@ -1,7 +1,7 @@
 //! A file that a question is about, with the files that it may name.
 
 use crate::fault::{path_text, read_bytes};
-use disk::{Beside, Links};
+use disk::{Links, ProjectFiles};
 use project::{Grant, Reach};
 use quantities::Language;
 use questions::list::{ReferencedText, Unanswered};
@@ -15,7 +15,7 @@ pub struct SourceFile {
     path: PathBuf,
     name: String,
     bytes: Vec<u8>,
-    beside: Beside,
+    project_files: ProjectFiles,
 }
 
 impl SourceFile {
@@ -41,8 +41,8 @@ impl SourceFile {
     pub fn of_text(name: String, bytes: Vec<u8>, folder: &Path, memory: u64) -> Self {
         // As in a shell, any path is accepted that the caller may read.
         let grant = Grant { memory, reach: Reach::Anywhere };
-        let beside = Beside { folder: folder.to_owned(), links: Links::Followed, grant };
-        Self { path: PathBuf::new(), name, bytes, beside }
+        let project_files = ProjectFiles { folder: folder.to_owned(), links: Links::Followed, grant };
+        Self { path: PathBuf::new(), name, bytes, project_files }
     }
 
     /// Returns its path; empty for a text.
@@ -53,13 +53,13 @@ impl SourceFile {
 
     /// Returns the files that it may name.
     #[must_use]
-    pub const fn beside(&self) -> &Beside {
-        &self.beside
+    pub const fn project_files(&self) -> &ProjectFiles {
+        &self.project_files
     }
 
     /// Returns it in the form of a question.
     #[must_use]
     pub fn source(&self) -> ReferencedText<'_> {
-        ReferencedText { name: self.name.clone(), bytes: Cow::Borrowed(&self.bytes), files: &self.beside }
+        ReferencedText { name: self.name.clone(), bytes: Cow::Borrowed(&self.bytes), files: &self.project_files }
     }
 }

@@ -24,7 +24,9 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     let language = call.language;
     let args = sweep::Args::read(&inquiry.given)?;
     let path = PathBuf::from(args.table.clone().unwrap_or_default());
-    let (Some(out), Some(beside)) = (call.path("out"), call.beside()) else { return Ok(CommandAnswer::none()) };
+    let (Some(out), Some(project_files)) = (call.path("out"), call.project_files()) else {
+        return Ok(CommandAnswer::none());
+    };
     let source = inquiry.source()?;
     let text = source.text(language)?;
     let projects = source.projects(inquiry.progress, language);
@@ -40,19 +42,19 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
         Ok((table, batches)) => {
             let options = args.options(batches.has_decimal_commas(), language)?;
             let head = BatchHead::read(text, projects, &batches.schema(), options);
-            table.checked(batches, head, beside.clone()).map(|(sweep, rows)| (table, sweep, rows))
+            table.checked(batches, head, project_files.clone()).map(|(sweep, rows)| (table, sweep, rows))
         }
-        Err(unread) => Err(Unanswered::together(projects.err().into_iter().chain([unread]).collect())),
+        Err(unread) => Err(Unanswered::combined(projects.err().into_iter().chain([unread]).collect())),
     };
     let (table, sweep, rows, answers) = match (ready, place) {
         (Ok((table, sweep, rows)), Ok(answers)) => (table, sweep, rows, answers),
-        (ready, place) => return Err(Unanswered::together(ready.err().into_iter().chain(place.err()).collect())),
+        (ready, place) => return Err(Unanswered::combined(ready.err().into_iter().chain(place.err()).collect())),
     };
     let request = format!("{args:?} {} {answers:?} {}", language.id(), call.memory());
-    let run = SweepRun { table: &table, project: text, recordings: sweep.recordings(), files: &beside, request };
+    let run = SweepRun { table: &table, project: text, recordings: sweep.recordings(), files: &project_files, request };
     // Files that the table names are protected too.
     let inputs: Vec<PathBuf> =
-        inputs.into_iter().chain(run.recordings.iter().map(|name| beside.folder.join(name))).collect();
+        inputs.into_iter().chain(run.recordings.iter().map(|name| project_files.folder.join(name))).collect();
     let saver = call.saver(&inputs);
     saver.ready(&[out])?;
     let parts = SweepParts::of(&run, out, &run.mark()?, sweep.rows_within(call.memory(), PART))?;
@@ -63,7 +65,7 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     }
     let parts = parts.verified(&run)?;
     let mut tally = Tally::default();
-    if let Err(why) = saver.save_by(out, |file| parts.together(answers, &sweep, rows, file, &mut tally)) {
+    if let Err(why) = saver.save_by(out, |file| parts.join(answers, &sweep, rows, file, &mut tally)) {
         return Err(parts.ended(why));
     }
     parts.remove();

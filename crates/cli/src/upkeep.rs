@@ -20,7 +20,7 @@ pub(crate) fn upkeep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAn
     let (plan, mut record) = match (found, wrong) {
         (Ok(found), None) => found,
         (Ok(_), Some(wrong)) | (Err(wrong), None) => return Err(wrong),
-        (Err(why), Some(wrong)) => return Err(Unanswered::together(vec![why, wrong])),
+        (Err(why), Some(wrong)) => return Err(Unanswered::combined(vec![why, wrong])),
     };
     let name = call.label("name")?;
     if let Some(file) = file {

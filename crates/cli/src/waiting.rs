@@ -51,7 +51,7 @@ impl Waiting {
         });
         let mut waiting = Self { done: Vec::new() };
         if let Some(most) = *most {
-            waiting.beside(move |is_done| {
+            waiting.spawn(move |is_done| {
                 if is_done.recv_timeout(most) == Err(RecvTimeoutError::Timeout) {
                     progress.cancel();
                     if is_done.recv_timeout(GRACE) == Err(RecvTimeoutError::Timeout) {
@@ -61,12 +61,12 @@ impl Waiting {
             });
         }
         if std::io::stderr().is_terminal() {
-            waiting.beside(move |is_done| show(&is_done, progress, language));
+            waiting.spawn(move |is_done| show(&is_done, progress, language));
         }
         waiting
     }
 
-    fn beside(&mut self, work: impl FnOnce(Receiver<()>) + Send + 'static) {
+    fn spawn(&mut self, work: impl FnOnce(Receiver<()>) + Send + 'static) {
         let (done, is_done) = channel::<()>();
         self.done.push((done, std::thread::spawn(move || work(is_done))));
     }

@@ -35,7 +35,7 @@ fn draw(found: &questions::list::wiring::CodeWiring, call: &Call<'_>) -> Result<
         return Err(Unanswered::message(wiring::no_pins_to_draw(language)));
     }
     plot::destination(call, &[], None)?;
-    plot::put(&figures::mating_face(&found.code, connector, figures::PinTexts::Full, language), call, &[])
+    plot::draw(&figures::mating_face(&found.code, connector, figures::PinTexts::Full, language), call, &[])
 }
 
 /// `antrieb wiring CODE --check FILE`

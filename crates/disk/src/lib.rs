@@ -3,7 +3,7 @@
 //! A file is written under a temporary name next to its path and then renamed ([`save`]); obstacles are reported before
 //! anything is written ([`ready`]). Finished parts of a long file are kept in a marked folder next to it ([`Parts`]).
 //! Only files written by this program are removed or replaced, and no link is followed. Files named in a project are
-//! opened only in permitted folders ([`Beside`]).
+//! opened only in permitted folders ([`ProjectFiles`]).
 
 mod left;
 mod parts;
@@ -13,7 +13,7 @@ mod temporary;
 mod unfinished;
 
 pub use parts::{Parts, PartsTrouble};
-pub use read::{Beside, Links, read_within};
+pub use read::{Links, ProjectFiles, read_within};
 pub use save::{Unsaved, Unwritten, ready, save, save_by};
 pub use unfinished::end;
 #[cfg(unix)]

@@ -144,7 +144,7 @@ impl Parts {
         for name in self.dir.names()?.iter().filter(|name| is_part(name)) {
             self.dir.remove(name)?;
         }
-        put(&self.dir, MARK, written(mark).as_bytes())?;
+        write_whole(&self.dir, MARK, written(mark).as_bytes())?;
         mark.clone_into(&mut self.mark);
         Ok(())
     }
@@ -198,10 +198,10 @@ impl Parts {
     ///
     /// # Errors
     /// Errors of the system.
-    pub fn put(&self, index: u64, bytes: &[u8]) -> std::result::Result<(), PartsTrouble> {
+    pub fn write(&self, index: u64, bytes: &[u8]) -> std::result::Result<(), PartsTrouble> {
         let sum = self.sum(index).update(bytes).finalize().to_hex();
-        put(&self.dir, &sum_name(index), sum.as_bytes())?;
-        Ok(put(&self.dir, &name(index), bytes)?)
+        write_whole(&self.dir, &sum_name(index), sum.as_bytes())?;
+        Ok(write_whole(&self.dir, &name(index), bytes)?)
     }
 
     /// Opens a part.
@@ -225,7 +225,7 @@ fn make(path: &Path) -> Result<()> {
     let beside = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let temporary = beside.join(temporary::name());
     Dir::make(&temporary)?;
-    let marked = Dir::open(&temporary).and_then(|dir| put(&dir, MARK, written("").as_bytes()));
+    let marked = Dir::open(&temporary).and_then(|dir| write_whole(&dir, MARK, written("").as_bytes()));
     // Renaming replaces an empty folder only. If another run was faster, its folder is looked at by the next attempt,
     // even if it has been removed again by then.
     let placed = marked.and_then(|()| match path.symlink_metadata() {
@@ -276,7 +276,7 @@ fn mark(dir: &Dir) -> Result<Option<String>> {
 }
 
 /// Writes a complete file in a folder, under a temporary name first.
-fn put(dir: &Dir, name: &str, bytes: &[u8]) -> Result<()> {
+fn write_whole(dir: &Dir, name: &str, bytes: &[u8]) -> Result<()> {
     let unfinished = format!("{name}{UNFINISHED}");
     dir.remove(&unfinished)?;
     let written = (|| {

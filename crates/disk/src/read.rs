@@ -26,7 +26,7 @@ pub enum Links {
 
 /// Access to the files named in a project, relative to its folder.
 #[derive(Clone, Debug)]
-pub struct Beside {
+pub struct ProjectFiles {
     /// Folder of the project.
     pub folder: PathBuf,
     /// Permitted targets of links.
@@ -35,7 +35,7 @@ pub struct Beside {
     pub grant: Grant,
 }
 
-impl Beside {
+impl ProjectFiles {
     /// Returns the path of a regular file. Other files are refused before they are opened, because a pipe would block
     /// until its writer opens it.
     ///
@@ -44,7 +44,7 @@ impl Beside {
     pub fn regular(&self, name: &str) -> Result<PathBuf> {
         let mut path = self.folder.join(name);
         if self.links == Links::Inside {
-            if !Reach::Beside.admits(name) {
+            if !Reach::Folder.admits(name) {
                 return Err(ErrorKind::NotFound.into());
             }
             path = path.canonicalize()?;
@@ -82,7 +82,7 @@ fn regular(path: &Path) -> Result<u64> {
     Ok(about.len())
 }
 
-impl Files for Beside {
+impl Files for ProjectFiles {
     fn open(&self, name: &str) -> Result<Box<dyn Read>> {
         Ok(Box::new(File::open(self.recording(name)?)?))
     }
@@ -100,8 +100,8 @@ impl Files for Beside {
 mod tests {
     use super::*;
 
-    fn within(folder: &Path, links: Links) -> Beside {
-        Beside { folder: folder.to_owned(), links, grant: Grant::default() }
+    fn within(folder: &Path, links: Links) -> ProjectFiles {
+        ProjectFiles { folder: folder.to_owned(), links, grant: Grant::default() }
     }
 
     #[test]

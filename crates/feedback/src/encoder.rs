@@ -343,7 +343,7 @@ impl Absolute {
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful")]
     pub fn periods_before(self, errors: ErrorBits) -> u32 {
-        let timing = Timing::usual(errors);
+        let timing = Timing::published(errors);
         match self.protocol {
             Protocol::EnDat => 10 + (timing.calculation.si() * timing.clock.si()).round() as u32,
             Protocol::Ssi => 1,
@@ -362,7 +362,7 @@ impl Absolute {
                 line.done(REST_NS, true)
             }
             Protocol::EnDat => {
-                let timing = Timing::usual(errors);
+                let timing = Timing::published(errors);
                 let mode = match errors {
                     ErrorBits::One => Mode::Position,
                     ErrorBits::Both => Mode::PositionInfo,

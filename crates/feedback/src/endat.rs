@@ -328,7 +328,7 @@ impl Timing {
     /// Position within 5 µs, recovery 10 to 30 µs (2.1) and 1.25 to 3.75 µs (2.2): published for the interface in
     /// general (Beckhoff EL5031-0011 documentation); 1 MHz assumed. The manual states no values of the encoder itself
     #[must_use]
-    pub fn usual(errors: ErrorBits) -> Self {
+    pub fn published(errors: ErrorBits) -> Self {
         let recovery = match errors {
             ErrorBits::One => [10e-6, 30e-6],
             ErrorBits::Both => [1.25e-6, 3.75e-6],

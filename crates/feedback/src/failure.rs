@@ -309,7 +309,7 @@ impl Absolute {
         let clocks = f64::from(self.periods_before(errors) + self.bits(errors));
         match self.protocol {
             Protocol::EnDat => {
-                let timing = Timing::usual(errors);
+                let timing = Timing::published(errors);
                 clocks / timing.clock.si() + timing.recovery[1].si()
             }
             Protocol::Ssi => clocks / ssi::clock().si() + monoflop().si(),

@@ -218,14 +218,14 @@ fn peaks(demand: &questions::Demand, course: &Course) -> Vec<(Point, Label)> {
     if let Some(sample) = sample_at(course, demand.speed_peak_at.si(), torque) {
         let point = at(demand.speed_peak.si().copysign(sample.speed_rad_s), sample.torque_nm);
         match found.as_mut_slice() {
-            [(first, label)] if near(*first, point) => *label = label.clone().text(", ").and_symbol("n_peak"),
+            [(first, label)] if are_close(*first, point) => *label = label.clone().text(", ").and_symbol("n_peak"),
             _ => found.push((point, Label::symbol("n_peak"))),
         }
     }
     found
 }
 
-fn near(a: Point, b: Point) -> bool {
+fn are_close(a: Point, b: Point) -> bool {
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * a.abs().max(b.abs());
     close(a.0, b.0) && close(a.1, b.1)
 }

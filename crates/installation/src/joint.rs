@@ -114,7 +114,7 @@ pub fn joint(code: &OrderCode, side: Side, actuator: &Parameters, axis: &AxisLoa
                 (Datum::NotApplicable, _) => Datum::NotApplicable,
                 _ => Datum::NotPrinted,
             };
-            let together = together(screws, &friction, &clamp, &torque, (&moment, axial, radial));
+            let together = combined(screws, &friction, &clamp, &torque, (&moment, axial, radial));
             CaseAnswer { case, torque, alone, moment, together }
         })
         .collect();
@@ -177,7 +177,7 @@ fn clamp(screws: &ScrewJoint, friction: &Datum<Ratio>) -> Datum<Force> {
     }))
 }
 
-fn together(
+fn combined(
     screws: &ScrewJoint,
     friction: &Datum<Ratio>,
     clamp: &Datum<Force>,

@@ -220,7 +220,7 @@ impl Updates {
                 updates.push((if update > last { update } else { now.max(last) }, change.value));
             }
         }
-        found.put(*first.0, *first.1);
+        found.add(*first.0, *first.1);
         let (mut at, mut value) = (*first.0, *first.1);
         // Change by one period before each update, and of the one before.
         let per_period = |index: usize| {
@@ -237,21 +237,21 @@ impl Updates {
                 // The first value may have been updated before the recording.
                 found.time.clear();
                 found.values.clear();
-                found.put(at.min(update - period), value);
+                found.add(at.min(update - period), value);
             } else if !is_lost {
                 found.rest(at, *update, value, period);
             }
             (at, value) = (*update, *next);
-            found.put(at, value);
+            found.add(at, value);
         }
         if *end > at {
             found.rest(at, *end, value, period);
-            found.put(*end, value);
+            found.add(*end, value);
         }
         found
     }
 
-    fn put(&mut self, at: f64, value: f64) {
+    fn add(&mut self, at: f64, value: f64) {
         if self.time.last().is_none_or(|last| *last < at) {
             self.time.push(at);
             self.values.push(value);
@@ -262,13 +262,13 @@ impl Updates {
     fn rest(&mut self, from: f64, to: f64, value: f64, period: f64) {
         let periods = ((to - from) / period).round();
         if periods >= 2.0 {
-            self.put(from + period, value);
+            self.add(from + period, value);
         }
         if periods >= 4.0 {
-            self.put(to - 2.0 * period, value);
+            self.add(to - 2.0 * period, value);
         }
         if periods >= 3.0 {
-            self.put(to - period, value);
+            self.add(to - period, value);
         }
     }
 

@@ -92,7 +92,8 @@ pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -
     if let Some(refused) = inquiry::wrong_media(entry.reads, call, language) {
         return refused;
     }
-    let answered = inquiry::put(entry, call, shell, progress).and_then(|inquiry| reply(entry, &inquiry, shell));
+    let answered =
+        inquiry::read_inquiry(entry, call, shell, progress).and_then(|inquiry| reply(entry, &inquiry, shell));
     answered.unwrap_or_else(|unanswered| refused(&unanswered, shell, language))
 }
 

@@ -30,7 +30,7 @@ struct Row {
 ///
 /// # Errors
 /// When the work was cancelled or ran out of time.
-pub(crate) fn together(state: &PageState, held: &ReadProject, progress: &Progress) -> Result<Markup, Refusal> {
+pub(crate) fn summary(state: &PageState, held: &ReadProject, progress: &Progress) -> Result<Markup, Refusal> {
     let l = state.language;
     let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();
     for project in &held.projects {

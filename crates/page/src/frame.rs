@@ -108,7 +108,7 @@ fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result
         return Err((Box::new(held), refusal));
     }
     if state.all_axes && held.projects.len() > 1 {
-        return match axes::together(state, &held, progress) {
+        return match axes::summary(state, &held, progress) {
             Ok(summary) => Ok(page_of(state, &held, shell, &html! {}, &html! { main.together { (summary) } })),
             Err(refusal) => Err((Box::new(held), refusal)),
         };

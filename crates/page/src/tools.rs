@@ -7,7 +7,7 @@ mod field;
 mod loads;
 mod record;
 
-use crate::api::inquiry::put;
+use crate::api::inquiry::read_inquiry;
 use crate::api::method;
 use crate::call::{Call, Shell, query};
 use crate::form::vals;
@@ -258,7 +258,7 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
     let query = query_of(&said, &fields, l);
     let answer_to = |query: &str| {
         let call = Call { method: method(entry), path: entry.path, query, media: None, body, ..*scene.call };
-        put(entry, &call, scene.shell, scene.progress).and_then(|inquiry| show(&inquiry, scene))
+        read_inquiry(entry, &call, scene.shell, scene.progress).and_then(|inquiry| show(&inquiry, scene))
     };
     let answer = answer_to(&query);
     let good = match &answer {

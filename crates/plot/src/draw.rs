@@ -55,7 +55,7 @@ pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], fiel
         if let Item::Markers(markers) = item {
             for (point, name) in markers.points.iter().zip(&markers.names) {
                 if is_data(*point) {
-                    near(canvas, plane, *point, name, field, NAME, Colour::Ink);
+                    write_near(canvas, plane, *point, name, field, NAME, Colour::Ink);
                 }
             }
         }
@@ -155,8 +155,8 @@ fn draw_markers(canvas: &mut Canvas<'_>, plane: &Plane, markers: &Markers) {
             continue;
         }
         let mut tags = Tags::default();
-        tags.put("x", &format!("{}", point.0));
-        tags.put("y", &format!("{}", point.1));
+        tags.set("x", &format!("{}", point.0));
+        tags.set("y", &format!("{}", point.1));
         let name = markers.names.get(index).cloned().unwrap_or_default();
         canvas.open_item("marker", &tags, &name, 0);
         draw_marker(canvas, markers.shape, at, Colour::Tone(markers.tone), markers.hollow);
@@ -266,13 +266,13 @@ pub(crate) fn reference_labels(
 fn draw_note(canvas: &mut Canvas<'_>, plane: &Plane, note: &Note, field: &mut OccupiedPlane) {
     canvas.open_item("note", &note.tags, &note.label, usize::from(!is_data(note.at)));
     if is_data(note.at) {
-        near(canvas, plane, note.at, &note.label, field, NOTE, Colour::Tone(note.tone));
+        write_near(canvas, plane, note.at, &note.label, field, NOTE, Colour::Tone(note.tone));
     }
     canvas.close();
 }
 
 /// Writes a text near a point, with a leader if it is at a distance.
-fn near(
+fn write_near(
     canvas: &mut Canvas<'_>,
     plane: &Plane,
     point: Point,
@@ -288,7 +288,7 @@ fn near(
     let full = label;
     let label = full.elided(plane.area.width() * 0.7, TEXT, false);
     let (width, height) = (label.width(TEXT, false), TEXT * (ASCENT + DESCENT));
-    let Some(place) = field.near(at, (width, height), near) else {
+    let Some(place) = field.place_near(at, (width, height), near) else {
         canvas.hide(full);
         return;
     };

@@ -12,7 +12,7 @@ pub(crate) struct Tags {
 }
 
 impl Tags {
-    pub(crate) fn put(&mut self, key: &str, value: &str) {
+    pub(crate) fn set(&mut self, key: &str, value: &str) {
         let key: String = key
             .chars()
             .filter_map(|c| match c {
@@ -44,7 +44,7 @@ macro_rules! tagged {
             /// Adds an attribute `data-KEY`; the keys `label` and `dropped` belong to the chart.
             #[must_use]
             pub fn data(mut self, key: &str, value: &str) -> Self {
-                self.tags.put(key, value);
+                self.tags.set(key, value);
                 self
             }
 

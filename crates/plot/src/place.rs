@@ -119,7 +119,7 @@ impl OccupiedPlane {
     }
 
     /// Finds a place for a box of a size near a point and occupies it.
-    pub(crate) fn near(&mut self, at: Point, (width, height): (f64, f64), near: Near) -> Option<TextPlace> {
+    pub(crate) fn place_near(&mut self, at: Point, (width, height): (f64, f64), near: Near) -> Option<TextPlace> {
         let Near { gap, reach, worst } = near;
         let mut best: Option<(TextPlace, f64)> = None;
         for (ring, distance) in [0.0, 7.0, 15.0, 25.0, 38.0, 54.0, 74.0, 98.0].into_iter().enumerate() {
@@ -239,8 +239,10 @@ mod tests {
     #[test]
     fn texts_near_one_point_do_not_overlap() {
         let mut field = OccupiedPlane::new(AREA);
-        let places: Vec<Rect> =
-            (0..12).filter_map(|_| field.near((150.0, 100.0), (40.0, 12.0), NEAR)).map(|place| place.area).collect();
+        let places: Vec<Rect> = (0..12)
+            .filter_map(|_| field.place_near((150.0, 100.0), (40.0, 12.0), NEAR))
+            .map(|place| place.area)
+            .collect();
         assert!(places.len() >= 8, "{}", places.len());
         for (i, a) in places.iter().enumerate() {
             assert!(AREA.holds(a));
@@ -252,7 +254,7 @@ mod tests {
     fn a_text_avoids_a_line() {
         let mut field = OccupiedPlane::new(AREA);
         field.line(&[(0.0, 200.0), (300.0, 0.0)]);
-        let place = field.near((150.0, 100.0), (50.0, 12.0), NEAR).unwrap();
+        let place = field.place_near((150.0, 100.0), (50.0, 12.0), NEAR).unwrap();
         assert!(field.taken.iter().filter(|taken| **taken).count() > 60);
         assert!(place.area.right < 150.0 || place.area.top > 100.0 || place.area.left > 150.0);
         assert_eq!(field.cells(&place.area).filter(|index| field.taken[*index]).count(), 0);

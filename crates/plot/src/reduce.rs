@@ -205,7 +205,7 @@ mod tests {
     use super::*;
 
     /// Returns the distance of a point from a line segment.
-    fn beside((x, y): Point, (a, b): (Point, Point)) -> f64 {
+    fn distance((x, y): Point, (a, b): (Point, Point)) -> f64 {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let square = dx * dx + dy * dy;
         let along = if square > 0.0 { (((x - a.0) * dx + (y - a.1) * dy) / square).clamp(0.0, 1.0) } else { 0.0 };
@@ -224,7 +224,7 @@ mod tests {
             assert_eq!((short.first(), short.last()), (line.first(), line.last()));
             for point in line {
                 let near =
-                    short.windows(2).map(|pair| beside(*point, (pair[0], pair[1]))).fold(f64::INFINITY, f64::min);
+                    short.windows(2).map(|pair| distance(*point, (pair[0], pair[1]))).fold(f64::INFINITY, f64::min);
                 assert!(near <= 2.0 * BESIDE, "{point:?} lies {near} beside");
             }
         }

@@ -139,7 +139,7 @@ impl Default for Grant {
     /// Returns the default memory, and access to files next to the project only: a caller that serves another user
     /// decides on more.
     fn default() -> Self {
-        Self { memory: MEMORY_USUAL, reach: Reach::Beside }
+        Self { memory: MEMORY_USUAL, reach: Reach::Folder }
     }
 }
 
@@ -147,7 +147,7 @@ impl Default for Grant {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
     /// The folder of the project and those below it.
-    Beside,
+    Folder,
     /// Any folder.
     Anywhere,
 }

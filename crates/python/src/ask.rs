@@ -125,7 +125,7 @@ struct Here<'f> {
 
 impl Shell for Here<'_> {
     fn files(&self) -> &dyn Files {
-        self.files.map_or(&NoFiles, |file| file.beside())
+        self.files.map_or(&NoFiles, |file| file.project_files())
     }
 
     fn days_since_1970(&self) -> Option<u64> {

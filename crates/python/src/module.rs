@@ -5,7 +5,7 @@ mod capsules;
 mod table;
 
 use crate::{CallOutcome, QuestionCall};
-use call::{Handed, beside, refused, text};
+use call::{Handed, interruptible, refused, text};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::intern;
 use pyo3::prelude::*;
@@ -41,7 +41,7 @@ mod _antrieb {
         let texts = texts.into_iter().map(text).collect();
         let call = QuestionCall { command, texts, pairs, deadline, memory, language };
         let progress = call.progress();
-        match beside(py, &progress, deadline, || call.answer(&progress))? {
+        match interruptible(py, &progress, deadline, || call.answer(&progress))? {
             CallOutcome::Answered(reply) => Ok((reply.media, reply.body.into())),
             CallOutcome::Refused(record) => Err(refused(py, &record)),
         }

@@ -29,7 +29,7 @@ impl Heading {
 
     /// Matches the usual names of a role, also with a unit after an underscore, which may otherwise be part of the
     /// name.
-    fn usual(&self, role: Role) -> Option<Pick> {
+    fn by_usual_name(&self, role: Role) -> Option<Pick> {
         let pick =
             |reading: &Named| Some(Pick { index: 0, sureness: reading.sureness(role)?, unit: reading.unit.clone() });
         let is_usual = |bare: &str| Named { bare: bare.to_owned(), unit: None }.sureness(role).is_some();
@@ -116,7 +116,7 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
         if layout.column(role).unused || slot.is_some() || *failed {
             continue;
         }
-        let mut found = surest(headings, &taken, |heading| heading.usual(role));
+        let mut found = surest(headings, &taken, |heading| heading.by_usual_name(role));
         if role == Role::Time && found.is_empty() {
             found.extend(seconds(headings));
         }
@@ -194,7 +194,7 @@ fn ambiguous(role: Role, headings: &[Heading], picks: &[Pick]) -> Fault {
 /// they are.
 pub(crate) fn unused(headings: &[Heading], layout: &Layout, used: &[usize]) -> Vec<String> {
     let is_left_out = |heading: &Heading| {
-        let mut usual = Role::ALL.into_iter().filter(|role| heading.usual(*role).is_some()).peekable();
+        let mut usual = Role::ALL.into_iter().filter(|role| heading.by_usual_name(*role).is_some()).peekable();
         usual.peek().is_some() && usual.all(|role| layout.column(role).unused)
     };
     let free = headings.iter().enumerate().filter(|(index, _)| !used.contains(index)).map(|(_, heading)| heading);

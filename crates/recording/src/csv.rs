@@ -147,7 +147,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         if role == Role::Time && is_clock(&cell) {
             wanted.form = TimeForm::Clock(Clock::default());
             let said = [(KnownBy::Values, Said::Unit(&SECOND))];
-            wanted.put(index, heading);
+            wanted.assign(index, heading);
             columns.extend(decide(role, heading, said, faults));
             continue;
         }
@@ -159,7 +159,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
             && let Some(form) = form_of_integers(heading, &headings)
         {
             wanted.form = form;
-            wanted.put(index, heading);
+            wanted.assign(index, heading);
             columns.extend(decide(role, heading, [(KnownBy::Values, Said::Unit(&SECOND))], faults));
             continue;
         }
@@ -170,7 +170,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
             wanted.form = TimeForm::Seconds;
             let written = format!("{} + {}", heading.written, more.written);
             let both = Heading { written, ..heading.clone() };
-            wanted.put(index, heading);
+            wanted.assign(index, heading);
             wanted.beside.push((other, excerpt(&more.written)));
             columns.extend(decide(role, &both, [(KnownBy::Header, Said::Unit(&SECOND))], faults));
             continue;
@@ -183,7 +183,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
         ];
         let column = decide(role, heading, said.into_iter().flatten(), faults);
-        wanted.put(index, heading);
+        wanted.assign(index, heading);
         if let Some(place) = wanted.of_cells.last_mut()
             && let Some(spelling) = in_cell
         {
@@ -384,7 +384,7 @@ impl Wanted {
         self.follow(faults);
     }
 
-    fn put(&mut self, index: usize, heading: &Heading) {
+    fn assign(&mut self, index: usize, heading: &Heading) {
         self.names.push(excerpt(&heading.written));
         self.indices.push(index);
         self.of_cells.push(None);

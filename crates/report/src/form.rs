@@ -175,7 +175,7 @@ impl Update {
             };
         };
         if let [widget] = widgets {
-            let look = self.look(field.kind, widget, looks);
+            let look = self.appearances(field.kind, widget, looks);
             self.object(widget.id, |chunk| {
                 let mut writer = chunk.form_field(widget.id);
                 about(&mut writer);
@@ -190,7 +190,7 @@ impl Update {
             writer.children(widgets.iter().map(|widget| widget.id));
         });
         for widget in widgets {
-            let look = self.look(field.kind, widget, looks);
+            let look = self.appearances(field.kind, widget, looks);
             self.object(widget.id, |chunk| {
                 let mut writer = chunk.form_field(widget.id);
                 writer.parent(parent);
@@ -202,7 +202,7 @@ impl Update {
 
     /// Returns the appearances of a widget: off and on of a tick; a line has one of its own, since programs write the
     /// entered text there.
-    fn look(&mut self, kind: FieldKind, widget: &Widget, looks: &Looks) -> (Ref, Ref) {
+    fn appearances(&mut self, kind: FieldKind, widget: &Widget, looks: &Looks) -> (Ref, Ref) {
         if kind == FieldKind::Tick {
             return (looks.empty, looks.ticked);
         }

@@ -175,7 +175,7 @@ impl Responder {
                                 || {
                                     let question = Question { parts, path: path.clone(), query, body, language };
                                     let progress = Progress::limited();
-                                    self.open.kept(&path, question.put(self.respond, &self.workplace, &progress))
+                                    self.open.kept(&path, question.forward(self.respond, &self.workplace, &progress))
                                 },
                                 Ok,
                             );
@@ -247,7 +247,7 @@ impl Responder {
         let (respond, workplace) = (self.respond, Arc::clone(&self.workplace));
         let progress = Arc::new(Progress::limited());
         if AT_ONCE.contains(&question.path.as_str()) {
-            return question.put(respond, &workplace, &progress);
+            return question.forward(respond, &workplace, &progress);
         }
         let name = question.parts.headers.get(WORK).and_then(|name| name.to_str().ok());
         let named = name.filter(|name| workplace.begun(name, &progress)).map(str::to_owned);
@@ -259,7 +259,7 @@ impl Responder {
             if progress.is_over() && !says_what_is_there {
                 return busy(language);
             }
-            question.put(respond, &workplace, progress)
+            question.forward(respond, &workplace, progress)
         };
         let mut work = pin!(self.lanes.computed(Arc::new(put), progress, || drop(place)));
         let mut found = tokio::time::timeout(self.limits.answer_time, work.as_mut()).await;
@@ -280,7 +280,7 @@ impl Responder {
 
 impl Question {
     /// Passes the question on as a call.
-    fn put(&self, respond: Respond, shell: &Workplace, progress: &Progress) -> Reply {
+    fn forward(&self, respond: Respond, shell: &Workplace, progress: &Progress) -> Reply {
         let call = Call {
             method: if self.parts.method == Method::POST { page::Method::Post } else { page::Method::Get },
             path: &self.path,

@@ -1,6 +1,6 @@
 //! The working folder: project files by name, and the recordings that they name; no access outside of it.
 
-use disk::{Beside, Links, Unwritten, read_within};
+use disk::{Links, ProjectFiles, Unwritten, read_within};
 use page::{
     FileEntry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names,
 };
@@ -25,7 +25,7 @@ const DAY_S: u64 = 86_400;
 
 /// Resources of this machine for the page.
 pub(crate) struct Workplace {
-    files: Beside,
+    files: ProjectFiles,
     time: Duration,
     press: Option<Press>,
     /// Lock for one save at a time: between the comparison with the old version and the new file, no other save of this
@@ -42,9 +42,9 @@ impl Workplace {
     /// Creates the resources of a folder, with limits of memory for the recordings of a project and of time for an
     /// answer.
     pub(crate) fn new(folder: PathBuf, memory: u64, time: Duration, press: Option<Press>) -> Self {
-        let grant = Grant { memory, reach: Reach::Beside };
+        let grant = Grant { memory, reach: Reach::Folder };
         Self {
-            files: Beside { folder, links: Links::Inside, grant },
+            files: ProjectFiles { folder, links: Links::Inside, grant },
             time,
             press,
             saving: Mutex::new(()),

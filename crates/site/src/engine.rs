@@ -68,7 +68,7 @@ impl PageEngine {
                 put_together(&head, &reply.body)
             }
             Message::Put { name, modified_s } => {
-                self.store.put(&name, body, modified_s);
+                self.store.insert(&name, body, modified_s);
                 done()
             }
             Message::Gone { name } => {

@@ -27,7 +27,7 @@ pub struct Store {
 
 impl Store {
     /// Adds a file of the browser.
-    pub fn put(&self, name: &str, bytes: &[u8], modified_s: u64) {
+    pub fn insert(&self, name: &str, bytes: &[u8], modified_s: u64) {
         let _ = self.files.borrow_mut().insert(name.to_owned(), Held { bytes: bytes.into(), modified_s });
     }
 
@@ -53,7 +53,7 @@ impl Store {
     }
 
     fn write(&self, name: &str, bytes: &[u8]) {
-        self.put(name, bytes, self.now_s.get());
+        self.insert(name, bytes, self.now_s.get());
         *self.written.borrow_mut() = Some(name.to_owned());
     }
 }
@@ -170,7 +170,7 @@ mod tests {
         store.remove("a.toml");
         assert!(matches!(store.save("a.toml", b"three", Some(&store.version(b"two"))), Err(SaveFault::Changed)));
         store.save("b.toml", b"x", None).unwrap();
-        store.put("c.toml", b"x", 7);
+        store.insert("c.toml", b"x", 7);
         let names: Vec<_> = store.list().unwrap().into_iter().map(|entry| entry.name).collect();
         assert_eq!(names, ["c.toml", "b.toml"]);
     }

@@ -300,7 +300,7 @@ impl<'a> Account<'a> {
     /// Returns `true` if the panels of a block must be evaluated: not if its cells are already in the balance, nor if
     /// the load does not drive in it, since the power then has one sign and the block is added as a whole.
     fn asks_for(&mut self, axis: &Axis, block: &Block) -> bool {
-        if block.strip().and_then(|strip| self.by_cells.get(strip)).is_some_and(|cells| *cells) {
+        if block.recording_index().and_then(|strip| self.by_cells.get(strip)).is_some_and(|cells| *cells) {
             return false;
         }
         if !axis.trace.is_short() && block.extent.power_sign(self.power.currents.inertia) == Some(1.0) {

@@ -234,7 +234,7 @@ impl Row<'_> {
                 fit => State::Fits { holds, is_inside_band: fit == Fit::FitsIfEstimate },
             };
         }
-        let near = bounds.near();
+        let near = bounds.exceeding();
         let mut is_inside_band = self.borne(group).is_some_and(|borne| borne.is_inside_band);
         let is_certain = near.is_empty() || bounds.open().is_empty() && bounds.is_beyond_a_limit();
         if is_certain && self.others.is_empty() && self.has_outline {

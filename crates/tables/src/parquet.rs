@@ -34,10 +34,10 @@ pub fn parquet(table: &Table) -> Result<Vec<u8>, WriteError> {
         for (index, column) in table.columns.iter().enumerate() {
             let Some(mut into) = group.next_column()? else { continue };
             if column.is_numeric() {
-                put::<DoubleType>(&mut into, table.numbers(index).skip(from).take(GROUP))?;
+                write_column::<DoubleType>(&mut into, table.numbers(index).skip(from).take(GROUP))?;
             } else {
                 let rows = table.rows.iter().skip(from).take(GROUP);
-                put::<ByteArrayType>(&mut into, rows.map(|row| Some(row.get(index)?.as_text()?.into())))?;
+                write_column::<ByteArrayType>(&mut into, rows.map(|row| Some(row.get(index)?.as_text()?.into())))?;
             }
             into.close()?;
         }
@@ -48,7 +48,7 @@ pub fn parquet(table: &Table) -> Result<Vec<u8>, WriteError> {
 }
 
 /// Writes the cells of a column.
-fn put<T: DataType>(
+fn write_column<T: DataType>(
     into: &mut SerializedColumnWriter<'_>,
     cells: impl Iterator<Item = Option<T::T>>,
 ) -> Result<(), WriteError> {

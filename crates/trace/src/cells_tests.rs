@@ -76,7 +76,7 @@ fn cells_hold_every_interval_once_and_add_up_to_the_whole() {
                     });
                 }
                 Inside::Halves(halves) => {
-                    strip.halves(halves).into_iter().flatten().for_each(|half| leaves(strip, half, seen));
+                    strip.children(halves).into_iter().flatten().for_each(|half| leaves(strip, half, seen));
                 }
             }
         }

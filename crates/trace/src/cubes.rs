@@ -141,7 +141,7 @@ impl Trace {
     }
 
     fn strip_of(&self, block: &Block) -> Option<&Strip> {
-        self.strips.get(block.strip()?)
+        self.strips.get(block.recording_index()?)
     }
 }
 
@@ -187,7 +187,7 @@ fn cubes_of_cell(strip: &Strip, cell: &Cell) -> f64 {
             sum
         }
         Inside::Halves(halves) => {
-            strip.halves(halves).into_iter().flatten().map(|half| cubes_of_cell(strip, half)).sum()
+            strip.children(halves).into_iter().flatten().map(|half| cubes_of_cell(strip, half)).sum()
         }
     }
 }

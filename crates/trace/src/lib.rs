@@ -321,7 +321,7 @@ impl Block {
     /// Returns the index of the recording among the strips, if the block belongs to one.
     #[inline]
     #[must_use]
-    pub const fn strip(&self) -> Option<usize> {
+    pub const fn recording_index(&self) -> Option<usize> {
         match &self.place {
             BlockPanels::Recorded { strip, .. } => Some(*strip),
             BlockPanels::Kept(_) => None,

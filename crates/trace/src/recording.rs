@@ -389,8 +389,8 @@ impl Strip {
 
     /// Returns the two halves of a cell.
     #[inline]
-    pub fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
-        self.cells().halves(halves)
+    pub fn children(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
+        self.cells().children(halves)
     }
 
     /// Visits the panels of the intervals of a cell.

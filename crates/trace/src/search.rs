@@ -183,7 +183,7 @@ impl Parted for Strip {
     #[inline]
     fn open<'a>(&'a self, cell: &'a Cell, look: &mut impl FnMut(Panel<'_>)) -> Option<[Option<&'a Cell>; 2]> {
         match cell.inside {
-            Inside::Halves(halves) => Some(self.halves(halves)),
+            Inside::Halves(halves) => Some(self.children(halves)),
             Inside::Intervals(from, to) => {
                 self.panels_within((from, to), look);
                 None

@@ -104,7 +104,7 @@ impl SweepParts {
             let Some(batch) = batch else { break };
             let answers = sweep.batch(&batch, first, inquiry.progress)?;
             let bytes = sweep_io::part(&answers).map_err(|why| self.unread(&why))?;
-            self.parts.put(index, &bytes).map_err(|trouble| self.failed(trouble))?;
+            self.parts.write(index, &bytes).map_err(|trouble| self.failed(trouble))?;
             first += batch.num_rows() as u64;
             index += 1;
         }
@@ -118,7 +118,7 @@ impl SweepParts {
             return why;
         }
         let kept = Unanswered::message(sweeps::kept(&path_text(&self.folder), self.language));
-        Unanswered::together(vec![why, kept])
+        Unanswered::combined(vec![why, kept])
     }
 
     /// Ends a run whose inputs changed while it ran: no part is kept.
@@ -142,7 +142,7 @@ impl SweepParts {
     }
 
     /// Joins all parts to one file and counts the answers.
-    pub(super) fn together(
+    pub(super) fn join(
         &self,
         format: Format,
         sweep: &BatchSweep,

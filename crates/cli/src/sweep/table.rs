@@ -36,7 +36,7 @@ impl Table<'_> {
         &self,
         mut batches: Batches,
         mut head: BatchHead,
-        beside: disk::Beside,
+        project_files: disk::ProjectFiles,
     ) -> Result<(BatchSweep, u64), Unanswered> {
         let mut rows = 0;
         let unread = loop {
@@ -59,9 +59,9 @@ impl Table<'_> {
                 Err(NoBatch::Table(why)) => break Some(self.refused(&why)),
             }
         };
-        match (head.ready(&path_text(self.path), Box::new(beside)), unread) {
+        match (head.ready(&path_text(self.path), Box::new(project_files)), unread) {
             (Ok(sweep), None) => Ok((sweep, rows)),
-            (ready, unread) => Err(Unanswered::together(ready.err().into_iter().chain(unread).collect())),
+            (ready, unread) => Err(Unanswered::combined(ready.err().into_iter().chain(unread).collect())),
         }
     }
 }

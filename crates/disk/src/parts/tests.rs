@@ -15,8 +15,8 @@ fn parts_are_kept_for_their_mark_and_removed_with_the_folder() {
     let mut parts = Parts::open(&path).unwrap();
     assert_eq!(parts.mark(), "");
     parts.begin("one").unwrap();
-    parts.put(0, b"first").unwrap();
-    parts.put(0, b"again").unwrap();
+    parts.write(0, b"first").unwrap();
+    parts.write(0, b"again").unwrap();
     assert!(parts.has(0).unwrap() && !parts.has(1).unwrap() && parts.is_marked().unwrap());
     drop(parts);
     let mut parts = Parts::open(&path).unwrap();
@@ -26,7 +26,7 @@ fn parts_are_kept_for_their_mark_and_removed_with_the_folder() {
     assert_eq!(read, "again");
     parts.begin("two").unwrap();
     assert!(!parts.has(0).unwrap());
-    parts.put(1, b"x").unwrap();
+    parts.write(1, b"x").unwrap();
     parts.remove();
     assert_eq!(names(beside.path()), [""; 0]);
 }
@@ -55,7 +55,7 @@ fn runs_that_come_and_go_never_take_the_folder_for_a_strangers() {
                         Ok(mut parts) => {
                             assert_eq!(inside.fetch_add(1, std::sync::atomic::Ordering::SeqCst), 0, "two are inside");
                             parts.begin("x").unwrap();
-                            parts.put(round, b"y").unwrap();
+                            parts.write(round, b"y").unwrap();
                             assert!(parts.is_marked().unwrap());
                             inside.fetch_sub(1, std::sync::atomic::Ordering::SeqCst);
                             parts.remove();
@@ -95,7 +95,7 @@ fn a_file_of_another_hand_in_the_folder_stays() {
     let path = beside.path().join("out.csv.parts");
     let mut parts = Parts::open(&path).unwrap();
     parts.begin("x").unwrap();
-    parts.put(0, b"y").unwrap();
+    parts.write(0, b"y").unwrap();
     for name in ["notes.txt", "part-7.parquet", "part-0000000a.parquet", "sweep.bak"] {
         fs::write(path.join(name), "mine").unwrap();
     }
@@ -124,7 +124,7 @@ fn no_link_is_followed_and_none_is_replaced() {
         drop(fs::remove_file(path.join(name)));
         symlink(&precious, path.join(name)).unwrap();
         let begun = parts.begin("y");
-        let put = parts.put(0, b"z");
+        let put = parts.write(0, b"z");
         assert!(begun.is_err() || put.is_err() || name == LOCK, "{name}");
         parts.remove();
         assert_eq!(fs::read_to_string(&precious).unwrap(), "years", "{name}");
@@ -150,7 +150,7 @@ fn a_folder_that_is_exchanged_leads_nowhere_else() {
     fs::write(target.join(MARK), written("x")).unwrap();
     fs::rename(&path, here.join("away")).unwrap();
     symlink(&target, &path).unwrap();
-    parts.put(0, b"z").unwrap();
+    parts.write(0, b"z").unwrap();
     assert!(!parts.is_marked().unwrap(), "what is at the path is not what was opened");
     parts.remove();
     assert_eq!(names(&target), ["part-00000000.parquet", MARK]);
@@ -180,7 +180,7 @@ fn a_folder_that_a_killed_run_did_not_place_is_removed_later() {
     let temporary = [temporary::name(), temporary::name()].map(|name| beside.path().join(name));
     for path in &temporary {
         Dir::make(path).unwrap();
-        put(&Dir::open(path).unwrap(), MARK, written("").as_bytes()).unwrap();
+        write_whole(&Dir::open(path).unwrap(), MARK, written("").as_bytes()).unwrap();
     }
     fs::write(temporary[1].join("mine.txt"), "mine").unwrap();
     for path in &temporary {
@@ -197,8 +197,8 @@ fn a_part_is_held_as_it_was_written() {
     let path = beside.path().join("best.csv.parts");
     let mut parts = Parts::open(&path).unwrap();
     parts.begin("run 1").unwrap();
-    parts.put(0, b"first").unwrap();
-    parts.put(1, b"other").unwrap();
+    parts.write(0, b"first").unwrap();
+    parts.write(1, b"other").unwrap();
     assert!(parts.holds(0).unwrap() && parts.holds(1).unwrap() && !parts.holds(2).unwrap());
     let file = |index: u64| path.join(name(index));
     let sum = |index: u64| path.join(sum_name(index));
@@ -216,12 +216,12 @@ fn a_part_is_held_as_it_was_written() {
         fs::rename(&away, &b).unwrap();
     }
     assert!(!parts.holds(0).unwrap() && !parts.holds(1).unwrap());
-    parts.put(0, b"first").unwrap();
+    parts.write(0, b"first").unwrap();
     for wrong in ["", "no checksum", &"f".repeat(64), &"x".repeat(1000)] {
         fs::write(sum(0), wrong).unwrap();
         assert!(!parts.holds(0).unwrap(), "{wrong}");
     }
-    parts.put(0, b"first").unwrap();
+    parts.write(0, b"first").unwrap();
     let of_the_first_run = [file(0), sum(0)].map(|path| fs::read(path).unwrap());
     parts.begin("run 2").unwrap();
     assert!(!parts.holds(0).unwrap());
@@ -229,7 +229,7 @@ fn a_part_is_held_as_it_was_written() {
         fs::write(path, bytes).unwrap();
     }
     assert!(!parts.holds(0).unwrap());
-    parts.put(0, b"first").unwrap();
+    parts.write(0, b"first").unwrap();
     assert!(parts.holds(0).unwrap());
     parts.remove();
     assert_eq!(names(beside.path()), [""; 0]);

@@ -16,7 +16,7 @@ const USUAL_NAME: &str = "stdin";
 ///
 /// # Errors
 /// Every fault of the query; a body without the two texts that the question reads.
-pub(crate) fn put<'a>(
+pub(crate) fn read_inquiry<'a>(
     entry: &Entry,
     call: &Call<'a>,
     shell: &'a dyn Shell,

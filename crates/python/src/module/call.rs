@@ -14,7 +14,7 @@ const TICK: Duration = Duration::from_millis(20);
 
 /// Runs work on a thread of its own while the interpreter continues; an interrupt or a deadline ends it before its next
 /// step.
-pub(super) fn beside<T: Send>(
+pub(super) fn interruptible<T: Send>(
     py: Python<'_>,
     progress: &Progress,
     deadline: Option<Duration>,

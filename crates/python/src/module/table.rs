@@ -1,6 +1,6 @@
 //! Tables and sweeps as Python objects.
 
-use super::call::{Handed, beside, refused, text};
+use super::call::{Handed, interruptible, refused, text};
 use crate::SweepCall;
 use crate::module::capsules;
 use crate::sweep::checked;
@@ -261,7 +261,8 @@ impl Sweep {
         let (schema, batches) = capsules::table(batch)?;
         self.is_of(py, &schema)?;
         let progress = Progress::endless();
-        let found = beside(py, &progress, None, || self.sweep.whole(&batches, first_row, self.memory, &progress))?;
+        let found =
+            interruptible(py, &progress, None, || self.sweep.whole(&batches, first_row, self.memory, &progress))?;
         let batches = found.map_err(|why| refused(py, &why.record(None, self.language)))?;
         Ok(Table { schema: self.sweep.schema(), batches })
     }
@@ -294,7 +295,7 @@ impl Sweep {
         };
         let call = SweepCall { text: text(handed), pairs, memory, language };
         let ready = || Ok((call.prepared(schema, batches)?, call.memory_allowed()?));
-        let ready = beside(py, &Progress::endless(), None, ready)?;
+        let ready = interruptible(py, &Progress::endless(), None, ready)?;
         let (sweep, memory) = ready.map_err(|why: Unanswered| refused(py, &why.record(None, language)))?;
         Ok(Self { sweep, memory, language, made_of })
     }
@@ -304,7 +305,7 @@ impl Sweep {
         let deadline = deadline.map(|text| antrieb::deadline_of(text, self.language)).transpose();
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, self.language)))?;
         let progress = if deadline.is_some() { Progress::limited() } else { Progress::endless() };
-        let found = beside(py, &progress, deadline, || {
+        let found = interruptible(py, &progress, deadline, || {
             if checks {
                 checked(&self.sweep, batches)?;
             }

@@ -172,7 +172,7 @@ fn words(absolute: Absolute, position: Position, is_error: bool, language: Langu
         Protocol::EnDat => ENDAT
             .iter()
             .map(|(name, errors, mode)| {
-                let timing = Timing::usual(*errors);
+                let timing = Timing::published(*errors);
                 let bits = absolute.word(position, *errors, is_error);
                 EncoderWord {
                     name,

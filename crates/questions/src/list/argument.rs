@@ -215,12 +215,12 @@ impl Argument {
                 if let Some(word) = self.word_titled(value).or_else(|| words.iter().find(spelled).copied()) {
                     return Ok(Cow::Borrowed(word));
                 }
-                let hint = match (near(value, &words), self.titles) {
+                let hint = match (nearest_words(value, &words), self.titles) {
                     (Hint::ValidAre(all), Some(titles)) => {
                         let titles: Vec<(String, &str)> =
                             titles().into_iter().map(|(title, word)| (plain(&title), word)).collect();
                         let names: Vec<&str> = titles.iter().map(|(title, _)| title.as_str()).collect();
-                        let word = match near(&plain(value), &names) {
+                        let word = match nearest_words(&plain(value), &names) {
                             Hint::DidYouMean(near) => titles.iter().find(|(title, _)| *title == near),
                             _ => None,
                         };
@@ -250,7 +250,7 @@ fn plain(name: &str) -> String {
 }
 
 /// Returns the word that was probably meant, or all valid words.
-pub(super) fn near(written: &str, words: &[&str]) -> Hint {
+pub(super) fn nearest_words(written: &str, words: &[&str]) -> Hint {
     let distance = |word: &&str| strsim::damerau_levenshtein(word, written);
     // A text much longer than every word is near none.
     let is_long = words.iter().all(|word| written.len() > 3 * word.len());

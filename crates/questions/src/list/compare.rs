@@ -34,7 +34,7 @@ pub static ENTRY: Entry = Entry {
     writes: &[],
     example: "axis.toml --code CHA-25A-50-H-C1024 --code CHA-32A-50-H-C1024",
     answer: Some(|inquiry| {
-        let (args, axes) = put(inquiry)?;
+        let (args, axes) = read(inquiry)?;
         inquiry.record_of_each(&axes, |project| {
             let found = args.comparison(project, inquiry)?;
             let best = found.candidates.iter().map(answer::fit).min().unwrap_or(Fit::DoesNotFit);
@@ -47,7 +47,7 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of them.
-pub fn put(inquiry: &Inquiry<'_>) -> Result<(Args, Vec<PlacedAxis>), Unanswered> {
+pub fn read(inquiry: &Inquiry<'_>) -> Result<(Args, Vec<PlacedAxis>), Unanswered> {
     let count = inquiry.given.all("code").count();
     if !COMPARED.contains(&count) {
         return Err(Unanswered::message(terminal::two_to_five_codes(&count, inquiry.language)));

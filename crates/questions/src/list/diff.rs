@@ -93,7 +93,7 @@ impl Revisions<'_> {
                 Err(refusal) => faults.push(refusal.into()),
             }
         }
-        if faults.is_empty() { Ok(answers) } else { Err(Unanswered::together(faults)) }
+        if faults.is_empty() { Ok(answers) } else { Err(Unanswered::combined(faults)) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Texts that a call or a request states for the arguments of a question, and their conversion to values.
 
-use super::argument::{Argument, FILE, LANG, TRUE, near};
+use super::argument::{Argument, FILE, LANG, TRUE, nearest_words};
 use super::unanswered::Unanswered;
 use crate::codes::{read_code, read_pattern};
 use crate::upkeep::read_date;
@@ -233,7 +233,7 @@ fn shown(text: &str) -> String {
 
 fn unknown(name: &str, arguments: &[Argument], language: Language) -> Fault {
     let names: Vec<&str> = arguments.iter().map(|argument| argument.name).chain([LANG.name]).collect();
-    let hint = UsageHint::Words(near(name, &names));
+    let hint = UsageHint::Words(nearest_words(name, &names));
     usage(&shown(name), &Usage::UnknownOption { written: shown(name) }, Some(hint), language)
 }
 
@@ -266,7 +266,7 @@ macro_rules! arguments {
                 $(let $field = ($read)(given, &$argument).map_err(|fault| faults.push(fault)).ok();)*
                 match ($($field,)*) {
                     ($(Some($field),)*) if faults.is_empty() => Ok(Self { $($field),* }),
-                    _ => Err($crate::list::Unanswered::together(faults)),
+                    _ => Err($crate::list::Unanswered::combined(faults)),
                 }
             }
         }

@@ -149,7 +149,7 @@ impl<'a> Inquiry<'a> {
                 Err(fault) => faults.push(fault),
             }
         }
-        if faults.is_empty() { Ok(found) } else { Err(Unanswered::together(faults)) }
+        if faults.is_empty() { Ok(found) } else { Err(Unanswered::combined(faults)) }
     }
 
     /// Returns the records about all axes, with their verdict, as one answer.

@@ -94,7 +94,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
         (Ok(lines), Ok(shelf)) => (lines, shelf),
         (lines, shelf) => {
             let why = projects.err().into_iter().chain(lines.err()).chain(shelf.err());
-            return Err(Unanswered::together(why.collect()));
+            return Err(Unanswered::combined(why.collect()));
         }
     };
     let headings: Vec<&str> = lines.headings().iter().map(String::as_str).collect();
@@ -125,7 +125,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
     let ready = head.ready(&name, Box::new(shelf));
     if rows > ROWS_MOST as u64 {
         let too_many = Unanswered::message(sweeps::too_many_rows(&rows, &ROWS_MOST, language));
-        return Err(Unanswered::together(ready.err().into_iter().chain([too_many]).collect()));
+        return Err(Unanswered::combined(ready.err().into_iter().chain([too_many]).collect()));
     }
     let sweep = ready?;
     let values = sweep.lines_of_row()

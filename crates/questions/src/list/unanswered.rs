@@ -80,7 +80,7 @@ impl Unanswered {
     ) -> Result<(), Self> {
         let wrong = options.into_iter().filter(|(_, is_wrong, _)| *is_wrong);
         let faults: Vec<Self> = wrong.map(|(name, _, why)| Self::option(name, (why.into(), None))).collect();
-        if faults.is_empty() { Ok(()) } else { Err(Self::together(faults)) }
+        if faults.is_empty() { Ok(()) } else { Err(Self::combined(faults)) }
     }
 
     /// Creates a reason from one sentence.
@@ -91,7 +91,7 @@ impl Unanswered {
 
     /// Combines several reasons; a single one stays unchanged.
     #[must_use]
-    pub fn together(all: Vec<Self>) -> Self {
+    pub fn combined(all: Vec<Self>) -> Self {
         <[Self; 1]>::try_from(all).map_or_else(Self::Together, |[one]| one)
     }
 
@@ -146,7 +146,7 @@ impl Unanswered {
             }
             Self::Usage(errors) => Faults::from(errors.clone()),
             Self::Refused(refusal, _) => fault(&refusal_text(refusal, waited_s, language)),
-            Self::Together(all) => Faults::together(all.iter().map(|one| one.faults(waited_s, language))),
+            Self::Together(all) => Faults::combined(all.iter().map(|one| one.faults(waited_s, language))),
         }
     }
 

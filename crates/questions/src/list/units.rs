@@ -1,6 +1,6 @@
 //! `units`: valid units, with every spelling and their value in SI.
 
-use super::argument::near;
+use super::argument::nearest_words;
 use super::given::{Hinted, arguments, some};
 use super::{Answer, Argument, ArgumentForm, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use answers::Number;
@@ -87,7 +87,10 @@ fn dimensions(written: &str, language: Language) -> Result<Vec<Dimension>, Hinte
     let found = if named.is_empty() { all(&|one| Unit::of_dimension(*one, written).is_some()) } else { named };
     if found.is_empty() {
         let known: Vec<&str> = Dimension::ALL.iter().map(|dimension| dimension.name(language)).collect();
-        return Err((terminal::no_such_unit(&written, language), Some(hint_text(&near(written, &known), language))));
+        return Err((
+            terminal::no_such_unit(&written, language),
+            Some(hint_text(&nearest_words(written, &known), language)),
+        ));
     }
     Ok(found)
 }

@@ -203,7 +203,7 @@ impl Head {
                 options: self.options,
                 templates: Templates::default(),
             }),
-            _ => Err(Unanswered::together(why)),
+            _ => Err(Unanswered::combined(why)),
         }
     }
 }

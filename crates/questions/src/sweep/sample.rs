@@ -70,7 +70,7 @@ pub fn table<'k>(
         faults.push(Unanswered::option("by", (message, None)));
     }
     if !faults.is_empty() {
-        return Err(Unanswered::together(faults));
+        return Err(Unanswered::combined(faults));
     }
     let combinations = |column: &Column| match (&column.values, method) {
         (Values::Range(..), Method::Grid) => samples as u64,

@@ -18,9 +18,9 @@ fn examples() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples")
 }
 
-struct Beside;
+struct ProjectFiles;
 
-impl Files for Beside {
+impl Files for ProjectFiles {
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
         Ok(Box::new(std::fs::File::open(examples().join(name))?))
     }
@@ -33,7 +33,7 @@ fn projects() -> Vec<Project> {
     let mut found = Vec::new();
     for path in names.iter().filter(|path| path.extension().is_some_and(|kind| kind == "toml")) {
         let text = std::fs::read_to_string(path).unwrap();
-        found.extend(questions::read_all(&text, &Beside).unwrap());
+        found.extend(questions::read_all(&text, &ProjectFiles).unwrap());
     }
     let asked = std::fs::read_to_string(examples().join("tilting-arm.toml")).unwrap();
     let (head, _) = asked.split_once("[requirements]").unwrap();

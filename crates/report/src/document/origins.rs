@@ -56,7 +56,7 @@ pub(super) fn derived(explained: &[Explained], shown: &Formatter) -> Vec<Derivat
                 term: node.term.clone(),
                 formula: node.formula.clone().unwrap_or_default(),
                 // A formula that is one figure says with figures what its result says.
-                substituted: if alike(&substituted, &result) { String::new() } else { substituted },
+                substituted: if equal_but_for_spaces(&substituted, &result) { String::new() } else { substituted },
                 result,
                 source: node.source.clone(),
                 grade: node.grade.map_or("", |grade| shown.grade(*grade)),
@@ -83,7 +83,7 @@ pub(super) fn derived(explained: &[Explained], shown: &Formatter) -> Vec<Derivat
 }
 
 /// Returns `true` if two texts are equal apart from white space.
-fn alike(a: &str, b: &str) -> bool {
+fn equal_but_for_spaces(a: &str, b: &str) -> bool {
     a.split_whitespace().flat_map(str::chars).eq(b.split_whitespace().flat_map(str::chars))
 }
 
@@ -129,6 +129,6 @@ mod tests {
 
     #[test]
     fn spaces_of_any_width_are_alike() {
-        assert!(alike("5 Nm", "5\u{202f}Nm") && !alike("5 Nm", "50 Nm"));
+        assert!(equal_but_for_spaces("5 Nm", "5\u{202f}Nm") && !equal_but_for_spaces("5 Nm", "50 Nm"));
     }
 }

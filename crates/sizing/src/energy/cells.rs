@@ -72,7 +72,7 @@ impl<'a> CellPower<'a> {
                 enough
             }
             Inside::Halves(halves) => {
-                self.strip.halves(halves).into_iter().flatten().all(|half| self.leaves_at_most(half, left))
+                self.strip.children(halves).into_iter().flatten().all(|half| self.leaves_at_most(half, left))
             }
         }
     }
@@ -86,7 +86,7 @@ impl<'a> CellPower<'a> {
                 self.strip.panels_within((from, to), &mut |panel| balance.panel(&panel, self.power, passed));
             }
             Inside::Halves(halves) => {
-                self.strip.halves(halves).into_iter().flatten().for_each(|half| self.add(half, balance, passed));
+                self.strip.children(halves).into_iter().flatten().for_each(|half| self.add(half, balance, passed));
             }
         }
     }

@@ -105,7 +105,7 @@ impl BoundsOfOne<'_> {
 
     /// Returns the checks that may exceed their limit, at least within the band of an estimate; including undecided
     /// ones.
-    pub(super) fn near(&self) -> Ids {
+    pub(super) fn exceeding(&self) -> Ids {
         Ids(self.own(&self.of.near).to_bits() | self.open().0)
     }
 

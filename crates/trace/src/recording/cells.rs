@@ -143,7 +143,7 @@ impl Cells {
     }
 
     #[inline]
-    pub(super) fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
+    pub(super) fn children(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
         halves.map(|index| self.cells.get(index as usize))
     }
 

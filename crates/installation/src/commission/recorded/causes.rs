@@ -132,12 +132,12 @@ const DRAGGING: f64 = 2.0;
 /// Largest resistance of leads and contacts of a two-wire measurement \[Ω\].
 const LEADS_MOST_OHM: f64 = 0.5;
 
-fn near(quotient: f64, pattern: f64, share: f64) -> bool {
+fn is_close(quotient: f64, pattern: f64, share: f64) -> bool {
     (quotient / pattern - 1.0).abs() <= share
 }
 
 fn first(quotient: f64, share: f64, patterns: &[(f64, Cause)]) -> Option<Cause> {
-    patterns.iter().find(|(pattern, _)| near(quotient, *pattern, share)).map(|(_, cause)| *cause)
+    patterns.iter().find(|(pattern, _)| is_close(quotient, *pattern, share)).map(|(_, cause)| *cause)
 }
 
 /// Returns the likely cause of a value that differs from the expected one; `None` if no pattern fits.
@@ -166,7 +166,7 @@ pub(super) fn of(about: &Commissioning, value: f64, expected: &ExpectedValue) ->
                 .or_else(|| (quotient > DRAGGING).then_some(Cause::Dragging))
         }
         Measurand::Ratio => {
-            let other = Ratio::all(about.code.series()).find(|ratio| near(value, f64::from(ratio.value()), 0.02));
+            let other = Ratio::all(about.code.series()).find(|ratio| is_close(value, f64::from(ratio.value()), 0.02));
             other.map(Cause::OtherRatio)
         }
         Measurand::PolePairs => Some(Cause::PolePairs(value)),
@@ -264,8 +264,8 @@ fn brake_current(about: &Commissioning, expected: &ExpectedValue, quotient: f64)
     let share = opening.zip(holding).map(|(opening, holding)| holding / opening).filter(|share| *share < 0.9);
     match (expected.what, share) {
         // Half the voltage and the holding current may be similar; the holding current is then more likely.
-        (Measurand::BrakeOpeningCurrent, Some(share)) if near(quotient, share, 0.1) => Some(Cause::HoldingCurrent),
-        (Measurand::BrakeHoldingCurrent, Some(share)) if near(quotient, 1.0 / share, 0.1) => {
+        (Measurand::BrakeOpeningCurrent, Some(share)) if is_close(quotient, share, 0.1) => Some(Cause::HoldingCurrent),
+        (Measurand::BrakeHoldingCurrent, Some(share)) if is_close(quotient, 1.0 / share, 0.1) => {
             Some(Cause::OpeningCurrent)
         }
         _ => first(quotient, NEAR_BRAKE, &[(0.5, Cause::HalfVoltage)]),

@@ -99,7 +99,7 @@ pub(super) fn run(inquiry: &Inquiry<'_>, name: &str) -> Result<RecordedRun, Unan
         return Err(Unanswered::message(identification::too_many_rows(&rows, &ROWS_MOST, &SECONDS, language)));
     }
     let run = columns.run(language);
-    let run = run.map_err(|faults| Unanswered::together(faults.into_iter().map(Unanswered::message).collect()))?;
+    let run = run.map_err(|faults| Unanswered::combined(faults.into_iter().map(Unanswered::message).collect()))?;
     let needed = WORK_BYTES * run.observed.time_s.len() as u64;
     memory.take(needed).map_err(|fault| Unanswered::message(recording_text(&fault, language)))?;
     Ok(run)
