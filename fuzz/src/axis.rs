@@ -65,7 +65,7 @@ fn hold(case: &Case<'_>, question: u8) {
         1 => agree(case, &sizing),
         2 => one(case, &code),
         3 => workings(case, &code),
-        4 => beside(case, &sizing),
+        4 => compare_first_two(case, &sizing),
         5 => revisions(case, &code),
         6 => forms::tables(case, &sizing, best),
         7 => forms::figures(case, best),
@@ -167,7 +167,7 @@ fn workings(case: &Case<'_>, code: &OrderCode) {
 }
 
 /// Compares the first two of the ranking, and the first with itself.
-fn beside(case: &Case<'_>, sizing: &Sizing<'_>) {
+fn compare_first_two(case: &Case<'_>, sizing: &Sizing<'_>) {
     let of = |each: &Candidate<'_>| match each.id {
         CandidateId::Code(code) => Some(code),
         CandidateId::Own(_) => None,

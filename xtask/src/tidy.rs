@@ -11,6 +11,7 @@ mod architecture;
 mod book;
 mod circles;
 mod data_files;
+mod function_names;
 mod guides;
 pub(crate) mod layers;
 mod machine_paths;
@@ -46,7 +47,7 @@ impl fmt::Display for Violation {
 
 type Rule = fn(&Path) -> Vec<Violation>;
 
-const RULES: [Rule; 17] = [
+const RULES: [Rule; 18] = [
     tree::not_empty,
     layers::rule,
     layers::document,
@@ -62,6 +63,7 @@ const RULES: [Rule; 17] = [
     one_voice::choices,
     one_voice::unused,
     openings::rule,
+    function_names::rule,
     plain_words::rule,
     type_names::rule,
 ];

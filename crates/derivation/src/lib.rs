@@ -125,7 +125,7 @@ impl Workings {
     #[inline]
     pub fn given<Q: Measure>(&mut self, symbol: &'static str, unit: &'static Unit, datum: &Sourced<Q>) {
         if self.is_on() {
-            self.put(symbol, unit, datum.value.si(), &datum.source, datum.grade, datum.errata);
+            self.record(symbol, unit, datum.value.si(), &datum.source, datum.grade, datum.errata);
         }
     }
 
@@ -133,7 +133,7 @@ impl Workings {
     #[inline]
     pub fn given_number(&mut self, symbol: &'static str, datum: &Sourced<f64>) {
         if self.is_on() {
-            self.put(symbol, &quantities::unit::ONE, datum.value, &datum.source, datum.grade, datum.errata);
+            self.record(symbol, &quantities::unit::ONE, datum.value, &datum.source, datum.grade, datum.errata);
         }
     }
 
@@ -157,11 +157,11 @@ impl Workings {
     #[inline]
     pub fn figure(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, source: &Source, grade: Grade) {
         if self.is_on() {
-            self.put(symbol, unit, si, source, grade, &[]);
+            self.record(symbol, unit, si, source, grade, &[]);
         }
     }
 
-    fn put(
+    fn record(
         &mut self,
         symbol: &'static str,
         unit: &'static Unit,

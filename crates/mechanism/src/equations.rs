@@ -93,6 +93,6 @@ pub(crate) const TWELFTH_RAD: f64 = std::f64::consts::FRAC_PI_6;
 /// of the largest ellipse about the panel in which the function is analytic
 /// # Source
 /// docs/theory/moments.md; Trefethen, Approximation Theory and Approximation Practice, theorem 19.3
-pub(crate) fn beside(distance: f64) -> f64 {
+pub(crate) fn panel_length(distance: f64) -> f64 {
     1.5 * distance
 }

@@ -1,7 +1,7 @@
 //! `[mechanism.four_bar]`: crank, coupler and rocker on a fixed link.
 
 use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement, polar as on_sheet};
-use crate::equations::{Equations, Reduced, TWELFTH_RAD, beside};
+use crate::equations::{Equations, Reduced, TWELFTH_RAD, panel_length};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Torque};
@@ -216,7 +216,7 @@ impl Equations for FourBar {
             .map(|diagonal| ((g * g + r * r - diagonal * diagonal) / (2.0 * g * r)).abs().max(1.0).acosh())
             .into_iter()
             .fold(f64::INFINITY, f64::min);
-        Some(TWELFTH_RAD.min(beside(nearest)))
+        Some(TWELFTH_RAD.min(panel_length(nearest)))
     }
 
     fn endless(&self) -> Endless {

@@ -1,7 +1,7 @@
 //! `[mechanism.scissor_lift]`: a platform on crossed arms that a screw draws together.
 
 use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement};
-use crate::equations::{Equations, Reduced, beside};
+use crate::equations::{Equations, Reduced, panel_length};
 use crate::flange::{FlangeDatum, FlangeForces, Instant, OnFlange, Overhang, Recurrence};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
 use quantities::unit::DEGREE;
@@ -136,7 +136,7 @@ impl Equations for ScissorLift {
     /// The square root has its branch points at b = ±L, on the real axis beyond the lowest position.
     fn smooth_over(&self, from_rad: f64, to_rad: f64) -> Option<f64> {
         let widest = self.base(from_rad).max(self.base(to_rad));
-        Some(beside((self.arm_length.si() - widest) / self.travel()))
+        Some(panel_length((self.arm_length.si() - widest) / self.travel()))
     }
 
     fn endless(&self) -> Endless {

@@ -1,7 +1,7 @@
 //! `[mechanism.slider_crank]`: crank, rod and slider.
 
 use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement, polar};
-use crate::equations::{Equations, Reduced, TWELFTH_RAD, beside};
+use crate::equations::{Equations, Reduced, TWELFTH_RAD, panel_length};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
 use crate::{Endless, Extra, MechanismId, Output, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
@@ -97,7 +97,7 @@ impl Equations for SliderCrank {
 
     /// The square root has its branch points at sin q = l/r.
     fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
-        Some(TWELFTH_RAD.min(beside((self.rod.si() / self.crank.si()).acosh())))
+        Some(TWELFTH_RAD.min(panel_length((self.rod.si() / self.crank.si()).acosh())))
     }
 
     fn endless(&self) -> Endless {

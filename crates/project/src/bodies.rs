@@ -258,7 +258,7 @@ impl BodySection {
 }
 
 /// Returns solid bodies with their inertia.
-pub(crate) fn together(sections: &[BodySection]) -> Option<InertiaAnswer> {
+pub(crate) fn summed(sections: &[BodySection]) -> Option<InertiaAnswer> {
     let bodies: Vec<Body> = sections.iter().filter_map(BodySection::body).collect();
     let total = mechanism::inertia(&bodies).ok()?;
     Some(InertiaAnswer { bodies: sections.iter().filter_map(parts).collect(), total })

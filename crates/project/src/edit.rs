@@ -121,7 +121,7 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
     };
     let reordered = match change {
         Edit::Value(value) => {
-            put(parent, last, key, value.trim());
+            set_value(parent, last, key, value.trim());
             false
         }
         Edit::Table => insert(parent, last).ok_or(EditFault::Path)?,
@@ -183,7 +183,7 @@ fn down<'t>(
 
 /// Sets the typed value of a key, in the type of the key; a value of another type stays a text, and the reader of the
 /// project reports the expected type.
-fn put(table: &mut dyn TableLike, (name, place): &Step<'_>, key: &Key, typed: &str) {
+fn set_value(table: &mut dyn TableLike, (name, place): &Step<'_>, key: &Key, typed: &str) {
     if place.is_some() {
         return;
     }

@@ -99,7 +99,7 @@ pub use twin::TwinInput;
 
 use ::mechanism::{Extra, Mechanism};
 use ::motion::{Alternating, MadeUp, Motion, Remark, RestNoise, Spline, Spurious, SteppedColumn};
-use bodies::together;
+use bodies::summed;
 use configurator::Requirements;
 use order_code::{Option1, Option2};
 use read::Reader;
@@ -397,7 +397,7 @@ impl Project {
     /// Returns the solid bodies that the axis turns, with their inertia; `None` for other loads.
     #[must_use]
     pub fn bodies(&self) -> Option<InertiaAnswer> {
-        together(self.root.driven()?.bodies()?)
+        summed(self.root.driven()?.bodies()?)
     }
 
     /// Reads a project file with one axis that refers to no other file.

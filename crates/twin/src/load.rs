@@ -117,7 +117,7 @@ impl<'a> LoadModel<'a> {
     }
 
     /// Returns the load linearised about a state in a segment of the motion.
-    pub(crate) fn near(&self, segment: usize, position: f64, speed: f64, acceleration: f64) -> Option<Local> {
+    pub(crate) fn linearised(&self, segment: usize, position: f64, speed: f64, acceleration: f64) -> Option<Local> {
         let part = self.parts.get(segment).or(self.parts.last())?;
         let local = Local {
             position_rad: position,

@@ -180,7 +180,7 @@ impl<'a> Twin<'a> {
         let [position, _, _] = start.state;
         let load = LoadModel::of(setup.mechanism, setup.extras, machine.flange_kgm2, &setup.parameters.load)
             .map_err(Fault::NotOfThisLoad)?;
-        let local = load.near(start.segment, position, 0.0, 0.0).ok_or(Fault::NoInertia)?;
+        let local = load.linearised(start.segment, position, 0.0, 0.0).ok_or(Fault::NoInertia)?;
         if local.inertia_kgm2.is_nan() || local.inertia_kgm2 <= 0.0 {
             return Err(Fault::NoInertia);
         }
@@ -437,7 +437,7 @@ impl<'a> Twin<'a> {
         }
         self.voltage = if self.state.pulses { self.controlled() } else { [0.0; 2] };
         let [_, _, theta, omega, position, speed] = self.state.x;
-        if let Some(local) = self.load.near(self.point.segment, position, speed, self.state.acceleration_rad_s2) {
+        if let Some(local) = self.load.linearised(self.point.segment, position, speed, self.state.acceleration_rad_s2) {
             self.local = local;
         }
         if let Some(error) = &self.plant.kinematic

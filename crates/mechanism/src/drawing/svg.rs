@@ -41,7 +41,7 @@ fn pair([x, y]: SheetPoint) -> String {
 }
 
 /// Returns a point relative to another one, from distances along and across a direction.
-fn beside([x, y]: SheetPoint, [dx, dy]: SheetPoint, along: f64, across: f64) -> SheetPoint {
+fn offset([x, y]: SheetPoint, [dx, dy]: SheetPoint, along: f64, across: f64) -> SheetPoint {
     [x + along * dx - across * dy, y + along * dy + across * dx]
 }
 
@@ -86,7 +86,7 @@ fn path(class: &str, steps: &[Step]) -> String {
 
 /// Returns an arrow head whose tip is at a point.
 fn head(class: &str, at: SheetPoint, to: SheetPoint, [length, half]: [f64; 2]) -> String {
-    let (left, right) = (beside(at, to, -length, half), beside(at, to, -length, -half));
+    let (left, right) = (offset(at, to, -length, half), offset(at, to, -length, -half));
     path(class, &[Step::Move(at), Step::Line(left), Step::Line(right), Step::Close])
 }
 
@@ -165,7 +165,7 @@ impl CallOut {
     /// Returns the leader from the symbol to its end as SVG; it starts at some distance from the symbol.
     #[must_use]
     pub fn leader(&self) -> String {
-        let from = beside(self.label, direction(self.label, self.at), 9.0, 0.0);
+        let from = offset(self.label, direction(self.label, self.at), 9.0, 0.0);
         let line = path("l-leader", &[Step::Move(from), Step::Line(self.at)]);
         format!("{line}<circle class='l-mark' cx='{}' cy='{}' r='1.5'/>", shown(self.at[0]), shown(self.at[1]))
     }

@@ -93,7 +93,11 @@ fn a_project_comes_as_text_of_any_plain_type_and_as_no_other() {
     }
     // A form is read as plain text: its content has no effect on the settings.
     let form = sent(Method::Post, "/api/v1/moves", "", Some("application/x-www-form-urlencoded"), b"lang=de&axis=1");
-    assert!(form.status == 422 && messages(&form)[0].contains("expected"), "{:?}", messages(&form));
+    assert!(
+        form.status == 422 && messages(&form).iter().any(|fault| fault.contains("expected")),
+        "{:?}",
+        messages(&form)
+    );
     for media in ["application/json", "multipart/form-data; boundary=x", "image/png"] {
         assert_eq!(sent(Method::Post, "/api/v1/size", "", Some(media), PROJECT.as_bytes()).status, 415, "{media}");
     }

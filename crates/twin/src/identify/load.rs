@@ -84,7 +84,7 @@ pub(super) fn estimate(
     let none = Extra::none();
     match load.mechanism.plain(load.extras.first().unwrap_or(&none)) {
         Some(plain) => plainly(windows, load, &plain, found),
-        None => beside(run, windows, load, found),
+        None => relative_to_stated(run, windows, load, found),
     }
 }
 
@@ -314,7 +314,7 @@ const WITHIN: u32 = 8;
 
 /// Estimates friction, and for a linear drive inertia, of a load without constant coefficients, relative to the stated
 /// load without friction.
-fn beside(
+fn relative_to_stated(
     run: &Observed,
     windows: &Windows,
     load: &Load<'_, '_>,

@@ -123,7 +123,7 @@ impl Twin<'_> {
     /// load, friction and acceleration.
     fn set_in_motion(&mut self, point: &SetPoint) {
         let [wanted, speed, acceleration] = point.state;
-        let Some(local) = self.load.near(point.segment, wanted, speed, acceleration) else { return };
+        let Some(local) = self.load.linearised(point.segment, wanted, speed, acceleration) else { return };
         let gains = self.control.gains;
         let direction = if speed == 0.0 { 0.0 } else { speed.signum() };
         let gear_nm = local.inertia_kgm2 * acceleration + local.torque(wanted, speed) + local.coulomb_nm * direction;
