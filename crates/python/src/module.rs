@@ -4,16 +4,11 @@ mod call;
 mod capsules;
 mod table;
 
-use crate::{CallOutcome, QuestionCall};
-use call::{Handed, interruptible, refused, text};
-use pyo3::exceptions::PyRuntimeError;
-use pyo3::intern;
+use crate::{CallOutcome, ForkedAtWork, QuestionCall, within};
+use call::{Handed, forked_at_work, interruptible, refused, text};
 use pyo3::prelude::*;
 use quantities::Language;
-use questions::Progress;
 use std::borrow::Cow;
-use std::path::PathBuf;
-use std::time::{Duration, Instant};
 
 /// Native part of antrieb, called by the functions of the package.
 #[pymodule(gil_used = false)]

@@ -50,7 +50,7 @@ pub(super) fn interruptible<T: Send>(
 }
 
 /// Returns the exception of a process that was forked while a call was running.
-fn forked_at_work() -> PyErr {
+pub(super) fn forked_at_work() -> PyErr {
     PyRuntimeError::new_err(
         "this process was forked while another thread was in a call of antrieb; what that thread held can never be had here. Fork \
          before, or start processes with the method 'spawn' or 'forkserver'",
