@@ -59,15 +59,60 @@ pub struct Energies {
     pub regenerated_j: f64,
 }
 
+/// A quantity for each variable of the equations of motion: the value of the state, or the terms of its series.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Variables<T = f64> {
+    /// i_d \[A\].
+    pub(crate) current_d: T,
+    /// i_q \[A\].
+    pub(crate) current_q: T,
+    /// θ: angle of the motor over i \[rad\].
+    pub(crate) motor_rad: T,
+    /// Ω: speed of the motor over i [rad/s].
+    pub(crate) motor_rad_s: T,
+    /// q: angle of the load \[rad\].
+    pub(crate) load_rad: T,
+    /// ω: speed of the load [rad/s].
+    pub(crate) load_rad_s: T,
+}
+
+impl Variables {
+    /// Returns the values increased by an amount computed from the terms of each variable.
+    #[inline(always)]
+    pub(crate) fn increased<T>(&self, terms: &Variables<T>, amount: impl Fn(&T) -> f64) -> Self {
+        Self {
+            current_d: self.current_d + amount(&terms.current_d),
+            current_q: self.current_q + amount(&terms.current_q),
+            motor_rad: self.motor_rad + amount(&terms.motor_rad),
+            motor_rad_s: self.motor_rad_s + amount(&terms.motor_rad_s),
+            load_rad: self.load_rad + amount(&terms.load_rad),
+            load_rad_s: self.load_rad_s + amount(&terms.load_rad_s),
+        }
+    }
+
+    /// Returns `true` if every value is finite.
+    pub(crate) fn are_finite(&self) -> bool {
+        let Self { current_d, current_q, motor_rad, motor_rad_s, load_rad, load_rad_s } = self;
+        [current_d, current_q, motor_rad, motor_rad_s, load_rad, load_rad_s].into_iter().all(|value| value.is_finite())
+    }
+}
+
+/// Directions in which the dry contacts slide; 0 while sticking.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sliding {
+    /// Bearings, seals and brake of the motor.
+    pub(crate) motor: f64,
+    /// Guides of the load.
+    pub(crate) load: f64,
+}
+
 /// State of the plant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct State {
-    /// i_d, i_q \[A\], θ \[rad\], Ω [rad/s], q \[rad\], ω [rad/s]; θ and Ω are those of the motor over i.
-    pub(crate) x: [f64; 6],
+    pub(crate) x: Variables,
     /// Forces of the hysteresis elements \[Nm\].
     pub(crate) force: [f64; ELEMENTS],
-    /// Directions of sliding at the motor and in the load; 0 while sticking.
-    pub(crate) sliding: [f64; 2],
+    pub(crate) sliding: Sliding,
     pub(crate) energies: Energies,
     /// Angle by which the closed brake has slipped \[rad\].
     pub(crate) slipped_rad: f64,
@@ -121,8 +166,8 @@ pub(crate) struct Given<'a> {
 impl Plant {
     /// Sets the twist of a state from its angles.
     pub(crate) fn place(&self, state: &mut State) {
-        let error = self.kinematic.map_or(0.0, |error| error.at(state.x[2]));
-        state.twist_rad = state.x[2] - state.x[4] - error;
+        let error = self.kinematic.map_or(0.0, |error| error.at(state.x.motor_rad));
+        state.twist_rad = state.x.motor_rad - state.x.load_rad - error;
     }
 
     /// Blocks the inverter: the energy of the windings returns through its diodes at once.
@@ -130,19 +175,19 @@ impl Plant {
         let stored = self.magnetic(state);
         state.energies.terminal_j -= stored;
         state.energies.regenerated_j += stored;
-        state.x[0] = 0.0;
-        state.x[1] = 0.0;
+        state.x.current_d = 0.0;
+        state.x.current_q = 0.0;
         state.pulses = false;
     }
 
     fn magnetic(&self, state: &State) -> f64 {
-        let [i_d, i_q, ..] = state.x;
-        0.75 * self.inductance_h * (i_d * i_d + i_q * i_q)
+        let Variables { current_d, current_q, .. } = state.x;
+        0.75 * self.inductance_h * (current_d * current_d + current_q * current_q)
     }
 
     /// Returns the energy stored in windings, rotor and gear \[J\].
     pub(crate) fn stored(&self, state: &State) -> f64 {
-        let omega = state.x[3];
+        let omega = state.x.motor_rad_s;
         self.magnetic(state)
             + 0.5 * self.inertia_kgm2 * omega * omega
             + self.spring.energy(state.twist_rad)

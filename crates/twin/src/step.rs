@@ -8,7 +8,7 @@
 mod series;
 
 use crate::gear::Anchor;
-use crate::plant::{Given, Plant, State};
+use crate::plant::{Given, Plant, Sliding, State, Variables};
 use numeric::root;
 use series::{Pace, Series, sum};
 
@@ -52,18 +52,27 @@ struct Piece {
     damping_nms: f64,
     /// Range of twist in which the piece is valid.
     between: [f64; 2],
-    /// Directions of the twist while an element slips, of the torque with tooth friction, of motor and load with
-    /// friction; otherwise zero.
-    directions: [f64; 4],
+    directions: Directions,
     /// The load touches the stop.
     touches: bool,
+}
+
+/// Directions that must not reverse within a piece; zero where a reversal changes no law.
+#[derive(Clone, Copy)]
+struct Directions {
+    /// Twist of the gear while a hysteresis element slips.
+    twist: f64,
+    /// Torque through the gear while the teeth rub.
+    torque: f64,
+    /// Motor and load while they slide with dry friction.
+    motor: f64,
+    load: f64,
 }
 
 /// A state with derived quantities.
 #[derive(Clone, Copy)]
 struct Node {
-    /// State variables, see [`State`].
-    x: [f64; 6],
+    x: Variables,
     phi: f64,
     /// φ' and T.
     rate: f64,
@@ -87,39 +96,46 @@ impl Kink {
     const ALL: [Self; 6] = [Self::Corner, Self::Reversal, Self::Pull, Self::Motor, Self::Load, Self::Contact];
 }
 
-/// Quantities that locate a kink: φ, φ', T, Ω, q, ω.
-type Place = [f64; 6];
+/// Quantities that locate a kink.
+#[derive(Clone, Copy)]
+struct Place {
+    phi: f64,
+    /// φ' and T.
+    rate: f64,
+    gear: f64,
+    motor_rad_s: f64,
+    load_rad: f64,
+    load_rad_s: f64,
+}
 
 impl Piece {
     /// Returns `true` if the piece is still valid at a node.
     #[inline(always)]
     fn holds(&self, node: &Node, given: &Given<'_>) -> bool {
         let [low, high] = self.between;
-        let [turning, pull, motor, load] = self.directions;
-        let [_, _, _, omega, _, speed] = node.x;
+        let directions = &self.directions;
         (node.phi >= low)
             & (node.phi <= high)
-            & (node.rate * turning >= -BEYOND_RAD_S)
-            & (node.gear * pull >= -BEYOND_NM)
-            & (omega * motor >= 0.0)
-            & (speed * load >= 0.0)
-            && (given.stop.is_none()
-                || self.distance(Kink::Contact, [0.0, 0.0, 0.0, 0.0, node.x[4], speed], given) >= 0.0)
+            & (node.rate * directions.twist >= -BEYOND_RAD_S)
+            & (node.gear * directions.torque >= -BEYOND_NM)
+            & (node.x.motor_rad_s * directions.motor >= 0.0)
+            & (node.x.load_rad_s * directions.load >= 0.0)
+            && (given.stop.is_none() || self.distance(Kink::Contact, &node.place(), given) >= 0.0)
     }
 
     /// Returns the distance from a kink in its own measure; negative beyond it.
-    fn distance(&self, kink: Kink, [phi, rate, gear, omega, q, speed]: Place, given: &Given<'_>) -> f64 {
+    fn distance(&self, kink: Kink, place: &Place, given: &Given<'_>) -> f64 {
         let [low, high] = self.between;
-        let [turning, pull, motor, load] = self.directions;
+        let directions = &self.directions;
         match kink {
-            Kink::Corner => (phi - low).min(high - phi),
-            Kink::Reversal => rate * turning + BEYOND_RAD_S,
-            Kink::Pull => gear * pull + BEYOND_NM,
-            Kink::Motor => omega * motor,
-            Kink::Load => speed * load,
+            Kink::Corner => (place.phi - low).min(high - place.phi),
+            Kink::Reversal => place.rate * directions.twist + BEYOND_RAD_S,
+            Kink::Pull => place.gear * directions.torque + BEYOND_NM,
+            Kink::Motor => place.motor_rad_s * directions.motor,
+            Kink::Load => place.load_rad_s * directions.load,
             Kink::Contact => {
                 given.stop.map_or(0.0, |stop| {
-                    let pressed = stop.pressed(q, speed);
+                    let pressed = stop.pressed(place.load_rad, place.load_rad_s);
                     if self.touches { pressed } else { -pressed }
                 }) + BEYOND_NM
             }
@@ -129,23 +145,19 @@ impl Piece {
     /// Returns the first kink within a step, with the share of the step up to it.
     fn first(&self, series: &Series, (start, end): (&Node, &Node), given: &Given<'_>, h: f64) -> (f64, Kink) {
         let at = |kink, x: f64| {
-            let [_, _, _, omega, q, speed] = &series.x;
             let [one, two, three, four] = series.phi;
             let slope = one + x * (2.0 * two + x * (3.0 * three + x * 4.0 * four));
-            let place = [
-                start.phi + sum(&series.phi, x),
-                start.rate + (slope - one) / h,
-                start.gear + sum(&series.gear, x),
-                start.x[3] + sum(omega, x),
-                start.x[4] + sum(q, x),
-                start.x[5] + sum(speed, x),
-            ];
-            self.distance(kink, place, given)
+            let place = Place {
+                phi: start.phi + sum(&series.phi, x),
+                rate: start.rate + (slope - one) / h,
+                gear: start.gear + sum(&series.gear, x),
+                motor_rad_s: start.x.motor_rad_s + sum(&series.x.motor_rad_s, x),
+                load_rad: start.x.load_rad + sum(&series.x.load_rad, x),
+                load_rad_s: start.x.load_rad_s + sum(&series.x.load_rad_s, x),
+            };
+            self.distance(kink, &place, given)
         };
-        let of = |kink, node: &Node| {
-            let [_, _, _, omega, q, speed] = node.x;
-            self.distance(kink, [node.phi, node.rate, node.gear, omega, q, speed], given)
-        };
+        let of = |kink, node: &Node| self.distance(kink, &node.place(), given);
         let mut first = (1.0, Kink::Corner);
         for kink in Kink::ALL {
             let (before, after) = (of(kink, start), of(kink, end));
@@ -164,7 +176,7 @@ impl Piece {
 impl Node {
     #[inline(always)]
     fn powers(&self) -> Powers {
-        let [i_d, i_q, _, omega, _, speed] = self.x;
+        let Variables { current_d: i_d, current_q: i_q, motor_rad_s: omega, load_rad_s: speed, .. } = self.x;
         [
             i_d,
             i_q,
@@ -175,6 +187,11 @@ impl Node {
             self.rate * self.rate,
             self.gear * speed,
         ]
+    }
+
+    fn place(&self) -> Place {
+        let Variables { motor_rad_s, load_rad, load_rad_s, .. } = self.x;
+        Place { phi: self.phi, rate: self.rate, gear: self.gear, motor_rad_s, load_rad, load_rad_s }
     }
 }
 
@@ -270,19 +287,18 @@ impl Plant {
 
     /// Applies the change of state at a kink.
     fn pass(&self, state: &mut State, kink: Kink, piece: &Piece) {
-        let [turning, pull, ..] = piece.directions;
         match kink {
             Kink::Corner | Kink::Contact => {}
-            Kink::Reversal => state.turning = -turning,
-            Kink::Pull => state.pull = -pull,
+            Kink::Reversal => state.turning = -piece.directions.twist,
+            Kink::Pull => state.pull = -piece.directions.torque,
             Kink::Motor => {
-                let omega = std::mem::take(&mut state.x[3]);
+                let omega = std::mem::take(&mut state.x.motor_rad_s);
                 state.energies.friction_j += 0.5 * self.inertia_kgm2 * omega * omega;
-                state.sliding[0] = 0.0;
+                state.sliding.motor = 0.0;
             }
             Kink::Load => {
-                state.x[5] = 0.0;
-                state.sliding[1] = 0.0;
+                state.x.load_rad_s = 0.0;
+                state.sliding.load = 0.0;
             }
         }
     }
@@ -290,12 +306,12 @@ impl Plant {
     /// Applies the results of a piece to the state.
     #[inline]
     fn close(&self, state: &mut State, piece: &Piece, node: &Node) {
-        let slid = node.x[2] - piece.theta;
+        let slid = node.x.motor_rad - piece.theta;
         state.x = node.x;
         state.energies.hysteresis_j += self.hysteresis.advance(&mut state.force, node.phi - piece.phi);
-        state.energies.friction_j += self.friction_nm * state.sliding[0] * slid;
+        state.energies.friction_j += self.friction_nm * state.sliding.motor * slid;
         if self.brake_nm > 0.0 {
-            state.energies.brake_j += self.brake_nm * state.sliding[0] * slid;
+            state.energies.brake_j += self.brake_nm * state.sliding.motor * slid;
             state.slipped_rad += slid.abs();
         }
         state.twist_rad = node.phi;
@@ -304,7 +320,8 @@ impl Plant {
     /// Returns the piece that starts at a state.
     #[inline]
     fn piece(&self, state: &mut State, given: &Given<'_>) -> (Piece, Node) {
-        let [_, i_q, theta, omega, q, speed] = state.x;
+        let Variables { current_q: i_q, motor_rad: theta, motor_rad_s: omega, load_rad: q, load_rad_s: speed, .. } =
+            state.x;
         let (error, slope, ..) = given.anchor.at(theta);
         let phi = theta - q - error;
         let rate = omega * (1.0 - slope) - speed;
@@ -332,7 +349,7 @@ impl Plant {
             state.pull = gear.signum();
         }
         self.let_go(state, i_q, gear, slope, given);
-        let [sliding, load_sliding] = state.sliding;
+        let Sliding { motor: sliding, load: load_sliding } = state.sliding;
         let rubs = self.friction_nm + self.brake_nm > 0.0 || self.mesh > 0.0;
         let over_rotor = if sliding == 0.0 { 0.0 } else { 1.0 / self.inertia_kgm2 };
         let over_inductance = if state.pulses { 1.0 / self.inductance_h } else { 0.0 };
@@ -356,12 +373,12 @@ impl Plant {
             stiffness,
             damping_nms: self.damping_nms,
             between: [low - BEYOND_RAD, high + BEYOND_RAD],
-            directions: [
-                if slips { state.turning } else { 0.0 },
-                if self.mesh > 0.0 && sliding != 0.0 { state.pull } else { 0.0 },
-                if rubs { sliding } else { 0.0 },
-                if given.load.coulomb_nm > 0.0 { load_sliding } else { 0.0 },
-            ],
+            directions: Directions {
+                twist: if slips { state.turning } else { 0.0 },
+                torque: if self.mesh > 0.0 && sliding != 0.0 { state.pull } else { 0.0 },
+                motor: if rubs { sliding } else { 0.0 },
+                load: if given.load.coulomb_nm > 0.0 { load_sliding } else { 0.0 },
+            },
             touches: given.stop.is_some_and(|stop| stop.pressed(q, speed) > 0.0),
         };
         let node = self.node(&piece, given.anchor, state.x);
@@ -370,8 +387,8 @@ impl Plant {
 
     /// Returns the quantities derived from a state.
     #[inline(always)]
-    fn node(&self, piece: &Piece, anchor: &Anchor, x: [f64; 6]) -> Node {
-        let [_, _, theta, omega, q, speed] = x;
+    fn node(&self, piece: &Piece, anchor: &Anchor, x: Variables) -> Node {
+        let Variables { motor_rad: theta, motor_rad_s: omega, load_rad: q, load_rad_s: speed, .. } = x;
         let (error, slope, bend, twist) = anchor.at(theta);
         let phi = theta - q - error;
         let rate = omega * (1.0 - slope) - speed;
@@ -383,10 +400,11 @@ impl Plant {
     /// returns ω'.
     #[inline]
     fn edge(&self, worked: &mut Powers, piece: &Piece, node: &Node, given: &Given<'_>, h: f64) -> f64 {
-        let [i_d, i_q, _, omega, _, speed] = node.x;
+        let Variables { current_d: i_d, current_q: i_q, motor_rad_s: omega, load_rad_s: speed, .. } = node.x;
         // The first terms over a step of one second are the slopes.
         let Series { x, phi, gear } = Series::of(piece, &Pace::of(piece, 1.0), node, given);
-        let [[di_d, ..], [di_q, ..], _, [rotor, ..], _, [load, ..]] = x;
+        let ([di_d, ..], [di_q, ..]) = (x.current_d, x.current_q);
+        let ([rotor, ..], [load, ..]) = (x.motor_rad_s, x.load_rad_s);
         let ([_, rate, ..], [gear, ..]) = (phi, gear);
         let slopes = [
             di_d,
@@ -406,18 +424,18 @@ impl Plant {
     /// Returns `true` if the torque exceeds the breakaway torque and a sticking contact starts to slip.
     #[inline(always)]
     fn releases(&self, state: &State, node: &Node, given: &Given<'_>) -> bool {
-        let [motor, load] = state.sliding;
-        (motor == 0.0 && self.released(node.x[1], node.gear, node.error[0]) != 0.0)
-            || (load == 0.0 && Self::load_released(node.gear, node.x[4], given) != 0.0)
+        let Sliding { motor, load } = state.sliding;
+        (motor == 0.0 && self.released(node.x.current_q, node.gear, node.error[0]) != 0.0)
+            || (load == 0.0 && Self::load_released(node.gear, node.x.load_rad, given) != 0.0)
     }
 
     /// Starts the sliding of sticking contacts, from the torques at the start of a piece.
     fn let_go(&self, state: &mut State, i_q: f64, gear: f64, slope: f64, given: &Given<'_>) {
-        if state.sliding[0] == 0.0 {
-            state.sliding[0] = self.released(i_q, gear, slope);
+        if state.sliding.motor == 0.0 {
+            state.sliding.motor = self.released(i_q, gear, slope);
         }
-        if state.sliding[1] == 0.0 {
-            state.sliding[1] = Self::load_released(gear, state.x[4], given);
+        if state.sliding.load == 0.0 {
+            state.sliding.load = Self::load_released(gear, state.x.load_rad, given);
         }
     }
 

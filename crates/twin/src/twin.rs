@@ -14,7 +14,7 @@ use crate::link::{Link, LinkModel};
 use crate::load::{LoadModel, Local};
 use crate::machine::Machine;
 use crate::parameters::Parameter;
-use crate::plant::{Energies, Given, Plant, State, Stop};
+use crate::plant::{Energies, Given, Plant, Sliding, State, Stop, Variables};
 use crate::scenario::{Event, EventKind, ScenarioId};
 use crate::setpoint::{Course, SetPoint};
 use crate::setup::{Fault, STEP_MOST, SUBSTEPS_MOST, Setup, Supply};
@@ -223,9 +223,19 @@ impl<'a> Twin<'a> {
         let pulses = !resting;
         let free = |held: f64| if held > 0.0 { 0.0 } else { 1.0 };
         let mut state = State {
-            x: [0.0, if pulses { control.current_wanted } else { 0.0 }, theta, 0.0, position, 0.0],
+            x: Variables {
+                current_d: 0.0,
+                current_q: if pulses { control.current_wanted } else { 0.0 },
+                motor_rad: theta,
+                motor_rad_s: 0.0,
+                load_rad: position,
+                load_rad_s: 0.0,
+            },
             force: [0.0; crate::gear::ELEMENTS],
-            sliding: [free(plant.friction_nm + plant.brake_nm + plant.mesh), free(local.coulomb_nm)],
+            sliding: Sliding {
+                motor: free(plant.friction_nm + plant.brake_nm + plant.mesh),
+                load: free(local.coulomb_nm),
+            },
             energies: Energies::default(),
             slipped_rad: 0.0,
             turning: 0.0,
@@ -405,7 +415,7 @@ impl<'a> Twin<'a> {
         let Some([accuracy, step]) = self.machine.feedback_out_rad.filter(|_| self.setup.loop_at_output) else {
             return motor_rad;
         };
-        let position = self.state.x[4];
+        let position = self.state.x.load_rad;
         if !self.setup.switches.noise {
             return position;
         }
@@ -425,10 +435,10 @@ impl<'a> Twin<'a> {
             let [position, ..] = self.point.state;
             match self.phase {
                 Phase::Running | Phase::Resting => {
-                    self.gathered.update(time, &self.point.state, self.state.x[4]);
+                    self.gathered.update(time, &self.point.state, self.state.x.load_rad);
                 }
                 Phase::Commanded(Demand::Position(wanted)) => self.point.state = wanted,
-                Phase::Commanded(Demand::Speed(wanted)) => self.point.state = [self.state.x[4], wanted, 0.0],
+                Phase::Commanded(Demand::Speed(wanted)) => self.point.state = [self.state.x.load_rad, wanted, 0.0],
                 Phase::Ramp(_) | Phase::Holding(_) | Phase::Off => self.point.state = [position, 0.0, 0.0],
             }
         }
@@ -436,14 +446,16 @@ impl<'a> Twin<'a> {
             self.read(time);
         }
         self.voltage = if self.state.pulses { self.controlled() } else { [0.0; 2] };
-        let [_, _, theta, omega, position, speed] = self.state.x;
-        if let Some(local) = self.load.linearised(self.point.segment, position, speed, self.state.acceleration_rad_s2) {
+        let Variables { motor_rad, motor_rad_s, load_rad, load_rad_s, .. } = self.state.x;
+        if let Some(local) =
+            self.load.linearised(self.point.segment, load_rad, load_rad_s, self.state.acceleration_rad_s2)
+        {
             self.local = local;
         }
         if let Some(error) = &self.plant.kinematic
-            && !(self.anchor.is_near(theta) && self.anchor.is_near(theta + omega * PERIOD_S))
+            && !(self.anchor.is_near(motor_rad) && self.anchor.is_near(motor_rad + motor_rad_s * PERIOD_S))
         {
-            self.anchor = error.anchor_ahead(theta, omega, 32.0 * PERIOD_S);
+            self.anchor = error.anchor_ahead(motor_rad, motor_rad_s, 32.0 * PERIOD_S);
         }
         let before = self.state.energies;
         let given = Given { voltage: self.voltage, load: &self.local, stop: self.stop.as_ref(), anchor: &self.anchor };
@@ -457,11 +469,11 @@ impl<'a> Twin<'a> {
         let copper = after.copper_j - before.copper_j;
         self.slow.copper_j += copper;
         self.slow.heat_j += after.heat() - before.heat();
-        let [i_d, i_q, ..] = self.state.x;
-        let square = 0.5 * (i_d * i_d + i_q * i_q);
+        let Variables { current_d, current_q, .. } = self.state.x;
+        let square = 0.5 * (current_d * current_d + current_q * current_q);
         self.slow.square_a2_s += square * PERIOD_S;
         let link_v = [self.link.voltage_v, self.highest_link().voltage_v];
-        self.gathered.each(square, self.state.gear_nm, omega, link_v);
+        self.gathered.each(square, self.state.gear_nm, motor_rad_s, link_v);
         self.tick += 1;
         if self.tick.is_multiple_of(SLOW_EVERY) {
             self.supervise();
@@ -475,8 +487,8 @@ impl<'a> Twin<'a> {
 
     /// Returns the voltage of the control in this period.
     fn controlled(&mut self) -> [f64; 2] {
-        let [i_d, i_q, ..] = self.state.x;
-        let [mut i_d, mut i_q] = self.seen_by_the_drive([i_d, i_q]);
+        let Variables { current_d, current_q, .. } = self.state.x;
+        let [mut i_d, mut i_q] = self.seen_by_the_drive([current_d, current_q]);
         let noise = self.setup.parameters.model.current_noise.value;
         if self.setup.switches.noise && noise > 0.0 {
             i_d += noise * self.random.normal();

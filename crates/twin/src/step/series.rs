@@ -1,7 +1,7 @@
 //! Terms of the Taylor series of the plant's equations over one step.
 
 use super::{Node, Piece};
-use crate::plant::Given;
+use crate::plant::{Given, Variables};
 
 /// Number of terms of the series after the value.
 const ORDER: usize = 4;
@@ -24,8 +24,7 @@ pub(super) struct Pace {
 
 /// Terms of the series over one step.
 pub(super) struct Series {
-    /// Terms of i_d, i_q, θ, Ω, q, ω.
-    pub(super) x: [[f64; ORDER]; 6],
+    pub(super) x: Variables<[f64; ORDER]>,
     /// Terms of φ and T.
     pub(super) phi: [f64; ORDER],
     pub(super) gear: [f64; ORDER - 1],
@@ -61,7 +60,7 @@ impl Pace {
 /// dependence on the speed.
 #[inline(always)]
 fn load(piece: &Piece, node: &Node, given: &Given<'_>) -> [f64; 4] {
-    let [_, _, _, _, q, speed] = node.x;
+    let Variables { load_rad: q, load_rad_s: speed, .. } = node.x;
     let load = given.load;
     let torque = load.torque(q, speed) + piece.load_dry_nm;
     let slope = load.slope_nm + 2.0 * load.bend_nm * (q - load.position_rad);
@@ -79,22 +78,14 @@ fn load(piece: &Piece, node: &Node, given: &Given<'_>) -> [f64; 4] {
 impl Series {
     /// Returns the state after a part of the step.
     #[inline(always)]
-    pub(super) fn after(&self, start: &[f64; 6], part: f64) -> [f64; 6] {
-        let mut x = *start;
-        for (x, terms) in x.iter_mut().zip(&self.x) {
-            *x += sum(terms, part);
-        }
-        x
+    pub(super) fn after(&self, start: &Variables, part: f64) -> Variables {
+        start.increased(&self.x, |terms| sum(terms, part))
     }
 
     /// Returns the state after the step.
     #[inline(always)]
-    pub(super) fn end(&self, start: &[f64; 6]) -> [f64; 6] {
-        let mut x = *start;
-        for (x, [a, b, c, d]) in x.iter_mut().zip(&self.x) {
-            *x += ((a + b) + c) + d;
-        }
-        x
+    pub(super) fn end(&self, start: &Variables) -> Variables {
+        start.increased(&self.x, |[a, b, c, d]| ((a + b) + c) + d)
     }
 
     /// Computes the terms of the series of the equations.
@@ -107,7 +98,7 @@ impl Series {
     /// docs/theory/twin.md
     #[inline(always)]
     pub(super) fn of(piece: &Piece, pace: &Pace, node: &Node, given: &Given<'_>) -> Self {
-        let [d0, q0, _, omega, _, speed] = node.x;
+        let Variables { current_d: d0, current_q: q0, motor_rad_s: omega, load_rad_s: speed, .. } = node.x;
         let [slope, bend, third] = node.error;
         let [torque, stiff, square, viscous] = load(piece, node, given);
         let [half, third_part, quarter] = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0];
@@ -164,14 +155,14 @@ impl Series {
             quarter * over_load * t3 - quarter * (over_load * (stiff * y3 + 2.0 * square * (v0 * y2)) + load_rub * v3);
         let (a4, y4) = (quarter * w3, quarter * v3);
         Self {
-            x: [
-                [d1, d2, d3, d4],
-                [q1, q2, q3, q4],
-                [w0, a2, a3, a4],
-                [per * w1, per * w2, per * w3, per * w4],
-                [v0, y2, y3, y4],
-                [per * v1, per * v2, per * v3, per * v4],
-            ],
+            x: Variables {
+                current_d: [d1, d2, d3, d4],
+                current_q: [q1, q2, q3, q4],
+                motor_rad: [w0, a2, a3, a4],
+                motor_rad_s: [per * w1, per * w2, per * w3, per * w4],
+                load_rad: [v0, y2, y3, y4],
+                load_rad_s: [per * v1, per * v2, per * v3, per * v4],
+            },
             phi: [phi1, phi2, phi3, phi4],
             gear: [t1, t2, t3],
         }

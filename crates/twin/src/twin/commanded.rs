@@ -4,6 +4,7 @@
 use super::Twin;
 use crate::control::Demand;
 use crate::drive::{BrakeState, Phase};
+use crate::plant::Variables;
 use crate::scenario::{EventKind, ScenarioId};
 use crate::setup::{Fault, SUBSTEPS_MOST, Setup};
 use std::f64::consts::SQRT_2;
@@ -67,7 +68,7 @@ impl<'a> Twin<'a> {
         twin.plant.brake_nm = twin.brake.torque_nm();
         twin.plant.block(&mut twin.state);
         if twin.brake.exists() {
-            twin.state.sliding[0] = 0.0;
+            twin.state.sliding.motor = 0.0;
         }
         Ok(twin)
     }
@@ -116,7 +117,7 @@ impl<'a> Twin<'a> {
         self.brake.stuck = false;
         match what {
             ScenarioId::BlockedLoad => self.stop = Some(self.stop_here(0.0)),
-            ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x[5].signum())),
+            ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x.load_rad_s.signum())),
             ScenarioId::EncoderFailure => self.fail(),
             ScenarioId::PowerFailure => self.supply_share = 0.0,
             ScenarioId::LinkSag => self.supply_share = super::SAG.0,
@@ -134,13 +135,13 @@ impl<'a> Twin<'a> {
     /// Returns the present measured values of a drive.
     #[must_use]
     pub fn reading(&self) -> Reading {
-        let [_, i_q, _, omega, ..] = self.state.x;
+        let Variables { current_q, motor_rad_s, .. } = self.state.x;
         let pulses = self.state.pulses;
         Reading {
             time_s: self.time_s(),
             position_rad: self.measured_rad(),
-            speed_rad_s: if pulses { self.control.speed } else { omega },
-            current_a: i_q / SQRT_2,
+            speed_rad_s: if pulses { self.control.speed } else { motor_rad_s },
+            current_a: current_q / SQRT_2,
             link_v: self.link.voltage_v,
             link_ready: self.link.voltage_v >= self.limits.link_v[0],
             sensor_k: self.sensor_seen_k(),

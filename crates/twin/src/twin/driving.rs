@@ -15,7 +15,7 @@ impl Twin<'_> {
         }
         if self.brake.follow(time) {
             self.plant.brake_nm = self.brake.torque_nm();
-            let moving = self.state.x[3].abs() > 1e-3 * self.machine.speed_max;
+            let moving = self.state.x.motor_rad_s.abs() > 1e-3 * self.machine.speed_max;
             let kind = match (self.brake.closed, moving) {
                 (true, true) => EventKind::BrakeClosedMoving,
                 (true, false) => EventKind::BrakeClosed,
@@ -26,8 +26,8 @@ impl Twin<'_> {
                 *(if moving { moved } else { rest }) += 1;
                 self.state.slipped_rad = 0.0;
                 // An axis held at rest sticks.
-                if !moving && self.state.x[3] == 0.0 {
-                    self.state.sliding[0] = 0.0;
+                if !moving && self.state.x.motor_rad_s == 0.0 {
+                    self.state.sliding.motor = 0.0;
                 }
             }
             self.note(kind);
@@ -66,9 +66,9 @@ impl Twin<'_> {
             }
             Phase::Off | Phase::Commanded(_) => {}
         }
-        let rests = self.state.x[3].abs() < 1e-4 * self.machine.speed_max
-            && self.state.x[5].abs() < 1e-3 * self.machine.speed_max;
-        let stands = self.gathered.stop(time, self.happened, rests, self.state.x[4]);
+        let rests = self.state.x.motor_rad_s.abs() < 1e-4 * self.machine.speed_max
+            && self.state.x.load_rad_s.abs() < 1e-3 * self.machine.speed_max;
+        let stands = self.gathered.stop(time, self.happened, rests, self.state.x.load_rad);
         let is_noted = self.has(EventKind::AtRest);
         if self.phase == Phase::Off && stands && !is_noted {
             self.note(EventKind::AtRest);
@@ -154,7 +154,7 @@ impl Twin<'_> {
     pub(super) fn stop_here(&self, side: f64) -> Stop {
         let stiffness_nm = self.setup.parameters.model.stop_stiffness.value;
         let damping_nms = 0.1 * (stiffness_nm * self.local.inertia_kgm2).sqrt();
-        Stop { at_rad: self.state.x[4], side, stiffness_nm, damping_nms }
+        Stop { at_rad: self.state.x.load_rad, side, stiffness_nm, damping_nms }
     }
 
     pub(super) fn happen(&mut self) {
@@ -168,7 +168,7 @@ impl Twin<'_> {
             }
             ScenarioId::HangingLoad => self.react(Reaction::Brake),
             ScenarioId::BlockedLoad => self.stop = Some(self.stop_here(0.0)),
-            ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x[5].signum())),
+            ScenarioId::Collision => self.stop = Some(self.stop_here(self.state.x.load_rad_s.signum())),
             ScenarioId::EncoderFailure => self.fail(),
             ScenarioId::LinkSag => self.supply_share = SAG.0,
             ScenarioId::Cycle

@@ -47,7 +47,7 @@ pub(super) fn can_fail(setup: &Setup<'_>) -> Result<(), Fault> {
 impl Twin<'_> {
     /// Returns the angle measured by the encoder, over i \[rad\].
     fn seen(&self) -> f64 {
-        let theta = self.state.x[2];
+        let theta = self.state.x.motor_rad;
         if !self.setup.switches.noise {
             return theta;
         }
@@ -87,7 +87,7 @@ impl Twin<'_> {
         let failure = self.setup.scenario.failure.unwrap_or(FAILURE_USUAL);
         let (since_s, ratio) = (self.time_s(), self.machine.ratio);
         let seen = Angle::from_si(ratio * self.seen());
-        let speed = AngularVelocity::from_si(ratio * self.state.x[3]);
+        let speed = AngularVelocity::from_si(ratio * self.state.x.motor_rad_s);
         let reader = self.setup.encoder.and_then(|encoder| Reader::new(encoder, failure, seen, speed, since_s));
         self.encoder.failing = reader.map(|reader| Failing { failure, since_s, reader, noticed: None });
     }
@@ -105,7 +105,7 @@ impl Twin<'_> {
 
     /// Reads a failed feedback in each period of the current loop until the failure is detected.
     pub(super) fn read(&mut self, time: f64) {
-        let (ratio, seen, theta) = (self.machine.ratio, self.seen(), self.state.x[2]);
+        let (ratio, seen, theta) = (self.machine.ratio, self.seen(), self.state.x.motor_rad);
         // A failure within a period is sampled in the next.
         let is_open = |failing: &&mut Failing| failing.noticed.is_none() && time > failing.since_s;
         let Some(failing) = self.encoder.failing.as_mut().filter(is_open) else { return };
@@ -134,7 +134,7 @@ impl Twin<'_> {
         let failing = self.encoder.failing.as_ref()?;
         let (noticed, error_rad) = match failing.noticed {
             Some((finding, after_s, error_rad)) => (Some((finding, after_s)), error_rad),
-            None => (None, self.angle() - self.state.x[2]),
+            None => (None, self.angle() - self.state.x.motor_rad),
         };
         Some(Failed { failure: Some(failing.failure), noticed, error_rad })
     }
@@ -143,7 +143,7 @@ impl Twin<'_> {
     /// only, because the deviation of an intact one is small.
     fn ahead(&self) -> Option<f64> {
         let failing = self.encoder.failing.as_ref()?;
-        Some(self.plant.electrical * (failing.reader.read_rad() / self.machine.ratio - self.state.x[2]))
+        Some(self.plant.electrical * (failing.reader.read_rad() / self.machine.ratio - self.state.x.motor_rad))
     }
 
     /// Returns the currents [i_d, i_q] in the frame of the drive, whose d axis follows the angle read.

@@ -3,6 +3,7 @@
 use super::Twin;
 use crate::control::Demand;
 use crate::drive::Phase;
+use crate::plant::Variables;
 use quantities::Measure;
 
 /// One instant of a run.
@@ -59,7 +60,7 @@ impl Twin<'_> {
     fn wanted(&self) -> [f64; 3] {
         match self.phase {
             Phase::Running | Phase::Resting => self.course.at(self.time_s()).state,
-            Phase::Commanded(Demand::Speed(speed)) => [self.state.x[4], speed, 0.0],
+            Phase::Commanded(Demand::Speed(speed)) => [self.state.x.load_rad, speed, 0.0],
             // Commands of a caller, and the setpoint after a stop, hold until they are changed.
             Phase::Commanded(Demand::Position(_)) | Phase::Ramp(_) | Phase::Holding(_) | Phase::Off => self.point.state,
         }
@@ -73,22 +74,22 @@ impl Twin<'_> {
     /// Returns the present state.
     #[must_use]
     pub fn sample(&self) -> Sample {
-        let [i_d, i_q, theta, omega, position, speed] = self.state.x;
+        let Variables { current_d, current_q, motor_rad, motor_rad_s, load_rad, load_rad_s } = self.state.x;
         let [wanted, wanted_speed, _] = self.wanted();
         let [u_d, u_q] = self.voltage;
         Sample {
             time_s: self.time_s(),
             wanted_rad: wanted,
             wanted_rad_s: wanted_speed,
-            position_rad: position,
-            speed_rad_s: speed,
+            position_rad: load_rad,
+            speed_rad_s: load_rad_s,
             acceleration_rad_s2: self.state.acceleration_rad_s2,
             measured_rad: self.measured_rad(),
-            motor_rad: theta,
-            motor_rad_s: omega,
+            motor_rad,
+            motor_rad_s,
             torque_nm: self.state.gear_nm,
-            current_q_a: i_q,
-            current_d_a: i_d,
+            current_q_a: current_q,
+            current_d_a: current_d,
             voltage_q_v: u_q,
             voltage_d_v: u_d,
             link_v: self.link.voltage_v,
@@ -97,7 +98,7 @@ impl Twin<'_> {
             housing_k: self.temperatures.housing.si(),
             sensor_k: self.sensor_seen_k(),
             overload: self.overload,
-            following_rad: wanted - position,
+            following_rad: wanted - load_rad,
             braked: self.brake.closed,
         }
     }

@@ -4,7 +4,7 @@ use super::{PERIOD_S, SLOW_EVERY, Slow, Twin};
 use crate::control::{Control, Steady};
 use crate::drive::Phase;
 use crate::gear::{Anchor, ELEMENTS};
-use crate::plant::{Energies, State};
+use crate::plant::{Energies, Sliding, State, Variables};
 use crate::scenario::{EventKind, ScenarioId};
 use crate::setpoint::{Course, SetPoint};
 use crate::setup::{Fault, Setup};
@@ -144,9 +144,16 @@ impl Twin<'_> {
         let torque_nm = plant.inertia_kgm2 * acceleration + gear_nm + rubbed * direction;
         let free = |held: f64| if held > 0.0 { direction } else { 1.0 };
         self.state = State {
-            x: [0.0, torque_nm / plant.torque_constant, theta, speed, position, speed],
+            x: Variables {
+                current_d: 0.0,
+                current_q: torque_nm / plant.torque_constant,
+                motor_rad: theta,
+                motor_rad_s: speed,
+                load_rad: position,
+                load_rad_s: speed,
+            },
             force: [0.0; ELEMENTS],
-            sliding: [free(plant.friction_nm + plant.mesh), free(local.coulomb_nm)],
+            sliding: Sliding { motor: free(plant.friction_nm + plant.mesh), load: free(local.coulomb_nm) },
             energies: Energies::default(),
             slipped_rad: 0.0,
             turning: 0.0,

@@ -2,6 +2,7 @@
 
 use super::{PERIOD_S, SAG, SLOW_EVERY, Twin};
 use crate::drive::Phase;
+use crate::plant::Variables;
 use crate::scenario::{EventKind, Reaction, ScenarioId};
 use actuator::{Losses, Temperatures, overload_slope};
 use numeric::{at_least, at_most};
@@ -40,8 +41,8 @@ impl Twin<'_> {
         if self.highest_link().chopping {
             self.note(EventKind::BrakeResistor);
         }
-        let [i_d, i_q, ..] = self.state.x;
-        let current = (0.5 * (i_d * i_d + i_q * i_q)).sqrt();
+        let Variables { current_d, current_q, .. } = self.state.x;
+        let current = (0.5 * (current_d * current_d + current_q * current_q)).sqrt();
         if self.machine.demagnetisation_a.is_some_and(|limit| !at_most(current, limit))
             && !self.has(EventKind::Demagnetisation)
         {
@@ -53,8 +54,8 @@ impl Twin<'_> {
         {
             self.note(EventKind::CollisionTorque);
         }
-        if self.state.x.iter().any(|value| !value.is_finite())
-            || self.state.x[3].abs() > 20.0 * self.machine.speed_max
+        if !self.state.x.are_finite()
+            || self.state.x.motor_rad_s.abs() > 20.0 * self.machine.speed_max
             || self.state.twist_rad.abs() > 1.0
         {
             self.note(EventKind::Diverged);
@@ -110,7 +111,7 @@ impl Twin<'_> {
         if !at_most(self.highest_link().voltage_v, high) {
             self.fault(EventKind::LinkHigh, without_drive);
         }
-        if self.state.x[3].abs() > 1.1 * self.machine.speed_max {
+        if self.state.x.motor_rad_s.abs() > 1.1 * self.machine.speed_max {
             self.fault(EventKind::Overspeed, without_drive);
         }
     }
