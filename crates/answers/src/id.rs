@@ -6,7 +6,7 @@ use order_code::Field;
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
-use sizing::{CheckId, Direction, Part, Verdict};
+use sizing::{CheckId, Direction, Part, RunCheckId, Verdict};
 use std::borrow::Cow;
 use std::ops::Deref;
 use twin::{EventKind, Loop, Reaction, ScenarioId};
@@ -76,6 +76,7 @@ identified! {
     SignalWord as "Signal": &SignalWord::ALL;
     LifeStep as "Step": &LifeStep::ALL;
     CheckId as "CheckId": CheckId::ALL;
+    RunCheckId as "RunCheckId": &RunCheckId::ALL;
     EventKind as "EventKind": &EventKind::ALL;
     Loop as "Loop": &Loop::ALL;
     Reaction as "Reaction": &Reaction::ALL;

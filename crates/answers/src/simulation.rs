@@ -4,7 +4,7 @@ use crate::{Id, Number};
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
-use sizing::Verdict;
+use sizing::{RunCheckId, Verdict};
 use std::borrow::Cow;
 use twin::{EventKind, Loop, Reaction, ScenarioId};
 
@@ -102,7 +102,7 @@ impl JsonSchema for Figures {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SimulatedVerdict {
     /// Identifier.
-    pub id: &'static str,
+    pub id: Id<RunCheckId>,
     /// Name of the figure.
     pub title: String,
     /// Verdict on the limit.

@@ -11,10 +11,8 @@ use installation::wiring::Role;
 use mechanism::Extra;
 use order_code::OrderCode;
 use project::Project;
-use provenance::{Grade, Source};
-use quantities::unit::{AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, VOLT};
-use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia, Unit};
-use sizing::{CheckId, StepObserver as _, Verdict};
+use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia};
+use sizing::{CheckId, RunCase, RunCheck, RunCheckId, StepObserver as _, Verdict};
 use twin::{
     Averaged, Event, EventKind, Failed, Fault, Gains, LoopResponse, Operation, Parameters, Sample, Scenario,
     ScenarioId, Setup, Summary, Supply, Twin,
@@ -117,20 +115,6 @@ pub struct Simulated<'p> {
     pub averaged: Option<(Operation, Averaged)>,
     /// Resonance frequencies with blocked and with free motor.
     pub resonance: Option<[Frequency; 2]>,
-}
-
-/// A figure with its limit.
-#[derive(Clone, Debug)]
-pub(crate) struct Judged {
-    pub(crate) id: &'static str,
-    pub(crate) title: Word,
-    /// Unit of the displayed value and limit.
-    pub(crate) unit: &'static Unit,
-    /// Value in SI.
-    pub(crate) value: f64,
-    /// Limit in SI, with its grade and source.
-    pub(crate) limit: Option<(f64, Grade, Source)>,
-    pub(crate) verdict: Verdict,
 }
 
 /// Runs a part of the twin that polls for cancellation by the caller.
@@ -362,76 +346,34 @@ impl Simulated<'_> {
         self.course.get(1).map_or(0.0, |row| row.time_s)
     }
 
-    /// Returns the figures with a limit.
-    pub(crate) fn judged(&self) -> Vec<Judged> {
-        let (actuator, summary) = (&self.parameters.actuator, &self.summary);
-        let torque = if self.runs_through() || actuator.gear.collision_torque_max.known().is_none() {
-            &actuator.torque_max
-        } else {
-            &actuator.gear.collision_torque_max
-        };
-        let of = |(id, title, unit): (_, Word, &'static Unit), value: f64, limit: Option<(f64, Grade, Source)>| {
-            let verdict = match limit {
-                // Tolerance of a thousandth: the control reaches a limit and does not stop at its last digit.
-                Some((limit, ..)) if value <= limit * 1.001 => Verdict::Pass,
-                // A rating of another gear is no reason for rejection.
-                Some((_, _, Source::Published(_))) => Verdict::Advice,
-                Some(_) => Verdict::Fail,
-                None => Verdict::NotChecked,
-            };
-            Judged { id, title, unit, value, limit, verdict }
-        };
-        fn known<Q: Measure>(datum: &provenance::Datum<Q>) -> Option<(f64, Grade, Source)> {
-            datum.known().map(|known| (known.value.si(), known.grade, known.source.clone()))
-        }
-        let model = |limit: f64| Some((limit, Grade::Computed, Source::Model { name: "twin" }));
-        // The inverter limits the setpoint; the current itself oscillates around it.
-        let mut judged = vec![
-            of(
-                ("current_peak", simulation::current_peak, &AMPERE),
-                summary.current_peak_a,
-                known(&actuator.current_demagnetisation).or_else(|| known(&actuator.current_max)),
-            ),
-            of(("torque_peak", simulation::torque_peak, &NEWTON_METRE), summary.torque_peak_nm, known(torque)),
-            of(
-                ("speed_peak", simulation::speed_peak, &REVOLUTION_PER_MINUTE),
-                summary.speed_peak_rad_s,
-                actuator::speed_max(actuator).ok().map(|known| (known.value.si(), known.grade, known.source)),
-            ),
-            of(
-                ("winding_peak", simulation::winding_peak, &DEGREE_CELSIUS),
-                summary.winding_peak_k,
-                known(&actuator.heat.winding_shutdown),
-            ),
-            of(("overload", simulation::overload, &ONE), summary.overload_peak, model(1.0)),
-            of(("link_high", simulation::link_high, &VOLT), summary.link_v[1], known(&actuator.dc_link_max)),
-        ];
-        if let Some(current) = judged.iter_mut().find(|each| each.id == "current_peak" && each.verdict == Verdict::Fail)
-            && actuator.current_demagnetisation.known().is_none()
-            && self.project.twin.switches.limits
-        {
-            // The drive keeps its setpoint within I_max; the manual states no limit for a short overshoot.
-            current.verdict = Verdict::Advice;
-        }
-        if let Some(link) = judged.iter_mut().find(|each| each.id == "link_high" && each.verdict == Verdict::Fail)
-            && self.supply_within().is_some_and(|has_room| !has_room)
-        {
-            // U_DCmax is the largest stationary voltage; it may be exceeded briefly while braking (glossary of the
-            // manual).
-            link.verdict = Verdict::Advice;
-        }
-        if let Some(angle) = summary.stop_rad {
-            let limit = self.project.axis.asked.stop_angle_max.map(|limit| {
-                (limit.si(), Grade::Computed, Source::Project { key: "requirements.stop_angle_max".into() })
-            });
-            judged.push(of(("stop_angle", simulation::stop_angle, &DEGREE), angle, limit));
-        }
-        if self.runs_through() {
-            let faults = self.events.iter().filter(|event| FAULTS.contains(&event.kind)).count();
+    /// Returns the figure of a check; `None` if the scenario has none.
+    fn figure(&self, id: RunCheckId) -> Option<f64> {
+        let summary = &self.summary;
+        match id {
+            RunCheckId::CurrentPeak => Some(summary.current_peak_a),
+            RunCheckId::TorquePeak => Some(summary.torque_peak_nm),
+            RunCheckId::SpeedPeak => Some(summary.speed_peak_rad_s),
+            RunCheckId::WindingPeak => Some(summary.winding_peak_k),
+            RunCheckId::Overload => Some(summary.overload_peak),
+            RunCheckId::LinkHigh => Some(summary.link_v[1]),
+            RunCheckId::StopAngle => summary.stop_rad,
             #[allow(clippy::cast_precision_loss, reason = "a handful")]
-            judged.push(of(("drive_faults", simulation::drive_faults, &ONE), faults as f64, model(0.0)));
+            RunCheckId::DriveFaults => self
+                .runs_through()
+                .then(|| self.events.iter().filter(|event| FAULTS.contains(&event.kind)).count() as f64),
         }
-        judged
+    }
+
+    /// Returns the checks of the run.
+    pub(crate) fn checks(&self) -> Vec<RunCheck> {
+        let case = RunCase {
+            actuator: &self.parameters.actuator,
+            is_cycle: self.runs_through(),
+            is_limited: self.project.twin.switches.limits,
+            has_chopper_room: self.supply_within(),
+            stop_angle_max: self.project.axis.asked.stop_angle_max,
+        };
+        RunCheckId::ALL.into_iter().filter_map(|id| Some(id.compare(self.figure(id)?, &case))).collect()
     }
 
     /// Returns `true` if a braking resistor can keep the DC link between supply and U_DCmax; `None` if the supply is
@@ -445,6 +387,6 @@ impl Simulated<'_> {
     /// Returns `true` if no limit is exceeded.
     #[must_use]
     pub fn fits(&self) -> bool {
-        self.judged().iter().all(|each| each.verdict != Verdict::Fail)
+        self.checks().iter().all(|each| each.verdict != Verdict::Fail)
     }
 }

@@ -36,6 +36,7 @@ mod resonance;
 #[cfg(test)]
 mod reversal_tests;
 mod rope_checks;
+mod run_checks;
 mod screen;
 mod stage;
 mod supply;
@@ -58,6 +59,7 @@ pub use operation::{DutyType, MotorSide, Operation, SegmentLoad};
 pub use rank::{RankKey, Standing, rank};
 pub use requirements::{AxisRequirements, MountingPosition, SpecialApplication};
 pub use reserve::{Reach, Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
+pub use run_checks::{RUN_TOLERANCE, RunCase, RunCheck, RunCheckId};
 pub use screen::{Entrant, Found, Ranked, Screen, Screening};
 pub use supply::{MainsPhases, Supply, SupplyFrom};
 pub use trace::INSTANTS_MOST;

@@ -4,6 +4,7 @@ use crate::pick;
 use crate::texts::texts;
 use feedback::{Failure, Finding};
 use quantities::Language;
+use sizing::RunCheckId;
 use twin::{EventKind, Fault, Loop, ScenarioId};
 
 texts! {
@@ -267,6 +268,22 @@ pub fn scenario_title(scenario: ScenarioId, language: Language) -> String {
         ScenarioId::Collision => ("collision", "Kollision"),
     };
     pick(language, en, de).to_owned()
+}
+
+/// Returns the title of a check of a run.
+#[must_use]
+pub fn run_check_title(id: RunCheckId, language: Language) -> String {
+    let title = match id {
+        RunCheckId::CurrentPeak => current_peak,
+        RunCheckId::TorquePeak => torque_peak,
+        RunCheckId::SpeedPeak => speed_peak,
+        RunCheckId::WindingPeak => winding_peak,
+        RunCheckId::Overload => overload,
+        RunCheckId::LinkHigh => link_high,
+        RunCheckId::StopAngle => stop_angle,
+        RunCheckId::DriveFaults => drive_faults,
+    };
+    title(language).to_owned()
 }
 
 /// Returns the title of an event.

@@ -842,7 +842,7 @@ class Figure:
 class SimulatedVerdict:
     """A figure with its limit."""
 
-    id: str
+    id: RunCheckId
     """Identifier."""
     title: str
     """Name of the figure."""
@@ -3024,6 +3024,8 @@ Reaction = Literal["ramp", "brake", "coast"]
 
 Figures = dict[str, Figure]
 
+RunCheckId = Literal["current_peak", "torque_peak", "speed_peak", "winding_peak", "overload", "link_high", "stop_angle", "drive_faults"]
+
 EventKind = Literal["scenario", "ramp", "pulses_off", "brake_closes", "brake_closed", "brake_closed_moving", "brake_open", "brake_slips", "at_rest", "limited", "overload", "winding_warning", "winding_shutdown", "ptc_response", "following_error", "link_low", "link_high", "brake_resistor", "no_position", "turns_lost", "demagnetisation", "collision_torque", "overspeed", "diverged"]
 
 Loop = Literal["current", "speed", "position"]
@@ -3293,6 +3295,7 @@ __all__ = [
     "ReportWritten",
     "Reserve",
     "Rule",
+    "RunCheckId",
     "ScenarioId",
     "Segment",
     "SensorThreshold",

@@ -1,6 +1,6 @@
 //! A run of the digital twin as a record.
 
-use crate::simulate::{COMPARED, Judged, Shown, Simulated};
+use crate::simulate::{COMPARED, Shown, Simulated};
 use answers::{
     Compared, ControlLoop, EncoderFailure, Figure, Figures, Id, ModelParameter, Number, SimulatedEvent,
     SimulatedVerdict, Simulation,
@@ -11,7 +11,7 @@ use quantities::unit::{
     REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT_HOUR,
 };
 use quantities::{Language, Measure, Unit, format_significant};
-use sizing::CheckId;
+use sizing::{CheckId, RunCheck};
 use twin::{Averaged, Failed, Gains, LoopResponse, Operation, Parameter, ScenarioId};
 use words::{Word, check_title, schema_text, short_label, simulation, source_text};
 
@@ -35,7 +35,7 @@ pub fn simulation(run: &Simulated<'_>, language: Language) -> Simulation {
         start: run.start_k.map(celsius),
         summary: Figures(figures(run, language)),
         averaged: run.averaged.as_ref().map(|(operation, found)| Figures(averaged(operation, found, language))),
-        verdicts: run.judged().iter().map(|judged| verdict(judged, language)).collect(),
+        verdicts: run.checks().into_iter().map(|check| verdict(check, language)).collect(),
         events: run.events.iter().map(|event| happened(event, language)).collect(),
         encoder_failure: run.failed.as_ref().map(|failed| encoder_failure(failed, language)),
         comparison: comparison(run, language),
@@ -156,17 +156,18 @@ fn laid(all: &[(&'static str, Word, Option<f64>, &'static Unit)], language: Lang
     all.iter().map(figure).collect()
 }
 
-fn verdict(judged: &Judged, language: Language) -> SimulatedVerdict {
-    let limit = judged.limit.as_ref();
+fn verdict(check: RunCheck, language: Language) -> SimulatedVerdict {
+    let unit = check.id.unit();
+    let limit = check.limit.as_ref();
     SimulatedVerdict {
-        id: judged.id,
-        title: (judged.title)(language).to_owned(),
-        verdict: Id(judged.verdict),
-        value: Some(Number::in_unit(judged.value, judged.unit)),
-        limit: limit.map(|(si, ..)| Number::in_unit(*si, judged.unit)),
-        unit: judged.unit.json,
-        grade: limit.map(|(_, grade, _)| Id(*grade)),
-        source: limit.map(|(.., source)| source_text(source, language)),
+        id: Id(check.id),
+        title: simulation::run_check_title(check.id, language),
+        verdict: Id(check.verdict),
+        value: Some(Number::in_unit(check.value, unit)),
+        limit: limit.map(|limit| Number::in_unit(limit.value, unit)),
+        unit: unit.json,
+        grade: limit.map(|limit| Id(limit.grade)),
+        source: limit.map(|limit| source_text(&limit.source, language)),
     }
 }
 
