@@ -114,7 +114,7 @@ impl Tab {
             // Scripts cannot run while a page is loading.
             let now = self.eval(&format!("!!({expression})"));
             if now == Ok(Value::Bool(true)) {
-                return Ok(());
+                return self.keeps_its_frame(expression);
             }
             if begin.elapsed() > PATIENCE {
                 let seen = self.text("body").unwrap_or_default();
@@ -126,6 +126,19 @@ impl Tab {
             }
             std::thread::sleep(Duration::from_millis(20));
         }
+    }
+
+    /// Checks the frame of the workbench after a step: the document does not scroll, nothing is wider than the window, and the focus is not
+    /// lost. A low window scrolls as a whole.
+    fn keeps_its_frame(&self, after: &str) -> Worded {
+        let frame = "(document.querySelector('#work') && innerHeight > 500) ? [document.scrollingElement.scrollTop, document.scrollingElement.scrollWidth - innerWidth, window.hasFocus === true && document.activeElement === document.body] : null";
+        // A page that is being left has no frame.
+        let Ok(Value::Array(found)) = self.eval(frame) else { return Ok(()) };
+        let is_lost = found.get(2) == Some(&Value::Bool(true));
+        let is_kept = found.iter().take(2).all(|each| each.as_f64().is_some_and(|pixels| pixels <= 0.5));
+        expect(is_kept && !is_lost, || {
+            format!("after {after}: scrolled by, wider than the window by, focus on the body: {found:?}")
+        })
     }
 
     /// Waits until an element is present.
@@ -173,7 +186,14 @@ impl Tab {
             // An answer may replace the element between the two steps.
             let is_gone = clicked.as_ref().is_err_and(|error| error.contains("stale element"));
             if !is_gone || begin.elapsed() > PATIENCE {
-                return clicked;
+                clicked?;
+                let takes = format!(
+                    "document.querySelector({})?.matches('button, input, select, summary') === true",
+                    json!(selector)
+                );
+                // A mark in the page: another page begins without it, and with the focus on its body.
+                self.eval(&format!("(window.hasFocus = {takes})"))?;
+                return self.keeps_its_frame(selector);
             }
         }
     }
@@ -197,8 +217,8 @@ impl Tab {
             vec![json!(selector)],
         )?;
         self.keys(text)?;
-        self.run("document.activeElement.blur();", Vec::new())?;
-        Ok(())
+        self.run("window.hasFocus = false; document.activeElement.blur();", Vec::new())?;
+        self.keeps_its_frame(selector)
     }
 
     /// Presses keys one after the other.

@@ -109,6 +109,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("numbers-and-units", frame::numbers_and_units),
     Way::both("link-of-a-tile", frame::a_link_of_a_tile),
     Way::server("unsaved-work", frame::unsaved_work_stays),
+    Way::both("drafts", frame::drafts_of_new_axes),
     Way::server("no-answer", frame::no_answer).in_chromium(),
     Way::both("names-of-files", frame::names_of_files),
     Way::both("versions", frame::versions),

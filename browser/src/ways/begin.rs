@@ -22,7 +22,7 @@ pub(crate) fn with_figures(stage: &OpenPage<'_>) -> Worded {
 pub(crate) fn with_an_example(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.start("de")?;
-    tab.says("h2", "Was möchten Sie bewegen?")?;
+    tab.says("#start-title", "Was möchten Sie bewegen?")?;
     tab.click("a[href*=\"new=belt\"]")?;
     stage.ready()?;
     tab.says("#demands-title", "Belastung")?;

@@ -137,10 +137,19 @@ pub(crate) fn unsaved_work_stays(stage: &OpenPage<'_>) -> Worded {
     stage.ready()?;
     tab.holds("#f-mechanism-belt-mass", "39")?;
     stage.start("en")?;
-    stage.example("belt", "en")?;
-    tab.says("#draft", "axis.toml")?;
+    tab.click("#unsaved li button")?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-belt-mass", "39")?;
+    // Of a file of the folder it is offered where the file is opened.
+    tab.fill("#file", "kept.toml")?;
+    tab.click("#save")?;
+    tab.says("#status", "kept.toml")?;
+    stage.change("#f-mechanism-belt-mass", "40 kg")?;
+    stage.start("en")?;
+    tab.open(&stage.shell.at("open=kept.toml&lang=en"))?;
+    tab.says("#draft", "kept.toml")?;
     tab.click("#draft button")?;
-    tab.holds("#f-mechanism-belt-mass", "39")
+    tab.holds("#f-mechanism-belt-mass", "40")
 }
 
 /// The page reports a missing answer within seconds, and applies the values typed meanwhile once the connection is
@@ -151,11 +160,50 @@ pub(crate) fn no_answer(stage: &OpenPage<'_>) -> Worded {
     tab.offline(true)?;
     tab.until("document.documentElement.dataset.away !== undefined")?;
     tab.says("#status", "No answer")?;
+    // What is typed meanwhile in several fields is sent when antrieb answers again; until then the message stays.
     tab.fill("#f-mechanism-belt-mass", "33 kg")?;
+    tab.fill("#f-mechanism-belt-pulley_diameter", "81 mm")?;
     std::thread::sleep(std::time::Duration::from_millis(400));
     tab.offline(false)?;
     tab.says("#text", "33 kg")?;
+    tab.says("#text", "81 mm")?;
     tab.until("document.documentElement.dataset.away === undefined")
+}
+
+/// Two axes that were never saved do not share their unsaved work; the start page lists both, and each goes on under its own name.
+pub(crate) fn drafts_of_new_axes(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("screw", "en")?;
+    stage.change("#f-mechanism-screw-mass", "77 kg")?;
+    let first = tab.another()?;
+    stage.example("arm", "en")?;
+    stage.change("#f-mechanism-arm-mass", "8 kg")?;
+    tab.back_to(first)?;
+    tab.reload()?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-screw-mass", "77")?;
+    let listed = "[...document.querySelectorAll('#unsaved li')].map((row) => row.textContent).join()";
+    stage.start("en")?;
+    tab.until(&format!("{listed}.includes('screw') && {listed}.includes('arm')"))?;
+    tab.run(
+        "[...document.querySelectorAll('#unsaved li')].find((row) => row.textContent.includes('arm')).querySelector('button').click();",
+        Vec::new(),
+    )?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-arm-mass", "8")?;
+    tab.until("document.title.startsWith('•')")?;
+    // Once saved it is no longer listed, and its address is that of the file.
+    tab.fill("#file", "arm.toml")?;
+    tab.click("#save")?;
+    tab.says("#status", "arm.toml")?;
+    tab.until("location.search.includes('open=arm.toml')")?;
+    tab.reload()?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-arm-mass", "8")?;
+    stage.start("en")?;
+    tab.until(&format!("{listed}.includes('screw') && !{listed}.includes('arm')"))?;
+    tab.run("document.querySelector('#unsaved li button:last-child').click();", Vec::new())?;
+    tab.until("document.querySelector('#unsaved').hidden")
 }
 
 /// File names as typed by users: a name in use is reported, a deleted file is written anew.

@@ -14,10 +14,10 @@ pub(crate) fn an_end_is_pulled(stage: &OpenPage<'_>) -> Worded {
     tab.until(&format!("document.querySelector('#text').value !== {}", serde_json::json!(before)))?;
     tab.until("!document.querySelector('#demands.old') && !document.querySelector('#faults li')")?;
     expect(tab.text("#demands")? != verdict, || "the demand is the one before".to_owned())?;
-    tab.until("!document.querySelector('#undo').disabled")?;
+    tab.until("document.querySelector('#undo').ariaDisabled === 'false'")?;
     tab.click("#undo")?;
     tab.holds("#text", &before)?;
-    tab.until("document.querySelector('#undo').disabled")
+    tab.until("document.querySelector('#undo').ariaDisabled === 'true'")
 }
 
 /// The end of a segment is moved by keys.

@@ -15,10 +15,10 @@
     else if (brought === kept()) keep(null);
   }
   if (isLocked) {
-    // What the browser has kept opens the page, unless that was refused just now. How the page was opened is kept for it.
+    // What the browser has kept opens the page, unless that was refused just now. How the page was opened, and the name of its axis, are kept for it.
     const token = kept();
     if (!token || token === brought) return;
-    try { sessionStorage.setItem('antrieb-navigation', performance.getEntriesByType('navigation')[0]?.type ?? ''); } catch { /* a browser that keeps nothing */ }
+    try { sessionStorage.setItem('antrieb-navigation', performance.getEntriesByType('navigation')[0]?.type ?? ''); sessionStorage.setItem('antrieb-axis', history.state?.axis ?? ''); } catch { /* a browser that keeps nothing */ }
     location.replace(opened(location.href, token));
     return;
   }

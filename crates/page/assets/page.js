@@ -5,14 +5,20 @@ import './waiting.js';
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
 const text = () => $('#text');
+// The messages of the scripts in the language of the page.
+export const said = (name) => $('#messages')?.dataset[name] ?? '';
 let quiet = 0;
-// A message stays until it is read: some seconds, longer where it is long.
+// A message stays until it is read: some seconds, longer where it is long; that antrieb does not answer, until it does.
 export function tell(words) {
   const status = $('#status');
   if (!status) return;
-  status.textContent = words;
+  status.textContent = words || (isAway() ? said('noAnswer') : '');
   clearTimeout(quiet);
-  if (words) quiet = setTimeout(() => { if (status.textContent === words) status.textContent = ''; }, 4000 + 60 * words.length);
+  if (words) quiet = setTimeout(() => { if (status.textContent === words) tell(''); }, 4000 + 60 * words.length);
+}
+// The faults of an answer as sentences: an interface for programs writes them as JSON.
+function sentences(words) {
+  try { return JSON.parse(words).errors.map((each) => each.message).join('; '); } catch { return words; }
 }
 
 // Requests wait for each other; each takes the text as the one before it left it.
@@ -89,7 +95,7 @@ function note() {
   buttons();
 }
 function buttons() {
-  const set = (id, is) => { const button = $(id); if (button) button.disabled = is; };
+  const set = (id, is) => { const button = $(id); if (button) button.setAttribute('aria-disabled', String(is)); };
   set('#undo', past.length === 0);
   set('#redo', future.length === 0);
   const changed = last !== null && last !== saved;
@@ -101,29 +107,85 @@ function buttons() {
 const known = () => ($('#state [name=known]')?.value ?? '').trim() !== '';
 const titled = () => [$('#verdict strong.code')?.textContent, $('#file')?.value, 'antrieb'].filter(Boolean).join(' – ');
 
-// What is not saved is kept by the browser, by the name of its file, until it is saved.
+// What is not saved is kept by the browser until it is saved: of a file of the folder by its name; of an axis that has never been saved by a
+// name of its own, which its entry in the history holds, so that reloading finds it and no other tab does.
 const DRAFT = 'antrieb-draft ';
+const DRAFTS_MOST = 30;
 const fileName = () => $('#file')?.value || 'axis.toml';
-function keepDraft(changed) {
+function draftKey() {
+  const of = ($('#state [name=known]')?.value ?? '').split(' ').slice(1).join(' ');
+  if (of) return DRAFT + of;
+  if (!history.state?.axis) history.replaceState({ ...history.state, axis: crypto.getRandomValues(new Uint32Array(2)).join('-') }, '');
+  return `${DRAFT}/${history.state.axis}`;
+}
+function drafts() {
+  const found = [];
   try {
-    if (changed) localStorage.setItem(DRAFT + fileName(), JSON.stringify({ text: last, base: saved, at: Date.now() }));
-    else if (past.length || future.length) localStorage.removeItem(DRAFT + fileName());
+    for (const key of Object.keys(localStorage)) {
+      if (!key.startsWith(DRAFT)) continue;
+      try { found.push({ key, ...JSON.parse(localStorage.getItem(key)) }); } catch { /* written by another program */ }
+    }
   } catch { /* a browser that keeps nothing */ }
+  return found.filter((each) => typeof each.text === 'string').sort((a, b) => b.at - a.at);
+}
+let full = false;
+function keepDraft(changed) {
+  const key = draftKey();
+  try {
+    if (changed) {
+      for (const old of drafts().filter((each) => each.key !== key).slice(DRAFTS_MOST - 1)) localStorage.removeItem(old.key);
+      localStorage.setItem(key, JSON.stringify({ text: last, base: saved, file: fileName(), at: Date.now() }));
+    } else if (past.length || future.length) localStorage.removeItem(key);
+    full = false;
+  } catch (fault) {
+    // A browser that keeps nothing at all is not reported with every key.
+    if (fault.name === 'QuotaExceededError' && !full) { full = true; tell(said('full')); }
+  }
+}
+const button = (words, then) => Object.assign(document.createElement('button'), { type: 'button', textContent: words, onclick: then });
+const instant = (at) => new Date(at).toLocaleString(document.documentElement.lang, { dateStyle: 'medium', timeStyle: 'short' });
+const CONTINUED = 'antrieb-continued';
+function taken(name) {
+  try { const value = sessionStorage.getItem(name); sessionStorage.removeItem(name); return value; } catch { return null; }
 }
 function draft() {
   const place = $('#draft');
   if (!place || !text()) return;
   let found;
-  let first;
   // Without the token in its address the page is opened in two steps: the first one has the kind.
-  try { first = sessionStorage.getItem('antrieb-navigation'); sessionStorage.removeItem('antrieb-navigation'); } catch { /* a browser that keeps nothing */ }
-  try { found = JSON.parse(localStorage.getItem(DRAFT + fileName()) ?? 'null'); } catch { return; }
+  const [first, continued, axis] = [taken('antrieb-navigation'), taken(CONTINUED), taken('antrieb-axis')];
+  if (axis) history.replaceState({ ...history.state, axis }, '');
+  // A draft of the start page goes on under its own name.
+  if (continued) history.replaceState({ ...history.state, axis: continued.slice(DRAFT.length + 1) }, '');
+  const key = draftKey();
+  try { found = JSON.parse(localStorage.getItem(key) ?? 'null'); } catch { return; }
+  if (continued && found?.text === text().defaultValue) { saved = found.base; buttons(); return; }
   if (!found || found.text === text().defaultValue || found.base !== text().defaultValue) return;
   const kind = first || performance.getEntriesByType('navigation')[0]?.type;
-  if (kind === 'reload' || kind === 'back_forward') { put(found.text); tell(place.dataset.restored); return; }
-  const button = (words, then) => Object.assign(document.createElement('button'), { type: 'button', textContent: words, onclick: () => { place.replaceChildren(); then(); } });
-  place.replaceChildren(`${place.dataset.text} ${fileName()}, ${new Date(found.at).toLocaleString(document.documentElement.lang)} `,
-    button(place.dataset.restore, () => put(found.text)), ' ', button(place.dataset.discard, () => localStorage.removeItem(DRAFT + fileName())));
+  if (kind === 'reload' || kind === 'back_forward') { put(found.text); tell(said('restored')); return; }
+  const chosen = (then) => () => { place.replaceChildren(); then(); };
+  place.replaceChildren(`${said('draft')} ${fileName()}, ${instant(found.at)} `,
+    button(said('restore'), chosen(() => put(found.text))), ' ', button(said('discard'), chosen(() => localStorage.removeItem(key))));
+}
+// The start page lists what was not saved.
+function unsaved() {
+  const place = $('#unsaved');
+  if (!place) return;
+  const rows = drafts().map((each) => {
+    const row = document.createElement('li');
+    const of = each.key.slice(DRAFT.length);
+    const name = /^\s*name\s*=\s*"([^"]*)"/m.exec(each.text)?.[1];
+    const go = () => {
+      if (!of.startsWith('/')) { location.href = `/?${new URLSearchParams({ open: of, lang: document.documentElement.lang })}`; return; }
+      try { sessionStorage.setItem(CONTINUED, each.key); } catch { /* a browser that keeps nothing */ }
+      begin(each.text, each.file || 'axis.toml');
+    };
+    row.append(button([name, of.startsWith('/') ? each.file : of].filter(Boolean).join(' – '), go), ` ${instant(each.at)} `,
+      button(said('discard'), () => { localStorage.removeItem(each.key); unsaved(); }));
+    return row;
+  });
+  place.querySelector('ul').replaceChildren(...rows);
+  place.hidden = rows.length === 0;
 }
 function put(value) {
   const field = text();
@@ -220,7 +282,7 @@ export function shut() {
 htmx.registerExtension('antrieb', {
   htmx_before_morph_node: (_, { newNode }) => newNode.dataset?.same === undefined,
   // Styles of elements are set by scripts alone; taken away and set again they would have the style of all inside computed twice.
-  htmx_before_morph_attr: (element, { attrName }) => attrName !== 'style' && (attrName !== 'open' || !folds.has(element.id)) && !(attrName === 'value' && isAhead(element)),
+  htmx_before_morph_attr: (element, { attrName }) => attrName !== 'style' && (attrName !== 'aria-selected' || !element.dataset.left) && (attrName !== 'open' || !folds.has(element.id)) && !(attrName === 'value' && isAhead(element)),
 });
 // A field of a calculator that was changed behind the request keeps what it holds: the next request carries it.
 let carried = null;
@@ -272,27 +334,24 @@ document.addEventListener('htmx:before:request', (event) => { if (event.detail.c
 
 // A failed request is reported; the page stays as it is.
 document.addEventListener('htmx:response:error', (event) => {
-  const { text: words } = event.detail.ctx;
-  let message = words;
-  try { message = JSON.parse(words).errors.map((each) => each.message).join('; '); } catch { /* a plain sentence */ }
-  tell(message);
+  tell(sentences(event.detail.ctx.text));
 });
 // No answer: what was typed is sent again as soon as antrieb answers.
-let unsent = null;
+const unsent = new Set();
 function gone(event) {
   const source = event.detail?.ctx?.sourceElement;
-  if (source?.id) unsent = source.id;
-  tell($('#status')?.dataset.noAnswer ?? '');
+  if (source?.id) { unsent.delete(source.id); unsent.add(source.id); }
   document.documentElement.dataset.away = '';
+  tell('');
 }
 export const isAway = () => document.documentElement.dataset.away !== undefined;
 export function back() {
   if (!isAway()) return;
   delete document.documentElement.dataset.away;
-  tell($('#status')?.dataset.answers ?? '');
-  const source = unsent && document.getElementById(unsent);
-  unsent = null;
-  source?.dispatchEvent(new Event('change', { bubbles: true }));
+  tell(said('answers'));
+  const sources = [...unsent];
+  unsent.clear();
+  for (const id of sources) document.getElementById(id)?.dispatchEvent(new Event('change', { bubbles: true }));
 }
 export const away = () => { if (!isAway()) gone({}); };
 document.addEventListener('htmx:error', gone);
@@ -348,7 +407,7 @@ function project() { keep(new Blob([text().value], { type: 'application/toml' })
 async function record(blob, name) {
   const reply = await fetch(`/recording?name=${encodeURIComponent(name)}&lang=${document.documentElement.lang}`, { method: 'POST', headers: { 'content-type': 'application/octet-stream' }, body: blob });
   const words = await reply.text();
-  if (!reply.ok) { tell(words); return; }
+  if (!reply.ok) { tell(sentences(words)); return; }
   const button = $('[data-recording]');
   htmx.ajax('POST', '/recorded', { source: button, target: '#detail', swap: 'innerHTML', values: { recording: words, add: button.dataset.recording, count: button.dataset.count } });
 }
@@ -374,10 +433,13 @@ async function save() {
   if (!reply) return;
   const words = await reply.text();
   if (reply.ok) {
+    try { localStorage.removeItem(draftKey()); } catch { /* a browser that keeps nothing */ }
     $('#file').value = reply.headers.get('x-file') ?? $('#file').value;
     $('#file-name').textContent = $('#file').value;
     $('#state [name=known]').value = `${reply.headers.get('x-version') ?? ''} ${$('#file').value}`;
     saved = last;
+    // Reloading and a bookmark lead to the saved file, not to what it was begun with.
+    history.replaceState(history.state, '', `/?${new URLSearchParams({ open: $('#file').value, lang: document.documentElement.lang })}`);
     buttons();
     tell(words);
   } else if (reply.status === 404) {
@@ -415,14 +477,14 @@ function begin(value, name) {
 function home() {
   const address = new URL(location.href);
   const query = new URLSearchParams();
-  for (const name of ['lang']) if (address.searchParams.has(name)) query.set(name, address.searchParams.get(name));
+  for (const name of ['open', 'lang']) if (address.searchParams.has(name)) query.set(name, address.searchParams.get(name));
   return `${address.pathname}${query.size ? '?' + query : ''}`;
 }
 // A link holds the text behind its mark, which no browser sends.
 async function link() {
   const packed = await new Response(new Blob([text().value]).stream().pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer();
   const code = btoa(String.fromCharCode(...new Uint8Array(packed))).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-  history.replaceState(null, '', `${home()}#p=${code}`);
+  history.replaceState(history.state, '', `${home()}#p=${code}`);
   await navigator.clipboard?.writeText(location.href).catch(() => {});
   tell(location.href.length > 200 ? location.href.slice(0, 200) + '…' : location.href);
 }
@@ -512,4 +574,5 @@ document.addEventListener('click', (event) => {
 // A module runs when the page is there.
 right();
 draft();
+unsaved();
 themed();

@@ -1,5 +1,5 @@
 // The frame: borders that move, the room of the pictures, menus, the drawer, the palette and the keys.
-import { away, back, isAway, keep, opened, shut, tell } from './page.js';
+import { away, back, isAway, keep, opened, said, shut, tell } from './page.js';
 
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
@@ -151,7 +151,12 @@ for (const kind of ['focusin', 'pointerdown']) document.addEventListener(kind, (
 document.addEventListener('click', (event) => {
   const inside = event.target.closest?.('.menu');
   const chosen = event.target.closest?.('.menu .items button, .menu .items a');
-  for (const menu of all('.menu[open]')) if (menu !== inside || chosen) menu.open = false;
+  for (const menu of all('.menu[open]')) {
+    if (menu === inside && !chosen) continue;
+    // What was chosen is no longer in sight: the focus goes to what opened it.
+    if (menu.contains(document.activeElement)) menu.querySelector('summary').focus();
+    menu.open = false;
+  }
   const tab = event.target.closest?.('[data-pane]');
   if (tab?.dataset.pane && tab !== root) show(tab.dataset.pane);
   const face = event.target.closest?.('button[data-left]');
@@ -182,7 +187,7 @@ async function copied(button) {
     const body = new URLSearchParams(new FormData($('#state')));
     const reply = await fetch('/curves', { method: 'POST', body }).catch(() => null);
     text = reply?.ok ? await reply.text() : null;
-    if (text === null) { tell($('#status').dataset.noAnswer); return; }
+    if (text === null) { tell(said('noAnswer')); return; }
   }
   try { await navigator.clipboard.writeText(text); tell(button.textContent + ' ✓'); } catch { keep(new Blob([text]), button.dataset.copy === 'svg' ? 'picture.svg' : 'curves.csv'); }
 }
@@ -232,6 +237,8 @@ document.addEventListener('click', (event) => {
   const found = event.target.closest?.('#palette [data-found]');
   if (!found) return;
   $('#palette').close();
+  // Until what was found has the focus.
+  $('#find')?.focus();
   const [kind, name] = [found.dataset.found, found.value];
   if (kind === 'key') lead(name);
   else if (kind === 'check') { going = `#check-${name}`; if ($(going)) goOn(); else htmx.ajax('POST', '/work', { source: $('#state'), values: JSON.parse($('#tightest')?.getAttribute('hx-vals') ?? '{"unfolded":"true"}') }); }

@@ -76,7 +76,7 @@ pub(crate) fn column(
             h2.unseen id="moves-title" { (page::what_moves(l)) }
             div.views role="tablist" aria-label=(page::what_moves(l)) {
                 @for (name, title) in [("form", page::what_moves(l)), ("text", page::text_of_the_file(l))] {
-                    button type="button" role="tab" id={ "left-" (name) } data-left=(name) aria-controls={ "left-pane-" (name) } hx-morph-skip="" { (title) }
+                    button type="button" role="tab" id={ "left-" (name) } data-left=(name) aria-controls={ "left-pane-" (name) } { (title) }
                 }
             }
             div id="left-pane-form" role="tabpanel" aria-labelledby="left-form" { (fields) (assumptions(state, held)) }
@@ -440,14 +440,14 @@ impl RowContent<'_> {
         let others = |path: &str| path.rsplit_once('.').is_some_and(|(above, _)| above == mechanism);
         let is_ours = |path: &str| path == mechanism || path == load || others(path) || Some(path) == chosen;
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(is_ours)) {
-            p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref())) }
+            p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref(), self.language)) }
         } }
     }
 
     /// Returns the fault of a table as a whole.
     pub(crate) fn fault_at(&self, path: &str) -> Markup {
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
-            p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref())) }
+            p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref(), self.language)) }
         } }
     }
 
@@ -492,7 +492,7 @@ impl RowContent<'_> {
                 @if let Some((_, count)) = self.needed.iter().find(|(key, _)| path.strip_prefix(self.prefix) == Some(key)) { p.small.needed { (page::checks_wait(*count, l)) } }
                 @if wrong {
                     div.fault id=(described) {
-                        @for (_, fault) in &faults { p { (crate::verdict::worded(&fault.message, fault.hint.as_deref())) } }
+                        @for (_, fault) in &faults { p { (crate::verdict::worded(&fault.message, fault.hint.as_deref(), self.language)) } }
                     }
                 }
             }

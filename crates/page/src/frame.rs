@@ -254,6 +254,10 @@ fn start(state: &PageState, shell: &dyn Shell) -> Markup {
             (head::messages(l))
             (state_of(state))
             main.start {
+                section id="unsaved" aria-labelledby="unsaved-title" hidden {
+                    h2 id="unsaved-title" { (page::continue_unsaved(l)) }
+                    ul.plain {}
+                }
                 section aria-labelledby="start-title" {
                     h2 id="start-title" { (page::what_do_you_move(l)) }
                     p { (page::start_about(l)) }

@@ -25,8 +25,8 @@ pub(crate) fn of_project(state: &PageState, held: &ReadProject, shell: &dyn Shel
                 " " span id="file-state" data-changed=(page::changed(l)) data-saved=(page::saved_state(l)) hx-morph-skip="" {}
             }
             nav.bar aria-label=(page::title(l)) {
-                button.icon type="button" id="undo" data-undo="" disabled aria-label=(page::undo(l)) title={ (page::undo(l)) " (Ctrl+Z)" } { "↶" }
-                button.icon type="button" id="redo" data-redo="" disabled aria-label=(page::redo(l)) title={ (page::redo(l)) " (Ctrl+Y)" } { "↷" }
+                button.icon type="button" id="undo" data-undo="" aria-disabled="true" aria-label=(page::undo(l)) title={ (page::undo(l)) " (Ctrl+Z)" } { "↶" }
+                button.icon type="button" id="redo" data-redo="" aria-disabled="true" aria-label=(page::redo(l)) title={ (page::redo(l)) " (Ctrl+Y)" } { "↷" }
                 (menu("menu-file", page::file(l), &file_items(file, shell, l)))
                 (menu("menu-export", page::export(l), &export_items(shell, l)))
                 (tools(l))
@@ -59,9 +59,13 @@ pub(crate) fn of_start(state: &PageState) -> Markup {
 /// Returns the places of messages: about the last action, and about the file in the folder.
 pub(crate) fn messages(language: Language) -> Markup {
     html! {
-        p id="status" role="status" hx-morph-skip="" data-no-answer=(page::no_answer(language)) data-answers=(page::answers_again(language)) {}
+        p id="status" role="status" hx-morph-skip="" {}
         div id="disk" role="alert" hx-morph-skip="" {}
-        div id="draft" role="alert" hx-morph-skip="" data-text=(page::draft_found(language)) data-restore=(page::restore_draft(language)) data-discard=(page::discard_draft(language)) data-restored=(page::draft_restored(language)) {}
+        div id="draft" role="alert" hx-morph-skip="" {}
+        // Apart from the places that keep their content, so that another language reaches them.
+        span id="messages" hidden data-no-answer=(page::no_answer(language)) data-answers=(page::answers_again(language))
+            data-draft=(page::draft_found(language)) data-restore=(page::restore_draft(language)) data-discard=(page::discard_draft(language))
+            data-restored=(page::draft_restored(language)) data-full=(page::draft_too_large(language)) {}
     }
 }
 

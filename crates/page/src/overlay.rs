@@ -24,10 +24,10 @@ pub(crate) fn controls(until_s: f64, is_narrowed: bool, language: Language) -> M
                 input id="instant" type="range" min="0" max="1000" value="0" step="1" title=(page::instant_on_the_axis(l)) data-until=(until_s) aria-describedby="instant-about" aria-keyshortcuts="+ - 0";
                 span.zoom role="group" aria-label=(page::time_shown(l)) {
                     button type="button" id="zoom-in" data-zoom="in" aria-label=(page::zoom_in(l)) title=(page::zoom_in(l)) { "+" }
-                    button type="button" id="zoom-out" data-zoom="out" aria-label=(page::zoom_out(l)) title=(page::zoom_out(l)) disabled[!is_narrowed] { "−" }
-                    button type="button" id="zoom-back" data-zoom="back" aria-label=(page::window_back(l)) title=(page::window_back(l)) disabled[!is_narrowed] { "◂" }
-                    button type="button" id="zoom-on" data-zoom="on" aria-label=(page::window_on(l)) title=(page::window_on(l)) disabled[!is_narrowed] { "▸" }
-                    button type="button" id="zoom-whole" data-zoom="whole" disabled[!is_narrowed] { (page::whole_cycle(l)) }
+                    button type="button" id="zoom-out" data-zoom="out" aria-label=(page::zoom_out(l)) title=(page::zoom_out(l)) aria-disabled=[(!is_narrowed).then_some("true")] { "−" }
+                    button type="button" id="zoom-back" data-zoom="back" aria-label=(page::window_back(l)) title=(page::window_back(l)) aria-disabled=[(!is_narrowed).then_some("true")] { "◂" }
+                    button type="button" id="zoom-on" data-zoom="on" aria-label=(page::window_on(l)) title=(page::window_on(l)) aria-disabled=[(!is_narrowed).then_some("true")] { "▸" }
+                    button type="button" id="zoom-whole" data-zoom="whole" aria-disabled=[(!is_narrowed).then_some("true")] { (page::whole_cycle(l)) }
                 }
             }
             output id="instant-values" for="instant" {}

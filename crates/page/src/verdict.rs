@@ -131,14 +131,29 @@ pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, progress: &Progress)
     } }
 }
 
-/// Returns a fault with its hint; text between grave accents is a quotation of the file.
-pub(crate) fn worded(message: &str, hint: Option<&str>) -> Markup {
-    let set = |text: &str| {
-        html! { @for (place, piece) in text.split('`').enumerate() {
-            @if place % 2 == 1 { code { (piece) } } @else { (piece) }
-        } }
-    };
-    html! { (set(message)) @if let Some(hint) = hint { " – " (set(hint)) } }
+/// Returns the label of a key as the left pane shows it; `None` if the path names no key.
+fn label_of(path: &str, language: Language) -> Option<String> {
+    // The keys of a file with several axes stand under `axis[N]`.
+    let inside = path.strip_prefix("axis[").and_then(|rest| rest.split_once("].")).map_or(path, |(_, inside)| inside);
+    Some(capitalised(&short_label(about_text(key_at(inside)?.about, language))))
+}
+
+/// Returns a sentence about the file: text between grave accents is a quotation of it; a key is shown by its label.
+fn quoted(text: &str, language: Language) -> Markup {
+    html! { @for (place, piece) in text.split('`').enumerate() {
+        @if place % 2 == 0 { (piece) }
+        @else if let Some(label) = label_of(piece, language) { em title=(piece) { (label) } }
+        @else { code { (piece) } }
+    } }
+}
+
+fn hint(hint: Option<&str>, language: Language) -> Markup {
+    html! { @if let Some(hint) = hint { " – " (quoted(hint, language)) } }
+}
+
+/// Returns a fault with its hint.
+pub(crate) fn worded(message: &str, advice: Option<&str>, language: Language) -> Markup {
+    html! { (quoted(message, language)) (hint(advice, language)) }
 }
 
 /// Returns the faults of the text, each with a link to its field, to its axis, or to its line in the text.
@@ -164,12 +179,13 @@ fn faults(state: &PageState, held: &ReadProject, fields: &str, language: Languag
     let line = |(path, fault): &(Option<String>, words::Worded)| {
         html! {
             @let at = page::at_line(&fault.line, &fault.column, language);
+            @let (all, alone) = (worded(&fault.message, fault.hint.as_deref(), language), quoted(&fault.message, language));
             @match (path.as_deref().and_then(place), path.as_deref().and_then(axis)) {
-                (Some(id), _) => a href={ "#" (id) } { (at) },
-                (None, Some(axis)) => button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) },
-                (None, None) => a href="#text" data-line=(fault.line) { (at) },
+                // The fault itself leads to its field.
+                (Some(id), _) => { a href={ "#" (id) } title=(at) { (alone) } (hint(fault.hint.as_deref(), language)) },
+                (None, Some(axis)) => { button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) } ": " (all) },
+                (None, None) => { a href="#text" data-line=(fault.line) { (at) } ": " (all) },
             }
-            ": " (worded(&fault.message, fault.hint.as_deref()))
         }
     };
     let more = held.faults.len().saturating_sub(1);

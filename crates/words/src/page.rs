@@ -240,6 +240,10 @@ texts! {
     keyboard = "Keyboard" | "Tastatur";
     answers_again = "antrieb answers again." | "antrieb antwortet wieder.";
     draft_found = "There are unsaved changes to this file:" | "Zu dieser Datei gibt es ungespeicherte Änderungen:";
+    continue_unsaved = "Continue with unsaved changes" | "Mit ungespeicherten Änderungen weiterarbeiten";
+    draft_too_large =
+        "The browser has no room left for unsaved changes: save the file, or discard others on the start page."
+        | "Der Browser hat keinen Platz mehr für ungespeicherte Änderungen: Datei speichern oder andere auf der Startseite verwerfen.";
     restore_draft = "Restore" | "Wiederherstellen";
     discard_draft = "Discard" | "Verwerfen";
     draft_restored =
