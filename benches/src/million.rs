@@ -13,7 +13,7 @@
 
 use benches::{Against, Gates, binary, loadtxt, run, size, timed};
 use project::Files;
-use questions::{CandidateId, check, reserve_of};
+use questions::{check, reserve_of};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -123,7 +123,7 @@ fn main() -> ExitCode {
         .collect();
     gates.at_most("size on a million positions", &Against::of(&sized), ("reading them", 5.0));
     let best = size(read().first().expect("one axis")).candidates.first().map(|best| best.id.clone());
-    let Some(CandidateId::Code(code)) = best else { panic!("no code") };
+    let Some(code) = best else { panic!("no code") };
     for _ in 0..ROUNDS {
         let mut projects = Vec::new();
         let reading = timed(|| projects = read());

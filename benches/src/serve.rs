@@ -6,7 +6,7 @@
 
 use benches::{Gates, against, milliseconds, timed};
 use page::{Call, FileEntry, Folder, Method, SaveFault, Shell};
-use project::{Files, NoFiles};
+use project::{Catalogue, Files, NoFiles};
 use quantities::Language;
 use questions::Progress;
 use server::{Access, Options, RequestLimits, Server};
@@ -14,6 +14,7 @@ use std::hint::black_box;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::process::ExitCode;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
@@ -26,6 +27,10 @@ struct Alone;
 impl Shell for Alone {
     fn files(&self) -> &dyn Files {
         &NoFiles
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn folder(&self) -> Option<&dyn Folder> {

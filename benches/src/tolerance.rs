@@ -5,7 +5,7 @@
 
 use benches::{Gates, against};
 use project::Project;
-use questions::{Candidate, CandidateId, SAMPLES_USUAL, Sampling, assess, check, size};
+use questions::{Candidate, SAMPLES_USUAL, Sampling, assess, check, size};
 use std::hint::black_box;
 use std::process::ExitCode;
 
@@ -24,13 +24,7 @@ fn main() -> ExitCode {
     assert_eq!(project.tolerances.len(), 3, "the example has changed");
     let sizing = size(&project);
     let best: Vec<&Candidate<'_>> = sizing.candidates.iter().take(10).collect();
-    let codes: Vec<_> = best
-        .iter()
-        .filter_map(|each| match &each.id {
-            CandidateId::Code(code) => Some(*code),
-            CandidateId::Own(_) => None,
-        })
-        .collect();
+    let codes: Vec<_> = best.iter().map(|each| each.id.clone()).collect();
     let judgements = || {
         for _ in 0..SAMPLES_USUAL / 10 {
             for code in &codes {

@@ -8,10 +8,9 @@ use crate::text::{any_edits, mutate, tells};
 use crate::{draft, project};
 use ::project::Project;
 use arbitrary::{Result, Unstructured};
-use order_code::OrderCode;
 use quantities::{Language, Measure};
 use questions::list::diff::difference;
-use questions::{Candidate, CandidateId, CheckId, Draw, Progress, Sizing, Verdict, answer, check, list, size};
+use questions::{Candidate, CheckId, Draw, ProductId, Progress, Sizing, Verdict, answer, check, list, size};
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -59,7 +58,7 @@ fn hold(case: &Case<'_>, question: u8) {
     sizing.candidates.iter().chain(&sizing.own).for_each(verdict::candidate);
     assert!(sizing.candidates.is_sorted_by_key(|each| !each.fits()), "what fits stands first");
     let Some(best) = sizing.candidates.first() else { return };
-    let CandidateId::Code(code) = best.id else { return };
+    let code = best.id.clone();
     match question {
         0 => ranking(case),
         1 => agree(case, &sizing),
@@ -86,7 +85,7 @@ fn ranking(case: &Case<'_>) {
 }
 
 /// Runs the twin if the run fits into the time of a case.
-fn twin(case: &Case<'_>, code: &OrderCode) {
+fn twin(case: &Case<'_>, code: &ProductId) {
     if let Some(Ok(run)) = twin_of(case.project, code, case.language) {
         keeps_to_schema("simulate", &answer::simulation(&run, case.language));
     }
@@ -99,7 +98,7 @@ fn twin(case: &Case<'_>, code: &OrderCode) {
 /// The run is none of these.
 pub fn twin_of<'p>(
     project: &'p Project,
-    code: &OrderCode,
+    code: &ProductId,
     language: Language,
 ) -> Option<std::result::Result<questions::Simulated<'p>, String>> {
     if project.axis.motion.duration().si() > 1.0 || project.twin.scenario.cycles > 1 {
@@ -125,9 +124,9 @@ fn agree(case: &Case<'_>, sizing: &Sizing<'_>) {
     let fitting = sizing.candidates.iter().filter(|each| each.fits()).take(4);
     let rejected = sizing.candidates.iter().filter(|each| !each.fits()).step_by(40);
     for each in fitting.chain(rejected) {
-        let CandidateId::Code(code) = each.id else { continue };
+        let code = &each.id;
         // Options required by the project may violate a rule; then only the ranking judges the candidate.
-        let Ok(alone) = check(case.project, &code) else { continue };
+        let Ok(alone) = check(case.project, code) else { continue };
         verdict::candidate(&alone);
         let said = |candidate: &Candidate<'_>| {
             let checks = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
@@ -143,7 +142,7 @@ fn agree(case: &Case<'_>, sizing: &Sizing<'_>) {
     }
 }
 
-fn one(case: &Case<'_>, code: &OrderCode) {
+fn one(case: &Case<'_>, code: &ProductId) {
     for code in [Some(code), None] {
         if let Ok(found) = questions::list::check::verification(case.project, code, FEW, &Progress::endless()) {
             keeps_to_schema("check", &found.record(case.language));
@@ -154,7 +153,7 @@ fn one(case: &Case<'_>, code: &OrderCode) {
     }
 }
 
-fn workings(case: &Case<'_>, code: &OrderCode) {
+fn workings(case: &Case<'_>, code: &ProductId) {
     let explained =
         |check| questions::list::explain::explanation(case.project, Some(code), check, &Progress::endless());
     let Ok(found) = explained(None) else { return };
@@ -168,15 +167,11 @@ fn workings(case: &Case<'_>, code: &OrderCode) {
 
 /// Compares the first two of the ranking, and the first with itself.
 fn compare_first_two(case: &Case<'_>, sizing: &Sizing<'_>) {
-    let of = |each: &Candidate<'_>| match each.id {
-        CandidateId::Code(code) => Some(code),
-        CandidateId::Own(_) => None,
-    };
-    let codes: Vec<OrderCode> = sizing.candidates.iter().filter_map(of).take(2).collect();
+    let codes: Vec<ProductId> = sizing.candidates.iter().take(2).map(|each| each.id.clone()).collect();
     let Ok(found) = questions::list::compare::compare(case.project, &codes, &Progress::endless()) else { return };
     keeps_to_schema("compare", &answer::comparison(&found, &case.project.name, case.language));
     assert!(found.checks.iter().all(|row| row.checks.len() == codes.len()));
-    let twice: Vec<OrderCode> = codes.iter().take(1).chain(codes.iter().take(1)).copied().collect();
+    let twice: Vec<ProductId> = codes.iter().take(1).chain(codes.iter().take(1)).cloned().collect();
     let Ok(found) = questions::list::compare::compare(case.project, &twice, &Progress::endless()) else { return };
     assert!(
         found.demand.iter().chain(&found.data).all(questions::list::compare::DatumRow::is_same),
@@ -187,7 +182,7 @@ fn compare_first_two(case: &Case<'_>, sizing: &Sizing<'_>) {
 }
 
 /// Checks that a revision without changes shows no difference.
-fn revisions(case: &Case<'_>, code: &OrderCode) {
+fn revisions(case: &Case<'_>, code: &ProductId) {
     let Ok(found) = difference(case.project, case.project, Some(code), &Progress::endless()) else { return };
     assert!(found.demand.iter().all(questions::list::compare::DatumRow::is_same), "{:?}", found.demand);
     assert!(found.checks.iter().all(questions::list::diff::CheckChange::is_same), "{code}");

@@ -4,7 +4,7 @@ use crate::draft;
 use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
 use page::{Call, FileEntry, Folder, Method, Reply, SaveFault, Shell, respond};
-use project::Files;
+use project::{Catalogue, Files};
 use quantities::Language;
 use questions::Progress;
 use serde_json::Value;
@@ -12,7 +12,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 use testkit::html::whole;
 
@@ -342,6 +342,10 @@ impl Files for Memory {
 impl Shell for Memory {
     fn files(&self) -> &dyn Files {
         self
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn time_limit(&self) -> Option<Duration> {

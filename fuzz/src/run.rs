@@ -51,6 +51,7 @@ pub(crate) fn hold(bytes: &[u8]) {
             bytes: Cow::Borrowed(AXIS.as_bytes()),
             files: &files,
         }],
+        catalogue: questions::embedded_catalogue(),
         days_since_1970: None,
         progress: &progress,
         refuses_long: true,

@@ -109,7 +109,7 @@ fn the_examples_keep_the_promises() {
 /// Generated projects with `[twin]` are simulated or refused with a reason; some of them run.
 #[test]
 fn drafts_are_simulated() {
-    let code = order_code::parse("CHA-25A-100-H-C1024-B").unwrap().code;
+    let code = order_code::parse("CHA-25A-100-H-C1024-B").unwrap().code.into();
     let (mut ran, mut refused) = (0, 0);
     for case in 0..1800 {
         let bytes = bytes(case);

@@ -10,7 +10,7 @@ use clap::parser::ValueSource;
 use project::Project;
 use quantities::Language;
 use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, Reads, Unanswered, bounded};
-use questions::read_code;
+use questions::{embedded_catalogue, read_code};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -83,6 +83,7 @@ impl Call<'_> {
         Ok(Inquiry {
             given: self.given(entry.arguments)?,
             sources: self.files.iter().map(File::source).collect(),
+            catalogue: embedded_catalogue(),
             days_since_1970: days_since_1970(),
             progress: progress(),
             refuses_long: waited_s().is_none(),

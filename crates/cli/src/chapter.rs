@@ -6,7 +6,6 @@ use crate::fault::path_text;
 use crate::plot;
 use crate::table::{Align, TextTable, labelled};
 use answers::FilesWritten;
-use order_code::Size;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Language, Measure, Torque, format_significant};
 use questions::Candidate;
@@ -62,7 +61,7 @@ pub(crate) fn bearing(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandA
     Ok(CommandAnswer::of_axes(found))
 }
 
-fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
+fn bearing_text(sizes: &[Candidate<'_>], language: Language) -> String {
     let mut table = TextTable::new([
         (terminal::size(language), Align::Left),
         (terms::check(language), Align::Left),
@@ -73,10 +72,10 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
         (terms::utilisation_short(language), Align::Right),
     ]);
     let checks =
-        || sizes.iter().flat_map(|(size, candidate)| bearing_checks(candidate).map(move |check| (size, check)));
+        || sizes.iter().flat_map(|size| bearing_checks(size).map(move |check| (size.product.size_name(), check)));
     for (size, check) in checks() {
         table.row([
-            size.to_string(),
+            size.to_owned(),
             title_of_check(check, language),
             verdict_text(check, language),
             checked_text(check.id, check.value, language),

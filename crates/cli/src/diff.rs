@@ -9,7 +9,7 @@ use quantities::{Language, format_number};
 use questions::list::diff::{CheckChange, Difference, revisions};
 use questions::list::{Inquiry, Unanswered};
 use questions::texts::{ValuesInRow, margin_share, percent, verdict_text};
-use questions::{CandidateId, Check, answer};
+use questions::{Check, ProductId, answer};
 use std::fmt::Write as _;
 use words::{check_title, terminal, terms};
 
@@ -35,7 +35,7 @@ fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: La
         share(found.after.standing.utilisation),
     );
     let none = terminal::none_fits(language);
-    let best = |id: &Option<CandidateId>| id.as_ref().map_or_else(|| none.to_owned(), ToString::to_string);
+    let best = |id: &Option<ProductId>| id.as_ref().map_or_else(|| none.to_owned(), ToString::to_string);
     let word = terminal::best_of_the_catalogue(language);
     let (first, second) = (best(&found.best_before), best(&found.best_after));
     let _ = if first == second {

@@ -10,7 +10,7 @@ use project::Project;
 use quantities::{Language, MomentOfInertia};
 use questions::drive::{Time, bare_axis, eds, with_drive};
 use questions::list::{AXIS, Cost, Given, Inquiry, Unanswered};
-use questions::{read_code, read_quantity};
+use questions::{embedded_catalogue, read_code, read_quantity};
 use server::{DriveProtocol, DriveServer, Unserved};
 use std::io::Write;
 use std::path::PathBuf;
@@ -37,7 +37,7 @@ pub(crate) fn drive(matches: &ArgMatches, language: Language) -> Result<CommandA
         Some(path) => {
             of_file(&SourceFile::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?
         }
-        None => bare_axis(&code, inertia, language)?,
+        None => bare_axis(&code, inertia, embedded_catalogue(), language)?,
     };
     let node = matches.get_one::<u8>("node").copied().unwrap_or(1);
     let seed = matches.get_one::<u32>("seed").copied().unwrap_or(0);
@@ -88,6 +88,7 @@ fn of_file(file: &SourceFile, axis: Option<&str>, language: Language) -> Result<
     let inquiry = Inquiry {
         given: Given::of(&[AXIS], [], language)?,
         sources: vec![file.source()],
+        catalogue: embedded_catalogue(),
         days_since_1970: None,
         progress: progress(),
         refuses_long: true,

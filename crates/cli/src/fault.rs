@@ -81,7 +81,7 @@ fn add_messages(why: &Unanswered, said: &mut Vec<String>, language: Language) {
             .collect(),
         Unanswered::Refused(refusal, code) => {
             let what = refusal_text(refusal, waited_s(), language);
-            let code = code.map_or_else(String::new, |code| format!("{code}\n"));
+            let code = code.as_ref().map_or_else(String::new, |code| format!("{code}\n"));
             format!("{error}: {}\n{code}", seen(&what))
         }
         Unanswered::Together(all) => return all.iter().for_each(|one| add_messages(one, said, language)),

@@ -15,7 +15,7 @@ use questions::list::mount::MountInputs;
 use questions::list::upkeep::UpkeepInputs;
 use questions::list::{Inquiry, Unanswered, report as args};
 use questions::texts::standing_text;
-use questions::{Candidate, CandidateId, Draw, Progress, Refusal, Rejected, Sizing, answer, chapter};
+use questions::{Candidate, Draw, ProductId, Progress, Refusal, Rejected, Sizing, answer, chapter};
 use report::{AxisContent, Change, Content, DiagramPlace, Settings};
 use std::borrow::Cow;
 use std::path::Path;
@@ -48,7 +48,7 @@ pub(crate) fn write(
     let args = args::Args::read(&call.given(args::Args::ARGUMENTS)?)?;
     let settings = settings(&args);
     let source = inquiry.source()?;
-    let inputs = call.inputs(&source.projects(inquiry.progress, language)?);
+    let inputs = call.inputs(&source.projects(inquiry.catalogue, inquiry.progress, language)?);
     let saver = call.saver(&inputs);
     saver.ready(&[out])?;
     let projects = args.axes(inquiry)?;
@@ -158,13 +158,13 @@ fn settings(args: &args::Args) -> Settings {
 /// could not finish leaves its part to this one.
 fn content<'p>(
     (place, project): (usize, &'p Project),
-    code: Option<&OrderCode>,
+    id: Option<&ProductId>,
     text: &str,
     progress: &Progress,
     language: Language,
 ) -> Result<(AxisContent, Candidate<'p>), Refusal> {
     let sizing = questions::list::size::sized(project, usize::MAX, Rejected::All, progress)?;
-    let candidate = questions::candidate_for(project, code, || Ok(Cow::Borrowed(&sizing)))?;
+    let candidate = questions::candidate_for(project, id, || Ok(Cow::Borrowed(&sizing)))?;
     let figures = || drawn_figures(project, &sizing, &candidate, language);
     let content = std::thread::scope(|scope| {
         let drawn = scope.spawn(|| {
@@ -196,7 +196,7 @@ fn install(
     delivered: Option<questions::list::upkeep::Date>,
     language: Language,
 ) -> Result<(), (String, Option<String>)> {
-    if let CandidateId::Code(code) = &candidate.id {
+    if let Some(code) = candidate.id.order_code() {
         content.chapters = installation(code, project, delivered, language)?;
         content.dossier.documents.extend(chapter::documents(&content.chapters, language));
     }
@@ -243,8 +243,7 @@ fn installation(
 
 /// Returns the simulation that a project states, with its pictures; the reason if it is not run.
 fn simulated(project: &Project, candidate: &Candidate<'_>, progress: &Progress, language: Language) -> Option<Chapter> {
-    let code = if let CandidateId::Code(code) = &candidate.id { Some(code) } else { None };
-    let run = questions::list::simulate::of_the_project(project, code, progress, language)?;
+    let run = questions::list::simulate::of_the_project(project, Some(&candidate.id), progress, language)?;
     let run = match run {
         Ok(run) => run,
         Err(why) => {

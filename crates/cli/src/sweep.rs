@@ -29,7 +29,7 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     };
     let source = inquiry.source()?;
     let text = source.text(language)?;
-    let projects = source.projects(inquiry.progress, language);
+    let projects = source.projects(inquiry.catalogue, inquiry.progress, language);
     let mut inputs = call.inputs(projects.as_deref().unwrap_or_default());
     inputs.push(path.clone());
     let saver = call.saver(&inputs);
@@ -40,7 +40,7 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     let opened = table.open(0, PART).map(|batches| (table, batches));
     let ready = match opened {
         Ok((table, batches)) => {
-            let options = args.options(batches.has_decimal_commas(), language)?;
+            let options = args.options(inquiry.catalogue, batches.has_decimal_commas(), language)?;
             let head = BatchHead::read(text, projects, &batches.schema(), options);
             table.checked(batches, head, project_files.clone()).map(|(sweep, rows)| (table, sweep, rows))
         }

@@ -136,8 +136,7 @@ pub fn ptc_cell(code: &OrderCode) -> Option<&'static Cell> {
 
 /// Returns the parameters of another manufacturer's actuator whose file states no value: the data of the family that
 /// apply to any strain wave actuator, graded as assumptions.
-#[must_use]
-pub fn own_actuator() -> Parameters {
+pub(crate) fn own_actuator() -> Parameters {
     fn assume<T>(datum: Datum<T>) -> Datum<T> {
         datum.map(|known| Sourced { grade: Grade::Assumed, ..known })
     }
@@ -152,20 +151,14 @@ pub fn own_actuator() -> Parameters {
     parameters
 }
 
-/// Returns t_c and t_o, the longest closing and opening times of all brakes in the manual: the demand is computed once
-/// for all candidates, and no brake is slower.
-#[must_use]
-pub fn brake_times() -> Option<(Time, Time)> {
-    static TIMES: LazyLock<Option<(Time, Time)>> = LazyLock::new(|| {
-        let printed = |symbol: &str| {
-            let cells =
-                catalogue::tables().iter().filter(|table| table.is_of_the_manual()).flat_map(ManualTable::cells);
-            let times = cells.filter(|cell| cell.place.symbol == symbol).map(catalogue::datum_of::<Time>);
-            times.filter_map(|time| Some(time.known()?.value)).max_by(|a, b| a.si().total_cmp(&b.si()))
-        };
-        Some((printed("t_c")?, printed("t_o")?))
-    });
-    *TIMES
+/// Returns t_c and t_o, the longest closing and opening times of all brakes in the manual.
+pub(crate) fn brake_times() -> Option<(Time, Time)> {
+    let printed = |symbol: &str| {
+        let cells = catalogue::tables().iter().filter(|table| table.is_of_the_manual()).flat_map(ManualTable::cells);
+        let times = cells.filter(|cell| cell.place.symbol == symbol).map(catalogue::datum_of::<Time>);
+        times.filter_map(|time| Some(time.known()?.value)).max_by(|a, b| a.si().total_cmp(&b.si()))
+    };
+    Some((printed("t_c")?, printed("t_o")?))
 }
 
 /// Returns the battery of the first encoder with a battery in the default series.

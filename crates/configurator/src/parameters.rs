@@ -26,7 +26,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
 
 /// Returns [`parameters`], with the data of another code that the differing fields do not affect: brake and options do
 /// not affect the drivetrain, winding and feedback do not affect the gear.
-pub(crate) fn parameters_beside(code: &OrderCode, other: Option<&(OrderCode, Parameters)>) -> Option<Parameters> {
+pub(crate) fn parameters_beside(code: &OrderCode, other: Option<(&OrderCode, &Parameters)>) -> Option<Parameters> {
     let Some((other, known)) = other.filter(|(other, _)| (other.size, other.ratio) == (code.size, code.ratio)) else {
         return parameters(code);
     };

@@ -1,13 +1,14 @@
 //! Requirements of the user on the actuator in addition to the checks.
 
+use crate::product::{Product, ProductId};
 use crate::rules::uncovered;
 use actuator::Parameters;
 use numeric::{at_least, at_most};
-use order_code::{Brake, Feedback, OrderCode};
+use order_code::{Brake, Feedback};
 use provenance::Datum;
 use quantities::{ElectricPotential, Length, Mass, Measure};
 
-/// Requirements that filter the ordering codes.
+/// Requirements that filter the products.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Requirements {
     /// Permitted motor feedback systems; empty if any is permitted.
@@ -67,30 +68,30 @@ pub enum Unmet {
 }
 
 impl Requirements {
-    /// Iterates over the requirements that an actuator does not meet; an unknown datum meets none.
-    pub fn unmet(&self, code: &OrderCode, actuator: &Parameters) -> impl Iterator<Item = Unmet> {
-        let is_other_feedback =
-            !self.feedback.is_empty() && !self.feedback.iter().any(|each| each.as_str() == code.feedback.as_str());
-        let is_other_brake = self.brake.is_some_and(|brake| brake != (code.brake == Brake::With));
+    /// Iterates over the requirements that a product does not meet as it is ordered; an unknown datum meets none, and a
+    /// product that names no feedback or no brake is not judged by it.
+    pub fn unmet(&self, ordered: &ProductId, product: &Product) -> impl Iterator<Item = Unmet> + use<> {
+        let is_other = |has: &Feedback| {
+            !self.feedback.is_empty() && !self.feedback.iter().any(|each| each.as_str() == has.as_str())
+        };
+        let other_feedback = product.feedback.filter(is_other);
+        let other_brake = product.brake.filter(|has| self.brake.is_some_and(|brake| brake != (*has == Brake::With)));
         // A value stated for the standard version only is unknown for this code.
-        let unknown = |symbol| uncovered(code).iter().any(|each| each.not_printed().contains(&symbol));
+        let unknown = |symbol| {
+            let uncovered = ordered.order_code().map(uncovered).unwrap_or_default();
+            uncovered.iter().any(|each| each.not_printed().contains(&symbol))
+        };
         let length_unknown = self.length_max.is_some() && unknown("L");
         let mass_unknown = self.mass_max.is_some() && unknown("m");
-        let of_the_code = [
-            is_other_feedback.then_some(Unmet::Feedback(code.feedback)),
-            is_other_brake.then_some(Unmet::Brake(code.brake)),
+        let of_the_product = [
+            other_feedback.map(Unmet::Feedback),
+            other_brake.map(Unmet::Brake),
             length_unknown.then_some(Unmet::NotKnown { symbol: "L" }),
             mass_unknown.then_some(Unmet::NotKnown { symbol: "m" }),
         ];
         let length_max = self.length_max.filter(|_| !length_unknown);
         let mass_max = self.mass_max.filter(|_| !mass_unknown);
-        of_the_code.into_iter().flatten().chain(self.unmet_of((length_max, mass_max), actuator))
-    }
-
-    /// Iterates over the unmet requirements among those that depend on data only; these also apply to a user's own
-    /// actuator.
-    pub fn unmet_by_data(&self, actuator: &Parameters) -> impl Iterator<Item = Unmet> {
-        self.unmet_of((self.length_max, self.mass_max), actuator)
+        of_the_product.into_iter().flatten().chain(self.unmet_of((length_max, mass_max), &product.parameters))
     }
 
     /// Iterates over the unmet requirements among those that depend on data only, with the limits of length and mass
@@ -140,7 +141,8 @@ mod tests {
 
     fn unmet(requirements: &Requirements, text: &str) -> Vec<Unmet> {
         let code = order_code::parse(text).unwrap().code;
-        requirements.unmet(&code, &crate::parameters(&code).unwrap()).collect()
+        let product = Product::of_code(code, crate::parameters(&code).unwrap());
+        requirements.unmet(&code.into(), &product).collect()
     }
 
     #[test]

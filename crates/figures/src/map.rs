@@ -5,7 +5,7 @@ use crate::labels::{amount, percent};
 use plot::{Dash, Markers, Note, PlaneAxis, Reference, Shape, Tone, XyChart};
 use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, Unit};
-use questions::{Candidate, CandidateId, Fit, Sizing};
+use questions::{Candidate, Fit, ProductId, Sizing};
 use words::{capitalised, pictures, terms};
 
 /// Quantity on the horizontal axis.
@@ -62,7 +62,7 @@ const MEANT: f64 = 0.04;
 
 /// Returns the candidate whose point in the map is nearest to a point, if one is near.
 #[must_use]
-pub fn nearest<'s>(sizing: &'s Sizing<'_>, by: By, place: MapPoint) -> Option<&'s CandidateId> {
+pub fn nearest<'s>(sizing: &'s Sizing<'_>, by: By, place: MapPoint) -> Option<&'s ProductId> {
     let distance = |candidate: &Candidate<'_>| {
         let (x, y) = point(by, candidate)?;
         let (dx, dy) = ((x - place.at.0) / place.reach.0, (y - place.at.1) / place.reach.1);
@@ -86,10 +86,10 @@ pub fn has_points(sizing: &Sizing<'_>, by: By) -> bool {
 
 /// Draws every candidate by mass or length and by the margin of its governing check; one of them may be marked.
 #[must_use]
-pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, language: Language) -> Drawing {
+pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&ProductId>, language: Language) -> Drawing {
     let all: Vec<&Candidate<'_>> = sizing.candidates.iter().chain(sizing.own.as_ref()).collect();
     let place = |candidate: &Candidate<'_>| point(by, candidate);
-    let named: Vec<&CandidateId> = all
+    let named: Vec<&ProductId> = all
         .iter()
         .filter(|candidate| candidate.fits() && Some(&candidate.id) != marked)
         .map(|candidate| &candidate.id)
@@ -145,7 +145,7 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
 }
 
 /// Returns a code without the name of the series, which all share.
-fn short(id: &CandidateId) -> String {
+fn short(id: &ProductId) -> String {
     let text = id.to_string();
     text.strip_prefix("CHA-").unwrap_or(&text).to_owned()
 }

@@ -2,12 +2,11 @@
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent, subject};
-use order_code::OrderCode;
 use plot::{Area, Dash, Hatch, Item, Label, Line, Markers, Note, PlaneAxis, Reference, Shape, Tone, Width, XyChart};
 use project::Project;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
 use quantities::{AngularVelocity, Language, Measure, Torque, Unit, format_number, format_significant};
-use questions::{Candidate, CheckId, Course, CurveKind, CurvePoint, PerformanceCurve, Plane, Sample};
+use questions::{Candidate, CheckId, Course, CurveKind, CurvePoint, PerformanceCurve, Plane, ProductId, Sample};
 use words::{minutes, pictures, terms};
 
 const SIZE_MM: (f64, f64) = (165.0, 125.0);
@@ -70,7 +69,7 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
 
 /// Draws the limits of a code alone.
 #[must_use]
-pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
+pub fn curves(id: &ProductId, plane: &Plane, language: Language) -> Drawing {
     let chart = with_limits(empty(language), plane, language);
     let kinds: Vec<String> = plane
         .curves
@@ -86,9 +85,9 @@ pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
             ))
         })
         .collect();
-    let description = pictures::limits_described(&code, &listed(&kinds, language), language);
+    let description = pictures::limits_described(&id, &listed(&kinds, language), language);
     let texts = (caption(plane, language), description);
-    Drawing::new(Figure::TorqueSpeed, &code.to_string(), SIZE_MM, texts, Chart::Xy(chart), language)
+    Drawing::new(Figure::TorqueSpeed, &id.to_string(), SIZE_MM, texts, Chart::Xy(chart), language)
 }
 
 fn empty(language: Language) -> XyChart {

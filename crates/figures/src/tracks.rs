@@ -114,6 +114,7 @@ mod tests {
             let inquiry = Inquiry {
                 given,
                 sources: vec![],
+                catalogue: questions::embedded_catalogue(),
                 days_since_1970: None,
                 progress: &progress,
                 refuses_long: true,

@@ -100,13 +100,7 @@ fn objection_bar(candidate: &Candidate<'_>, objection: &Objection, language: Lan
     let (sign, text) = match objection {
         Objection::Unmet(unmet @ Unmet::NotKnown { .. }) => (plot::Verdict::NotChecked, unmet_text(unmet, language)),
         Objection::Unmet(unmet) => (plot::Verdict::Fail, unmet_text(unmet, language)),
-        Objection::Rule(rule) => (
-            plot::Verdict::Fail,
-            match &candidate.id {
-                questions::CandidateId::Code(code) => words::describe_rule(code, rule, language),
-                questions::CandidateId::Own(_) => rule.table.to_owned(),
-            },
-        ),
+        Objection::Rule(rule) => (plot::Verdict::Fail, questions::texts::rule_text(&candidate.id, rule, language)),
     };
     Bar::new(capitalised(&text), sign).text(terms::requirement(language)).tooltip(&text)
 }

@@ -36,7 +36,7 @@ fn examples() -> Vec<Project> {
 /// Returns the best candidate of the catalogue, judged with every check, and that of the project.
 fn candidates(project: &Project) -> Vec<Candidate<'_>> {
     let best = questions::size(project).candidates.swap_remove(0);
-    let questions::CandidateId::Code(code) = best.id else { panic!("a code") };
+    let code = best.id;
     let best = questions::check(project, &code).unwrap();
     std::iter::once(best).chain(questions::check_own(project).ok()).collect()
 }
@@ -269,10 +269,11 @@ fn loads_on_the_bearing_are_drawn_with_their_limits_or_named_as_constant() {
 
 #[test]
 fn the_limits_of_a_code_need_no_project() {
-    let code = questions::read_code("CHA-20A-100-H-C1024", Language::En).unwrap().parsed.code;
+    let code = questions::read_code("CHA-20A-100-H-C1024", Language::En).unwrap().parsed.code.into();
+    let product = questions::embedded_catalogue().product(&code).unwrap();
     let volts = questions::read_quantity("120 V", Language::En).unwrap();
     for terminal in [None, Some(volts)] {
-        let plane = questions::plane_of(&code, terminal).unwrap().unwrap();
+        let plane = questions::plane_of(product, terminal).unwrap();
         for language in LANGUAGES {
             let picture = picture(&figures::curves(&code, &plane, language), language);
             assert_eq!(picture.dropped(), 0);
@@ -302,7 +303,7 @@ fn a_simulation_and_its_control_loops_have_letters_to_read() {
     let text = if text.contains("[twin]") { text } else { text + "\n[twin]\nscenario = \"cycle\"\n" };
     let project = questions::read_all(&text, &ExampleFiles).unwrap().swap_remove(0);
     let candidate = candidates(&project).swap_remove(0);
-    let questions::CandidateId::Code(code) = candidate.id else { panic!("a code") };
+    let code = candidate.id;
     for language in LANGUAGES {
         let run = questions::list::simulate::of_the_project(&project, Some(&code), &Progress::endless(), language);
         let run = run.unwrap().unwrap();

@@ -2,12 +2,13 @@
 
 use answers::Commissioning;
 use figures::Theme;
-use project::{Files, Project};
+use project::{Catalogue, Files, Project};
 use quantities::Language;
 use questions::Progress;
 use questions::list::report;
 use std::borrow::Cow;
 use std::io;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Method of a request.
@@ -155,6 +156,9 @@ impl Reply {
 pub trait Shell {
     /// Returns the files that a project may name.
     fn files(&self) -> &dyn Files;
+
+    /// Returns the products that are offered.
+    fn catalogue(&self) -> &Arc<dyn Catalogue>;
 
     /// Returns the time limit of an answer, if there is one.
     fn time_limit(&self) -> Option<Duration> {

@@ -12,7 +12,7 @@ use quantities::unit::WATT;
 use quantities::{Language, Measure, format_number};
 use questions::list::check::reserve_unasked;
 use questions::texts::{demand_figures, reserve_lines};
-use questions::{Candidate, CandidateId, Progress, power_over_cycle};
+use questions::{Candidate, Progress, power_over_cycle};
 use words::{capitalised, page};
 
 /// Returns the pane of a candidate judged with every check.
@@ -140,7 +140,7 @@ fn later(state: &PageState, candidate: &Candidate<'_>, shell: &dyn Shell) -> Mar
         state.room
     );
     // The request names the actuator, so that it is not searched again.
-    let code = if let CandidateId::Code(code) = &candidate.id { code.to_string() } else { String::new() };
+    let code = if candidate.product.is_of_project() { String::new() } else { candidate.id.to_string() };
     html! {
         div id="view" data-same="" {}
         span hidden id={ "later-" (shell.version(about.as_bytes())) } hx-post="/picture" hx-trigger="load, antrieb:again"

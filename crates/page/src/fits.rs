@@ -8,10 +8,11 @@ use crate::state::{Filter, List, MARKED_MOST, PageState, Sort};
 use crate::verdict::Outcome;
 use figures::{By, Size, Style, candidate_map};
 use maud::{Markup, PreEscaped, html};
+use order_code::{Brake, Feedback};
 use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, format_number};
 use questions::texts::{fitting_text, percent, reason, standing_text};
-use questions::{Candidate, CandidateId, Fit, Sizing};
+use questions::{Candidate, Fit, ProductId, Sizing};
 use std::collections::BTreeSet;
 use words::{capitalised, marked, page, ranking_rule, terminal, terms, title_of_check};
 
@@ -65,9 +66,8 @@ fn filters(state: &PageState, sizing: &Sizing<'_>) -> Markup {
     let l = state.language;
     let (mut sizes, mut feedbacks) = (BTreeSet::new(), BTreeSet::new());
     for each in &sizing.candidates {
-        let CandidateId::Code(code) = &each.id else { continue };
-        sizes.insert(code.size.to_string());
-        feedbacks.insert(code.feedback.to_string());
+        sizes.extend(each.product.frame_size.as_ref().map(|size| size.name.to_string()));
+        feedbacks.extend(each.product.feedback.map(|feedback| feedback.to_string()));
     }
     let choice = |name: &str, label: &str, chosen: &str, all: &[(&str, &str)]| {
         html! {
@@ -115,8 +115,9 @@ impl Filter {
 
     /// Returns `true` if a candidate passes the filters; an unknown value passes.
     fn holds(&self, candidate: &Candidate<'_>) -> bool {
-        let CandidateId::Code(code) = &candidate.id else { return true };
-        let named = |typed: &str, of: String| typed.is_empty() || typed == of;
+        let product = candidate.product;
+        let named = |typed: &str, of: Option<&str>| typed.is_empty() || of.is_none_or(|of| typed == of);
+        let with_brake = product.brake.map(|brake| if brake == Brake::With { "with" } else { "without" });
         let bound = |typed: &str| typed.trim().replace(',', ".").parse::<f64>().ok();
         let of = |value: Option<f64>, typed: &str, holds: fn(f64, f64) -> bool| match (value, bound(typed)) {
             (Some(value), Some(bound)) => holds(value, bound),
@@ -124,9 +125,9 @@ impl Filter {
         };
         let [mass, length, bore] = sizes_of(candidate);
         let voltage = candidate.parameters.dc_link_max.known().map(|found| found.value.si());
-        named(&self.size, code.size.to_string())
-            && named(&self.feedback, code.feedback.to_string())
-            && (self.brake.is_empty() || (self.brake == "with") == (code.brake == order_code::Brake::With))
+        named(&self.size, product.frame_size.as_ref().map(|size| &*size.name))
+            && named(&self.feedback, product.feedback.map(Feedback::as_str))
+            && named(&self.brake, with_brake)
             && of(bore, &self.bore_mm, |value, least| value >= least)
             && of(length, &self.length_mm, |value, most| value <= most)
             && of(mass, &self.mass_kg, |value, most| value <= most)
@@ -255,7 +256,7 @@ fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked
     let tightest = candidate.governing().map(|check| capitalised(&title_of_check(check, l))).unwrap_or_default();
     let advice = candidate.counts().advised;
     let open = candidate.open_questions();
-    let is_marked = |code: &order_code::OrderCode| state.marked.contains(code);
+    let is_marked = |id: &ProductId| state.marked.contains(id);
     let it = looked_at.filter(|it| it.id == candidate.id);
     let unfolded = it.is_some() && state.unfolded;
     html! {
@@ -264,9 +265,9 @@ fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked
                 td.number.rank { @match rank { Some(rank) => (rank), None => "–" } }
                 td.code {
                     (fold(&name, unfolded, l))
-                    @if let CandidateId::Code(code) = &candidate.id {
+                    @if !candidate.product.is_of_project() {
                         input type="checkbox" name="mark" form="state" value=(name) id={ "m-" (name) } aria-label=(page::mark(&name, l))
-                            checked[is_marked(code)] data-checked=(is_marked(code)) disabled[!is_marked(code) && state.marked.len() >= MARKED_MOST]
+                            checked[is_marked(&candidate.id)] data-checked=(is_marked(&candidate.id)) disabled[!is_marked(&candidate.id) && state.marked.len() >= MARKED_MOST]
                             hx-post="/work" hx-trigger="change";
                     }
                     (look_at(&name, l))
@@ -320,7 +321,7 @@ fn rejected(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&Candidate
     }
 }
 
-fn map(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) -> Markup {
+fn map(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&ProductId>) -> Markup {
     let drawing = candidate_map(sizing, By::Mass, looked_at, state.language);
     let (width, height) = drawing.size_mm;
     let size = Size::pixels(460.0, 460.0 * height / width);

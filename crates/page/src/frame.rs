@@ -13,9 +13,7 @@ use quantities::Language;
 use questions::list::compare::compare;
 use questions::list::new::{Template, template, template_kinds};
 use questions::list::size::sized;
-use questions::{
-    Candidate, CandidateId, CheckId, Progress, Refusal, Rejected, Sizing, check, check_own, explain, explain_own,
-};
+use questions::{Candidate, CheckId, Progress, Refusal, Rejected, Sizing, check, check_own, explain, explain_own};
 use words::{check_title, page};
 
 /// Icon of the page.
@@ -103,7 +101,7 @@ fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result
     if state.text.is_empty() && state.good.is_empty() {
         return Ok(start(state, shell));
     }
-    let held = state.hold(shell.files(), progress);
+    let held = state.hold(shell, progress);
     if let Some(refusal) = held.refused.clone() {
         return Err((Box::new(held), refusal));
     }
@@ -186,14 +184,14 @@ pub(crate) fn looked_at<'p>(
     project: &'p Project,
     best: Option<&Candidate<'p>>,
 ) -> Option<Candidate<'p>> {
-    let is_best = |best: &&Candidate<'p>| match state.code {
-        Some(code) => best.id == CandidateId::Code(code),
+    let is_best = |best: &&Candidate<'p>| match &state.code {
+        Some(id) => best.id == *id,
         None => project.actuator.is_none(),
     };
     if let Some(best) = best.filter(|best| best.fits()).filter(is_best) {
         return Some(best.clone());
     }
-    if let Some(found) = state.code.as_ref().and_then(|code| check(project, code).ok()) {
+    if let Some(found) = state.code.as_ref().and_then(|id| check(project, id).ok()) {
         return Some(found);
     }
     chosen(project, best)
@@ -216,15 +214,12 @@ pub(crate) fn chosen<'p>(project: &'p Project, best: Option<&Candidate<'_>>) -> 
     if let Ok(own) = check_own(project) {
         return Some(own);
     }
-    match best.map(|best| &best.id) {
-        Some(CandidateId::Code(code)) => check(project, code).ok(),
-        _ => None,
-    }
+    best.and_then(|best| check(project, &best.id).ok())
 }
 
 /// Returns the form with the state that every request carries.
 fn state_of(state: &PageState) -> Markup {
-    let code = state.code.map(|code| code.to_string()).unwrap_or_default();
+    let code = state.code.as_ref().map(ToString::to_string).unwrap_or_default();
     html! {
         form id="state" hidden {
             textarea name="good" { (form::kept(&state.good)) }
@@ -309,7 +304,7 @@ fn example(kind: &str, found: &Template, language: Language) -> Markup {
 /// Returns the picture of a long recording, requested after its numbers, and the reserve of the actuator.
 pub(crate) fn picture(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let mut state = PageState::of(call);
-    let held = state.hold(shell.files(), progress);
+    let held = state.hold(shell, progress);
     let Some(project) = held.projects.get(state.axis) else { return Reply::text(204, "") };
     let Some(candidate) = looked_at_alone(&state, project, progress) else { return Reply::text(204, "") };
     let parts = html! {
@@ -327,7 +322,7 @@ fn partial(target: &str, inside: Markup) -> Markup {
 /// Returns the curves of the picture as a table.
 pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let mut state = PageState::of(call);
-    let held = state.hold(shell.files(), progress);
+    let held = state.hold(shell, progress);
     let Some(project) = held.projects.get(state.axis) else {
         return Reply::text(404, page::no_result_yet(state.language));
     };
@@ -344,7 +339,7 @@ pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) ->
 pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
     let wanted = call.field("check").unwrap_or_default();
-    let held = state.hold(shell.files(), progress);
+    let held = state.hold(shell, progress);
     if let Some(refusal) = &held.refused {
         let why = waiting::stopped(refusal, false, None, shell, progress, state.language);
         return html! { p.advice role="status" { (why) } };
@@ -353,9 +348,9 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, progress: &Progress)
     let is_sought = state.code.is_none() && project.actuator.is_none();
     let sizing = if is_sought { sized(project, 0, Rejected::Nearest, progress).ok() } else { None };
     let best = sizing.as_ref().and_then(Sizing::named).map(|best| best.id.clone());
-    let found = match (state.code, best) {
-        (Some(code), _) | (None, Some(CandidateId::Code(code))) => explain(project, &code),
-        _ => explain_own(project),
+    let found = match state.code.as_ref().or(best.as_ref()) {
+        Some(id) => explain(project, id),
+        None => explain_own(project),
     };
     let Ok(candidate) = found else { return html! {} };
     let Some(one) = candidate.judgement.checks.iter().find(|each| each.id.id() == wanted) else {
@@ -368,7 +363,7 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, progress: &Progress)
 /// Returns the comparison of the marked actuators.
 pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
-    let held = state.hold(shell.files(), progress);
+    let held = state.hold(shell, progress);
     let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked, progress).ok());
     html! { @if let Some(found) = found { (detail::compared(&found, state.language)) } }
 }

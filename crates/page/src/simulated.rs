@@ -8,7 +8,7 @@ use maud::{Markup, html};
 use project::{Project, key_at};
 use quantities::{Language, Unit, format_significant};
 use questions::list::simulate::{ScenarioId, of_scenario};
-use questions::{Candidate, CandidateId, Progress, Simulated, Verdict, answer, chapter};
+use questions::{Candidate, Progress, Simulated, Verdict, answer, chapter};
 use words::{about_text, capitalised, page, short_label, simulation, verdict_word};
 
 /// Runs the selected scenario, else that of the project.
@@ -21,11 +21,7 @@ pub(crate) fn run<'p>(
     candidate: &Candidate<'_>,
     progress: &Progress,
 ) -> Result<Simulated<'p>, String> {
-    let code = match &candidate.id {
-        CandidateId::Code(code) => Some(code),
-        CandidateId::Own(_) => None,
-    };
-    of_scenario(project, code, chosen(state, project), progress, state.language)
+    of_scenario(project, Some(&candidate.id), chosen(state, project), progress, state.language)
 }
 
 fn chosen(state: &PageState, project: &Project) -> ScenarioId {

@@ -184,7 +184,9 @@ pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, progress: &Pro
     let Some(found) = template(&kind, crate::head::USUAL_NAME, l).filter(|found| found.recording.is_none()) else {
         return html! {};
     };
-    let Ok(projects) = read_all_watched(&found.text, shell.files(), progress) else { return html! {} };
+    let Ok(projects) = read_all_watched(&found.text, shell.files(), shell.catalogue(), progress) else {
+        return html! {};
+    };
     let Some((project, sizing)) =
         projects.first().and_then(|project| Some((project, sized(project, 0, Rejected::None, progress).ok()?)))
     else {

@@ -2,15 +2,14 @@
 //!
 //! A shell stores none of it. Every request carries it, and every answer returns it.
 
-use crate::call::Call;
+use crate::call::{Call, Shell};
 use crate::form::tolerance_of;
 use crate::value::{in_unit, stated, with_point};
 use figures::{By, MapPoint, Theme, nearest};
-use order_code::OrderCode;
-use project::{Diagnostic, Edit, Files, Key, Kind, Project, Written, edit, key_at, stretch, written};
+use project::{Diagnostic, Edit, Key, Kind, Project, Written, edit, key_at, stretch, written};
 use quantities::Language;
 use questions::list::simulate::ScenarioId;
-use questions::{CandidateId, Draw, Progress, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
+use questions::{Draw, ProductId, Progress, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
 use std::borrow::Cow;
 use words::{Worded, worded};
 
@@ -31,9 +30,9 @@ pub(crate) struct PageState {
     /// Prefix of the paths of the axis: `axis[2].` if the project has several axes, else empty.
     pub(crate) prefix: String,
     /// The selected actuator; `None` for the best one.
-    pub(crate) code: Option<OrderCode>,
+    pub(crate) code: Option<ProductId>,
     /// Actuators marked for the comparison.
-    pub(crate) marked: Vec<OrderCode>,
+    pub(crate) marked: Vec<ProductId>,
     pub(crate) language: Language,
     pub(crate) theme: Theme,
     /// Name of the project file in the folder.
@@ -199,7 +198,8 @@ impl PageState {
     /// Reads the state of a request.
     pub(crate) fn of(call: &Call<'_>) -> Self {
         let field = |name: &str| call.field(name).map(Cow::into_owned).unwrap_or_default();
-        let code = |text: &str| read_code(text, call.language()).ok().map(|reading| reading.parsed.code);
+        let code =
+            |text: &str| read_code(text, call.language()).ok().map(|reading| ProductId::from(reading.parsed.code));
         let mut state = Self {
             text: field("text").replace("\r\n", "\n"),
             good: field("good").replace("\r\n", "\n"),
@@ -246,8 +246,8 @@ impl PageState {
     /// Selects the actuator nearest to the point in the map, if one was pointed at.
     pub(crate) fn choose_nearest(&mut self, sizing: &Sizing<'_>) {
         let found = self.near.and_then(|place| nearest(sizing, By::Mass, place));
-        if let Some(CandidateId::Code(code)) = found {
-            self.code = Some(*code);
+        if let Some(id) = found {
+            self.code = Some(id.clone());
         }
     }
 
@@ -311,8 +311,8 @@ impl PageState {
     }
 
     /// Reads the project; a text with faults leaves the last good one.
-    pub(crate) fn hold(&mut self, files: &dyn Files, progress: &Progress) -> ReadProject {
-        let held = self.read(files, progress);
+    pub(crate) fn hold(&mut self, shell: &dyn Shell, progress: &Progress) -> ReadProject {
+        let held = self.read(shell, progress);
         self.axis = self.axis.min(held.projects.len().saturating_sub(1));
         if held.written.iter().any(|key| key.path == "axis[1]") {
             self.prefix = format!("axis[{}].", self.axis + 1);
@@ -320,10 +320,10 @@ impl PageState {
         held
     }
 
-    fn read(&mut self, files: &dyn Files, progress: &Progress) -> ReadProject {
+    fn read(&mut self, shell: &dyn Shell, progress: &Progress) -> ReadProject {
         let keys = written(&self.text);
         let has_places = keys.is_some();
-        match read_all_watched(&self.text, files, progress) {
+        match read_all_watched(&self.text, shell.files(), shell.catalogue(), progress) {
             Ok(projects) => {
                 self.good.clone_from(&self.text);
                 let written = keys.unwrap_or_default();
@@ -341,7 +341,8 @@ impl PageState {
                 let keys_there = keys.as_deref().unwrap_or_default();
                 let faults = placed(&found, (&self.text, keys_there), project::key_at, self.language);
                 let written = keys.or_else(|| written(&self.good)).unwrap_or_default();
-                let (projects, refused) = match read_all_watched(&self.good, files, progress) {
+                let (projects, refused) = match read_all_watched(&self.good, shell.files(), shell.catalogue(), progress)
+                {
                     Ok(projects) => (projects, None),
                     Err(Unread::Refused(refusal)) => (Vec::new(), Some(refusal)),
                     Err(Unread::Faults(_)) => (Vec::new(), None),

@@ -44,7 +44,7 @@ pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) ->
     let l = state.language;
     let stopped =
         |refusal: &Refusal| html! { p.advice { (waiting::stopped(refusal, false, None, shell, progress, l)) } };
-    let held = state.hold(shell.files(), progress);
+    let held = state.hold(shell, progress);
     if let Some(refusal) = &held.refused {
         return stopped(refusal);
     }

@@ -188,7 +188,9 @@ impl<'c> Scene<'c> {
     fn axis(&self) -> Option<String> {
         let place: usize = self.call.field("axis")?.parse().ok()?;
         let text = self.call.field("text")?;
-        let axes = read_all_watched(&text, self.shell.files(), self.progress).ok().filter(|axes| axes.len() > 1)?;
+        let axes = read_all_watched(&text, self.shell.files(), self.shell.catalogue(), self.progress)
+            .ok()
+            .filter(|axes| axes.len() > 1)?;
         axes.get(place).map(|axis| axis.name.clone())
     }
 

@@ -122,7 +122,7 @@ fn below(
 pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
     let l = state.language;
-    let held = state.hold(shell.files(), progress);
+    let held = state.hold(shell, progress);
     let found =
         held.projects.get(state.axis).and_then(|project| gearing_proposals(project, progress).ok()).unwrap_or_default();
     html! { @if !found.is_empty() {

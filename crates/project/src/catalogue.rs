@@ -1,7 +1,7 @@
 //! Access to the catalogue, provided by the caller.
 
 use actuator::{Battery, Parameters};
-use order_code::OrderCode;
+use configurator::{Product, ProductId};
 use provenance::Datum;
 use sizing::BrakeTimes;
 use std::fmt::Debug;
@@ -9,8 +9,11 @@ use std::sync::Arc;
 
 /// Values of the catalogue that complete the statements of a project.
 pub trait Catalogue: Debug + Send + Sync {
-    /// Returns the actuators, with or without the encoder at the output.
-    fn actuators(&self, output_encoder: bool) -> &[(OrderCode, Parameters)];
+    /// Returns the products, with or without the encoder at the output.
+    fn products(&self, output_encoder: bool) -> &[Product];
+
+    /// Returns a product by its identity, with any options.
+    fn product(&self, id: &ProductId) -> Option<&Product>;
 
     /// Returns the switching times of the slowest brake; without them the motor holds in every dwell.
     fn brake_times(&self) -> Option<BrakeTimes>;
@@ -20,6 +23,28 @@ pub trait Catalogue: Debug + Send + Sync {
 
     /// Returns the parameters of an actuator of the user whose file states no value.
     fn own_actuator(&self) -> Parameters;
+}
+
+impl Catalogue for configurator::Catalogue {
+    fn products(&self, output_encoder: bool) -> &[Product] {
+        self.products(output_encoder)
+    }
+
+    fn product(&self, id: &ProductId) -> Option<&Product> {
+        self.product(id)
+    }
+
+    fn brake_times(&self) -> Option<BrakeTimes> {
+        self.brake_times().map(|(closing, opening)| BrakeTimes { closing, opening })
+    }
+
+    fn battery(&self) -> Datum<Battery> {
+        self.battery()
+    }
+
+    fn own_actuator(&self) -> Parameters {
+        self.own_actuator()
+    }
 }
 
 /// A catalogue without values.
@@ -35,8 +60,12 @@ impl NoCatalogue {
 }
 
 impl Catalogue for NoCatalogue {
-    fn actuators(&self, _: bool) -> &[(OrderCode, Parameters)] {
+    fn products(&self, _: bool) -> &[Product] {
         &[]
+    }
+
+    fn product(&self, _: &ProductId) -> Option<&Product> {
+        None
     }
 
     fn brake_times(&self) -> Option<BrakeTimes> {
@@ -62,8 +91,12 @@ mod tests {
     struct Closing(Option<f64>);
 
     impl Catalogue for Closing {
-        fn actuators(&self, _: bool) -> &[(OrderCode, Parameters)] {
+        fn products(&self, _: bool) -> &[Product] {
             &[]
+        }
+
+        fn product(&self, _: &ProductId) -> Option<&Product> {
+            None
         }
 
         fn brake_times(&self) -> Option<BrakeTimes> {

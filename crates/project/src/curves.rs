@@ -7,9 +7,11 @@ use crate::section::{OfKinds, Section, names, section};
 use crate::stated::{Stated, StatedField};
 use crate::value::{Rows, WordChoice, choices};
 use crate::{Catalogue, Fault};
-use actuator::{Curve, CurvePoint, Parameters};
+use actuator::{Battery, Curve, CurvePoint, Parameters};
+use configurator::{Product, ProductId};
 use order_code::{OrderCode, Pattern};
 use provenance::{Datum, Grade, Source, Sourced};
+use sizing::BrakeTimes;
 use std::sync::{Arc, OnceLock};
 
 /// Example of a curve.
@@ -52,27 +54,46 @@ choices! {
 /// The catalogue with the user's curves instead of its own, created on first use: reading a project, drawing its cycle
 /// and comparing its texts do not need it.
 #[derive(Clone, Debug)]
-pub struct OwnCatalogue {
+struct OwnCatalogue {
     catalogue: Arc<dyn Catalogue>,
     curves: Vec<UserCurve>,
-    plain: OnceLock<Vec<(OrderCode, Parameters)>>,
-    output_encoder: OnceLock<Vec<(OrderCode, Parameters)>>,
+    plain: OnceLock<Vec<Product>>,
+    output_encoder: OnceLock<Vec<Product>>,
 }
 
 impl OwnCatalogue {
-    /// Returns its actuators, with or without the encoder at the output.
-    #[must_use]
-    pub fn actuators(&self, output_encoder: bool) -> &[(OrderCode, Parameters)] {
+    fn changed(&self, output_encoder: bool) -> Vec<Product> {
+        let mut products = self.catalogue.products(output_encoder).to_vec();
+        for Product { id, parameters, .. } in &mut products {
+            let curves = self.curves.iter().filter(|curve| id.is_allowed_by(&curve.pattern));
+            curves.for_each(|curve| curve.apply(parameters));
+        }
+        products
+    }
+}
+
+impl Catalogue for OwnCatalogue {
+    fn products(&self, output_encoder: bool) -> &[Product] {
         let made = if output_encoder { &self.output_encoder } else { &self.plain };
         made.get_or_init(|| self.changed(output_encoder))
     }
 
-    fn changed(&self, output_encoder: bool) -> Vec<(OrderCode, Parameters)> {
-        let mut actuators = self.catalogue.actuators(output_encoder).to_vec();
-        for (code, parameters) in &mut actuators {
-            self.curves.iter().filter(|curve| curve.pattern.matches(code)).for_each(|curve| curve.apply(parameters));
-        }
-        actuators
+    fn product(&self, id: &ProductId) -> Option<&Product> {
+        let known = self.catalogue.product(id)?;
+        let has_encoder = id.order_code().is_some_and(OrderCode::has_output_encoder);
+        self.products(has_encoder).iter().find(|product| product.id == known.id)
+    }
+
+    fn brake_times(&self) -> Option<BrakeTimes> {
+        self.catalogue.brake_times()
+    }
+
+    fn battery(&self) -> Datum<Battery> {
+        self.catalogue.battery()
+    }
+
+    fn own_actuator(&self) -> Parameters {
+        self.catalogue.own_actuator()
     }
 }
 
@@ -108,12 +129,12 @@ impl UserCurve {
     }
 }
 
-/// Reads the catalogue with the curves of a project file; faults are reported.
+/// Reads the catalogue with the curves of a project file, if it has any; faults are reported.
 pub(crate) fn read(
     sections: &[CurveSection],
     catalogue: &Arc<dyn Catalogue>,
     reader: &mut Reader<'_>,
-) -> Option<Arc<OwnCatalogue>> {
+) -> Option<Arc<dyn Catalogue>> {
     let mut found = Vec::new();
     for (index, section) in sections.iter().enumerate().filter(|(_, section)| section.is_whole()) {
         let (Some(kind), Some(code)) = (section.kind.value(), section.code.get()) else { continue };
@@ -126,7 +147,7 @@ pub(crate) fn read(
                 continue;
             }
         };
-        if !catalogue.actuators(false).iter().any(|(code, _)| pattern.matches(code)) {
+        if !catalogue.products(false).iter().any(|product| product.id.is_allowed_by(&pattern)) {
             reader.fault(section.code.span(), Fault::NoSuchCode { written: code.clone() }, None);
             continue;
         }

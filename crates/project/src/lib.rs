@@ -72,7 +72,6 @@ pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, inertia};
 pub use catalogue::{Catalogue, NoCatalogue};
 pub use computed::Overrun;
-pub use curves::OwnCatalogue;
 pub use diagnostic::{Diagnostic, place};
 pub use drawn::drawn_figures;
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
@@ -85,7 +84,6 @@ pub use key::{ColumnDimensions, Key, Kind, Variants, example};
 pub use label::input_label;
 pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured, measured_lines};
 pub use motion::SegmentLaw;
-pub use own::OwnActuator;
 pub use recorded::{Files, Grant, NoFiles, Reach, RecordingRead};
 pub use recording_name::{RECORDINGS, is_recording_name};
 pub use roles::Within;
@@ -100,7 +98,7 @@ pub use twin::TwinInput;
 use ::mechanism::{Extra, Mechanism};
 use ::motion::{Alternating, MadeUp, Motion, Remark, RestNoise, Spline, Spurious, SteppedColumn};
 use bodies::summed;
-use configurator::Requirements;
+use configurator::{Product, Requirements};
 use order_code::{Option1, Option2};
 use read::Reader;
 use recorded::Recordings;
@@ -365,9 +363,7 @@ pub struct Project {
     /// Required cable and connector option.
     pub option_2: Option<Option2>,
     /// The user's own actuator, if there is one.
-    pub actuator: Option<OwnActuator>,
-    /// The catalogue with the user's curves, where there are any.
-    pub own_catalogue: Option<Arc<OwnCatalogue>>,
+    pub actuator: Option<Product>,
     /// Result of each of several ratios of the stage; empty for one ratio or no stage.
     pub ratios: Vec<RatioAnswer>,
     /// Settings of the simulation.
@@ -392,6 +388,12 @@ impl Project {
     #[must_use]
     pub fn is_of_several(&self) -> bool {
         !self.root.head().path.is_empty()
+    }
+
+    /// Returns the catalogue with which the axis was read, with the user's curves.
+    #[must_use]
+    pub fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        &self.catalogue
     }
 
     /// Returns the solid bodies that the axis turns, with their inertia; `None` for other loads.
@@ -425,6 +427,7 @@ impl Project {
         let mut reader = Reader::of_file(text)?;
         let mut root: Root = reader.read();
         let own = curves::read(root.curve.get().map_or(&[], |all| all.0.as_slice()), catalogue, &mut reader);
+        let catalogue = own.as_ref().unwrap_or(catalogue);
         let mut recordings = Recordings::new(files);
         let several = match root.axis.get_mut() {
             Some(OneOrMany::Many(several)) => std::mem::take(several),
@@ -432,7 +435,7 @@ impl Project {
         };
         let axes: Vec<Option<Self>> = if several.is_empty() {
             let axis = AxisSection::single(root);
-            vec![Self::build(axis, None, (&mut recordings, catalogue, own.as_ref(), choose), &mut reader)]
+            vec![Self::build(axis, None, (&mut recordings, catalogue, choose), &mut reader)]
         } else {
             for field in root.parts.fields().into_iter().filter(|field| field.is_written()) {
                 reader.fault(field.span(), Fault::OutsideTheAxes { key: field.name() }, None);
@@ -440,7 +443,7 @@ impl Project {
             axis_names::named_apart(&several, &mut reader);
             let build = |(index, axis)| {
                 let axis = AxisSection::of_several(axis);
-                Self::build(axis, Some(index), (&mut recordings, catalogue, own.as_ref(), choose), &mut reader)
+                Self::build(axis, Some(index), (&mut recordings, catalogue, choose), &mut reader)
             };
             several.into_iter().enumerate().map(build).collect()
         };
@@ -455,12 +458,7 @@ impl Project {
     fn build(
         mut root: AxisSection,
         index: Option<usize>,
-        (recordings, catalogue, own_catalogue, choose): (
-            &mut Recordings<'_>,
-            &Arc<dyn Catalogue>,
-            Option<&Arc<OwnCatalogue>>,
-            Choose<'_>,
-        ),
+        (recordings, catalogue, choose): (&mut Recordings<'_>, &Arc<dyn Catalogue>, Choose<'_>),
         reader: &mut Reader<'_>,
     ) -> Option<Self> {
         if let Some(segments) = root.parts.motion.get_mut() {
@@ -481,7 +479,6 @@ impl Project {
         let project = Self {
             ratios: Vec::new(),
             name: root.name.clone().unwrap_or_default(),
-            own_catalogue: own_catalogue.cloned(),
             catalogue: Arc::clone(catalogue),
             twin: root.parts.twin.get().map(|twin| twin.input()).unwrap_or_default(),
             recordings: root.segments().iter().filter_map(|segment| segment.recording().cloned()).collect(),
@@ -595,6 +592,6 @@ fn finish(root: &AxisSection, draft: Draft) -> Axis {
     axis
 }
 
-fn build_actuator(root: &AxisSection, catalogue: &dyn Catalogue, reader: &mut Reader<'_>) -> Option<OwnActuator> {
+fn build_actuator(root: &AxisSection, catalogue: &dyn Catalogue, reader: &mut Reader<'_>) -> Option<Product> {
     root.parts.actuator.get()?.build(catalogue.own_actuator(), reader)
 }

@@ -9,20 +9,12 @@ use crate::section::section;
 use crate::stated::{Stated, StatedField};
 use crate::value::Rows;
 use actuator::{CurvePoint, Parameters};
+use configurator::Product;
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass, Measure,
     MomentOfInertia, NoLoadCurrentConstant, ThermodynamicTemperature, Torque, TorqueConstant, VoltageConstant,
 };
-
-/// An actuator that the user describes.
-#[derive(Clone, Debug)]
-pub struct OwnActuator {
-    /// Name.
-    pub name: String,
-    /// Known parameters.
-    pub parameters: Parameters,
-}
 
 section! {
     /// An actuator that is not in the catalogue.
@@ -67,7 +59,7 @@ fn celsius(temperature: f64) -> ThermodynamicTemperature {
 
 impl ActuatorSection {
     /// Returns the actuator; `parameters` are those of one whose file states no value.
-    pub(crate) fn build(&self, mut parameters: Parameters, reader: &mut Reader<'_>) -> Option<OwnActuator> {
+    pub(crate) fn build(&self, mut parameters: Parameters, reader: &mut Reader<'_>) -> Option<Product> {
         if let Datum::Known(stated) = own(&self.winding_temperature_max) {
             parameters.heat.winding_shutdown = Datum::Known(stated);
         }
@@ -111,7 +103,7 @@ impl ActuatorSection {
         if let Some(curve) = short_time {
             parameters.short_time_curve = known(&self.short_time_curve, curve);
         }
-        Some(OwnActuator { name: self.name.get()?.clone(), parameters })
+        Some(Product::of_project(self.name.get()?, parameters))
     }
 }
 

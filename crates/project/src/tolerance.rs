@@ -4,8 +4,8 @@ use crate::read::Reader;
 use crate::recorded;
 use crate::root::AxisSection;
 use crate::{Catalogue, Diagnostic, Fault, Hint};
-use crate::{OwnActuator, Project, build_actuator, finish, prepare, requirements};
-use configurator::Requirements;
+use crate::{Project, build_actuator, finish, prepare, requirements};
+use configurator::{Product, Requirements};
 use quantities::Unit;
 use sizing::Axis;
 use std::ops::Range as Span;
@@ -133,7 +133,7 @@ pub struct Variant {
     /// Requirements on the actuator.
     pub requirements: Option<Requirements>,
     /// The user's own actuator.
-    pub actuator: Option<OwnActuator>,
+    pub actuator: Option<Product>,
 }
 
 impl<'p> Varied<'p> {

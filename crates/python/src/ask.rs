@@ -2,12 +2,13 @@
 
 use antrieb::SourceFile;
 use page::{Reply, Shell};
-use project::{Files, NoFiles};
+use project::{Catalogue, Files, NoFiles};
 use quantities::Language;
-use questions::Progress;
 use questions::list::{ArgumentKind, Entry, Given, Inquiry, LIST, Unanswered};
+use questions::{Progress, embedded_catalogue};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// A text that a question is about, or its file.
@@ -73,6 +74,7 @@ impl QuestionCall {
         let inquiry = Inquiry {
             given: Given::of(entry.arguments, self.given(entry), self.language)?,
             sources: files.iter().map(SourceFile::source).collect(),
+            catalogue: embedded_catalogue(),
             days_since_1970: antrieb::days_since_1970(),
             progress,
             refuses_long: self.deadline.is_none(),
@@ -126,6 +128,10 @@ struct Here<'f> {
 impl Shell for Here<'_> {
     fn files(&self) -> &dyn Files {
         self.files.map_or(&NoFiles, |file| file.project_files())
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        embedded_catalogue()
     }
 
     fn days_since_1970(&self) -> Option<u64> {

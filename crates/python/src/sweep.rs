@@ -4,6 +4,7 @@ use crate::SourceText;
 use arrow_array::RecordBatch;
 use arrow_schema::Schema;
 use quantities::Language;
+use questions::embedded_catalogue;
 use questions::list::sweep::{Args, ENTRY};
 use questions::list::{Argument, Given, Unanswered};
 use std::borrow::Cow;
@@ -43,7 +44,7 @@ impl SweepCall {
         let pairs = self.pairs.iter().map(|(name, value)| (Cow::Borrowed(name.as_str()), value.as_str().into()));
         let arguments = ENTRY.arguments.iter().copied().filter(|argument| argument.name != TABLE);
         let given = Given::of(&arguments.collect::<Vec<Argument>>(), pairs, self.language)?;
-        let options = Args::read(&given)?.options(false, self.language)?;
+        let options = Args::read(&given)?.options(embedded_catalogue(), false, self.language)?;
         let file = self.text.read(self.memory_allowed()?, self.language)?;
         let source = file.source();
         let text = source.text(self.language)?;

@@ -1,29 +1,11 @@
 //! A judged actuator: its verdict, its governing check, the order and the counts of its checks.
 
 use actuator::Parameters;
-use configurator::{BrokenRule, Unmet};
-use order_code::{Field, OrderCode};
+use configurator::{BrokenRule, Product, ProductId, Unmet};
+use order_code::Field;
 use sizing::{Check, Fit, Judgement, Standing, Verdict};
 use std::sync::Arc;
 use words::Counts;
-
-/// Identity of a candidate.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum CandidateId {
-    /// An actuator of the catalogue.
-    Code(OrderCode),
-    /// The user's own actuator.
-    Own(String),
-}
-
-impl std::fmt::Display for CandidateId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Code(code) => write!(f, "{code}"),
-            Self::Own(name) => f.write_str(name),
-        }
-    }
-}
 
 /// Reason against a candidate other than a failing check.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,12 +19,14 @@ pub enum Objection {
 /// One judged actuator.
 #[derive(Clone, Debug)]
 pub struct Candidate<'p> {
-    /// Identity of the candidate; a code is complete and can be ordered.
-    pub id: CandidateId,
+    /// Identity of the candidate as it is ordered; a code is complete.
+    pub id: ProductId,
+    /// Product of the catalogue or of the project.
+    pub product: &'p Product,
+    /// Data of the product.
+    pub parameters: &'p Parameters,
     /// Fields of the code that are on request only.
     pub on_request: Vec<Field>,
-    /// Data of the actuator.
-    pub parameters: &'p Parameters,
     /// Every check.
     pub judgement: Judgement,
     /// Reasons against the candidate besides failing checks.

@@ -2,10 +2,10 @@
 
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_part};
-use actuator::BatteryLife;
-use configurator::catalogue_actuators;
-use order_code::Size;
+use actuator::{Battery, BatteryLife};
+use configurator::Product;
 use project::Project;
+use provenance::Datum;
 use quantities::unit::HOUR;
 use quantities::{Language, Measure, Time, parse_as};
 use sizing::{Check, Part, StepObserver as _};
@@ -34,8 +34,12 @@ pub(crate) fn read_hours(text: &str, language: Language) -> Result<Time, (String
 ///
 /// # Errors
 /// The value that is out of range.
-pub(crate) fn battery(operation_per_day: Time, storage: Time, language: Language) -> Result<BatteryLife, String> {
-    let battery = configurator::battery();
+pub(crate) fn battery(
+    battery: &Datum<Battery>,
+    operation_per_day: Time,
+    storage: Time,
+    language: Language,
+) -> Result<BatteryLife, String> {
     let model = battery.require("battery_capacity").map_err(|missing| missing.symbol.to_owned())?;
     model.value.life(operation_per_day, storage).map_err(|fault| words::battery_fault(&fault, language))
 }
@@ -45,21 +49,18 @@ pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = 
     candidate.judgement.checks.iter().map(Arc::as_ref).filter(|check| check.id.part() == Part::OutputBearing)
 }
 
-/// Judges one code of each size by the checks of its output bearing alone: all codes of a size have the same bearing.
+/// Judges the output bearing of each frame size for an axis, on the first product of the size: the bearing depends on the
+/// size alone.
 ///
 /// # Errors
-/// [`Refusal::Stopped`]
-pub fn bearing_of_each_size<'p>(
-    project: &'p Project,
-    progress: &Progress,
-) -> Result<Vec<(Size, Candidate<'p>)>, Refusal> {
-    let mut found: Vec<(Size, Candidate<'_>)> = Vec::new();
-    for (code, _) in catalogue_actuators() {
-        if found.iter().all(|(size, _)| *size != code.size) {
+/// [`Refusal::Stopped`].
+pub fn bearing_of_each_size<'p>(project: &'p Project, progress: &Progress) -> Result<Vec<Candidate<'p>>, Refusal> {
+    let mut found: Vec<Candidate<'_>> = Vec::new();
+    let kind = |product: &'p Product| (&product.series, &product.frame_size);
+    for product in project.catalogue().products(false) {
+        if product.frame_size.is_some() && found.iter().all(|known| kind(known.product) != kind(product)) {
             progress.step()?;
-            if let Ok(candidate) = check_part(project, code, Part::OutputBearing) {
-                found.push((code.size, candidate));
-            }
+            found.extend(check_part(project, &product.id, Part::OutputBearing));
         }
     }
     progress.step()?;

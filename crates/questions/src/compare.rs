@@ -2,9 +2,9 @@
 
 use crate::list::size::sized;
 use crate::progress::Progress;
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, check, check_own};
+use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, check, check_own};
 use crate::texts::margin_share;
-use order_code::OrderCode;
+use configurator::ProductId;
 use project::Project;
 use provenance::Datum;
 use quantities::unit::{
@@ -93,18 +93,18 @@ pub struct Comparison<'p> {
 /// Compares the judgements of several actuators.
 ///
 /// # Errors
-/// [`Refusal`] of the first code that cannot be judged, with its place in the list, or [`Refusal::Stopped`] at its
+/// [`Refusal`] of the first product that cannot be judged, with its place in the list, or [`Refusal::Stopped`] at its
 /// place.
 pub fn compare<'p>(
     project: &'p Project,
-    codes: &[OrderCode],
+    ids: &[ProductId],
     progress: &Progress,
 ) -> Result<Comparison<'p>, (usize, Refusal)> {
-    let judged = |(index, code): (usize, &OrderCode)| {
+    let judged = |(index, id): (usize, &ProductId)| {
         let goes_on = progress.step().map_err(Refusal::from);
-        goes_on.and_then(|()| check(project, code)).map_err(|refusal| (index, refusal))
+        goes_on.and_then(|()| check(project, id)).map_err(|refusal| (index, refusal))
     };
-    let candidates: Vec<Candidate<'p>> = codes.iter().enumerate().map(judged).collect::<Result<_, _>>()?;
+    let candidates: Vec<Candidate<'p>> = ids.iter().enumerate().map(judged).collect::<Result<_, _>>()?;
     let all: Vec<&Candidate<'p>> = candidates.iter().collect();
     let (demand, data, checks) = (demand_rows(&all), data_rows(&all), check_rows(&all));
     let fitting = candidates.iter().enumerate().filter(|(_, candidate)| candidate.fits());
@@ -237,35 +237,32 @@ pub struct Difference<'p> {
     /// Every check, other verdicts first, then by the change of utilisation.
     pub checks: Vec<CheckChange>,
     /// The best of the catalogue before, if one fits.
-    pub best_before: Option<CandidateId>,
+    pub best_before: Option<ProductId>,
     /// The best of the catalogue after, if one fits.
-    pub best_after: Option<CandidateId>,
+    pub best_after: Option<ProductId>,
 }
 
-/// Compares an actuator on two revisions of an axis: the given code, else the project's own actuator if both have one,
+/// Compares an actuator on two revisions of an axis: the given one, else the project's own actuator if both have one,
 /// else the first of the ranking for the first revision, which need not fit.
 ///
 /// # Errors
-/// [`Refusal`] if the code cannot be judged, [`Refusal::Stopped`].
+/// [`Refusal`] if the product cannot be judged, [`Refusal::Stopped`].
 pub fn difference<'p>(
     old: &'p Project,
     new: &'p Project,
-    code: Option<&OrderCode>,
+    id: Option<&ProductId>,
     progress: &Progress,
 ) -> Result<Difference<'p>, Refusal> {
     let ranked = |project| sized(project, 0, Rejected::Nearest, progress);
     let (sized_before, sized_after) = (ranked(old)?, ranked(new)?);
     let best = |sizing: &Sizing<'_>| sizing.answer().map(|answer| answer.id.clone());
-    let own = code.is_none() && old.actuator.is_some() && new.actuator.is_some();
-    let first = match sized_before.named().map(|candidate| &candidate.id) {
-        Some(CandidateId::Code(code)) => Some(*code),
-        _ => None,
-    };
+    let own = id.is_none() && old.actuator.is_some() && new.actuator.is_some();
     let (before, after) = if own {
         (check_own(old)?, check_own(new)?)
     } else {
-        let code = code.copied().or(first).ok_or(Refusal::NoActuator)?;
-        (check(old, &code)?, check(new, &code)?)
+        let first = sized_before.named().map(|candidate| &candidate.id);
+        let id = id.or(first).ok_or(Refusal::NoActuator)?;
+        (check(old, id)?, check(new, id)?)
     };
     let pair = [&before, &after];
     let mut checks: Vec<CheckChange> = check_rows(&pair)

@@ -2,15 +2,16 @@
 
 use crate::eds::{self, MANDATORY, Variable};
 use crate::list::Unanswered;
-use crate::reading::Unread;
+use crate::reading::{Unread, read_with};
 use crate::simulate::Ready;
 use crate::sizing_use::{Refusal, check};
 use drive::{Drive, Entry, Given, Value};
 use installation::commission::{cia402, commission};
 use order_code::OrderCode;
-use project::Project;
+use project::{Catalogue, Project};
 use quantities::{Language, Measure, MomentOfInertia};
 use std::fmt::Write as _;
+use std::sync::Arc;
 use twin::Setup;
 use words::simulation;
 
@@ -29,6 +30,7 @@ pub const NODE_MOST: u8 = 127;
 pub fn bare_axis(
     code: &OrderCode,
     inertia: Option<MomentOfInertia>,
+    catalogue: &Arc<dyn Catalogue>,
     language: Language,
 ) -> Result<Project, Unanswered> {
     let about = commission(code).ok_or(Refusal::NoData)?;
@@ -40,7 +42,7 @@ pub fn bare_axis(
         inertia.si()
     );
     let faults = |found| Unanswered::unread(Unread::Faults(found), "load", &text, language);
-    crate::read(&text).map_err(faults)
+    read_with(&text, catalogue).map_err(faults)
 }
 
 /// Passes a drive with the axis of a project to a function.

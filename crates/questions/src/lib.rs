@@ -50,18 +50,18 @@ pub use chapters::read_quantity;
 pub use codes::{CodeRefusal, read_code};
 pub use fingerprint::project_fingerprint;
 pub use progress::Progress;
-pub use reading::{Unread, read, read_all, read_all_watched};
+pub use project::Catalogue;
+pub use reading::{Unread, embedded_catalogue, read, read_all, read_all_watched, read_all_with, read_with};
 pub use subject::candidate_for;
 
 // Judgement of an axis.
-pub use configurator::Unmet;
+pub use configurator::{Product, ProductId, Unmet};
 pub use limits::limits_needed;
 pub use signal::{SIGNALS, Signal, TIME};
 pub use simulate::Simulated;
 pub use sizing::{Amount, Check, CheckId, Demand, Direction, Fit, Part, Reserve, Verdict};
 pub use sizing_use::{
-    Candidate, CandidateId, Objection, Reason, Refusal, Rejected, Sizing, check, check_own, explain, explain_own,
-    reserve_of, size,
+    Candidate, Objection, Reason, Refusal, Rejected, Sizing, check, check_own, explain, explain_own, reserve_of, size,
 };
 pub use tolerance::{Assessment, Draw, SAMPLES_MOST, SAMPLES_USUAL, Sampling, assess};
 

@@ -2,7 +2,7 @@
 
 use crate::sizing_use::Candidate;
 use actuator::{CurveKind, CurvePoint, Parameters, PerformanceCurve};
-use order_code::OrderCode;
+use configurator::Product;
 use project::Project;
 use provenance::Missing;
 use quantities::{AngularVelocity, ElectricPotential, Measure, Torque};
@@ -53,8 +53,8 @@ pub fn plane(project: &Project, candidate: &Candidate<'_>) -> Result<Plane, Miss
 ///
 /// # Errors
 /// The first missing datum if no curve can be drawn.
-pub fn plane_of(code: &OrderCode, terminal: Option<ElectricPotential>) -> Option<Result<Plane, Missing>> {
-    Some(Plane::of(&configurator::parameters(code)?, terminal))
+pub fn plane_of(product: &Product, terminal: Option<ElectricPotential>) -> Result<Plane, Missing> {
+    Plane::of(&product.parameters, terminal)
 }
 
 /// Returns both edges of a curve at every speed of either, interpolated linearly between their points, which may have

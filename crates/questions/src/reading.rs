@@ -13,58 +13,57 @@ use crate::list::Cost;
 use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
 use crate::tolerance::Draw;
-use actuator::{Battery, Parameters};
-use order_code::OrderCode;
 use project::{Catalogue, Diagnostic, Files, Grant, Project, RatioAnswer};
-use provenance::Datum;
 use quantities::Language;
 use serde_json::Value;
-use sizing::{BrakeTimes, StepObserver, Unobserved, finished, rank};
+use sizing::{StepObserver, Unobserved, finished, rank};
 use std::cell::Cell;
 use std::io::Read;
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, LazyLock};
 
-/// Reads a project file with one axis that refers to no other file.
+/// Returns the catalogue that is embedded in the program: a face hands it, or one of its own, to each call. Below the
+/// faces only [`read`], [`read_all`] and the default options of a sweep use it, for callers without a catalogue.
+pub fn embedded_catalogue() -> &'static Arc<dyn Catalogue> {
+    static EMBEDDED: LazyLock<Arc<dyn Catalogue>> = LazyLock::new(|| configurator::Catalogue::cha());
+    &EMBEDDED
+}
+
+/// Reads a project file with one axis that refers to no other file, with the embedded catalogue.
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
 pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
-    Project::read(text, &catalogue(), &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+    read_with(text, embedded_catalogue())
 }
 
-/// Reads a project file with one axis or several, in their order, and the files that it refers to.
+/// Reads a project file with one axis or several, in their order, and the files that it refers to, with the embedded
+/// catalogue.
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
 pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagnostic>> {
-    Project::read_all(text, files, &catalogue(), &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+    read_all_with(text, files, embedded_catalogue())
 }
 
-/// The catalogue of this program.
-#[derive(Debug)]
-struct Printed;
-
-impl Catalogue for Printed {
-    fn actuators(&self, output_encoder: bool) -> &[(OrderCode, Parameters)] {
-        configurator::actuators(output_encoder)
-    }
-
-    fn brake_times(&self) -> Option<BrakeTimes> {
-        configurator::brake_times().map(|(closing, opening)| BrakeTimes { closing, opening })
-    }
-
-    fn battery(&self) -> Datum<Battery> {
-        configurator::battery()
-    }
-
-    fn own_actuator(&self) -> Parameters {
-        configurator::own_actuator()
-    }
+/// Reads like [`read`], with a catalogue.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(text: &str, catalogue: &Arc<dyn Catalogue>) -> Result<Project, Vec<Diagnostic>> {
+    Project::read(text, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
-fn catalogue() -> Arc<dyn Catalogue> {
-    Arc::new(Printed)
+/// Reads like [`read_all`], with a catalogue.
+///
+/// # Errors
+/// As [`read_all`].
+pub fn read_all_with(
+    text: &str,
+    files: &dyn Files,
+    catalogue: &Arc<dyn Catalogue>,
+) -> Result<Vec<Project>, Vec<Diagnostic>> {
+    Project::read_all(text, files, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
 /// Reasons why there is no project.
@@ -76,12 +75,17 @@ pub enum Unread {
     Refused(Refusal),
 }
 
-/// Reads like [`read_all`], but can be cancelled: among several ratios of a stage the best is searched, and the
+/// Reads like [`read_all_with`], but can be cancelled: among several ratios of a stage the best is searched, and the
 /// catalogue judged for each.
 ///
 /// # Errors
 /// [`Unread`].
-pub fn read_all_watched(text: &str, files: &dyn Files, progress: &Progress) -> Result<Vec<Project>, Unread> {
+pub fn read_all_watched(
+    text: &str,
+    files: &dyn Files,
+    catalogue: &Arc<dyn Catalogue>,
+    progress: &Progress,
+) -> Result<Vec<Project>, Unread> {
     let refused = Cell::new(None);
     let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
         let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !progress.is_limited());
@@ -95,7 +99,7 @@ pub fn read_all_watched(text: &str, files: &dyn Files, progress: &Progress) -> R
         })
     };
     let cancellable = Cancellable { files, progress, opened: Cell::new(false) };
-    let read = Project::read_all(text, &cancellable, &catalogue(), &choose);
+    let read = Project::read_all(text, &cancellable, catalogue, &choose);
     // Only the reading of a file can be interrupted; the faults of a text alone are complete.
     let stopped = || (read.is_err() && cancellable.opened.get() && progress.is_over()).then(|| Refusal::from(Stopped));
     refused

@@ -7,6 +7,7 @@ pub(crate) use steps::{StepLimit, TooManySteps, Work};
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_one};
 use actuator::{Parameters as Actuator, natural_frequency, natural_frequency_free};
+use configurator::ProductId;
 use installation::wiring::Role;
 use mechanism::Extra;
 use order_code::OrderCode;
@@ -133,15 +134,15 @@ fn watched<T>(
 /// Simulates the actuator.
 pub(crate) fn simulate<'p>(
     project: &'p Project,
-    code: Option<&OrderCode>,
+    id: Option<&ProductId>,
     wanted: Wanted,
     limit: StepLimit,
     progress: &Progress,
 ) -> Result<Simulated<'p>, NotRun> {
-    let candidate = check_one(project, code)?;
+    let candidate = check_one(project, id)?;
     let ready = Ready::of(project, &candidate);
     let (ambient_k, assumed_v) = (ready.ambient_k, ready.assumed_v);
-    let encoder = code.and_then(encoder_of);
+    let encoder = id.and_then(ProductId::order_code).and_then(encoder_of);
     let mut setup = Setup { scenario: wanted.scenario, seed: wanted.seed, encoder: encoder.as_ref(), ..ready.setup() };
     let (gains, gains_stated) = ready.controlled(&mut setup)?;
     let loops = LoopResponse::of(&setup)?;

@@ -3,9 +3,8 @@
 use crate::input_keys::InputKeys;
 use crate::progress::Stopped;
 use actuator::Parameters;
-use configurator::{BrokenRule, Unmet, actuator, actuators, availability};
-use order_code::{Option1, Option2, OrderCode};
-use project::{Assumption, OwnActuator, Project};
+use configurator::{BrokenRule, Product, ProductId, Unmet};
+use project::{Assumption, Project};
 use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;
@@ -15,7 +14,7 @@ use sizing::{
 };
 use std::sync::Arc;
 
-pub use crate::candidate::{Candidate, CandidateId, Objection, Reason, by_importance};
+pub use crate::candidate::{Candidate, Objection, Reason, by_importance};
 
 /// Rejected actuators of a ranking for which every failing check is determined; the others are judged up to the first
 /// failing check.
@@ -173,12 +172,9 @@ impl From<Stopped> for Refusal {
     }
 }
 
-/// Returns the actuators of the catalogue, with the curves of a project.
-pub(crate) fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderCode, Parameters)] {
-    match &project.own_catalogue {
-        Some(own) => own.actuators(output_encoder),
-        None => actuators(output_encoder),
-    }
+/// Returns the products that are offered for an axis, with the encoder at the output if the project requires it.
+pub(crate) fn products_of(project: &Project) -> &[Product] {
+    project.catalogue().products(project.option_1.is_some())
 }
 
 /// Judges the whole catalogue for the axis of a project by every check and ranks it.
@@ -200,20 +196,20 @@ pub(crate) fn size_watched<'p, W: StepObserver>(
     rejected: Rejected,
     watch: &W,
 ) -> Result<Sizing<'p>, W::Stop> {
-    let actuators = actuators_of(project, project.option_1.is_some());
-    let all_complete = complete_count >= actuators.len();
+    let products = products_of(project);
+    let all_complete = complete_count >= products.len();
     let scope = if all_complete { Scope::All } else { Scope::Ranking };
     let depth = match rejected {
         Rejected::None | Rejected::Nearest => Depth::UntilRejected,
         Rejected::Reasons => Depth::Failing,
         Rejected::All => Depth::Complete,
     };
-    let parts = by_drivetrain(actuators);
+    let parts = by_drivetrain(products);
     let begin = || {
         let mut judging = Judging::of(project, scope, depth);
-        move |part: &&'p [(OrderCode, Parameters)]| judged(&mut judging, part, watch)
+        move |part: &&'p [Product]| judged(&mut judging, part, watch)
     };
-    let mut candidates = Vec::with_capacity(actuators.len());
+    let mut candidates = Vec::with_capacity(products.len());
     in_parallel(&parts, begin)?.into_iter().for_each(|part| candidates.extend(part));
     if rejected == Rejected::Nearest && !candidates.iter().any(Candidate::fits) {
         settle_nearest(project, &mut candidates, watch)?;
@@ -304,12 +300,12 @@ const PART: usize = 8;
 
 /// Splits the catalogue into parts for the threads, at the boundaries of drivetrains: neighbours share the results for
 /// their drivetrain.
-fn by_drivetrain(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Parameters)]> {
-    let mut parts = Vec::with_capacity(actuators.len() / PART + 1);
-    let mut rest = actuators;
-    while let Some((_, last)) = rest.get(PART - 1) {
-        let drivetrain = &last.drivetrain;
-        let same = |(_, parameters): &&(OrderCode, Parameters)| Arc::ptr_eq(&parameters.drivetrain, drivetrain);
+fn by_drivetrain(products: &[Product]) -> Vec<&[Product]> {
+    let mut parts = Vec::with_capacity(products.len() / PART + 1);
+    let mut rest = products;
+    while let Some(last) = rest.get(PART - 1) {
+        let drivetrain = &last.parameters.drivetrain;
+        let same = |product: &&Product| Arc::ptr_eq(&product.parameters.drivetrain, drivetrain);
         let (part, further) = rest.split_at(PART + rest.iter().skip(PART).take_while(same).count());
         parts.push(part);
         rest = further;
@@ -320,69 +316,51 @@ fn by_drivetrain(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Par
     parts
 }
 
-/// Judges each actuator as a candidate, with the options that the project requires.
+/// Judges each product as a candidate, with the options that the project requires.
 fn judged<'p, W: StepObserver>(
     judging: &mut Judging<'p>,
-    actuators: &'p [(OrderCode, Parameters)],
+    products: &'p [Product],
     watch: &W,
 ) -> Result<Vec<Candidate<'p>>, W::Stop> {
     let project = judging.project;
-    let mut candidates = Vec::with_capacity(actuators.len());
-    for (code, parameters) in actuators {
+    let mut candidates = Vec::with_capacity(products.len());
+    for product in products {
         watch.step()?;
-        let Some(code) = with_options(project, code) else { continue };
-        candidates.push(candidate(judging, code, parameters));
+        let Some(id) = product.with_options(project.option_1, project.option_2) else { continue };
+        candidates.push(candidate(judging, id, product));
     }
     Ok(candidates)
 }
 
-/// Returns a code with the options that the project requires; `None` if its series does not have them.
-pub(crate) fn with_options(project: &Project, code: &OrderCode) -> Option<OrderCode> {
-    let series = code.series();
-    let option_1 = project.option_1.and_then(|option| Option1::of(series, option.as_str()));
-    let option_2 = project.option_2.and_then(|option| Option2::of(series, option.as_str()));
-    let has_both = (option_1.is_none(), option_2.is_none()) == (project.option_1.is_none(), project.option_2.is_none());
-    has_both.then_some(OrderCode { option_1, option_2, ..*code })
-}
-
-/// Judges one code for the axis of a project.
+/// Judges one product for the axis of a project: of the catalogue, or the actuator that the project describes.
 ///
 /// # Errors
-/// [`Refusal`] if the code cannot be ordered or has no data in the manual.
-pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
-    availability(code).map_err(Refusal::Broken)?;
-    Ok(candidate(&mut Judging::of(project, Scope::All, Depth::Complete), *code, parameters_of(project, code)?))
+/// [`Refusal`] if the product cannot be ordered or has no data.
+pub fn check(project: &Project, id: impl Into<ProductId>) -> Result<Candidate<'_>, Refusal> {
+    check_with(project, id.into(), Judging::of(project, Scope::All, Depth::Complete))
 }
 
-/// Judges one code by the checks of one part alone, without the cost of the others.
+/// Judges one product by the checks of one part alone, without the cost of the others.
 ///
 /// # Errors
 /// As [`check`].
-pub(crate) fn check_part<'p>(project: &'p Project, code: &OrderCode, part: Part) -> Result<Candidate<'p>, Refusal> {
-    availability(code).map_err(Refusal::Broken)?;
-    Ok(candidate(&mut Judging::of_part(project, part), *code, parameters_of(project, code)?))
+pub(crate) fn check_part(project: &Project, id: impl Into<ProductId>, part: Part) -> Result<Candidate<'_>, Refusal> {
+    check_with(project, id.into(), Judging::of_part(project, part))
 }
 
-/// Returns the data of an actuator, with the curves of a project, for any options of its code.
-///
-/// # Errors
-/// [`Refusal::NoData`]
-pub(crate) fn parameters_of<'p>(project: &'p Project, code: &OrderCode) -> Result<&'p Parameters, Refusal> {
-    let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
-    let with_encoder = code.has_output_encoder();
-    let found = match &project.own_catalogue {
-        Some(own) => own.actuators(with_encoder).iter().find(|(known, _)| *known == bare).map(|(_, known)| known),
-        None => actuator(&bare, with_encoder),
-    };
-    found.ok_or(Refusal::NoData)
+fn check_with<'p>(project: &'p Project, id: ProductId, mut judging: Judging<'p>) -> Result<Candidate<'p>, Refusal> {
+    id.availability().map_err(Refusal::Broken)?;
+    let own = project.actuator.as_ref().filter(|own| own.id == id);
+    let product = own.or_else(|| project.catalogue().product(&id)).ok_or(Refusal::NoData)?;
+    Ok(candidate(&mut judging, id, product))
 }
 
-/// Judges one code like [`check`], each check with the workings of its value and its limit.
+/// Judges one product like [`check`], each check with the workings of its value and its limit.
 ///
 /// # Errors
 /// As [`check`].
-pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
-    let mut candidate = check(project, code)?;
+pub fn explain(project: &Project, id: impl Into<ProductId>) -> Result<Candidate<'_>, Refusal> {
+    let mut candidate = check(project, id)?;
     candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
     Ok(candidate)
 }
@@ -405,12 +383,12 @@ pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
 }
 
-/// Judges the actuator of a code; without one the user's own.
+/// Judges a product; without one the user's own actuator.
 ///
 /// # Errors
 /// As [`check`] and [`check_own`].
-pub(crate) fn check_one<'p>(project: &'p Project, code: Option<&OrderCode>) -> Result<Candidate<'p>, Refusal> {
-    code.map_or_else(|| check_own(project), |code| check(project, code))
+pub(crate) fn check_one<'p>(project: &'p Project, id: Option<&ProductId>) -> Result<Candidate<'p>, Refusal> {
+    id.map_or_else(|| check_own(project), |id| check(project, id))
 }
 
 /// Returns the cycle of a project's axis on a candidate as time series, with every sample of its recordings.
@@ -464,13 +442,13 @@ impl<'p> Judging<'p> {
     }
 }
 
-fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Parameters) -> Candidate<'p> {
+fn candidate<'p>(judging: &mut Judging<'p>, id: ProductId, product: &'p Product) -> Candidate<'p> {
     let project = judging.project;
+    let parameters = &product.parameters;
     let judgement = judging.judge(parameters);
-    let mut objections: Vec<Objection> = project.requirements.unmet(&code, parameters).map(Objection::Unmet).collect();
-    // A code without options is in the catalogue because it is available; only options can change that.
-    let optional = code.option_1.is_some() || code.option_2.is_some() || code.special;
-    let on_request = match optional.then(|| availability(&code)) {
+    let mut objections: Vec<Objection> = project.requirements.unmet(&id, product).map(Objection::Unmet).collect();
+    // A product without options is in the catalogue because it is available; only options can change that.
+    let on_request = match id.has_options().then(|| id.availability()) {
         None => Vec::new(),
         Some(Ok(found)) => found.on_request,
         Some(Err(broken)) => {
@@ -478,24 +456,13 @@ fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Par
             Vec::new()
         }
     };
-    let mass = known_si(&parameters.mass);
-    let standing = Standing::of(&judgement, objections.is_empty(), code.size.number(), mass);
-    Candidate { id: CandidateId::Code(code), on_request, parameters, judgement, objections, standing }
+    // Data of a user's actuator may be unknown: an unknown datum leaves a requirement open and does not break it.
+    let is_open = |objection: &Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
+    let met = objections.iter().all(|objection| product.is_of_project() && is_open(objection));
+    let standing = Standing::of(&judgement, met, product.size_number(), known_si(&parameters.mass));
+    Candidate { id, product, parameters, on_request, judgement, objections, standing }
 }
 
-fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
-    let judgement = Judging::of(project, Scope::All, Depth::Complete).judge(&own.parameters);
-    let objections: Vec<Objection> =
-        project.requirements.unmet_by_data(&own.parameters).map(Objection::Unmet).collect();
-    // Data of a user's actuator may be unknown: an unknown datum leaves a requirement open and does not break it.
-    let met = objections.iter().all(|objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. })));
-    let standing = Standing::of(&judgement, met, 0, known_si(&own.parameters.mass));
-    Candidate {
-        id: CandidateId::Own(own.name.clone()),
-        on_request: Vec::new(),
-        parameters: &own.parameters,
-        judgement,
-        objections,
-        standing,
-    }
+fn own_candidate<'p>(project: &'p Project, own: &'p Product) -> Candidate<'p> {
+    candidate(&mut Judging::of(project, Scope::All, Depth::Complete), own.id.clone(), own)
 }

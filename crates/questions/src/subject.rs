@@ -1,7 +1,7 @@
 //! Defaults for the subject of a question: axis, actuator, corresponding axes of two projects.
 
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own};
-use order_code::OrderCode;
+use crate::sizing_use::{Candidate, Refusal, Sizing, check, check_own};
+use configurator::ProductId;
 use project::Project;
 use quantities::Language;
 use std::borrow::Cow;
@@ -33,30 +33,29 @@ pub(crate) fn names<'p>(projects: impl IntoIterator<Item = &'p Project>) -> Stri
     names.join(", ")
 }
 
-/// Returns the actuator of an answer: that of a code, else the project's own, else the one that the ranking names
+/// Returns the actuator of an answer: that of an identity, else the project's own, else the one that the ranking names
 /// ([`Sizing::named`]); judged by every check. `sizing` is called only if it decides.
 ///
 /// # Errors
 /// The reason why it cannot be judged.
 pub fn candidate_for<'p, 's>(
     project: &'p Project,
-    code: Option<&OrderCode>,
+    id: Option<&ProductId>,
     sizing: impl FnOnce() -> Result<Cow<'s, Sizing<'p>>, Refusal>,
 ) -> Result<Candidate<'p>, Refusal>
 where
     'p: 's,
 {
-    if let Some(code) = code {
-        return check(project, code);
+    if let Some(id) = id {
+        return check(project, id);
     }
     if project.actuator.is_some() {
         return check_own(project);
     }
     let sizing = sizing()?;
     let named = sizing.named().ok_or(Refusal::NoActuator)?;
-    let CandidateId::Code(code) = &named.id else { return Ok(named.clone()) };
     // A code of the ranking may break a rule with the required options: then the judgement of the ranking is used.
-    check(project, code).or_else(|_| Ok(named.clone()))
+    check(project, &named.id).or_else(|_| Ok(named.clone()))
 }
 
 /// Returns the indices of corresponding axes of two revisions: those with equal names, and the single axes of both

@@ -22,14 +22,16 @@ pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
 use crate::codes::read_code;
 use crate::list::Unanswered;
 use crate::progress::{Progress, Stopped};
-use order_code::OrderCode;
-use project::{Edit, Files, Heading, edit};
+use crate::reading::embedded_catalogue;
+use configurator::ProductId;
+use project::{Catalogue, Edit, Files, Heading, edit};
 use quantities::Language;
 use rayon::prelude::*;
 use sizing::{CheckId, StepObserver};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
-use template::{Judge, Template, Templates};
+use std::sync::Arc;
+use template::{Judge, Screens, Template, Templates};
 
 /// Heading of the column of ordering codes: its rows are judged for their code alone.
 pub const CODE: &str = "code";
@@ -50,8 +52,10 @@ pub enum Wanted {
 }
 
 /// Options of a sweep.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Options {
+    /// Products that are offered.
+    pub catalogue: Arc<dyn Catalogue>,
     /// Name of the axis in a project with several.
     pub axis: Option<String>,
     /// Answer for each row.
@@ -60,6 +64,19 @@ pub struct Options {
     pub decimal_commas: bool,
     /// Language of the reasons.
     pub language: Language,
+}
+
+impl Default for Options {
+    /// Returns the options without an axis, for the best product of the embedded catalogue.
+    fn default() -> Self {
+        Self {
+            catalogue: Arc::clone(embedded_catalogue()),
+            axis: None,
+            wanted: Wanted::default(),
+            decimal_commas: false,
+            language: Language::default(),
+        }
+    }
 }
 
 /// A project and the headings of a table, prepared for rows.
@@ -75,6 +92,7 @@ pub struct Sweep {
     codes: usize,
     options: Options,
     templates: Templates,
+    screens: Screens,
 }
 
 /// A column with its original heading.
@@ -259,9 +277,12 @@ impl Sweep {
         }
     }
 
-    fn code(&self, values: &[Value<'_>]) -> Option<OrderCode> {
+    fn product(&self, values: &[Value<'_>]) -> Option<ProductId> {
         let of = |(column, value): (&Column, &Value<'_>)| match (&column.holds, value) {
-            (Holds::Code, Value::Text(text)) => Some(read_code(text, self.options.language).ok()?.parsed.code),
+            (Holds::Code, Value::Text(text)) => {
+                let found = read_code(text, self.options.language).ok()?;
+                Some(found.parsed.code.into())
+            }
             _ => None,
         };
         self.columns.iter().zip(values).find_map(of)

@@ -11,11 +11,10 @@ pub use tolerances::{
 
 use crate::gearing_proposals::GearingProposal;
 use crate::limits::{NeededLimit, limits_needed};
-use crate::sizing_use::{Candidate, CandidateId, Objection, Reason, Sizing};
+use crate::sizing_use::{Candidate, Objection, Reason, Sizing};
 use crate::torsion::TorsionAnswer;
 use actuator::BatteryLife;
-use configurator::Unmet;
-use order_code::OrderCode;
+use configurator::{BrokenRule, ProductId, Unmet};
 use project::RecordingRead;
 use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND, YEAR,
@@ -240,11 +239,16 @@ pub fn percent(utilisation: Option<f64>, language: Language) -> String {
 /// Returns an objection to a candidate as text.
 #[must_use]
 pub fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
-    match (objection, &candidate.id) {
-        (Objection::Unmet(unmet), _) => unmet_text(unmet, language),
-        (Objection::Rule(rule), CandidateId::Code(code)) => describe_rule(code, rule, language),
-        (Objection::Rule(rule), CandidateId::Own(_)) => rule.table.to_owned(),
+    match objection {
+        Objection::Unmet(unmet) => unmet_text(unmet, language),
+        Objection::Rule(rule) => rule_text(&candidate.id, rule, language),
     }
+}
+
+/// Returns a rule of the ordering tables that a product breaks as text.
+#[must_use]
+pub fn rule_text(id: &ProductId, rule: &BrokenRule, language: Language) -> String {
+    id.order_code().map_or_else(|| rule.table.to_owned(), |code| describe_rule(code, rule, language))
 }
 
 /// Returns the reason of a rejection in one line: the governing check, else the first objection; empty if the candidate
@@ -399,17 +403,16 @@ pub(crate) fn unsought_text(unsought: &Unsought, language: Language) -> String {
 
 /// Returns the torsion of a gear under a torque, its curve, and the hysteresis loss, one per line.
 #[must_use]
-pub fn torsion_lines(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> Vec<String> {
+pub fn torsion_lines(id: &ProductId, answer: &TorsionAnswer, language: Language) -> Vec<String> {
     let number = |value: f64, digits| format_significant(value, digits, language);
     let [k1, k2, k3] = answer.curve.stiffness.map(|k| number(k.in_unit(&KILONEWTON_METRE_PER_RADIAN), 3));
     let (torque, angle) =
         (number(answer.torque.in_unit(&NEWTON_METRE), 4), number(answer.angle.in_unit(&ARCMINUTE), 3));
     let radian = number(answer.angle.si() * 1e3, 3);
     let (t1, t2) = (number(answer.curve.torque_1.si(), 3), number(answer.curve.torque_2.si(), 3));
-    let table = catalogue::size_cell(code.size, code.ratio, "K_1").map_or("", |cell| cell.place.table);
     let mut lines = vec![
-        terminal::torsion(code, &angle, &radian, &torque, &answer.region, language),
-        terminal::torsion_curve(&t1, &t2, &k1, &k2, &k3, &table, language),
+        terminal::torsion(id, &angle, &radian, &torque, &answer.region, language),
+        terminal::torsion_curve(&t1, &t2, &k1, &k2, &k3, &answer.table, language),
     ];
     for (symbol, limit) in answer.exceeded() {
         let source = format!("{}, {}", grade_word(limit.grade, language), source_text(&limit.source, language));

@@ -6,7 +6,8 @@ mod draws;
 mod statistics;
 pub(crate) mod work;
 
-use crate::sizing_use::{Candidate, CandidateId, Objection, Refusal};
+use crate::sizing_use::{Candidate, Objection, Refusal};
+use configurator::Product;
 use draws::Draws;
 use project::{Project, Variant, Varied};
 use rayon::prelude::*;
@@ -264,7 +265,7 @@ struct Judged<'c> {
 
 impl<'c> Judged<'c> {
     fn of(project: &Project, candidate: &'c Candidate<'c>) -> Self {
-        let own = matches!(candidate.id, CandidateId::Own(_));
+        let own = candidate.product.is_of_project();
         let touched = |table: &str| project.tolerances.iter().any(|each| each.path.starts_with(table));
         let varies = touched("requirements.") || (own && touched("actuator."));
         let speaks = |objection: &Objection| match objection {
@@ -276,23 +277,21 @@ impl<'c> Judged<'c> {
 
     /// Returns the judgement for a variant, by the judge of its axis, and the verdict on the actuator.
     fn judge(&self, project: &Project, variant: &Variant, judge: &mut Judge<'_>) -> (Judgement, Fit) {
-        let own = variant.actuator.as_ref().filter(|_| matches!(self.candidate.id, CandidateId::Own(_)));
-        let parameters = own.map_or(self.candidate.parameters, |own| &own.parameters);
-        let judgement = judge.next(parameters, &mut |_, _| {});
-        let is_met = !self.hopeless && self.meets(project, variant, parameters);
+        let own = variant.actuator.as_ref().filter(|_| self.candidate.product.is_of_project());
+        let product = own.unwrap_or(self.candidate.product);
+        let judgement = judge.next(&product.parameters, &mut |_, _| {});
+        let is_met = !self.hopeless && self.meets(project, variant, product);
         let fit = if is_met { judgement.fit() } else { Fit::DoesNotFit };
         (judgement, fit)
     }
 
-    fn meets(&self, project: &Project, variant: &Variant, parameters: &actuator::Parameters) -> bool {
+    fn meets(&self, project: &Project, variant: &Variant, product: &Product) -> bool {
         if variant.requirements.is_none() && variant.actuator.is_none() {
             return true;
         }
         let requirements = variant.requirements.as_ref().unwrap_or(&project.requirements);
-        match &self.candidate.id {
-            CandidateId::Code(code) => requirements.unmet(code, parameters).next().is_none(),
-            CandidateId::Own(_) => requirements.unmet_by_data(parameters).all(|unmet| !speaks(true, &unmet)),
-        }
+        let own = product.is_of_project();
+        requirements.unmet(&self.candidate.id, product).all(|unmet| !speaks(own, &unmet))
     }
 }
 

@@ -189,7 +189,7 @@ fn the_margins_alone_give_the_verdict_and_the_utilisation_of_every_check() {
         include_str!("../../../examples/two-way-shuttle.toml").to_owned(),
     ] {
         let project = crate::read(&text).unwrap();
-        for (code, parameters) in configurator::catalogue_actuators() {
+        for Product { id: code, parameters, .. } in crate::embedded_catalogue().products(false) {
             let [full, margins] =
                 [Scope::All, Scope::Deciding].map(|depth| sizing::judge(&project.axis, parameters, depth));
             let said = |judgement: &Judgement| {

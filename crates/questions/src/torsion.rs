@@ -3,10 +3,9 @@
 use crate::chapters::read_quantity;
 use crate::list::Hinted;
 use crate::sizing_use::Candidate;
-use actuator::Torsion;
-use order_code::OrderCode;
+use actuator::{Parameters, Torsion};
 use project::Project;
-use provenance::{Datum, Sourced};
+use provenance::{Datum, Source, Sourced};
 use quantities::{Angle, Language, Measure, Torque};
 
 /// The known quantity of a twisted gear; the other one is computed.
@@ -23,6 +22,8 @@ pub(crate) enum Twist {
 pub struct TorsionAnswer {
     /// The curve: T_1, T_2, K_1, K_2, K_3.
     pub curve: Torsion,
+    /// Number of the table that states the curve; empty if it is of no table.
+    pub table: &'static str,
     /// The torque.
     pub torque: Torque,
     /// The angle.
@@ -73,8 +74,7 @@ pub(crate) fn read_twist(
 /// # Source
 /// cha-manual eq. 73.1 to 73.4, tables 54.1 to 54.4
 #[must_use]
-pub(crate) fn torsion(code: &OrderCode, twist: Twist) -> Option<TorsionAnswer> {
-    let parameters = configurator::parameters(code)?;
+pub(crate) fn torsion(parameters: &Parameters, twist: Twist) -> Option<TorsionAnswer> {
     let curve = parameters.gear.torsion()?;
     let (torque, angle) = match twist {
         Twist::Torque(torque) => (torque, curve.angle(torque)),
@@ -91,7 +91,11 @@ pub(crate) fn torsion(code: &OrderCode, twist: Twist) -> Option<TorsionAnswer> {
     let (hysteresis_loss, lost_motion) =
         (parameters.accuracy.hysteresis_loss.clone(), parameters.accuracy.lost_motion.clone());
     let limits = [("T_max", parameters.torque_max.clone()), ("T_M", parameters.gear.collision_torque_max.clone())];
-    Some(TorsionAnswer { curve, torque, angle, region, hysteresis_loss, lost_motion, limits })
+    let table = match parameters.gear.stiffness.first().and_then(Datum::known).map(|known| &known.source) {
+        Some(Source::Cell(cell)) => cell.table,
+        _ => "",
+    };
+    Some(TorsionAnswer { curve, table, torque, angle, region, hysteresis_loss, lost_motion, limits })
 }
 
 /// Torsion curve of a gear with the operating point of an axis.
@@ -130,10 +134,11 @@ pub fn torsion_of(project: &Project, candidate: &Candidate<'_>) -> Option<Torsio
 #[cfg(test)]
 mod tests {
     use super::*;
+    use configurator::{Catalogue, Product};
 
     #[test]
     fn an_angle_leads_back_to_its_torque_in_every_region() {
-        let code = order_code::parse("CHA-20A-100-H-C1024").unwrap().code;
+        let code = configurator::parameters(&order_code::parse("CHA-20A-100-H-C1024").unwrap().code).unwrap();
         for (torque, region) in [(3.0, 1), (-20.0, 2), (60.0, 3)] {
             let there = torsion(&code, Twist::Torque(Torque::from_si(torque))).unwrap();
             let back = torsion(&code, Twist::Angle(there.angle)).unwrap();
@@ -158,10 +163,10 @@ mod tests {
     /// A torque or an angle beyond T_max of the actuator is reported with the limit, in either direction; one below is not.
     #[test]
     fn a_torque_beyond_the_limits_is_reported() {
-        for (code, parameters) in configurator::catalogue_actuators() {
+        for Product { id: code, parameters, .. } in Catalogue::cha().products(false) {
             let Some(largest) = parameters.torque_max.known().map(|known| known.value.si()) else { continue };
             let exceeded =
-                |twist| torsion(code, twist).unwrap().exceeded().map(|(symbol, _)| symbol).collect::<Vec<_>>();
+                |twist| torsion(parameters, twist).unwrap().exceeded().map(|(symbol, _)| symbol).collect::<Vec<_>>();
             let under = |torque: f64| exceeded(Twist::Torque(Torque::from_si(torque)));
             assert!(under(largest).is_empty() && under(-largest).is_empty(), "{code}");
             assert_eq!(under(1.001 * largest), ["T_max"], "{code}");

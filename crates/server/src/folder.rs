@@ -4,7 +4,7 @@ use disk::{Links, ProjectFiles, Unwritten, read_within};
 use page::{
     FileEntry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names,
 };
-use project::{Files, Grant, PROJECT_MAX_BYTES, Reach};
+use project::{Catalogue, Files, Grant, PROJECT_MAX_BYTES, Reach};
 use questions::Progress;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -78,6 +78,10 @@ impl Workplace {
 impl Shell for Workplace {
     fn files(&self) -> &dyn Files {
         &self.files
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn folder(&self) -> Option<&dyn Folder> {

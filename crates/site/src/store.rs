@@ -1,11 +1,12 @@
 //! Working folder in memory, with the files stored in the browser.
 
 use page::{FileEntry, Folder, SaveFault, Shell, Storage, is_project_name, recording_names};
-use project::{Files, PROJECT_MAX_BYTES};
+use project::{Catalogue, Files, PROJECT_MAX_BYTES};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::io::{Cursor, ErrorKind, Read, Result};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -121,6 +122,10 @@ impl Folder for Store {
 impl Shell for Store {
     fn files(&self) -> &dyn Files {
         self
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn days_since_1970(&self) -> Option<u64> {

@@ -212,16 +212,18 @@ fn texts<T: AsRef<str>>(cells: impl Iterator<Item = Option<T>>) -> ArrayRef {
 }
 
 fn best(answers: &[Answer], first_row: u64) -> Vec<ArrayRef> {
-    let of = |answer: &Answer| match answer {
-        Ok(Judged::Best(best)) => Some(*best),
-        Ok(Judged::Every(_) | Judged::Front(_)) | Err(_) => None,
-    };
-    let found: Vec<Option<Best>> = answers.iter().map(of).collect();
+    fn of(answer: &Answer) -> Option<&Best> {
+        match answer {
+            Ok(Judged::Best(best)) => Some(best),
+            Ok(Judged::Every(_) | Judged::Front(_)) | Err(_) => None,
+        }
+    }
+    let found: Vec<Option<&Best>> = answers.iter().map(of).collect();
     let each = || found.iter().copied();
     vec![
         Arc::new((first_row..).take(answers.len()).collect::<UInt64Array>()),
         Arc::new(each().map(|best| Some(best?.fit)).collect::<UInt32Array>()),
-        texts(each().map(|best| Some(best?.code?.to_string()))),
+        texts(each().map(|best| Some(best?.code.as_ref()?.to_string()))),
         Arc::new(each().map(|best| best?.utilisation).collect::<Float64Array>()),
         texts(each().map(|best| Some(best?.tightest?.id()))),
         texts(answers.iter().map(|answer| answer.as_ref().err())),

@@ -65,8 +65,8 @@ fn every_code_and_the_front_stand_in_lines_of_their_own() {
     let mut marked = 0;
     for (code, errata) in codes.iter().zip(errata) {
         let code = code.unwrap();
-        let (_, data) =
-            configurator::catalogue_actuators().iter().find(|(known, _)| known.to_string() == code).unwrap();
+        let catalogue = questions::embedded_catalogue();
+        let data = &catalogue.products(false).iter().find(|known| known.id.to_string() == code).unwrap().parameters;
         let ids =
             [data.mass.known().unwrap().errata, data.length.known().map_or(&[][..], |length| length.errata)].concat();
         assert_eq!(errata.unwrap_or_default(), ids.join(";"), "{code}");

@@ -33,10 +33,7 @@ impl Subject<'_> {
         let mut shown: Vec<(Option<usize>, Candidate<'_>)> = ranked
             .filter(|(index, candidate)| *index < self.top || candidate.id == self.chosen.id)
             .map(|(index, candidate)| {
-                let full = match &candidate.id {
-                    questions::CandidateId::Code(code) => questions::check(self.project, code).ok(),
-                    questions::CandidateId::Own(_) => None,
-                };
+                let full = questions::check(self.project, &candidate.id).ok();
                 (candidate.fits().then_some(index + 1), full.unwrap_or_else(|| candidate.clone()))
             })
             .collect();

@@ -1,10 +1,9 @@
 //! Conditions that every verdict must satisfy.
 
 use super::Case;
-use order_code::OrderCode;
 use project::inputs;
 use quantities::Measure;
-use questions::{Candidate, CandidateId, CheckId, Verdict, check, reserve_of};
+use questions::{Candidate, CheckId, ProductId, Verdict, check, reserve_of};
 
 /// Checks that compared values are finite, and that the candidate fits if and only if no check and no requirement
 /// objects.
@@ -34,14 +33,14 @@ pub(crate) fn candidate(candidate: &Candidate<'_>) {
     assert_eq!(candidate.judgement_fits(), !failing, "{:?}", candidate.id);
     assert!(!(candidate.fits() && failing), "{:?}", candidate.id);
     // A requirement may stay open for a user's own actuator without being violated.
-    let of_the_catalogue = matches!(candidate.id, CandidateId::Code(_));
+    let of_the_catalogue = !candidate.product.is_of_project();
     assert!(candidate.fits() || failing || !candidate.objections.is_empty(), "{:?}", candidate.id);
     assert!(!of_the_catalogue || !candidate.fits() || candidate.objections.is_empty(), "{:?}", candidate.id);
 }
 
 /// Checks that the actuator fits at the reserve and no longer beyond it, on the project with that value written into
 /// it.
-pub(super) fn reserve(case: &Case<'_>, code: &OrderCode, judged: &Candidate<'_>) {
+pub(super) fn reserve(case: &Case<'_>, code: &ProductId, judged: &Candidate<'_>) {
     let reserve = reserve_of(case.project, judged);
     let factors = [reserve.load_factor, reserve.payload_factor].map(|factor| factor.map(|reach| reach.value));
     assert!(factors.iter().flatten().all(|factor| factor.is_finite() && *factor > 0.0), "{reserve:?}");
@@ -78,7 +77,7 @@ pub(super) fn reserve(case: &Case<'_>, code: &OrderCode, judged: &Candidate<'_>)
 
 /// Returns `true` if no check fails with another value of the first key with this name; `None` if the project cannot be
 /// read.
-fn fits_with(case: &Case<'_>, code: &OrderCode, key: &str, value: &str) -> Option<bool> {
+fn fits_with(case: &Case<'_>, code: &ProductId, key: &str, value: &str) -> Option<bool> {
     let begin = format!("{key} = \"");
     let line = case.text.lines().find(|line| line.starts_with(&begin))?;
     let text = case.text.replacen(line, &format!("{begin}{value}\""), 1);

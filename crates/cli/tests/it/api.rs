@@ -4,11 +4,12 @@
 use crate::run;
 
 use page::{Call, Method, Reply, Shell};
-use project::Files;
+use project::{Catalogue, Files};
 use quantities::Language;
 use questions::Progress;
 use run::{root, run_with};
 use std::io::Read;
+use std::sync::Arc;
 
 /// The files beside the examples.
 struct Examples;
@@ -24,6 +25,10 @@ struct InTheRepository;
 impl Shell for InTheRepository {
     fn files(&self) -> &dyn Files {
         &Examples
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn version(&self, bytes: &[u8]) -> String {

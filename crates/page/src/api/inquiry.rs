@@ -39,7 +39,8 @@ pub(crate) fn read_inquiry<'a>(
         }
     };
     let days_since_1970 = shell.days_since_1970();
-    Ok(Inquiry { given, sources, days_since_1970, progress, refuses_long: false, language })
+    let catalogue = shell.catalogue();
+    Ok(Inquiry { given, sources, catalogue, days_since_1970, progress, refuses_long: false, language })
 }
 
 /// The two texts of a JSON body.

@@ -1,8 +1,9 @@
 #![allow(clippy::indexing_slicing, reason = "JSON answers null for a missing key")]
 
 use super::*;
-use project::{Files, NoFiles, PROJECT_MAX_BYTES};
+use project::{Catalogue, Files, NoFiles, PROJECT_MAX_BYTES};
 use serde_json::Value;
+use std::sync::Arc;
 
 const PROJECT: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\n\
     accelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n";
@@ -12,6 +13,10 @@ struct Alone(Option<u64>);
 impl Shell for Alone {
     fn files(&self) -> &dyn Files {
         &NoFiles
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn days_since_1970(&self) -> Option<u64> {
@@ -278,6 +283,10 @@ struct Asking;
 impl Shell for Asking {
     fn files(&self) -> &dyn Files {
         &NoFiles
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn report(&self) -> Option<crate::WritesReport> {

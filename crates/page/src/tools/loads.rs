@@ -5,7 +5,6 @@ use super::{GOOD, MARK, Scene, fields_of};
 use crate::checks::{check_heads, verdict_class};
 use crate::state::placed;
 use maud::{Markup, html};
-use order_code::Size;
 use project::{Edit, Project, edit, key_at, written};
 use quantities::Language;
 use questions::list::bearing::{bearing_checks, bearing_of_each_size};
@@ -34,7 +33,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     let text = fields
         .iter()
         .fold(AROUND.to_owned(), |text, field| edit(&text, &field.name, Edit::Value(&field.value)).unwrap_or(text));
-    let read = |text: &str| read_all_watched(text, scene.shell.files(), scene.progress);
+    let read = |text: &str| read_all_watched(text, scene.shell.files(), scene.shell.catalogue(), scene.progress);
     let (projects, troubles) = match read(&text) {
         Ok(projects) => (projects, Vec::new()),
         Err(Unread::Faults(found)) => {
@@ -79,15 +78,19 @@ fn answer(project: &Project, scene: &Scene<'_>) -> Markup {
     let l = scene.language;
     // A cancelled answer is not shown.
     let Ok(sizes) = bearing_of_each_size(project, scene.progress) else { return html! {} };
-    let of_code = read_code(&scene.about, l).ok().map(|reading| reading.parsed.code.size);
-    if sizes.iter().all(|(_, candidate)| bearing_checks(candidate).next().is_none()) {
+    let about = read_code(&scene.about, l).ok().map(|reading| reading.parsed.code.into());
+    let about = about.and_then(|id| scene.shell.catalogue().product(&id));
+    let is_about = |one: &Candidate<'_>| {
+        about.is_some_and(|about| (&about.series, &about.frame_size) == (&one.product.series, &one.product.frame_size))
+    };
+    if sizes.iter().all(|candidate| bearing_checks(candidate).next().is_none()) {
         return html! { p.unchecked { (terms::no_flange_loads(l)) } };
     }
-    html! { @for (size, candidate) in &sizes { (of_size(*size, candidate, of_code == Some(*size), l)) } }
+    html! { @for candidate in &sizes { (of_size(candidate, is_about(candidate), l)) } }
 }
 
-fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Language) -> Markup {
-    let l = language;
+fn of_size(candidate: &Candidate<'_>, is_open: bool, language: Language) -> Markup {
+    let (l, size) = (language, candidate.product.size_name());
     // The first in the order of every answer: failed, then inside the band of an estimate.
     let worst = by_importance(&candidate.judgement.checks)
         .into_iter()

@@ -2,11 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use page::{Call, Method, Reply, Shell, respond};
-use project::Files;
+use project::{Catalogue, Files};
 use quantities::Language;
 use questions::Progress;
 use questions::list::new::template;
 use std::io::{Cursor, Error, ErrorKind, Read, Result};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// A shell with one recording.
@@ -21,6 +22,10 @@ impl Files for OneRecording {
 impl Shell for OneRecording {
     fn files(&self) -> &dyn Files {
         self
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn time_limit(&self) -> Option<Duration> {

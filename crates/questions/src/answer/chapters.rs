@@ -8,7 +8,7 @@ use answers::{
     Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Id, Inertia, Number, TorqueExceeded,
     Torsion, Units,
 };
-use order_code::{OrderCode, Size};
+use configurator::ProductId;
 use project::{BodyAnswer, InertiaAnswer};
 use provenance::Datum;
 use quantities::unit::{
@@ -27,7 +27,7 @@ fn points(points: &[CurvePoint]) -> Vec<[Number; 2]> {
 
 /// Returns the curves of the torque-speed plane.
 #[must_use]
-pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language) -> Curves {
+pub fn curves(id: &ProductId, curves: &[PerformanceCurve], language: Language) -> Curves {
     let curve = |curve: &PerformanceCurve| {
         let (kind, duty) = match curve.kind {
             actuator::CurveKind::Continuous => (CurveKind::Continuous, None),
@@ -46,15 +46,15 @@ pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language)
         }
     };
     let units = [("n", &REVOLUTION_PER_MINUTE), ("T", &NEWTON_METRE), ("U", &VOLT), ("ED", &PERCENT)];
-    Curves { code: code.to_string(), units: Units::of(&units), curves: curves.iter().map(curve).collect() }
+    Curves { code: id.to_string(), units: Units::of(&units), curves: curves.iter().map(curve).collect() }
 }
 
 /// Returns the torsion of a gear under a torque.
 #[must_use]
-pub fn torsion(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> Torsion {
+pub fn torsion(id: &ProductId, answer: &TorsionAnswer, language: Language) -> Torsion {
     let minutes = |angle: &Datum<Angle>| angle.known().map(|known| Number::in_unit(known.value.si(), &ARCMINUTE));
     Torsion {
-        code: code.to_string(),
+        code: id.to_string(),
         torque: Number::in_unit(answer.torque.si(), &NEWTON_METRE),
         angle_rad: Number::in_unit(answer.angle.si(), &RADIAN),
         angle_arcmin: Number::in_unit(answer.angle.si(), &ARCMINUTE),
@@ -86,9 +86,9 @@ pub fn torsion(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> 
 
 /// Returns the checks of the output bearing of each size.
 #[must_use]
-pub fn bearings(sizes: &[(Size, Candidate<'_>)], language: Language) -> Bearings {
-    let one = |(size, candidate): &(Size, Candidate<'_>)| BearingOfSize {
-        size: size.to_string(),
+pub fn bearings(sizes: &[Candidate<'_>], language: Language) -> Bearings {
+    let one = |candidate: &Candidate<'_>| BearingOfSize {
+        size: candidate.product.size_name().to_owned(),
         fits: crate::chapters::bearing_checks(candidate).all(|check| check.verdict != sizing::Verdict::Fail),
         checks: crate::chapters::bearing_checks(candidate).map(|each| check(each, language)).collect(),
     };

@@ -7,7 +7,7 @@ use super::judged::{judgement, sizing};
 use super::operation::{data_sheet, operation};
 use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
 use crate::gearing_proposals::GearingProposal;
-use crate::sizing_use::{Candidate, CandidateId, Sizing, by_importance};
+use crate::sizing_use::{Candidate, Sizing, by_importance};
 use crate::texts::{self, Rejections};
 use crate::tolerance::Assessment;
 use actuator::ScrewJoint;
@@ -38,10 +38,7 @@ pub fn dossier(
     (text, place, program): (&str, usize, &str),
     language: Language,
 ) -> Dossier {
-    let workings = match &chosen.id {
-        CandidateId::Code(code) => crate::explain(project, code),
-        CandidateId::Own(_) => crate::explain_own(project),
-    };
+    let workings = crate::explain(project, &chosen.id);
     // If the rules of the code prevent a new judgement, the judgement of the ranking, without workings, is used.
     let checks: &[Arc<Check>] = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
     let inputs = inputs_of_axis(text, place);
@@ -49,10 +46,8 @@ pub fn dossier(
     judgement.candidate.checks =
         by_importance(&chosen.judgement.checks).into_iter().map(|each| check(each, language)).collect();
     let Counts { passed, advised, failed, not_checked, without_limit, requirements_open } = chosen.counts();
-    let sheet = match &chosen.id {
-        CandidateId::Code(code) => data_sheet(code, language),
-        CandidateId::Own(_) => Vec::new(),
-    };
+    let code = chosen.id.order_code();
+    let sheet = code.map(|code| data_sheet(code, language)).unwrap_or_default();
     let errata_of_k_tm = chosen.parameters.torque_constant_motor.known().map_or(&[][..], |known| known.errata);
     let is_single = |input: &project::Input| input.path.ends_with("single_move") && input.written == "true";
     Dossier {
@@ -167,8 +162,8 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
         let item = if quantity.is_empty() { String::new() } else { (rows.len() + 1).to_string() };
         rows.push(Item { item, quantity, code, text, source });
     };
-    let parts = match &candidate.id {
-        CandidateId::Code(code) => [Field::Size, Field::Ratio, Field::Winding, Field::Feedback]
+    let parts = match candidate.id.order_code() {
+        Some(code) => [Field::Size, Field::Ratio, Field::Winding, Field::Feedback]
             .into_iter()
             .chain(
                 [Field::Brake, Field::Option1, Field::Option2].into_iter().filter(|field| code.token(*field).is_some()),
@@ -176,7 +171,7 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
             .map(|field| describe_token(code, field, language))
             .collect::<Vec<_>>()
             .join("; "),
-        CandidateId::Own(_) => terms::own_actuator(language).to_owned(),
+        None => terms::own_actuator(language).to_owned(),
     };
     let series = terms::actuator_with_hollow_shaft(language);
     add("1".into(), candidate.id.to_string(), format!("{series}; {parts}"), None);
@@ -191,7 +186,7 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
         let count = format_number(count.value, 0, language);
         add(count, format!("{}{class}", size.value), format!("{text}; {length}"), Some(source));
     }
-    if let CandidateId::Code(code) = &candidate.id
+    if let Some(code) = candidate.id.order_code()
         && let Some(found) = installation::wiring::wiring(code)
     {
         connected(&found, &mut add, language);
@@ -289,8 +284,8 @@ mod tests {
     #[test]
     fn the_parts_list_names_no_ids() {
         let (mut marked, mut lines) = (0, 0);
-        for (code, _) in configurator::actuators(false) {
-            let Some(found) = installation::wiring::wiring(code) else { continue };
+        for code in crate::embedded_catalogue().products(false).iter().map(|product| &product.id) {
+            let Some(found) = code.order_code().and_then(installation::wiring::wiring) else { continue };
             for language in Language::ALL {
                 let mut add = |_: String, _: String, _: String, source: Option<String>| {
                     let source = source.unwrap_or_default();

@@ -5,13 +5,14 @@ use super::code::names;
 use super::motion;
 use crate::gearing_proposals::GearingProposal;
 use crate::limits::{NeededLimit, limits_needed};
-use crate::sizing_use::{Candidate, CandidateId, Sizing};
+use crate::sizing_use::{Candidate, Sizing};
 use crate::texts::{objection_text, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
     Tolerance, ToleratedValue, Units, WorstCorner, WouldFit,
 };
+use configurator::ProductId;
 use project::{ALL_CORNERS_MOST, Project};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
 use quantities::{Language, Measure};
@@ -33,10 +34,8 @@ pub fn fit(candidate: &Candidate<'_>) -> Fit {
 /// Returns one judged actuator.
 #[must_use]
 pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Candidate {
-    let (code, name) = match &candidate.id {
-        CandidateId::Code(code) => (Some(code.to_string()), None),
-        CandidateId::Own(name) => (None, Some(name.clone())),
-    };
+    let id = Some(candidate.id.to_string());
+    let (code, name) = if candidate.product.is_of_project() { (None, id) } else { (id, None) };
     let judgement = &candidate.judgement;
     answers::Candidate {
         code,
@@ -94,7 +93,7 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Rejection {
 pub fn sizing(
     sizing: &Sizing<'_>,
     project: &Project,
-    assessed: &[(CandidateId, Assessment)],
+    assessed: &[(ProductId, Assessment)],
     gearing_proposals: &[GearingProposal],
     top: usize,
     language: Language,

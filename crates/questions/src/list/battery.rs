@@ -39,6 +39,7 @@ pub static ENTRY: Entry = Entry {
 /// Every fault of the arguments.
 pub fn found(inquiry: &Inquiry<'_>) -> Result<BatteryLife, Unanswered> {
     let Args { hours_per_day, storage } = Args::read(&inquiry.given)?;
-    battery(hours_per_day, storage.unwrap_or_else(|| Time::from_si(0.0)), inquiry.language)
+    let storage = storage.unwrap_or_else(|| Time::from_si(0.0));
+    battery(&inquiry.catalogue.battery(), hours_per_day, storage, inquiry.language)
         .map_err(|message| Unanswered::option("hours-per-day", (message, None)))
 }

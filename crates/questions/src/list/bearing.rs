@@ -6,7 +6,6 @@ use crate::answer;
 pub use crate::chapters::{bearing_checks, bearing_of_each_size};
 use crate::progress::Progress;
 use crate::sizing_use::Candidate;
-use order_code::Size;
 use project::Project;
 use quantities::Language;
 use sizing::Verdict;
@@ -48,7 +47,7 @@ pub fn sizes<'p>(
     project: &'p Project,
     progress: &Progress,
     language: Language,
-) -> Result<Vec<(Size, Candidate<'p>)>, Unanswered> {
+) -> Result<Vec<Candidate<'p>>, Unanswered> {
     // Without a load no size differs from another.
     if !project.axis.bearing.as_ref().is_some_and(|duty| duty.has_loads) {
         return Err(Unanswered::message(terms::no_flange_loads(language)));
@@ -58,7 +57,7 @@ pub fn sizes<'p>(
 
 /// Returns `true` if the bearing of at least one size carries the loads.
 #[must_use]
-pub fn fits(sizes: &[(Size, Candidate<'_>)]) -> bool {
+pub fn fits(sizes: &[Candidate<'_>]) -> bool {
     let fails = |candidate| bearing_checks(candidate).any(|check| check.verdict == Verdict::Fail);
-    sizes.iter().any(|(_, candidate)| !fails(candidate))
+    sizes.iter().any(|candidate| !fails(candidate))
 }

@@ -1,13 +1,13 @@
 //! `check PROJECT`: one actuator judged for an axis.
 
-use super::given::{arguments, number, some_code_among, text};
+use super::given::{arguments, number, some_product_among, text};
 use super::size::{SAMPLES, SEED, draw};
 use super::{AXIS, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_one};
 use crate::tolerance::{Assessment, Draw, assess_watched};
-use order_code::OrderCode;
+use configurator::ProductId;
 use project::Project;
 use quantities::Language;
 use sizing::{Reserve, SAMPLES_ANEW, reserve_watched};
@@ -19,7 +19,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own.
-        code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
+        code: Option<ProductId> = argument::code(help::check_code) => some_product_among,
         /// Number of samples.
         samples: Option<usize> = SAMPLES => number,
         /// Seed of the samples.
@@ -76,17 +76,17 @@ pub struct Verification<'p> {
     pub assessment: Option<Assessment>,
 }
 
-/// Judges one actuator for an axis; without a code the project's own.
+/// Judges one actuator for an axis; without an identity the project's own.
 ///
 /// # Errors
 /// The reason why it cannot be judged.
 pub fn verification<'p>(
     project: &'p Project,
-    code: Option<&OrderCode>,
+    id: Option<&ProductId>,
     draw: Draw,
     progress: &Progress,
 ) -> Result<Verification<'p>, Refusal> {
-    let candidate = check_one(project, code)?;
+    let candidate = check_one(project, id)?;
     let (reserve, assessment) = margins(project, &candidate, draw, progress)?;
     Ok(Verification { project, candidate, reserve, assessment })
 }

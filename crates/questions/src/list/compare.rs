@@ -1,12 +1,12 @@
 //! `compare PROJECT`: comparison of several actuators.
 
-use super::given::{arguments, codes, text};
+use super::given::{arguments, products, text};
 use super::{AXIS, Cost, Entry, Gives, Inquiry, PlacedAxis, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckRow, Comparison, DatumRow, compare, errata_of};
 use crate::sizing_use::Refusal;
 use answers::Fit;
-use order_code::OrderCode;
+use configurator::ProductId;
 use project::Project;
 use words::{help, terminal};
 
@@ -19,7 +19,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuators.
-        codes: Vec<OrderCode> = argument::code(help::compare_code).required().repeated() => codes,
+        codes: Vec<ProductId> = argument::code(help::compare_code).required().repeated() => products,
     }
 }
 
@@ -65,7 +65,7 @@ impl Args {
     pub fn comparison<'p>(&self, project: &'p Project, inquiry: &Inquiry<'_>) -> Result<Comparison<'p>, Unanswered> {
         compare(project, &self.codes, inquiry.progress).map_err(|(index, refusal)| {
             let code = self.codes.get(index).filter(|_| refusal != Refusal::Stopped);
-            Unanswered::Refused(refusal, code.copied())
+            Unanswered::Refused(refusal, code.cloned())
         })
     }
 }

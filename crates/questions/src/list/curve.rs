@@ -1,12 +1,12 @@
 //! `curve CODE`: the curves of the torque-speed plane.
 
-use super::given::{arguments, code, some};
+use super::given::{arguments, product, some};
 use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, PICTURE, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
 use crate::plane::{Plane, plane_of};
 use crate::sizing_use::Refusal;
-use order_code::OrderCode;
+use configurator::ProductId;
 use quantities::ElectricPotential;
 use words::{help, help::values};
 
@@ -14,7 +14,7 @@ arguments! {
     /// Arguments of `curve`: actuator and supply.
     pub struct Args {
         /// Ordering code of the actuator.
-        code: OrderCode = CODE.form(ArgumentForm::Bare) => code,
+        code: ProductId = CODE.form(ArgumentForm::Bare) => product,
         /// Terminal voltage of the motor.
         voltage: Option<ElectricPotential> =
             Argument::option("voltage", values::voltage, help::curve_voltage) => some(read_quantity),
@@ -41,8 +41,9 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; no data in the manual.
-pub fn found(inquiry: &Inquiry<'_>) -> Result<(OrderCode, Plane), Unanswered> {
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(ProductId, Plane), Unanswered> {
     let Args { code, voltage } = Args::read(&inquiry.given)?;
-    let plane = plane_of(&code, voltage).and_then(Result::ok).ok_or(Refusal::NoData)?;
+    let product = inquiry.catalogue.product(&code).ok_or(Refusal::NoData)?;
+    let plane = plane_of(product, voltage).map_err(|_| Refusal::NoData)?;
     Ok((code, plane))
 }

@@ -1,12 +1,12 @@
 //! `diff OLD NEW`: effect of another revision of a project on an actuator.
 
-use super::given::{arguments, some_code, text};
+use super::given::{arguments, some_product, text};
 use super::{AXIS, Cost, Entry, Gives, Inquiry, PlacedAxis, Reads, Record, Unanswered, argument};
 use crate::answer;
 pub use crate::compare::{CheckChange, Difference, difference};
 use crate::subject::paired;
 use answers::{Answered, Fit};
-use order_code::OrderCode;
+use configurator::ProductId;
 use project::{InputChange, input_changes};
 use words::{help, terminal};
 
@@ -16,7 +16,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own, else the best before.
-        code: Option<OrderCode> = argument::code(help::diff_code) => some_code,
+        code: Option<ProductId> = argument::code(help::diff_code) => some_product,
     }
 }
 
@@ -55,7 +55,7 @@ pub struct Revisions<'a> {
     /// Text of the second revision.
     pub new_text: &'a str,
     /// The actuator.
-    pub code: Option<OrderCode>,
+    pub code: Option<ProductId>,
 }
 
 impl Revisions<'_> {

@@ -1,12 +1,12 @@
 //! `explain PROJECT`: computation of value and limit of the checks of an actuator.
 
-use super::given::{arguments, by_id, some_code_among, text, word};
+use super::given::{arguments, by_id, some_product_among, text, word};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
 pub use crate::explain::derivation;
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, explain, explain_own};
-use order_code::OrderCode;
+use configurator::ProductId;
 use project::Project;
 use quantities::Language;
 use sizing::{Check, CheckId, StepObserver as _};
@@ -21,7 +21,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own.
-        code: Option<OrderCode> = argument::code(help::explain_code) => some_code_among,
+        code: Option<ProductId> = argument::code(help::explain_code) => some_product_among,
         /// One check; without it all.
         check: Option<CheckId> = Argument::option("check", values::check, help::explain_check)
             .of(ArgumentKind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())).titled(check_titles) => word(by_id(CheckId::ALL, CheckId::id)),
@@ -75,20 +75,20 @@ pub struct Explanation<'p> {
     wanted: Option<CheckId>,
 }
 
-/// Judges one actuator with its workings; without a code the project's own.
+/// Judges one actuator with its workings; without an identity the project's own.
 ///
 /// # Errors
 /// The reason why it cannot be judged, [`Refusal::NotAsked`] if the check is not part of the judgement,
 /// [`Refusal::Stopped`].
 pub fn explanation<'p>(
     project: &'p Project,
-    code: Option<&OrderCode>,
+    id: Option<&ProductId>,
     wanted: Option<CheckId>,
     progress: &Progress,
 ) -> Result<Explanation<'p>, Refusal> {
     progress.step()?;
-    let candidate = match code {
-        Some(code) => explain(project, code)?,
+    let candidate = match id {
+        Some(id) => explain(project, id)?,
         None => explain_own(project)?,
     };
     let found = Explanation { project, candidate, wanted };

@@ -1,12 +1,12 @@
 //! `export PROJECT`: the results as a workbook or one table; a face writes it.
 
-use super::given::{arguments, count, day, label, some_code, text};
+use super::given::{arguments, count, day, label, some_product, text};
 use super::{
     AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Record, Unanswered,
     argument, media,
 };
 use chrono::NaiveDate;
-use order_code::OrderCode;
+use configurator::ProductId;
 use words::{help, help::values, requests, terminal};
 
 /// Names of the tables, in the order of a workbook.
@@ -21,7 +21,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own, else the best.
-        code: Option<OrderCode> = argument::code(help::export_code) => some_code,
+        code: Option<ProductId> = argument::code(help::export_code) => some_product,
         /// One table; without it the workbook.
         table: Option<String> = Argument::option("table", values::name, help::export_table)
             .of(ArgumentKind::Word(|| TABLES.to_vec())) => text,

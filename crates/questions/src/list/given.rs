@@ -6,6 +6,7 @@ use crate::codes::{read_code, read_pattern};
 use crate::upkeep::read_date;
 use answers::Fault;
 use chrono::NaiveDate;
+use configurator::ProductId;
 use order_code::{OrderCode, Pattern};
 use quantities::{Language, seen};
 use std::borrow::Cow;
@@ -182,19 +183,28 @@ pub(super) fn code_among(given: &Given, argument: &Argument) -> Result<OrderCode
     code_of(given.text(argument).unwrap_or_default(), true, given.language)
 }
 
-/// Returns an optional ordering code; its faults form a record of their own.
-pub(super) fn some_code(given: &Given, argument: &Argument) -> Result<Option<OrderCode>, Unanswered> {
-    given.text(argument).map(|text| code_of(text, false, given.language)).transpose()
+/// Returns the required product; the faults of its code form a record of their own.
+pub(super) fn product(given: &Given, argument: &Argument) -> Result<ProductId, Unanswered> {
+    code(given, argument).map(ProductId::from)
 }
 
-/// Returns an optional ordering code; its faults are reported with those of the axes.
-pub(super) fn some_code_among(given: &Given, argument: &Argument) -> Result<Option<OrderCode>, Unanswered> {
-    given.text(argument).map(|text| code_of(text, true, given.language)).transpose()
+/// Returns an optional product; the faults of its code form a record of their own.
+pub(super) fn some_product(given: &Given, argument: &Argument) -> Result<Option<ProductId>, Unanswered> {
+    given.text(argument).map(|text| product_of(text, false, given.language)).transpose()
 }
 
-/// Returns the ordering codes, in the same order.
-pub(super) fn codes(given: &Given, argument: &Argument) -> Result<Vec<OrderCode>, Unanswered> {
-    given.all(argument.name).map(|text| code_of(text, false, given.language)).collect()
+/// Returns an optional product; the faults of its code are reported with those of the axes.
+pub(super) fn some_product_among(given: &Given, argument: &Argument) -> Result<Option<ProductId>, Unanswered> {
+    given.text(argument).map(|text| product_of(text, true, given.language)).transpose()
+}
+
+/// Returns the products, in the same order.
+pub(super) fn products(given: &Given, argument: &Argument) -> Result<Vec<ProductId>, Unanswered> {
+    given.all(argument.name).map(|text| product_of(text, false, given.language)).collect()
+}
+
+fn product_of(text: &str, among: bool, language: Language) -> Result<ProductId, Unanswered> {
+    code_of(text, among, language).map(ProductId::from)
 }
 
 fn code_of(text: &str, among: bool, language: Language) -> Result<OrderCode, Unanswered> {

@@ -3,7 +3,7 @@
 mod headings;
 mod reading;
 
-use super::given::{arguments, some_code_among, text};
+use super::given::{arguments, some_product_among, text};
 use super::{
     AXIS, Answer, Argument, ArgumentForm, ArgumentKind, Cost, Entry, Gives, Inquiry, Reads, Record, Unanswered,
     argument,
@@ -12,8 +12,8 @@ use crate::simulate::replaced;
 use crate::sizing_use::{check_one, known_si};
 use actuator::Parameters;
 use answers::Number;
+use configurator::ProductId;
 use mechanism::{Extra, Mechanism, MechanismKind, Plain};
-use order_code::OrderCode;
 use project::Project;
 use quantities::unit::{
     AMPERE, AMPERE_SECOND_PER_RADIAN, DEGREE, KILOGRAM_SQUARE_METRE, MILLISECOND, NEWTON_METRE,
@@ -34,7 +34,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own.
-        code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
+        code: Option<ProductId> = argument::code(help::check_code) => some_product_among,
         /// The recorded run.
         trace: Option<String> = Argument::option("trace", values::file, help::identify_trace).of(ArgumentKind::File).form(ArgumentForm::Bare).required() => text,
     }

@@ -8,10 +8,11 @@ use crate::progress::Progress;
 use crate::reading::read_all_watched;
 use crate::subject::{names, picked};
 use answers::{Answered, Fit};
-use project::{Files, PROJECT_MAX_BYTES, Project};
+use project::{Catalogue, Files, PROJECT_MAX_BYTES, Project};
 use quantities::Language;
 use serde::Serialize;
 use std::borrow::Cow;
+use std::sync::Arc;
 use words::terminal;
 
 /// An axis with its place in the file.
@@ -48,9 +49,14 @@ impl ReferencedText<'_> {
     ///
     /// # Errors
     /// Faults of the text, or the reason why it is not read.
-    pub fn projects(&self, progress: &Progress, language: Language) -> Result<Vec<Project>, Unanswered> {
+    pub fn projects(
+        &self,
+        catalogue: &Arc<dyn Catalogue>,
+        progress: &Progress,
+        language: Language,
+    ) -> Result<Vec<Project>, Unanswered> {
         let text = self.text(language)?;
-        read_all_watched(text, self.files, progress)
+        read_all_watched(text, self.files, catalogue, progress)
             .map_err(|unread| Unanswered::unread(unread, &self.name, text, language))
     }
 }
@@ -61,6 +67,8 @@ pub struct Inquiry<'a> {
     pub given: Given,
     /// Texts of the call: none, a project, two revisions of one, a list or a record.
     pub sources: Vec<ReferencedText<'a>>,
+    /// Products that are offered.
+    pub catalogue: &'a Arc<dyn Catalogue>,
     /// Days since 1 January 1970; `None` without a clock.
     pub days_since_1970: Option<u64>,
     /// Cancellation of the work.
@@ -95,7 +103,7 @@ impl<'a> Inquiry<'a> {
     /// # Errors
     /// Faults of the project, an unknown axis.
     pub fn axes_of(&self, source: &ReferencedText<'_>, wanted: Option<&str>) -> Result<Vec<PlacedAxis>, Unanswered> {
-        let projects = source.projects(self.progress, self.language)?;
+        let projects = source.projects(self.catalogue, self.progress, self.language)?;
         picked(projects, wanted, self.language).map_err(Unanswered::message)
     }
 

@@ -1,11 +1,11 @@
 //! `plot PROJECT`: a picture of an axis with an actuator; a face draws it.
 
-use super::given::{arguments, some, some_code, text, word};
+use super::given::{arguments, some, some_product, text, word};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, PICTURE, Reads, Unanswered, argument, media};
 use crate::chapters::read_quantity;
 use crate::sizing_use::{Candidate, Rejected};
 use crate::subject::candidate_for;
-use order_code::OrderCode;
+use configurator::ProductId;
 use project::Project;
 use quantities::Length;
 use std::borrow::Cow;
@@ -29,7 +29,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own, else the best.
-        code: Option<OrderCode> = argument::code(help::own_or_best_code) => some_code,
+        code: Option<ProductId> = argument::code(help::own_or_best_code) => some_product,
         /// The picture.
         figure: Option<String> = Argument::option("figure", values::figure, requests::figure)
             .of(ArgumentKind::Word(|| FIGURES.to_vec())).required() => text,

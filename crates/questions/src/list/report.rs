@@ -1,6 +1,6 @@
 //! `report PROJECT`: the results as a PDF to sign; a face typesets it.
 
-use super::given::{Given, arguments, bounded, day, flag, label, some_code, text};
+use super::given::{Given, arguments, bounded, day, flag, label, some_product, text};
 use super::{
     AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Unanswered, argument,
     media,
@@ -8,7 +8,7 @@ use super::{
 use crate::subject::names;
 use crate::upkeep::read_date;
 use chrono::NaiveDate;
-use order_code::OrderCode;
+use configurator::ProductId;
 use words::{help, help::values, terminal};
 
 const DATE: Argument = Argument::option("date", values::date, help::date).of(ArgumentKind::Date);
@@ -45,7 +45,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own, else the best.
-        code: Option<OrderCode> = argument::code(help::own_or_best_code) => some_code,
+        code: Option<ProductId> = argument::code(help::own_or_best_code) => some_product,
         /// Includes the derivations.
         full: bool = Argument::flag("full", help::report_full) => flag,
         /// Includes wiring, mounting and commissioning.

@@ -1,6 +1,6 @@
 //! `simulate PROJECT`: the digital twin of an axis with an actuator.
 
-use super::given::{arguments, by_id, count, flag, number, some, some_code_among, text, word};
+use super::given::{arguments, by_id, count, flag, number, some, some_product_among, text, word};
 use super::plot::{HEIGHT, THEME, WIDTH};
 use super::{
     AXIS, Answer, Argument, ArgumentKind, Cost, Entry, Given, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Record,
@@ -11,8 +11,8 @@ use crate::chapters::{read_hours, read_quantity};
 use crate::progress::Progress;
 use crate::signal::Signal;
 use crate::simulate::{NotRun, ROWS_MOST, Simulated, StepLimit, Wanted, Work, simulate};
+use configurator::ProductId;
 use feedback::Failure;
-use order_code::OrderCode;
 use project::Project;
 use quantities::unit::HOUR;
 use quantities::{Language, Length, Measure, Time, format_significant};
@@ -26,7 +26,7 @@ arguments! {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
         /// The actuator; without it the project's own.
-        code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
+        code: Option<ProductId> = argument::code(help::check_code) => some_product_among,
         /// Scenario; by default that of the project, else the cycle.
         scenario: Option<ScenarioId> = Argument::option("scenario", values::name, help::simulate_scenario)
             .of(ArgumentKind::Word(|| ScenarioId::ALL.iter().map(|each| each.id()).collect())) => word(ScenarioId::of),
@@ -220,7 +220,7 @@ impl Args {
 /// The reason why it is not run, in a sentence.
 pub fn of_the_project<'p>(
     project: &'p Project,
-    code: Option<&OrderCode>,
+    product: Option<&ProductId>,
     progress: &Progress,
     language: Language,
 ) -> Option<Result<Simulated<'p>, String>> {
@@ -228,7 +228,7 @@ pub fn of_the_project<'p>(
         return None;
     }
     let wanted = Wanted { scenario: project.twin.scenario, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
-    Some(simulate(project, code, wanted, StepLimit::Fixed, progress).map_err(|why| said(&why, language)))
+    Some(simulate(project, product, wanted, StepLimit::Fixed, progress).map_err(|why| said(&why, language)))
 }
 
 /// Returns the run of a scenario with its course; all other data as stated by the project.
@@ -237,14 +237,14 @@ pub fn of_the_project<'p>(
 /// The reason why it is not run, in a sentence.
 pub fn of_scenario<'p>(
     project: &'p Project,
-    code: Option<&OrderCode>,
+    product: Option<&ProductId>,
     id: ScenarioId,
     progress: &Progress,
     language: Language,
 ) -> Result<Simulated<'p>, String> {
     let wanted =
         Wanted { scenario: Scenario { id, ..project.twin.scenario }, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
-    simulate(project, code, wanted, StepLimit::Fixed, progress).map_err(|why| said(&why, language))
+    simulate(project, product, wanted, StepLimit::Fixed, progress).map_err(|why| said(&why, language))
 }
 
 fn said(why: &NotRun, language: Language) -> String {

@@ -5,8 +5,9 @@ use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads,
 use crate::answer;
 pub use crate::gearing_proposals::{GearingProposal, gearing_proposals};
 use crate::progress::Progress;
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Rejected, Sizing, size_watched};
+use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
+use configurator::ProductId;
 use project::Project;
 use quantities::Language;
 use words::{help, help::values};
@@ -99,7 +100,7 @@ pub struct Ranking<'p> {
     pub gearing_proposals: Vec<GearingProposal>,
     /// Tolerances judged for the first of these candidates and for the project's own actuator; empty without
     /// tolerances.
-    pub assessed: Vec<(CandidateId, Assessment)>,
+    pub assessed: Vec<(ProductId, Assessment)>,
 }
 
 /// Ranks the catalogue for an axis.

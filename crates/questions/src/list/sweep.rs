@@ -8,13 +8,14 @@ use super::{
 use crate::sizing_use::Refusal;
 use crate::sweep::csv::{Broken, Columns, Lines};
 use crate::sweep::{Cells, Head, Options, SweepRow, SweepSummary, Tally, Wanted};
-use project::{Files, Project};
+use project::{Catalogue, Files, Project};
 use quantities::{Language, seen};
 use recording::{Content, Fault};
 use sizing::CheckId;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read as _};
+use std::sync::Arc;
 use words::{help, help::values, sweeps, terminal};
 
 arguments! {
@@ -66,7 +67,12 @@ impl Args {
     ///
     /// # Errors
     /// If two forms of the answer are requested.
-    pub fn options(&self, decimal_commas: bool, language: Language) -> Result<Options, Unanswered> {
+    pub fn options(
+        &self,
+        catalogue: &Arc<dyn Catalogue>,
+        decimal_commas: bool,
+        language: Language,
+    ) -> Result<Options, Unanswered> {
         let wanted = match (self.front, self.check.is_empty()) {
             (true, false) => {
                 return Err(Unanswered::option("front", (sweeps::front_or_checks(language).to_owned(), None)));
@@ -75,7 +81,8 @@ impl Args {
             (false, false) => Wanted::Every(self.check.clone()),
             (false, true) => Wanted::Best,
         };
-        Ok(Options { axis: self.axis.clone(), wanted, decimal_commas, language })
+        let catalogue = Arc::clone(catalogue);
+        Ok(Options { catalogue, axis: self.axis.clone(), wanted, decimal_commas, language })
     }
 }
 
@@ -88,7 +95,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
     let language = inquiry.language;
     let source = inquiry.source()?;
     let text = source.text(language)?;
-    let projects = source.projects(inquiry.progress, language);
+    let projects = source.projects(inquiry.catalogue, inquiry.progress, language);
     let name = args.table.clone().unwrap_or_default();
     let (mut lines, shelf) = match (opened(source, &name, language), Shelf::of(source, projects.as_deref(), language)) {
         (Ok(lines), Ok(shelf)) => (lines, shelf),
@@ -98,7 +105,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
         }
     };
     let headings: Vec<&str> = lines.headings().iter().map(String::as_str).collect();
-    let options = args.options(lines.has_decimal_commas(), language)?;
+    let options = args.options(inquiry.catalogue, lines.has_decimal_commas(), language)?;
     let mut head = Head::read(text, projects, &headings, options);
     let mut columns: Columns = vec![Vec::new(); headings.len()];
     let mut rows = 0;

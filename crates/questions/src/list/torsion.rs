@@ -1,18 +1,18 @@
 //! `torsion CODE`: the torsion of a gear under a torque, or the torque of an angle.
 
-use super::given::{arguments, code, text};
+use super::given::{arguments, product, text};
 use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::sizing_use::Refusal;
 use crate::torsion::{TorsionAnswer, read_twist, torsion};
-use order_code::OrderCode;
+use configurator::ProductId;
 use words::{help, help::values};
 
 arguments! {
     /// Arguments of `torsion`: a gear, and a torque or an angle.
     pub struct Args {
         /// Ordering code of the actuator.
-        code: OrderCode = CODE.form(ArgumentForm::Bare) => code,
+        code: ProductId = CODE.form(ArgumentForm::Bare) => product,
         /// Torque at the output.
         torque: Option<String> = Argument::option("torque", values::torque, help::torsion_torque).signed() => text,
         /// Angle of torsion.
@@ -41,9 +41,11 @@ pub static ENTRY: Entry = Entry {
 ///
 /// # Errors
 /// Every fault of the arguments; no stiffness in the manual.
-pub fn found(inquiry: &Inquiry<'_>) -> Result<(OrderCode, TorsionAnswer), Unanswered> {
+pub fn found(inquiry: &Inquiry<'_>) -> Result<(ProductId, TorsionAnswer), Unanswered> {
     let Args { code, torque, angle } = Args::read(&inquiry.given)?;
     let twist = read_twist(torque.as_deref(), angle.as_deref(), inquiry.language)
         .map_err(|(option, fault)| Unanswered::option(option, fault))?;
-    Ok((code, torsion(&code, twist).ok_or(Refusal::NoData)?))
+    let product = inquiry.catalogue.product(&code).ok_or(Refusal::NoData)?;
+    let found = torsion(&product.parameters, twist).ok_or(Refusal::NoData)?;
+    Ok((code, found))
 }

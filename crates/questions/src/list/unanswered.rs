@@ -9,7 +9,7 @@ use crate::reading::Unread;
 use crate::sizing_use::Refusal;
 use crate::sweep::TableFaults;
 use answers::{Fault, Faults};
-use order_code::OrderCode;
+use configurator::ProductId;
 use quantities::{Language, seen};
 use words::{Worded, terminal, worded};
 
@@ -62,7 +62,7 @@ pub enum Unanswered {
     /// Names and values that the question does not accept.
     Usage(Vec<Fault>),
     /// The project is not judged; with the actuator if it is one of several.
-    Refused(Refusal, Option<OrderCode>),
+    Refused(Refusal, Option<ProductId>),
     /// Several reasons.
     Together(Vec<Self>),
 }

@@ -2,11 +2,11 @@
 #![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
 
 use super::cells::Decimals;
-use super::template::Templates;
+use super::template::{Screens, Templates};
 use super::{CODE, CellFault, Cells, Column, Holds, Options, Sweep, TableFaults};
 use crate::list::Unanswered;
-use crate::reading::{Unread, read_all};
-use crate::sizing_use::actuators_of;
+use crate::reading::{Unread, read_all_with};
+use crate::sizing_use::products_of;
 use crate::subject::{names, picked};
 use project::{Counted, Fault, Files, Heading, Hint, Objection, Project, TabularFault, Written, written};
 use std::collections::BTreeSet;
@@ -49,7 +49,7 @@ impl Head {
     #[must_use]
     pub fn of((name, text): (&str, &str), files: &dyn Files, headings: &[&str], options: Options) -> Self {
         let unread = |faults| Unanswered::unread(Unread::Faults(faults), name, text, options.language);
-        let projects = read_all(text, files).map_err(unread);
+        let projects = read_all_with(text, files, &options.catalogue).map_err(unread);
         Self::read(text, projects, headings, options)
     }
 
@@ -59,7 +59,7 @@ impl Head {
         let known = written(text);
         let recordings = projects.iter().flatten().flat_map(|project| &project.recordings);
         let recordings = recordings.map(|read| read.file.clone()).collect();
-        let codes = projects.iter().flatten().map(|project| actuators_of(project, project.option_1.is_some()).len());
+        let codes = projects.iter().flatten().map(|project| products_of(project).len());
         let codes = codes.max().unwrap_or(0);
         let (axis, refused) = match projects {
             Ok(projects) => of_projects(projects, &options),
@@ -202,6 +202,7 @@ impl Head {
                 codes: self.codes,
                 options: self.options,
                 templates: Templates::default(),
+                screens: Screens::default(),
             }),
             _ => Err(Unanswered::combined(why)),
         }

@@ -2,10 +2,8 @@
 
 use super::Wanted;
 use crate::answer::refusal_text;
-use crate::sizing_use::{actuators_of, known_si, parameters_of, with_options};
-use actuator::Parameters;
-use configurator::{Requirements, availability};
-use order_code::OrderCode;
+use crate::sizing_use::{Refusal, known_si, products_of};
+use configurator::{Product, ProductId, Requirements};
 use project::Project;
 use provenance::Datum;
 use quantities::Language;
@@ -23,14 +21,14 @@ pub enum Judged {
 }
 
 /// The best of the codes of a row.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Best {
     /// Number of codes that fit within every limit.
     pub fit: u32,
     /// Number of further codes that fit if an estimate holds.
     pub fit_if_estimate: u32,
     /// Best of these codes; `None` if none fits.
-    pub code: Option<OrderCode>,
+    pub code: Option<ProductId>,
     /// Utilisation of the governing check; if none fits, that of the actuator with the smallest excess.
     pub utilisation: Option<f64>,
     /// Governing check; if none fits, that of the actuator with the smallest excess, or the check that excludes it if the
@@ -50,7 +48,7 @@ impl Best {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Every {
     /// The code.
-    pub code: OrderCode,
+    pub code: ProductId,
     /// Verdict on the code.
     pub fit: Fit,
     /// Utilisation of the governing check.
@@ -62,10 +60,10 @@ pub struct Every {
 }
 
 /// A fitting code that no other dominates in mass, length and margin.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct OnFront {
     /// The code.
-    pub code: OrderCode,
+    pub code: ProductId,
     /// Verdict on the code.
     pub fit: Fit,
     /// Mass \[kg\].
@@ -80,52 +78,51 @@ pub struct OnFront {
     pub errata: [&'static [&'static str]; 2],
 }
 
-/// An actuator to judge, with its properties that are constant for every row of a template.
+/// A product to judge, with its properties that are constant for every row of a template.
 pub(super) struct Entrant<'p> {
-    code: OrderCode,
-    parameters: &'p Parameters,
-    /// `true` if the series has the required options.
+    id: ProductId,
+    product: &'p Product,
+    /// `true` if it is offered with the required options.
     has_options: bool,
-    /// `true` if the code breaks a rule with these options.
+    /// `true` if it breaks a rule with these options.
     is_barred: bool,
 }
 
 impl<'p> Entrant<'p> {
-    /// Returns every actuator of the catalogue.
+    /// Returns every product of the catalogue.
     pub(super) fn all(project: &'p Project) -> Vec<Self> {
-        let of = |(code, parameters): &'p (OrderCode, Parameters)| {
-            let ordered = with_options(project, code);
-            let optional = ordered.filter(|code| code.option_1.is_some() || code.option_2.is_some());
+        let of = |product: &'p Product| {
+            let ordered = product.with_options(project.option_1, project.option_2);
             Self {
-                code: ordered.unwrap_or(*code),
-                parameters,
+                product,
                 has_options: ordered.is_some(),
-                is_barred: optional.is_some_and(|code| availability(&code).is_err()),
+                is_barred: ordered.as_ref().is_some_and(|id| id.has_options() && id.availability().is_err()),
+                id: ordered.unwrap_or_else(|| product.id.clone()),
             }
         };
-        actuators_of(project, project.option_1.is_some()).iter().map(of).collect()
+        products_of(project).iter().map(of).collect()
     }
 
-    /// Returns the actuators ranked for many axes.
+    /// Returns the products ranked for many axes.
     pub(super) fn screen(entrants: &[Self]) -> Screen {
         let of = |entrant: &Self| sizing::Entrant {
-            parameters: entrant.parameters,
-            size: entrant.code.size.number(),
+            parameters: &entrant.product.parameters,
+            size: entrant.product.size_number(),
             mass_kg: entrant.mass_kg().unwrap_or(f64::INFINITY),
         };
         Screen::of(&entrants.iter().map(of).collect::<Vec<_>>())
     }
 
     fn mass_kg(&self) -> Option<f64> {
-        known_si(&self.parameters.mass)
+        known_si(&self.product.parameters.mass)
     }
 
     pub(super) fn meets(&self, requirements: &Requirements) -> bool {
-        self.has_options && !self.is_barred && requirements.unmet(&self.code, self.parameters).next().is_none()
+        self.has_options && !self.is_barred && requirements.unmet(&self.id, self.product).next().is_none()
     }
 
     fn standing(&self, judgement: &Judgement, meets: bool) -> Standing {
-        Standing::of(judgement, meets, self.code.size.number(), self.mass_kg())
+        Standing::of(judgement, meets, self.product.size_number(), self.mass_kg())
     }
 }
 
@@ -145,7 +142,7 @@ impl<'r> RowAxis<'r> {
     pub(super) fn best(&self, entrants: &[Entrant<'_>], screening: &mut Screening<'_>, meets: &[bool]) -> Best {
         let found = screening.found(self.axis, meets);
         let ranked = found.best.or(found.miss);
-        let code = |ranked: Ranked| entrants.get(ranked.entrant).map(|entrant| entrant.code);
+        let code = |ranked: Ranked| entrants.get(ranked.entrant).map(|entrant| entrant.id.clone());
         Best {
             fit: u32::try_from(found.fit).unwrap_or(u32::MAX),
             fit_if_estimate: u32::try_from(found.fit_if_estimate).unwrap_or(u32::MAX),
@@ -155,13 +152,15 @@ impl<'r> RowAxis<'r> {
         }
     }
 
-    /// Returns the answer for one code.
+    /// Returns the answer for one product.
     ///
     /// # Errors
     /// If there are no data for it.
-    pub(super) fn of_code(&self, code: &OrderCode, wanted: &Wanted, language: Language) -> Result<Judged, String> {
-        let parameters = parameters_of(self.project, code).map_err(|why| refusal_text(&why, None, language))?;
-        let entrant = Entrant { code: *code, parameters, has_options: true, is_barred: availability(code).is_err() };
+    pub(super) fn of_product(&self, id: &ProductId, wanted: &Wanted, language: Language) -> Result<Judged, String> {
+        let found = self.project.catalogue().product(id);
+        let product = found.ok_or_else(|| refusal_text(&Refusal::NoData, None, language))?;
+        let is_barred = id.availability().is_err();
+        let entrant = Entrant { id: id.clone(), product, has_options: true, is_barred };
         let alone = std::slice::from_ref(&entrant);
         Ok(match wanted {
             Wanted::Best => Judged::Best(self.single(&entrant)),
@@ -171,12 +170,12 @@ impl<'r> RowAxis<'r> {
     }
 
     fn single(&self, entrant: &Entrant<'_>) -> Best {
-        let judgement = sizing::judge(self.axis, entrant.parameters, Scope::Deciding);
+        let judgement = sizing::judge(self.axis, &entrant.product.parameters, Scope::Deciding);
         let fit = entrant.standing(&judgement, entrant.meets(self.requirements)).fit;
         Best {
             fit: u32::from(fit == Fit::Fits),
             fit_if_estimate: u32::from(fit == Fit::FitsIfEstimate),
-            code: fit.fits().then_some(entrant.code),
+            code: fit.fits().then(|| entrant.id.clone()),
             utilisation: finite(judgement.utilisation()),
             tightest: judgement.governing().map(|check| check.id),
         }
@@ -185,14 +184,14 @@ impl<'r> RowAxis<'r> {
     pub(super) fn every(&self, entrants: &[Entrant<'_>], wanted: &[CheckId]) -> Vec<Every> {
         let mut judge = sizing::Judge::new(self.axis, Scope::All, Depth::Complete);
         let of = |entrant: &Entrant<'_>| {
-            let judgement = judge.next(entrant.parameters, &mut |_, _| {});
+            let judgement = judge.next(&entrant.product.parameters, &mut |_, _| {});
             let standing = entrant.standing(&judgement, entrant.meets(self.requirements));
             let check = |id: &CheckId| {
                 let found = judgement.checks.iter().find(|check| check.id == *id)?;
                 Some((found.verdict, found.utilisation.and_then(finite)))
             };
             Every {
-                code: entrant.code,
+                code: entrant.id.clone(),
                 fit: standing.fit,
                 utilisation: finite(standing.utilisation),
                 tightest: judgement.governing().map(|check| check.id),
@@ -205,21 +204,21 @@ impl<'r> RowAxis<'r> {
     pub(super) fn front(&self, entrants: &[Entrant<'_>]) -> Vec<OnFront> {
         let mut judge = sizing::Judge::new(self.axis, Scope::Deciding, Depth::UntilRejected);
         let of = |entrant: &Entrant<'_>| {
-            let judgement = judge.next(entrant.parameters, &mut |_, _| {});
+            let judgement = judge.next(&entrant.product.parameters, &mut |_, _| {});
             let standing = entrant.standing(&judgement, entrant.meets(self.requirements));
             standing.fit.fits().then(|| OnFront {
-                code: entrant.code,
+                code: entrant.id.clone(),
                 fit: standing.fit,
                 mass_kg: entrant.mass_kg(),
-                length_m: known_si(&entrant.parameters.length),
+                length_m: known_si(&entrant.product.parameters.length),
                 utilisation: standing.utilisation,
                 tightest: judgement.governing().map(|check| check.id),
-                errata: [errata_of(&entrant.parameters.mass), errata_of(&entrant.parameters.length)],
+                errata: [errata_of(&entrant.product.parameters.mass), errata_of(&entrant.product.parameters.length)],
             })
         };
         let fitting: Vec<OnFront> = entrants.iter().filter_map(of).collect();
         let beaten = |one: &OnFront| fitting.iter().any(|other| other.beats(one));
-        fitting.iter().filter(|one| !beaten(one)).copied().collect()
+        fitting.iter().filter(|one| !beaten(one)).cloned().collect()
     }
 }
 

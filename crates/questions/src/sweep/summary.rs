@@ -98,7 +98,7 @@ impl SweepRow {
         };
         match answer {
             Ok(Judged::Best(best)) => {
-                let found = of(best.code.map(|code| code.to_string()), best.utilisation, best.tightest);
+                let found = of(best.code.as_ref().map(|code| code.to_string()), best.utilisation, best.tightest);
                 vec![Self { fit: Some(best.fit), fit_if_estimate: Some(best.fit_if_estimate), ..found }]
             }
             Ok(Judged::Every(all)) => {

@@ -2,8 +2,8 @@
 
 use super::judged::{Entrant, Judged, RowAxis};
 use super::{Answer, Holds, Sweep, Value, Wanted};
-use crate::reading::read_all;
-use order_code::OrderCode;
+use crate::reading::read_all_with;
+use configurator::ProductId;
 use project::{Heading, Project, Varied};
 use sizing::{Screen, Screening};
 use std::collections::BTreeMap;
@@ -12,24 +12,25 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 /// The project file with some words inserted, read with the numbers of one row.
 pub(super) struct Template {
     project: Project,
-    /// Screen of the project's own catalogue, if it has one.
+    /// Screen of the project's own catalogue, if its curves take the place of others.
     own_screen: OnceLock<Screen>,
 }
 
-/// Actuators of the catalogue ranked for many axes: without options, and with the encoder at the output.
-static SCREENS: [OnceLock<Screen>; 2] = [const { OnceLock::new() }; 2];
+/// Products of the catalogue ranked for many axes: without options, and with the encoder at the output.
+pub(super) type Screens = [OnceLock<Screen>; 2];
 
 impl Template {
     const fn of(project: Project) -> Self {
         Self { project, own_screen: OnceLock::new() }
     }
 
-    fn screen(&self, entrants: &[Entrant<'_>]) -> &Screen {
-        let [bare, with_encoder] = &SCREENS;
-        let known = match (&self.project.own_catalogue, self.project.option_1) {
-            (Some(_), _) => &self.own_screen,
-            (None, Some(_)) => with_encoder,
-            (None, None) => bare,
+    fn screen<'s>(&'s self, sweep: &'s Sweep, entrants: &[Entrant<'_>]) -> &'s Screen {
+        let [bare, with_encoder] = &sweep.screens;
+        let is_shared = Arc::ptr_eq(self.project.catalogue(), &sweep.options.catalogue);
+        let known = match (is_shared, self.project.option_1) {
+            (false, _) => &self.own_screen,
+            (true, Some(_)) => with_encoder,
+            (true, None) => bare,
         };
         known.get_or_init(|| Entrant::screen(entrants))
     }
@@ -67,7 +68,8 @@ impl Sweep {
     /// The reason why it cannot be read.
     fn project_with(&self, values: &[Value<'_>]) -> Result<Project, String> {
         let text = self.text_with(values);
-        let mut projects = read_all(&text, &*self.files).map_err(|faults| self.reasons(&faults))?;
+        let mut projects =
+            read_all_with(&text, &*self.files, &self.options.catalogue).map_err(|faults| self.reasons(&faults))?;
         let (place, _) = self.axis;
         if place < projects.len() { Ok(projects.swap_remove(place)) } else { Err(String::new()) }
     }
@@ -106,7 +108,7 @@ impl<'s> Judge<'s> {
             sweep,
             project,
             varied: Varied::over(project, paths),
-            screening: Screening::of(template.screen(&entrants)),
+            screening: Screening::of(template.screen(sweep, &entrants)),
             meets: entrants.iter().map(|entrant| entrant.meets(&project.requirements)).collect(),
             entrants,
             numbers: Vec::new(),
@@ -115,11 +117,11 @@ impl<'s> Judge<'s> {
 
     /// Returns the answer for a row.
     pub(super) fn row(&mut self, values: &[Value<'_>]) -> Answer {
-        let code = self.sweep.code(values);
+        let product = self.sweep.product(values);
         // Selecting among several ratios requires a judgement of the catalogue for each: the row is read separately.
         if !self.project.ratios.is_empty() {
             let project = self.sweep.project_with(values)?;
-            return self.judged(&RowAxis::of(&project), code.as_ref(), true);
+            return self.judged(&RowAxis::of(&project), product.as_ref(), true);
         }
         self.numbers.clear();
         self.numbers.extend(self.sweep.columns.iter().zip(values).filter_map(|(column, value)| {
@@ -131,13 +133,13 @@ impl<'s> Judge<'s> {
         let variant = self.varied.at(&self.numbers).map_err(|faults| self.sweep.reasons(&faults))?;
         let requirements = variant.requirements.as_ref().unwrap_or(&self.project.requirements);
         let row = RowAxis { axis: &variant.axis, requirements, project: self.project };
-        self.judged(&row, code.as_ref(), variant.requirements.is_some())
+        self.judged(&row, product.as_ref(), variant.requirements.is_some())
     }
 
-    fn judged(&mut self, row: &RowAxis<'_>, code: Option<&OrderCode>, meets_anew: bool) -> Answer {
+    fn judged(&mut self, row: &RowAxis<'_>, product: Option<&ProductId>, meets_anew: bool) -> Answer {
         let options = &self.sweep.options;
-        if let Some(code) = code {
-            return row.of_code(code, &options.wanted, options.language);
+        if let Some(id) = product {
+            return row.of_product(id, &options.wanted, options.language);
         }
         Ok(match &options.wanted {
             Wanted::Best => {

@@ -18,7 +18,7 @@ fn numbers(cells: &[f64]) -> Cells<'static> {
 
 fn best(answer: &Answer) -> Best {
     match answer {
-        Ok(Judged::Best(best)) => *best,
+        Ok(Judged::Best(best)) => best.clone(),
         other => panic!("{other:?}"),
     }
 }
@@ -37,10 +37,7 @@ fn sized(text: &str) -> Result<Best, String> {
         (Some(answer), _) => Best {
             fit,
             fit_if_estimate,
-            code: match answer.id {
-                crate::CandidateId::Code(code) => Some(code),
-                crate::CandidateId::Own(_) => None,
-            },
+            code: Some(answer.id.clone()),
             utilisation: finite(answer.standing.utilisation),
             tightest: governing(answer),
         },

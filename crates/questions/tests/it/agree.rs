@@ -6,7 +6,7 @@ use project::{Counted, Edit, Heading, Input, NoFiles, Project, edit, inputs};
 use quantities::{Language, Measure};
 use questions::list::size::{gearing_proposals, sized};
 use questions::sweep::{Cells, Judged, Options, Sweep};
-use questions::{Candidate, CandidateId, Check, Fit, Progress, Rejected, Sizing, Verdict, check};
+use questions::{Candidate, Check, Fit, ProductId, Progress, Rejected, Sizing, Verdict, check};
 use sizing::{CheckId, Note, RankKey};
 
 /// Seeded values of each example.
@@ -113,14 +113,11 @@ fn said(candidate: &Candidate<'_>) -> (Fit, Vec<CheckId>, Option<CheckId>, u64) 
 }
 
 fn code(candidate: &Candidate<'_>) -> order_code::OrderCode {
-    match candidate.id {
-        CandidateId::Code(code) => code,
-        CandidateId::Own(_) => panic!("an actuator of the catalogue"),
-    }
+    *candidate.id.order_code().expect("an actuator of the catalogue")
 }
 
 /// The nearest miss by judging every rejected one in full.
-fn nearest(project: &Project, sizing: &Sizing<'_>) -> Option<CandidateId> {
+fn nearest(project: &Project, sizing: &Sizing<'_>) -> Option<ProductId> {
     let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
     let full = sizing.rejected().iter().filter_map(|each| check(project, &code(each)).ok());
     let near = full
@@ -131,7 +128,7 @@ fn nearest(project: &Project, sizing: &Sizing<'_>) -> Option<CandidateId> {
 fn catalogue_place(candidate: &Candidate<'_>) -> usize {
     let code = code(candidate);
     let bare = order_code::OrderCode { option_1: None, option_2: None, ..code };
-    configurator::catalogue_actuators().iter().position(|(known, _)| *known == bare).unwrap()
+    crate::catalogue_actuators().position(|(known, _)| *known == bare).unwrap()
 }
 
 #[test]

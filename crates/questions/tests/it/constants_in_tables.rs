@@ -91,7 +91,7 @@ fn constants_of_the_gear_life() {
 #[test]
 fn times_of_the_brake() {
     let mut printed = 0;
-    let (closing, opening) = configurator::brake_times().unwrap();
+    let (closing, opening) = configurator::Catalogue::cha().brake_times().unwrap();
     assert!((closing.si() - 0.07).abs() < 1e-12 && (opening.si() - 0.11).abs() < 1e-12);
     for (symbol, expected) in [("t_c", closing.si()), ("t_o", opening.si())] {
         let tables = catalogue::tables().iter().flat_map(catalogue::ManualTable::cells);

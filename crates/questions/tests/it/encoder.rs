@@ -17,6 +17,7 @@ fn text(entry: &Entry, pairs: &[(&str, &str)]) -> Result<(String, bool), Unanswe
     let inquiry = Inquiry {
         given,
         sources: Vec::new(),
+        catalogue: questions::embedded_catalogue(),
         days_since_1970: None,
         progress: &progress,
         refuses_long: true,

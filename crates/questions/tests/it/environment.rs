@@ -101,7 +101,7 @@ fn requirements_of_the_place_select() {
         let project = questions::read(&format!("{AXIS}{keys}\n")).unwrap();
         let sizing = size(&project);
         for each in sizing.candidates.iter().step_by(11) {
-            let questions::CandidateId::Code(code) = &each.id else { continue };
+            let Some(code) = each.id.order_code() else { continue };
             if let Ok(alone) = check(&project, code) {
                 assert_eq!(each.judgement.fit(), alone.judgement.fit(), "{code} {keys}");
             }

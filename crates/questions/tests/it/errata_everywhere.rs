@@ -24,7 +24,7 @@ const FURTHER: [(&str, &[(&str, &str)]); 4] = [
 ];
 
 fn codes() -> Vec<OrderCode> {
-    configurator::catalogue_actuators().iter().map(|(code, _)| *code).collect()
+    crate::catalogue_actuators().map(|(code, _)| *code).collect()
 }
 
 /// Errata of the cells of a code, by the text that cites the cell.
@@ -58,6 +58,7 @@ fn answered(entry: &Entry, pairs: &[(&str, &str)]) -> Option<Value> {
     let inquiry = Inquiry {
         given,
         sources,
+        catalogue: questions::embedded_catalogue(),
         days_since_1970: None,
         progress: &progress,
         refuses_long: false,

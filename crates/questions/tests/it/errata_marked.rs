@@ -14,7 +14,7 @@ const AXIS: &str = "format = 1\n[load]\ninertia = \"0.05 kg m^2\"\n[[motion]]\nl
     accelerate = \"0.2 s\"\nrun = \"0.5 s\"\nbrake = \"0.2 s\"\npause = \"0.5 s\"\n";
 
 fn codes() -> Vec<OrderCode> {
-    configurator::catalogue_actuators().iter().map(|(code, _)| *code).collect()
+    crate::catalogue_actuators().map(|(code, _)| *code).collect()
 }
 
 /// The numbers that the tables print for a symbol of a code, without errata, in a unit.
@@ -44,7 +44,8 @@ fn a_comparison_marks_what_is_not_printed() {
     let project = read(AXIS).unwrap();
     let mut marked = 0;
     for pair in codes().chunks(2).filter(|pair| pair.len() == 2) {
-        let found = compare(&project, pair, &Progress::endless()).unwrap();
+        let ids = [(&pair[0]).into(), (&pair[1]).into()];
+        let found = compare(&project, &ids, &Progress::endless()).unwrap();
         let record = answer::comparison(&found, "", Language::En);
         for row in &record.data {
             for (place, value) in row.values.iter().enumerate() {

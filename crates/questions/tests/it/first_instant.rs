@@ -111,7 +111,7 @@ fn beyond_the_speed_the_torque_is_that_of_the_largest_speed() {
         let project = questions::read(&text).unwrap();
         let friction_nm = force * 1e-3 * diameter / 2.0 / 0.9;
         for code in questions::size(&project).rejected() {
-            let questions::CandidateId::Code(code) = &code.id else { continue };
+            let Some(code) = code.id.order_code() else { continue };
             let candidate = questions::check(&project, code).unwrap();
             let mut checks = candidate.judgement.checks.iter();
             let trace = checks.find(|check| check.id == sizing::CheckId::TorqueSpeedTrace).unwrap();
@@ -155,7 +155,7 @@ fn a_sample_faster_by_rounding_hides_no_plateau() {
             [requirements]\nsupply = \"560 V\"\n";
         let project = questions::read_all(project, &Only(text)).unwrap().remove(0);
         for code in questions::size(&project).rejected().iter().step_by(9) {
-            let questions::CandidateId::Code(code) = &code.id else { continue };
+            let Some(code) = code.id.order_code() else { continue };
             let candidate = questions::check(&project, code).unwrap();
             let mut checks = candidate.judgement.checks.iter();
             let trace = checks.find(|check| check.id == CheckId::TorqueSpeedTrace).unwrap();

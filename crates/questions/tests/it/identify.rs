@@ -76,6 +76,7 @@ fn inquiry<'a>(
     Inquiry {
         given: Given::of(arguments, pairs, Language::En).unwrap(),
         sources: vec![ReferencedText { name: "axis.toml".to_owned(), bytes: Cow::Borrowed(text.as_bytes()), files }],
+        catalogue: questions::embedded_catalogue(),
         days_since_1970: None,
         progress,
         refuses_long: true,

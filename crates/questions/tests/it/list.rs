@@ -22,7 +22,16 @@ fn inquiry<'a>(entry: &Entry, pairs: &[(&'a str, &'a str)], progress: &'a Progre
         Reads::Project => vec![source()],
         Reads::TwoProjects => vec![source(), source()],
     };
-    Ok(Inquiry { given, sources, days_since_1970: None, progress, refuses_long: true, language: Language::En })
+    let catalogue = questions::embedded_catalogue();
+    Ok(Inquiry {
+        given,
+        sources,
+        catalogue,
+        days_since_1970: None,
+        progress,
+        refuses_long: true,
+        language: Language::En,
+    })
 }
 
 fn answered(command: &str, pairs: &[(&str, &str)]) -> Result<serde_json::Value, Unanswered> {

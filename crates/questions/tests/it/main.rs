@@ -44,3 +44,13 @@ mod simulate;
 mod simulated;
 mod units_in_rows;
 mod workings;
+
+use actuator::Parameters;
+use order_code::OrderCode;
+
+/// Returns the products of the embedded catalogue by their ordering codes, with their data.
+fn catalogue_actuators()
+-> impl DoubleEndedIterator<Item = (&'static OrderCode, &'static Parameters)> + ExactSizeIterator {
+    let products = questions::embedded_catalogue().products(false).iter();
+    products.map(|product| (product.id.order_code().expect("it is ordered by a code"), &product.parameters))
+}

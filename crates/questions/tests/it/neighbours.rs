@@ -1,7 +1,7 @@
 //! Results found once for actuators that share a drivetrain or an output bearing equal those of each alone.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use configurator::catalogue_actuators;
+use crate::catalogue_actuators;
 use project::Files;
 use questions::{Candidate, Progress, Rejected, Verdict};
 use sizing::{Check, Depth, Judge, Scope};
@@ -96,7 +96,7 @@ fn what_neighbours_share_each_has_alone() {
             let mut all = Judge::new(&project.axis, scope, depth);
             // Of a long cycle some neighbours show it as well as all of them.
             let most = if project.axis.is_short() { usize::MAX } else { 12 };
-            for (code, parameters) in catalogue_actuators().iter().take(most) {
+            for (code, parameters) in catalogue_actuators().take(most) {
                 let together = all.next(parameters, &mut named);
                 let alone = Judge::new(&project.axis, scope, depth).next(parameters, &mut named);
                 assert_eq!(format!("{together:?}"), format!("{alone:?}"), "{}, {code}", project.name);
@@ -114,7 +114,7 @@ fn the_order_of_the_checks_is_the_same_for_every_actuator() {
     let order = |judge: &mut Judge<'_>, parameters| -> Vec<_> {
         judge.next(parameters, &mut |_, _| {}).checks.iter().map(|check| check.id).take(20).collect()
     };
-    let mut orders = catalogue_actuators().iter().map(|(_, parameters)| order(&mut judge, parameters));
+    let mut orders = catalogue_actuators().map(|(_, parameters)| order(&mut judge, parameters));
     let first = orders.next().unwrap();
     assert_eq!(first.len(), 20);
     assert!(orders.all(|other| other == first));

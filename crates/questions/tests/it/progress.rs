@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use project::{NoFiles, Project};
-use questions::{Draw, Progress, Refusal, Unread};
+use questions::{Draw, Progress, Refusal, Unread, embedded_catalogue};
 
 /// An arm that swings many times, each time otherwise, so that no move stands for another.
 fn long(count: u32) -> Project {
@@ -22,8 +22,8 @@ fn swings(count: u32) -> String {
     )
 }
 
-fn code() -> order_code::OrderCode {
-    questions::read_code("CHA-25A-100-H-C1024", quantities::Language::En).unwrap().parsed.code
+fn code() -> questions::ProductId {
+    questions::read_code("CHA-25A-100-H-C1024", quantities::Language::En).unwrap().parsed.code.into()
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn work_is_cancelled_from_elsewhere() {
 #[test]
 fn the_choice_among_ratios_is_cancelled_too() {
     let text = format!("{}\n[stage]\nkind = \"belt\"\nratios = [1, 1.5, 2, 2.5, 3]\n", swings(2));
-    let read = |progress: &Progress| questions::read_all_watched(&text, &NoFiles, progress);
+    let read = |progress: &Progress| questions::read_all_watched(&text, &NoFiles, embedded_catalogue(), progress);
     let progress = Progress::endless();
     let chosen = read(&progress).unwrap();
     assert_eq!((chosen.len(), chosen[0].ratios.len()), (1, 5));
@@ -68,7 +68,10 @@ fn the_choice_among_ratios_is_cancelled_too() {
     assert!((1..=50).contains(&progress.progress().0), "a step or two of each thread, and no other ratio");
     // A fault of the file is reported all the same.
     let wrong = text.replace("0.7 s", "0.7 m");
-    assert!(matches!(questions::read_all_watched(&wrong, &NoFiles, &progress), Err(Unread::Faults(_))));
+    assert!(matches!(
+        questions::read_all_watched(&wrong, &NoFiles, embedded_catalogue(), &progress),
+        Err(Unread::Faults(_))
+    ));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! states: never on a page of another maker.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use configurator::catalogue_actuators;
+use crate::catalogue_actuators;
 use provenance::Source;
 use quantities::Language;
 use questions::{Check, Reason, Verdict, explain, read};
@@ -44,7 +44,7 @@ fn a_limit_of_zero_is_stated_as_what_is_lacking() {
              distance = \"180 deg\"\ntime = \"{time}\"\n[requirements]\n{required}\n"
         );
         let project = read(&text).unwrap();
-        for (code, _) in catalogue_actuators().iter().step_by(3) {
+        for (code, _) in catalogue_actuators().step_by(3) {
             let Ok(candidate) = explain(&project, code) else { continue };
             let Some(Reason::Check(check)) = candidate.reason() else { continue };
             if check.limit.is_some_and(|limit| limit.si == 0.0) {
@@ -82,7 +82,7 @@ fn every_rejection_rests_on_the_maker_and_the_project() {
     let (mut failed, mut read_of) = (BTreeSet::new(), BTreeSet::new());
     for text in projects() {
         let project = read(&text).unwrap();
-        for (code, _) in catalogue_actuators().iter().step_by(5) {
+        for (code, _) in catalogue_actuators().step_by(5) {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail) {
                 failed.insert(check.id.id());

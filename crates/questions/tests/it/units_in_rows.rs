@@ -21,7 +21,7 @@ fn project(counterweight: u32) -> project::Project {
 #[test]
 fn a_value_stands_under_its_own_unit() {
     let codes = ["CHA-20A-100-H-C1024-B", "CHA-32A-80-H-M512P-B", "CHA-40A-80-H-C1024-B", "CHA-17A-80-N-D2048-B"];
-    let codes: Vec<_> = codes.iter().map(|code| order_code::parse(code).unwrap().code).collect();
+    let codes: Vec<_> = codes.iter().map(|code| order_code::parse(code).unwrap().code.into()).collect();
     let mut with_own = 0;
     for counterweight in [0, 40, 90, 150, 200, 300] {
         let project = project(counterweight);

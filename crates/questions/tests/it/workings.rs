@@ -1,8 +1,8 @@
 //! Every check of every example is explained, and every formula gives the number beside it.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
+use crate::catalogue_actuators;
 use answers::Node;
-use configurator::catalogue_actuators;
 use project::{Files, Project};
 use provenance::{CellRef, Source};
 use quantities::Language;
@@ -107,7 +107,7 @@ fn every_check_is_explained_and_every_formula_gives_its_number() {
     let mut found: BTreeMap<&str, String> = BTreeMap::new();
     let mut checks = 0;
     for project in projects() {
-        for (code, _) in catalogue_actuators().iter().step_by(5) {
+        for (code, _) in catalogue_actuators().step_by(5) {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in &candidate.judgement.checks {
                 checks += 1;
@@ -154,7 +154,7 @@ fn every_check_of_every_drawn_mechanism_is_derived_or_has_its_reason() {
             let text = drawn.project(&motion, if drawn.bearing.is_some() { bearing } else { "" }, requirements);
             let project = questions::read(&text.replace("single_move = true\n", ""))
                 .unwrap_or_else(|why| panic!("{text}\n{why:?}"));
-            for (code, _) in catalogue_actuators().iter().step_by(97) {
+            for (code, _) in catalogue_actuators().step_by(97) {
                 let Ok(candidate) = explain(&project, code) else { continue };
                 for check in &candidate.judgement.checks {
                     let place = || format!("{} of {code} with {}, {law}", check.id.id(), drawn.key);
@@ -206,7 +206,7 @@ fn every_check_of_every_drawn_mechanism_is_derived_or_has_its_reason() {
 fn the_current_of_both_states_of_the_gear_is_derived() {
     let (mut failed, mut passed) = (0, 0);
     for project in projects() {
-        for (code, _) in catalogue_actuators().iter().step_by(13) {
+        for (code, _) in catalogue_actuators().step_by(13) {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in candidate.judgement.checks.iter().filter(|check| check.id.id() == "peak_current") {
                 let Some(value) = derivation(check, Language::En).value else { continue };
@@ -245,7 +245,7 @@ fn every_cell_that_is_cited_exists() {
     };
     let (mut missing, mut cited) = (Vec::new(), 0);
     for project in projects() {
-        for (code, _) in catalogue_actuators().iter().step_by(7) {
+        for (code, _) in catalogue_actuators().step_by(7) {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in &candidate.judgement.checks {
                 let steps = check.workings.iter().map(|step| (&step.source, step.symbol));
@@ -275,7 +275,7 @@ fn every_step_has_its_words_in_both_languages() {
     let mut wordless: Vec<String> = Vec::new();
     let mut raw: Vec<String> = Vec::new();
     for project in projects() {
-        for (code, _) in catalogue_actuators().iter().step_by(17) {
+        for (code, _) in catalogue_actuators().step_by(17) {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in &candidate.judgement.checks {
                 let explained = derivation(check, Language::De);
@@ -296,7 +296,7 @@ fn every_step_has_its_words_in_both_languages() {
 fn a_symbol_means_what_it_is_where_it_stands() {
     let mut terms: BTreeMap<(String, &str), Vec<(String, String)>> = BTreeMap::new();
     for project in projects() {
-        for (code, _) in catalogue_actuators().iter().step_by(29) {
+        for (code, _) in catalogue_actuators().step_by(29) {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in &candidate.judgement.checks {
                 let explained = derivation(check, Language::En);

@@ -5,7 +5,7 @@
 use calamine::{Data, Reader as _, Xlsx};
 use project::Files;
 use quantities::Language;
-use questions::{Candidate, CandidateId};
+use questions::Candidate;
 use std::io::{Cursor, Read};
 use std::path::PathBuf;
 use tables::{Front, Subject, xlsx};
@@ -77,7 +77,9 @@ fn errata_are_marked(file: &str, bytes: &[u8], subject: &Subject<'_>) -> usize {
     let (code, errata) = (of(terms::ordering_code), of(table_words::errata_of_data));
     let mut marked = 0;
     for candidate in &subject.sizing.candidates {
-        let CandidateId::Code(_) = &candidate.id else { continue };
+        if candidate.product.is_of_project() {
+            continue;
+        }
         let name = candidate.id.to_string();
         let Some(row) = range.rows().find(|row| row[code].to_string() == name) else { continue };
         let data = candidate.parameters;

@@ -4,11 +4,12 @@
 #![allow(dead_code, unreachable_pub, reason = "each test takes what it needs")]
 
 use page::{Call, FileEntry, Folder, Method, Reply, SaveFault, Shell, respond};
-use project::{Files, NoFiles};
+use project::{Catalogue, Files, NoFiles};
 use quantities::Language;
 use questions::Progress;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 #[allow(unused_imports, reason = "each test takes what it needs")]
 pub use testkit::html::whole;
 
@@ -18,6 +19,10 @@ pub struct Alone;
 impl Shell for Alone {
     fn files(&self) -> &dyn Files {
         &NoFiles
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn version(&self, bytes: &[u8]) -> String {
@@ -91,6 +96,10 @@ impl Files for InMemory {
 impl Shell for InMemory {
     fn files(&self) -> &dyn Files {
         self
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn folder(&self) -> Option<&dyn Folder> {

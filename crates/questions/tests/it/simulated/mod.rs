@@ -22,6 +22,7 @@ pub(crate) fn simulated(text: &str, options: &[(&str, &str)]) -> Result<(serde_j
             bytes: Cow::Borrowed(text.as_bytes()),
             files: &NoFiles,
         }],
+        catalogue: questions::embedded_catalogue(),
         days_since_1970: None,
         progress: &progress,
         refuses_long: true,
