@@ -336,7 +336,10 @@ fn judged<'p, W: StepObserver>(
 ///
 /// # Errors
 /// [`Refusal`] if the product cannot be ordered or has no data.
-pub fn check(project: &Project, id: impl Into<ProductId>) -> Result<Candidate<'_>, Refusal> {
+pub fn check<'p, I>(project: &'p Project, id: &I) -> Result<Candidate<'p>, Refusal>
+where
+    for<'i> ProductId: From<&'i I>,
+{
     check_with(project, id.into(), Judging::of(project, Scope::All, Depth::Complete))
 }
 
@@ -344,8 +347,8 @@ pub fn check(project: &Project, id: impl Into<ProductId>) -> Result<Candidate<'_
 ///
 /// # Errors
 /// As [`check`].
-pub(crate) fn check_part(project: &Project, id: impl Into<ProductId>, part: Part) -> Result<Candidate<'_>, Refusal> {
-    check_with(project, id.into(), Judging::of_part(project, part))
+pub(crate) fn check_part<'p>(project: &'p Project, id: &ProductId, part: Part) -> Result<Candidate<'p>, Refusal> {
+    check_with(project, id.clone(), Judging::of_part(project, part))
 }
 
 fn check_with<'p>(project: &'p Project, id: ProductId, mut judging: Judging<'p>) -> Result<Candidate<'p>, Refusal> {
@@ -359,7 +362,10 @@ fn check_with<'p>(project: &'p Project, id: ProductId, mut judging: Judging<'p>)
 ///
 /// # Errors
 /// As [`check`].
-pub fn explain(project: &Project, id: impl Into<ProductId>) -> Result<Candidate<'_>, Refusal> {
+pub fn explain<'p, I>(project: &'p Project, id: &I) -> Result<Candidate<'p>, Refusal>
+where
+    for<'i> ProductId: From<&'i I>,
+{
     let mut candidate = check(project, id)?;
     candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
     Ok(candidate)

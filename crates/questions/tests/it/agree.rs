@@ -113,7 +113,7 @@ fn said(candidate: &Candidate<'_>) -> (Fit, Vec<CheckId>, Option<CheckId>, u64) 
 }
 
 fn code(candidate: &Candidate<'_>) -> order_code::OrderCode {
-    *candidate.id.order_code().expect("an actuator of the catalogue")
+    *candidate.id.order_code().unwrap()
 }
 
 /// The nearest miss by judging every rejected one in full.

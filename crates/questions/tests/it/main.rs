@@ -49,8 +49,7 @@ use actuator::Parameters;
 use order_code::OrderCode;
 
 /// Returns the products of the embedded catalogue by their ordering codes, with their data.
-fn catalogue_actuators()
--> impl DoubleEndedIterator<Item = (&'static OrderCode, &'static Parameters)> + ExactSizeIterator {
+fn catalogue_actuators() -> impl Iterator<Item = (&'static OrderCode, &'static Parameters)> {
     let products = questions::embedded_catalogue().products(false).iter();
-    products.map(|product| (product.id.order_code().expect("it is ordered by a code"), &product.parameters))
+    products.filter_map(|product| Some((product.id.order_code()?, &product.parameters)))
 }
