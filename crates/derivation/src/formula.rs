@@ -5,8 +5,8 @@ use std::fmt;
 /// Maximum nesting of parentheses.
 const DEPTH_MAX: usize = 32;
 
-/// A formula of numbers, symbols, `+ - * / ^`, parentheses, `pi` and the functions `sqrt abs min max exp ln sin cos`,
-/// with `int(x)` for ∫ x dt over the cycle and `sum(x)` for Σ x over the segments, which have no value of their own.
+/// A formula of numbers, symbols, `+ - * / ^`, parentheses, `pi` and the functions `sqrt abs min max exp ln sin cos tan
+/// arccos arctan2`, with `int(x)` for ∫ x dt over the cycle and `sum(x)` for Σ x over the segments, which have no value of their own.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Formula {
     /// A number, as written.
@@ -62,7 +62,8 @@ pub(crate) fn symbols(text: &str) -> Vec<&str> {
         .collect()
 }
 
-const FUNCTIONS: [&str; 10] = ["sqrt", "abs", "min", "max", "exp", "ln", "sin", "cos", "int", "sum"];
+const FUNCTIONS: [&str; 13] =
+    ["sqrt", "abs", "min", "max", "exp", "ln", "sin", "cos", "tan", "arccos", "arctan2", "int", "sum"];
 
 impl Formula {
     /// Parses a formula.
@@ -105,6 +106,9 @@ impl Formula {
                     ("ln", [x]) => x.ln(),
                     ("sin", [x]) => x.sin(),
                     ("cos", [x]) => x.cos(),
+                    ("tan", [x]) => x.tan(),
+                    ("arccos", [x]) => x.clamp(-1.0, 1.0).acos(),
+                    ("arctan2", [y, x]) => y.atan2(*x),
                     ("min", [first, rest @ ..]) => rest.iter().fold(*first, |a, b| a.min(*b)),
                     ("max", [first, rest @ ..]) => rest.iter().fold(*first, |a, b| a.max(*b)),
                     _ => return Err(FormulaFault::Function { name: name.clone() }),
@@ -326,6 +330,8 @@ mod tests {
             ("exp(ln(a))*1.5e-3", 0.003),
             ("2*pi/pi", 2.0),
             ("k_Tout*(a - 1)", 5.0),
+            ("4*arctan2(1, 1) + 3*arccos(0.5) + arctan2(0, -1)", 3.0 * std::f64::consts::PI),
+            ("tan(arctan2(a, k_Tout))", 0.4),
         ] {
             assert!((value(text) - expected).abs() < 1e-12, "{text}: {}", value(text));
         }

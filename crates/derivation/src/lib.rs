@@ -12,6 +12,7 @@ pub use formula::{Formula, FormulaFault};
 
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, Unit};
+use std::borrow::Cow;
 
 /// Origin of a value within the derivation.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +22,7 @@ pub enum How {
     /// Result of a formula whose symbols are those of earlier steps, in their units.
     Formula {
         /// Text of the formula, see [`Formula`].
-        text: &'static str,
+        text: Cow<'static, str>,
         /// Indices of the steps of its symbols, without duplicates, in the order of the text.
         operands: Vec<usize>,
     },
@@ -183,8 +184,17 @@ impl Workings {
     /// Records the result of a formula, in SI. Its symbols are those of earlier steps, the latest of each name; grade
     /// and errata are those of its inputs.
     #[inline]
-    pub fn formula(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, text: &'static str, source: &Source) {
-        self.calculation(symbol, unit, si, (text, Grade::Computed), source);
+    pub fn formula(
+        &mut self,
+        symbol: &'static str,
+        unit: &'static Unit,
+        si: f64,
+        text: impl Into<Cow<'static, str>>,
+        source: &Source,
+    ) {
+        if self.is_on() {
+            self.calculation(symbol, unit, si, (text.into(), Grade::Computed), source);
+        }
     }
 
     /// Records the result of a formula like [`Self::formula`], for a model whose result is an estimate even with exact
@@ -198,22 +208,21 @@ impl Workings {
         text: &'static str,
         source: &Source,
     ) {
-        self.calculation(symbol, unit, si, (text, Grade::Estimated), source);
+        if self.is_on() {
+            self.calculation(symbol, unit, si, (text.into(), Grade::Estimated), source);
+        }
     }
 
-    #[inline]
     fn calculation(
         &mut self,
         symbol: &'static str,
         unit: &'static Unit,
         si: f64,
-        (text, grade): (&'static str, Grade),
+        (text, grade): (Cow<'static, str>, Grade),
         source: &Source,
     ) {
-        if self.is_on() {
-            let how = How::Formula { text, operands: self.operands(&formula::symbols(text)) };
-            self.push(symbol, unit, si, how, source, grade);
-        }
+        let operands = self.operands(&formula::symbols(&text));
+        self.push(symbol, unit, si, How::Formula { text, operands }, source, grade);
     }
 
     /// Records the result of a search, an integral or a curve, in SI. Earlier steps with its symbols are its operands;

@@ -1,10 +1,12 @@
 //! Derivation of the load torque at one instant: the law of each mechanism with its values.
 
 mod laws;
+mod linkage;
+mod sum;
 
 use crate::equations::Reduced;
 use crate::stage::with_losses;
-use crate::{Extra, LinearKind, Mechanism, MechanismId, MechanismKind, Output};
+use crate::{Extra, Hoist, Mechanism, MechanismId, MechanismKind, Output, Stage};
 use derivation::{Finding, Workings};
 use provenance::{Grade, Source};
 use quantities::unit::{
@@ -12,6 +14,8 @@ use quantities::unit::{
     RADIAN_PER_SECOND_SQUARED,
 };
 use quantities::{Measure, Torque, Unit};
+use std::borrow::Cow;
+pub(crate) use sum::Sum;
 
 /// Model of the mechanisms.
 const MODEL: Source = Source::Model { name: "mechanisms" };
@@ -34,17 +38,15 @@ pub struct At {
     pub segment: usize,
 }
 
-/// Selects the formula with the acceleration and the speed of the mechanism: those of the output, or those behind a stage.
-macro_rules! sided {
-    ($staged:expr, $($part:tt)*) => {
-        if $staged { concat!($(sided!(@behind $part)),*) } else { concat!($(sided!(@plain $part)),*) }
-    };
-    (@behind alpha) => { "alpha_2" };
-    (@plain alpha) => { "alpha" };
-    (@behind omega) => { "omega_2" };
-    (@plain omega) => { "omega" };
-    (@behind $text:literal) => { $text };
-    (@plain $text:literal) => { $text };
+/// Quantities that a derivation needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LawScope {
+    /// Inertia, its slope and all torques.
+    Torque,
+    /// Inertia only.
+    Inertia,
+    /// Torque that holds the load at rest only.
+    Holding,
 }
 
 /// Steps of one derivation.
@@ -54,6 +56,11 @@ pub(crate) struct Steps<'w> {
     table: String,
     /// Number of the segment.
     segment: usize,
+    scope: LawScope,
+    /// Position of the mechanism \[rad\], until it is recorded.
+    position: Option<(f64, Finding)>,
+    /// Symbol of the inertia.
+    inertia: &'static str,
 }
 
 impl<'w> Steps<'w> {
@@ -63,7 +70,7 @@ impl<'w> Steps<'w> {
             MechanismId::Load => "load".to_owned(),
             id => format!("mechanism.{}", id.key()),
         };
-        Self { work, table, segment }
+        Self { work, table, segment, scope: LawScope::Torque, position: None, inertia: "J_M" }
     }
 
     /// Records a value of the mechanism's table.
@@ -87,12 +94,36 @@ impl<'w> Steps<'w> {
         self.work.figure("F_p", &NEWTON, si, &Source::Project { key: key.into() }, Grade::Printed);
     }
 
-    fn formula(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, text: &'static str) {
+    fn formula(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, text: impl Into<Cow<'static, str>>) {
         self.work.formula(symbol, unit, si, text, &MODEL);
     }
 
     pub(crate) fn found(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, what: Finding) {
         self.work.found(symbol, unit, si, what, &MODEL, Grade::Computed);
+    }
+
+    /// Sets the position of the mechanism, which is recorded on first use.
+    pub(crate) const fn place(&mut self, position_rad: f64, what: Finding) {
+        self.position = Some((position_rad, what));
+    }
+
+    /// Records the position of the mechanism, `q`, on first use.
+    fn position(&mut self) {
+        if let Some((position_rad, what)) = self.position.take() {
+            self.found("q", &RADIAN, position_rad, what);
+        }
+    }
+
+    /// Records acceleration and, as far as a formula needs them, speed and direction of the output at `t`.
+    pub(crate) fn motion(&mut self, output: &Output, has_speed: bool, has_direction: bool) {
+        let alpha = output.acceleration_rad_s2;
+        self.found("alpha", &RADIAN_PER_SECOND_SQUARED, alpha, Finding::AccelerationAt);
+        if has_speed {
+            self.found("omega", &RADIAN_PER_SECOND, output.speed_rad_s, Finding::SpeedAt);
+        }
+        if has_direction {
+            self.found("sigma", &ONE, output.direction, Finding::DirectionAt);
+        }
     }
 }
 
@@ -109,6 +140,13 @@ struct Parts {
     slope: bool,
     /// T_x is recorded.
     other: bool,
+    /// J_p is recorded.
+    payload_inertia: bool,
+}
+
+/// Symbols of acceleration and speed of the mechanism: those of the output, or those behind a stage.
+const fn rates(is_staged: bool) -> [&'static str; 2] {
+    if is_staged { ["alpha_2", "omega_2"] } else { ["alpha", "omega"] }
 }
 
 impl Mechanism {
@@ -131,66 +169,82 @@ impl Mechanism {
         if !work.is_on() {
             return;
         }
-        let stage = self.gearing().copied();
-        let output = stage.as_ref().map_or(at.output, |stage| stage.behind(&at.output));
+        let mut steps = Steps::of(self.id(), at.segment, work);
+        let Some(stage) = self.gearing() else {
+            let (text, _) = self.explain_own(at, None, &mut steps);
+            steps.formula("T_L", &NEWTON_METRE, torque_nm, text);
+            return;
+        };
+        let handed_on = self.explain_behind(at, stage, &mut steps);
+        let direction = at.output.direction;
+        let lossy = with_losses(1.0, handed_on * direction, [stage.efficiency_driving, stage.efficiency_driven]) != 1.0;
+        let power = handed_on * direction;
+        let shared = match (power, lossy) {
+            (power, true) if power > 0.0 => {
+                stage_efficiency(stage, steps.work);
+                "(T_M + J_2*alpha_2)/(i_s*eta_s1)"
+            }
+            (power, true) if power < 0.0 => {
+                let value = stage.efficiency_driven;
+                steps.work.figure("eta_s2", &ONE, value, &key("stage.efficiency_back"), Grade::Printed);
+                "(T_M + J_2*alpha_2)*eta_s2/i_s"
+            }
+            _ => "(T_M + J_2*alpha_2)/i_s",
+        };
+        let value = stage.inertia_driving.si();
+        steps.work.figure("J_1", &KILOGRAM_SQUARE_METRE, value, &key("stage.inertia_driving"), Grade::Printed);
+        let text = Sum::of(shared).and(true, "J_1*alpha").text();
+        steps.work.formula("T_L", &NEWTON_METRE, torque_nm, text, &STAGE);
+    }
+
+    /// Records the torque of the mechanism behind a stage, `T_M`, and the inertia of the stage on that side, `J_2`; the
+    /// acceleration `alpha` is recorded before. Returns T_M + J_2 α_2 \[Nm\].
+    pub(crate) fn explain_behind(&self, at: &At, stage: &Stage, steps: &mut Steps<'_>) -> f64 {
+        let (text, own) = self.explain_own(at, Some(stage), steps);
+        steps.formula("T_M", &NEWTON_METRE, own, text);
+        let value = stage.inertia_driven.si();
+        steps.work.figure("J_2", &KILOGRAM_SQUARE_METRE, value, &key("stage.inertia_driven"), Grade::Printed);
+        stage.handed_on(own, &stage.behind(&at.output))
+    }
+
+    /// Records the parts of the torque of the mechanism, on its side of a stage, and returns its formula and its value \[Nm\].
+    fn explain_own(&self, at: &At, stage: Option<&Stage>, steps: &mut Steps<'_>) -> (String, f64) {
+        let output = stage.map_or(at.output, |stage| stage.behind(&at.output));
         let extra = at.laden();
         let reduced = self.kind.reduced(output.position_rad, &extra);
-        let staged = stage.is_some();
-        let mut steps = Steps::of(self.id(), at.segment, work);
-        if let Some(stage) = &stage {
-            steps.work.figure("i_s", &ONE, stage.ratio, &key("stage.ratio"), Grade::Printed);
+        let is_staged = stage.is_some();
+        let [alpha, omega] = rates(is_staged);
+        if let Some(stage) = stage {
+            stage_ratio(stage, steps.work);
             let (unit, value) = (&RADIAN_PER_SECOND_SQUARED, output.acceleration_rad_s2);
             steps.work.formula("alpha_2", unit, value, "alpha/i_s", &STAGE);
         }
-        if self.depends_on_position() {
-            let turned = if let MechanismKind::SliderCrank(crank) = &self.kind { crank.angle.si() } else { 0.0 };
-            steps.found("q", &RADIAN, output.position_rad + turned, Finding::PositionAt);
-        }
-        let has_speed = self.friction.viscous.si() != 0.0 || reduced.slope != 0.0;
-        if has_speed {
+        let (coulomb, viscous) = (self.friction.coulomb.si() != 0.0, self.friction.viscous.si() != 0.0);
+        if viscous || reduced.slope != 0.0 {
             steps.found("omega", &RADIAN_PER_SECOND, at.output.speed_rad_s, Finding::SpeedAt);
-            if staged {
+            if is_staged {
                 steps.work.formula("omega_2", &RADIAN_PER_SECOND, output.speed_rad_s, "omega/i_s", &STAGE);
             }
         }
-        if reduced.coulomb != 0.0 || self.friction.coulomb.si() != 0.0 || self.has_lossy_sheaves() {
+        if reduced.coulomb != 0.0 || coulomb {
             steps.found("sigma", &ONE, output.direction, Finding::DirectionAt);
         }
         // The couple of the segment and the recorded torque are recorded with the external one.
-        let couple = extra.torque.si();
-        let alone = Reduced { holding: reduced.holding - couple, ..reduced };
-        let mut parts = match &self.kind {
-            MechanismKind::Rotor(rotor) => rotor.explain(&alone, &at.extra, &mut steps),
-            MechanismKind::Linear(linear) => linear.explain(&alone, &at.extra, &mut steps),
-            MechanismKind::SliderCrank(crank) => crank.explain(&alone, (&output, &at.extra), &mut steps),
-            MechanismKind::Table(table) => table.explain(&alone, &at.extra, &mut steps),
-            MechanismKind::Joint(joint) => joint.explain(&mut steps),
-            MechanismKind::Hoist(hoist) => hoist.explain(&alone, &at.extra, &mut steps),
-            MechanismKind::Winder(winder) => winder.explain(&alone, (&output, &at.extra), &mut steps),
-            MechanismKind::ScissorLift(lift) => lift.explain(&alone, (&output, &at.extra), &mut steps),
-            MechanismKind::FourBar(linkage) => linkage.explain(&alone, &at.extra, &mut steps),
-        };
-        parts.other = self.explain_others(at, &mut steps);
+        let alone = Reduced { holding: reduced.holding - extra.torque.si(), ..reduced };
+        let parts = self.explain_parts(&alone, (&output, &at.extra), Finding::PositionAt, steps);
+        let parts = Parts { other: self.explain_others(at, steps), ..parts };
         let (useful, _) = self.useful(&reduced, &output, &extra);
-        if let (MechanismKind::Hoist(_), true) = (&self.kind, self.has_lossy_sheaves()) {
-            let own = reduced.inertia * output.acceleration_rad_s2
-                + 0.5 * reduced.slope * output.speed_rad_s * output.speed_rad_s
-                + reduced.holding
-                + self.friction.external.si();
-            steps.formula("T_w", &NEWTON_METRE, own, parts.text(staged));
-            steps.found("T_r", &NEWTON_METRE, useful - own, Finding::RopesThroughSheaves);
-            steps.formula("T_u", &NEWTON_METRE, useful, "T_w + T_r");
-        } else {
-            steps.formula("T_u", &NEWTON_METRE, useful, parts.text(staged));
-        }
-        self.explain_losses((useful, torque_nm), &output, &mut steps);
-    }
-
-    /// Records the torque with losses and friction, and that in front of a stage.
-    fn explain_losses(&self, (useful, torque_nm): (f64, f64), output: &Output, steps: &mut Steps<'_>) {
-        let stage = self.gearing();
-        let staged = stage.is_some();
-        let (coulomb, viscous) = (self.friction.coulomb.si() != 0.0, self.friction.viscous.si() != 0.0);
+        let text = match &self.kind {
+            MechanismKind::Hoist(hoist) if hoist.reeving != 1.0 => {
+                let torques = hoist.explain_ropes(&alone, (&output, &at.extra), rates(is_staged), steps);
+                let [load, counterweight] = hoist.explain_sheaves(["T_f1", "T_f2"], torques, output.direction, steps);
+                let turning = Sum::of("J_0").and(parts.payload_inertia, "J_p").factor();
+                let sum = Sum::of(format!("{turning}*{alpha}")).and(true, load);
+                sum.less(hoist.counterweight.si() != 0.0, counterweight).and(parts.other, "T_x").text()
+            }
+            _ => parts.text(is_staged),
+        };
+        steps.formula("T_u", &NEWTON_METRE, useful, text);
         if coulomb {
             steps.own("T_c", &NEWTON_METRE, self.friction.coulomb.si(), "friction_torque");
         }
@@ -198,98 +252,78 @@ impl Mechanism {
             steps.own("b", &NEWTON_METRE_SECOND_PER_RADIAN, self.friction.viscous.si(), "viscous_friction");
         }
         let power = useful * output.direction;
-        let (driving, driven) =
-            (power > 0.0 && self.efficiency_driving != 1.0, power < 0.0 && self.efficiency_driven != 1.0);
-        if driving {
-            steps.own("eta_1", &ONE, self.efficiency_driving, "efficiency");
-        }
-        if driven {
+        let useful_text = if power > 0.0 && self.efficiency_driving != 1.0 {
+            self.explain_efficiency(steps);
+            "T_u/eta_1"
+        } else if power < 0.0 && self.efficiency_driven != 1.0 {
             steps.own("eta_2", &ONE, self.efficiency_driven, "efficiency_back");
-        }
-        let text = match (driving, driven, coulomb, viscous) {
-            (true, _, true, true) => sided!(staged, "T_u/eta_1 + T_c*sigma + b*" omega),
-            (true, _, true, false) => "T_u/eta_1 + T_c*sigma",
-            (true, _, false, true) => sided!(staged, "T_u/eta_1 + b*" omega),
-            (true, _, false, false) => "T_u/eta_1",
-            (_, true, true, true) => sided!(staged, "T_u*eta_2 + T_c*sigma + b*" omega),
-            (_, true, true, false) => "T_u*eta_2 + T_c*sigma",
-            (_, true, false, true) => sided!(staged, "T_u*eta_2 + b*" omega),
-            (_, true, false, false) => "T_u*eta_2",
-            (_, _, true, true) => sided!(staged, "T_u + T_c*sigma + b*" omega),
-            (_, _, true, false) => "T_u + T_c*sigma",
-            (_, _, false, true) => sided!(staged, "T_u + b*" omega),
-            (_, _, false, false) => "T_u",
+            "T_u*eta_2"
+        } else {
+            "T_u"
         };
-        let own = self.passed(useful, output);
-        let Some(stage) = stage else {
-            steps.formula("T_L", &NEWTON_METRE, torque_nm, text);
-            return;
-        };
-        steps.formula("T_M", &NEWTON_METRE, own, text);
-        let handed_on = stage.handed_on(own, output);
-        let lossy = with_losses(1.0, handed_on * output.direction, [stage.efficiency_driving, stage.efficiency_driven]);
-        let text = match (handed_on * output.direction, lossy != 1.0) {
-            (power, true) if power > 0.0 => {
-                let value = stage.efficiency_driving;
-                steps.work.figure("eta_s1", &ONE, value, &key("stage.efficiency"), Grade::Printed);
-                "(T_M + J_2*alpha_2)/(i_s*eta_s1) + J_1*alpha"
-            }
-            (power, true) if power < 0.0 => {
-                let value = stage.efficiency_driven;
-                steps.work.figure("eta_s2", &ONE, value, &key("stage.efficiency_back"), Grade::Printed);
-                "(T_M + J_2*alpha_2)*eta_s2/i_s + J_1*alpha"
-            }
-            _ => "(T_M + J_2*alpha_2)/i_s + J_1*alpha",
-        };
-        let inertias = [
-            ("J_1", stage.inertia_driving, "stage.inertia_driving"),
-            ("J_2", stage.inertia_driven, "stage.inertia_driven"),
-        ];
-        for (symbol, value, name) in inertias {
-            steps.work.figure(symbol, &KILOGRAM_SQUARE_METRE, value.si(), &key(name), Grade::Printed);
-        }
-        steps.work.formula("T_L", &NEWTON_METRE, torque_nm, text, &STAGE);
+        let text = Sum::of(useful_text).and(coulomb, "T_c*sigma").and(viscous, format!("b*{omega}")).text();
+        (text, self.passed(useful, &output))
     }
 
-    /// Records the force along the axis of a screw, `F_l`: the torque of what it moves by its travel per angle, without the
-    /// inertia that turns with it. Returns `false`, and records nothing, for another mechanism and with additions to the load
-    /// that this derivation does not have.
-    pub(crate) fn explain_thrust(&self, at: &At, thrust_n: f64, work: &mut Workings) -> bool {
-        let kind = &self.kind;
-        let is_screw = match kind {
-            MechanismKind::Linear(linear) => linear.kind == LinearKind::Screw,
-            kind => matches!(kind, MechanismKind::ScissorLift(_)),
-        };
-        if !is_screw || at.recorded_nm != 0.0 || at.extra.inertia.si() != 0.0 {
-            return false;
-        }
-        let reduced = kind.reduced(at.output.position_rad, &at.extra);
-        let alone = Reduced { holding: reduced.holding - at.extra.torque.si(), ..reduced };
-        let mut steps = Steps::of(self.id(), at.segment, work);
-        let (output, extra) = (&at.output, &at.extra);
+    /// Records the efficiency while driving, `eta_1`.
+    pub(crate) fn explain_efficiency(&self, steps: &mut Steps<'_>) {
+        steps.own("eta_1", &ONE, self.efficiency_driving, "efficiency");
+    }
+
+    /// Records inertia, its slope and the torques that do not depend on the motion, as far as the derivation needs them, at a
+    /// state of the mechanism, whose position `what` names.
+    fn explain_parts(
+        &self,
+        reduced: &Reduced,
+        (output, extra): (&Output, &Extra),
+        what: Finding,
+        steps: &mut Steps<'_>,
+    ) -> Parts {
+        let turned = if let MechanismKind::SliderCrank(crank) = &self.kind { crank.angle.si() } else { 0.0 };
         if self.depends_on_position() {
-            steps.found("q", &RADIAN, output.position_rad, Finding::PositionAt);
+            steps.place(output.position_rad + turned, what);
         }
-        let (unit, alpha) = (&RADIAN_PER_SECOND_SQUARED, output.acceleration_rad_s2);
-        steps.found("alpha", unit, alpha, Finding::AccelerationAt);
-        if reduced.slope != 0.0 {
-            steps.found("omega", &RADIAN_PER_SECOND, output.speed_rad_s, Finding::SpeedAt);
+        match &self.kind {
+            MechanismKind::Rotor(rotor) => rotor.explain(reduced, extra, steps),
+            MechanismKind::Linear(linear) => linear.explain(reduced, extra, steps),
+            MechanismKind::SliderCrank(crank) => crank.explain(reduced, (output, extra), steps),
+            MechanismKind::Table(table) => table.explain(reduced, (output, extra), steps),
+            MechanismKind::Joint(_) => Parts::default(),
+            MechanismKind::Hoist(hoist) => hoist.explain(reduced, extra, steps),
+            MechanismKind::Winder(winder) => winder.explain(reduced, (output, extra), steps),
+            MechanismKind::ScissorLift(lift) => lift.explain(reduced, (output, extra), steps),
+            MechanismKind::FourBar(linkage) => linkage.explain(reduced, (output, extra), steps),
         }
-        if reduced.coulomb != 0.0 {
-            steps.found("sigma", &ONE, output.direction, Finding::DirectionAt);
+    }
+
+    /// Records the parts of the torque of what moves along a line, without the inertia that turns in front of it, at an instant
+    /// `t`; returns its formula, to be divided by the travel per angle. A recorded torque is one of the line.
+    pub(crate) fn explain_line(&self, at: &At, steps: &mut Steps<'_>) -> (Sum, bool) {
+        let reduced = self.kind.reduced(at.output.position_rad, &at.extra);
+        let alone = Reduced { holding: reduced.holding - at.extra.torque.si(), ..reduced };
+        steps.motion(&at.output, reduced.slope != 0.0, reduced.coulomb != 0.0);
+        let parts = self.explain_parts(&alone, (&at.output, &at.extra), Finding::PositionAt, steps);
+        let recorded = at.recorded_nm != 0.0;
+        if recorded {
+            steps.found("tau", &NEWTON_METRE, at.recorded_nm, Finding::RecordedTorqueAt);
         }
-        let parts = match kind {
-            MechanismKind::Linear(linear) => linear.explain(&alone, extra, &mut steps),
-            MechanismKind::ScissorLift(lift) => lift.explain(&alone, (output, extra), &mut steps),
-            _ => return false,
-        };
-        let text = match (parts.guide, parts.slope) {
-            (true, _) => "((J_M - J_0)*alpha + T_h + T_g*sigma)/k",
-            (false, true) => "((J_M - J_0)*alpha + J_q*omega^2/2 + T_h)/k",
-            (false, false) => "((J_M - J_0)*alpha + T_h)/k",
-        };
-        steps.work.formula("F_l", &NEWTON, thrust_n, text, &Source::Model { name: "flange-loads" });
-        true
+        let moved = Sum::of("J_M").less(true, "J_0").less(parts.payload_inertia, "J_p").factor();
+        let text = Sum::of(format!("{moved}*alpha"))
+            .and(parts.slope, "J_q*omega^2/2")
+            .and(parts.holding, "T_h")
+            .and(parts.guide, "T_g*sigma")
+            .and(recorded, "tau");
+        (text, parts.payload_inertia)
+    }
+
+    /// Records the torques of the ropes of a hoist at an instant `t`, without those of the segment and the recorded one, and
+    /// returns them \[Nm\].
+    pub(crate) fn explain_ropes_at(&self, hoist: &Hoist, at: &At, steps: &mut Steps<'_>) -> [f64; 2] {
+        let reduced = self.kind.reduced(at.output.position_rad, &at.extra);
+        let alone = Reduced { holding: reduced.holding - at.extra.torque.si(), ..reduced };
+        steps.motion(&at.output, reduced.slope != 0.0, false);
+        self.explain_parts(&alone, (&at.output, &at.extra), Finding::PositionAt, steps);
+        hoist.explain_ropes(&alone, (&at.output, &at.extra), rates(false), steps)
     }
 
     /// Records `T_x`, the sum of the torques without a law of the mechanism; returns `true` if there are some.
@@ -303,22 +337,105 @@ impl Mechanism {
         if external != 0.0 {
             steps.own("T_e", &NEWTON_METRE, external, "external_torque");
         }
-        let text = match (process, recorded, external != 0.0) {
-            (false, false, false) => return false,
-            (true, false, false) => "T_p",
-            (false, true, false) => "tau",
-            (false, false, true) => "T_e",
-            (true, true, false) => "T_p + tau",
-            (true, false, true) => "T_p + T_e",
-            (false, true, true) => "tau + T_e",
-            (true, true, true) => "T_p + tau + T_e",
-        };
-        steps.formula("T_x", &NEWTON_METRE, at.extra.torque.si() + at.recorded_nm + external, text);
-        true
+        let text = Sum::default().and(process, "T_p").and(recorded, "tau").and(external != 0.0, "T_e");
+        let is_stated = !text.is_empty();
+        if is_stated {
+            steps.formula("T_x", &NEWTON_METRE, at.extra.torque.si() + at.recorded_nm + external, text.text());
+        }
+        is_stated
+    }
+
+    /// Records the derivation of the torque that holds the load at rest at a position of the actuator's output, under `T_hold`:
+    /// weight, process and external torque, through a stage.
+    pub fn explain_holding(&self, position_rad: f64, (segment, extra): (usize, &Extra), work: &mut Workings) {
+        if !work.is_on() {
+            return;
+        }
+        let holding = self.holding_torque(position_rad, extra).si().abs();
+        let mut steps = Steps::of(self.id(), segment, work);
+        if let MechanismKind::Joint(joint) = &self.kind {
+            let stated = joint.holding_torque.map_or(0.0, Measure::si);
+            steps.own("T_h", &NEWTON_METRE, stated, "holding_torque");
+            let text = self.in_front("T_h".to_owned(), &mut steps);
+            steps.formula("T_hold", &NEWTON_METRE, holding, text);
+            return;
+        }
+        steps.scope = LawScope::Holding;
+        let (reduced, output) = self.at_rest(position_rad, extra);
+        let alone = Reduced { holding: reduced.holding - extra.torque.si(), ..reduced };
+        let parts = self.explain_parts(&alone, (&output, extra), Finding::PositionOfLargestHolding, &mut steps);
+        let process = steps.of_segment("T_p", &NEWTON_METRE, extra.torque.si(), "process_torque");
+        let external = self.friction.external.si();
+        if external != 0.0 {
+            steps.own("T_e", &NEWTON_METRE, external, "external_torque");
+        }
+        let sum = Sum::default().and(parts.holding, "T_h").and(process, "T_p").and(external != 0.0, "T_e");
+        let text = if sum.is_empty() { "0".to_owned() } else { format!("abs({})", sum.text()) };
+        let text = self.in_front(text, &mut steps);
+        steps.formula("T_hold", &NEWTON_METRE, holding, text);
+    }
+
+    /// Records the derivation of the inertia of the load at a position of the actuator's output, under a symbol.
+    pub fn explain_inertia(
+        &self,
+        symbol: &'static str,
+        (position_rad, what): (f64, Finding),
+        (segment, extra): (usize, &Extra),
+        work: &mut Workings,
+    ) {
+        if !work.is_on() {
+            return;
+        }
+        let inertia = self.inertia(position_rad, extra).si();
+        let mut steps = Steps::of(self.id(), segment, work);
+        let stage = self.gearing();
+        steps.inertia = if stage.is_some() { "J_M" } else { symbol };
+        if let MechanismKind::Joint(joint) = &self.kind {
+            let stated = joint.inertia.map_or(0.0, Measure::si);
+            steps.own(steps.inertia, &KILOGRAM_SQUARE_METRE, stated, "inertia");
+        } else {
+            steps.scope = LawScope::Inertia;
+            let (reduced, output) = self.at_rest(position_rad, extra);
+            self.explain_parts(&reduced, (&output, extra), what, &mut steps);
+        }
+        let Some(stage) = stage else { return };
+        stage_ratio(stage, steps.work);
+        let inertias = [
+            ("J_1", stage.inertia_driving, "stage.inertia_driving"),
+            ("J_2", stage.inertia_driven, "stage.inertia_driven"),
+        ];
+        for (symbol, value, name) in inertias {
+            steps.work.figure(symbol, &KILOGRAM_SQUARE_METRE, value.si(), &key(name), Grade::Printed);
+        }
+        steps.work.formula(symbol, &KILOGRAM_SQUARE_METRE, inertia, "(J_M + J_2)/i_s^2 + J_1", &STAGE);
+    }
+
+    /// Returns the load at rest at a position of the actuator's output.
+    fn at_rest(&self, position_rad: f64, extra: &Extra) -> (Reduced, Output) {
+        let position_rad = position_rad / self.stage_ratio();
+        let output = Output { position_rad, speed_rad_s: 0.0, acceleration_rad_s2: 0.0, direction: 0.0 };
+        (self.kind.reduced(position_rad, extra), output)
+    }
+
+    /// Returns a torque of the mechanism in front of a stage, whose ratio is recorded.
+    fn in_front(&self, text: String, steps: &mut Steps<'_>) -> String {
+        let Some(stage) = self.gearing().filter(|stage| stage.ratio != 1.0) else { return text };
+        stage_ratio(stage, steps.work);
+        format!("{text}/i_s")
     }
 }
 
-fn key(name: &'static str) -> Source {
+/// Records the ratio of a stage, `i_s`.
+pub(crate) fn stage_ratio(stage: &Stage, work: &mut Workings) {
+    work.figure("i_s", &ONE, stage.ratio, &key("stage.ratio"), Grade::Printed);
+}
+
+/// Records the efficiency of a stage while driving, `eta_s1`.
+pub(crate) fn stage_efficiency(stage: &Stage, work: &mut Workings) {
+    work.figure("eta_s1", &ONE, stage.efficiency_driving, &key("stage.efficiency"), Grade::Printed);
+}
+
+pub(crate) fn key(name: &'static str) -> Source {
     Source::Project { key: name.into() }
 }
 
@@ -331,19 +448,18 @@ impl At {
 
 impl Parts {
     /// Returns the formula of the useful torque.
-    fn text(self, staged: bool) -> &'static str {
-        let Self { inertia, holding, guide, slope, other } = self;
-        match (inertia, holding, guide, slope, other) {
-            (false, .., true) => "T_x",
-            (false, .., false) => "0",
-            (true, false, _, _, false) => sided!(staged, "J_M*" alpha),
-            (true, false, _, _, true) => sided!(staged, "J_M*" alpha " + T_x"),
-            (true, true, false, false, false) => sided!(staged, "J_M*" alpha " + T_h"),
-            (true, true, false, false, true) => sided!(staged, "J_M*" alpha " + T_h + T_x"),
-            (true, true, true, _, false) => sided!(staged, "J_M*" alpha " + T_h + T_g*sigma"),
-            (true, true, true, _, true) => sided!(staged, "J_M*" alpha " + T_h + T_g*sigma + T_x"),
-            (true, true, false, true, false) => sided!(staged, "J_M*" alpha " + J_q*" omega "^2/2 + T_h"),
-            (true, true, false, true, true) => sided!(staged, "J_M*" alpha " + J_q*" omega "^2/2 + T_h + T_x"),
-        }
+    fn text(self, is_staged: bool) -> String {
+        let [alpha, omega] = rates(is_staged);
+        let sum = Sum::default()
+            .and(self.inertia, format!("J_M*{alpha}"))
+            .and(self.slope, format!("J_q*{omega}^2/2"))
+            .and(self.holding, "T_h")
+            .and(self.guide, "T_g*sigma")
+            .and(self.other, "T_x");
+        sum.text()
     }
 }
+
+#[cfg(test)]
+#[path = "explain_tests.rs"]
+mod tests;

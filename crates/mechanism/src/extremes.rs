@@ -15,6 +15,10 @@ pub struct Extremes {
     pub inertia_largest: MomentOfInertia,
     /// Largest magnitude of the torque that holds the load at rest without the help of friction.
     pub holding: Torque,
+    /// Positions of the actuator's output with the smallest and with the largest J_L \[rad\].
+    pub inertia_at_rad: [f64; 2],
+    /// Position of the actuator's output with the largest holding torque \[rad\].
+    pub holding_at_rad: f64,
 }
 
 /// Number of steps over the angle that sixteen nodes resolve, see [`Mechanism::smooth_over`].
@@ -31,6 +35,9 @@ const CLOSE: f64 = 1e-12;
 
 /// J_L, −J_L, T_h and −T_h at a position.
 type Values = [f64; 4];
+
+/// The largest of each of the values so far, with their positions.
+type Largest = [(f64, f64); 4];
 
 impl Mechanism {
     /// Returns the extremes of inertia and holding torque between two positions of the actuator's output.
@@ -55,9 +62,9 @@ impl Mechanism {
             let (inertia, holding) = (self.inertia_of(&reduced), self.holding_of(&reduced));
             [inertia, -inertia, holding, -holding]
         };
-        let mut most = at(low);
+        let mut most = at(low).map(|value| (value, low));
         if high > low {
-            see(&mut most, at(high));
+            see(&mut most, high, at(high));
             let turning = match &self.kind {
                 // The lever of the weight is largest where the centre of mass is level with the axis.
                 MechanismKind::Rotor(rotor) => vec![-rotor.angle.si(), PI - rotor.angle.si()],
@@ -75,32 +82,37 @@ impl Mechanism {
             };
             let first = |q: f64| if is_periodic { low + (q - low).rem_euclid(TAU) } else { q };
             let within = turning.into_iter().map(first).filter(|q| *q > low && *q < high);
-            within.for_each(|q| see(&mut most, at(q)));
+            within.for_each(|q| see(&mut most, q, at(q)));
         }
-        let [inertia, least, holding, against] = most;
+        let [(inertia, inertia_at), (least, least_at), (holding, holding_at), (against, against_at)] = most;
+        let holding_at = if against > holding { against_at } else { holding_at };
         Extremes {
             inertia_least: MomentOfInertia::from_si(-least),
             inertia_largest: MomentOfInertia::from_si(inertia),
             holding: Torque::from_si(holding.max(against).max(0.0)),
+            inertia_at_rad: [least_at, inertia_at].map(|q| q * ratio),
+            holding_at_rad: holding_at * ratio,
         }
     }
 }
 
-fn see(most: &mut Values, values: Values) {
+fn see(most: &mut Largest, position_rad: f64, values: Values) {
     for (most, value) in most.iter_mut().zip(values) {
-        *most = most.max(value);
+        if value > most.0 {
+            *most = (value, position_rad);
+        }
     }
 }
 
 /// Searches a range in which the load is smooth: values at equal steps, then parabolas.
-fn search(most: &mut Values, (from, to): (f64, f64), smooth: f64, at: &impl Fn(f64) -> Values) {
+fn search(most: &mut Largest, (from, to): (f64, f64), smooth: f64, at: &impl Fn(f64) -> Values) {
     let steps = (STEPS * (to - from) / smooth).ceil().max(STEPS_LEAST);
     let mut seen = Vec::new();
     let mut k = 0.0;
     while k <= steps {
         let q = from + (to - from) * k / steps;
         let values = at(q);
-        see(most, values);
+        see(most, q, values);
         seen.push((q, values));
         k += 1.0;
     }
@@ -109,8 +121,10 @@ fn search(most: &mut Values, (from, to): (f64, f64), smooth: f64, at: &impl Fn(f
         for trio in seen.windows(3) {
             let [a, b, c] = trio else { continue };
             let three = [a, b, c].map(|(q, values)| (*q, value(values)));
-            let (_, found) = highest(|q| value(&at(q)), three, *most + ROUNDING * most.abs(), CLOSE);
-            *most = most.max(found);
+            let (q, found) = highest(|q| value(&at(q)), three, most.0 + ROUNDING * most.0.abs(), CLOSE);
+            if found > most.0 {
+                *most = (found, q);
+            }
         }
     }
 }

@@ -153,13 +153,13 @@ impl Drawn {
 
 /// Returns the largest of the four values over a scan.
 fn scanned(mechanism: &Mechanism, (from, to): (f64, f64), extra: &Extra) -> Values {
-    let mut most = [f64::NEG_INFINITY; 4];
+    let mut most = [(f64::NEG_INFINITY, from); 4];
     for k in 0..=SCANNED {
         let q = from + (to - from) * f64::from(k) / f64::from(SCANNED);
         let (inertia, holding) = (mechanism.inertia(q, extra).si(), mechanism.holding_torque(q, extra).si());
-        see(&mut most, [inertia, -inertia, holding, -holding]);
+        see(&mut most, q, [inertia, -inertia, holding, -holding]);
     }
-    most
+    most.map(|(value, _)| value)
 }
 
 #[test]
@@ -195,6 +195,13 @@ fn extremes_are_those_of_a_dense_scan() {
         check(found.inertia_largest.si(), inertia, "J_max");
         check(-found.inertia_least.si(), least, "-J_min");
         check(found.holding.si(), up.max(down), "T_h");
+        // Each extreme is the value at its position.
+        let at = |q: f64| (mechanism.inertia(q, &extra).si(), mechanism.holding_torque(q, &extra).si().abs());
+        let close = |one: f64, other: f64| (one - other).abs() <= 1e-9 * (1e-6 + other.abs());
+        let [least_at, largest_at] = found.inertia_at_rad;
+        assert!(close(at(least_at).0, found.inertia_least.si()), "{name}");
+        assert!(close(at(largest_at).0, found.inertia_largest.si()), "{name}");
+        assert!(close(at(found.holding_at_rad).1, found.holding.si()), "{name}");
     }
 }
 

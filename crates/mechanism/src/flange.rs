@@ -343,9 +343,7 @@ impl Mechanism {
             return FlangeForces::default();
         }
         let handed_on = self.stage_hands_on(output, extra, recorded_nm);
-        // While the mechanism drives, it is not known where the losses occur: they are not counted as a relief.
-        let torque = stage.taken(handed_on, output.direction).abs().max((handed_on / stage.ratio).abs());
-        wheel_forces(torque / radius, radius, mounting)
+        wheel_forces(stage.tangential(handed_on, output.direction), radius, mounting)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement, polar as on_sheet};
 use crate::equations::{Equations, Reduced, TWELFTH_RAD, panel_length};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
-use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
+use crate::{Endless, Extra, Geometry, MechanismId, Output, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Torque};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -65,6 +65,21 @@ struct Course {
 }
 
 type Vector = [f64; 2];
+
+/// Force of the crank pin on the coupler, and the quantities from which it follows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pin {
+    /// Angular accelerations of coupler and rocker [rad/s²].
+    pub(crate) accelerations_rad_s2: [f64; 2],
+    /// Acceleration of the coupler's centre of mass [m/s²].
+    pub(crate) centre_m_s2: Vector,
+    /// m_c (a − g) of the coupler \[N\].
+    pub(crate) lacking_n: Vector,
+    /// Moments of the force between coupler and rocker, about the crank pin and about the rocker's pivot \[Nm\].
+    pub(crate) moments_nm: [f64; 2],
+    /// Force of the pin \[N\].
+    pub(crate) force_n: Vector,
+}
 
 fn polar(length: f64, angle: f64) -> Vector {
     [length * angle.cos(), length * angle.sin()]
@@ -128,33 +143,60 @@ impl FourBar {
         sum
     }
 
-    /// Returns the force of the crank pin on the coupler, in the plane of the linkage \[N\].
+    /// Returns the crank pin relative to the rocker's pivot \[m\], and the angles of coupler and rocker with their derivatives.
+    pub(crate) fn angles(&self, q: f64) -> (Vector, [f64; 3], [f64; 3]) {
+        let course = self.course(q);
+        let [x, y] = polar(self.crank.si(), q);
+        ([x - self.ground.si(), y], course.beta, course.psi)
+    }
+
+    /// Returns the force of the crank pin and the quantities from which it follows, at a state of the crank.
+    pub(crate) fn pin(&self, output: &Output) -> Pin {
+        self.pin_force(&self.course(output.position_rad), [output.speed_rad_s, output.acceleration_rad_s2])
+    }
+
+    /// Returns the force of the crank pin on the coupler, in the plane of the linkage.
     ///
     /// The rocker's moment about its pivot and the coupler's about the crank pin yield the force between them; Newton's
     /// law for the coupler yields that at the pin.
-    fn pin_force(&self, course: &Course, rates: [f64; 2]) -> Vector {
+    fn pin_force(&self, course: &Course, rates: [f64; 2]) -> Pin {
         let [_, _, c, l] = self.lengths();
         let [omega, alpha] = rates;
         let acceleration = |[_, first, second]: [f64; 3]| first * alpha + second * omega * omega;
         let cross = |[ax, ay]: Vector, [bx, by]: Vector| ax * by - ay * bx;
         let gravity = self.gravity();
         let (rocker, coupler) = (polar(l, course.psi[0]), polar(c, course.beta[0]));
+        let accelerations_rad_s2 = [course.beta, course.psi].map(acceleration);
+        let [of_coupler, of_rocker] = accelerations_rad_s2;
         // B acts on the rocker: J_r ψ̈ = l × B + s_r × m_r g − T_r.
-        let on_rocker = self.rocker_inertia.si() * acceleration(course.psi) + self.rocker_torque.si()
+        let on_rocker = self.rocker_inertia.si() * of_rocker + self.rocker_torque.si()
             - self.rocker_mass.si() * cross(polar(self.rocker_centre.si(), course.psi[0]), gravity);
         // −B acts on the coupler: J_c β̈ + s × m_c (a − g) = −c × B.
         let mass = self.coupler_mass.si();
-        let [ax, ay] = self.coupler_acceleration(course, rates);
-        let lacking = [mass * (ax - gravity[0]), mass * (ay - gravity[1])];
-        let on_coupler = -self.coupler_inertia.si() * acceleration(course.beta)
-            - cross(polar(self.coupler_centre.si(), course.beta[0]), lacking);
+        let centre_m_s2 = self.coupler_acceleration(course, rates);
+        let [ax, ay] = centre_m_s2;
+        let lacking_n = [mass * (ax - gravity[0]), mass * (ay - gravity[1])];
+        let on_coupler =
+            -self.coupler_inertia.si() * of_coupler - cross(polar(self.coupler_centre.si(), course.beta[0]), lacking_n);
         // l × B and c × B by Cramer's rule.
         let across = cross(rocker, coupler);
         let force = [
             (on_rocker * coupler[0] - on_coupler * rocker[0]) / across,
             (on_rocker * coupler[1] - on_coupler * rocker[1]) / across,
         ];
-        [lacking[0] + force[0], lacking[1] + force[1]]
+        Pin {
+            accelerations_rad_s2,
+            centre_m_s2,
+            lacking_n,
+            moments_nm: [on_coupler, on_rocker],
+            force_n: [lacking_n[0] + force[0], lacking_n[1] + force[1]],
+        }
+    }
+
+    /// Returns 1 over the efficiency while the pin force drives the linkage, else 1.
+    pub(crate) fn pin_losses(&self, at: &Instant<'_>) -> f64 {
+        let torque = self.pin_torque(&self.course(at.output.position_rad), self.pin(at.output).force_n);
+        at.before_losses(torque.signum(), at.output.direction)
     }
 
     /// Returns the torque of a crank pin force about the axis of the crank \[Nm\].
@@ -231,11 +273,10 @@ impl Equations for FourBar {
     /// Returns the force of the coupler on the crank pin, before the losses while the crank drives, in full while the
     /// linkage does.
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
-        let course = self.course(at.output.position_rad);
-        let [x, y] = self.pin_force(&course, [at.output.speed_rad_s, at.output.acceleration_rad_s2]);
+        let [x, y] = self.pin(at.output).force_n;
         let mut forces = FlangeForces::default();
         // Losses do not change the direction of a force: both components scale with the torque of the pin.
-        let share = at.before_losses(self.pin_torque(&course, [x, y]).signum(), at.output.direction);
+        let share = self.pin_losses(at);
         forces.act([0.0, 0.0, metres(at.mounting.overhang)], [-x * share, -y * share, 0.0]);
         forces
     }
@@ -243,7 +284,7 @@ impl Equations for FourBar {
     /// Returns the torque of the pin force, at whose change of sign driving and driven side are exchanged.
     fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {
         let course = self.course(at.output.position_rad);
-        let force = self.pin_force(&course, [at.output.speed_rad_s, at.output.acceleration_rad_s2]);
+        let force = self.pin(at.output).force_n;
         (at.efficiency_driving != 1.0).then(|| [self.pin_torque(&course, force), 0.0])
     }
 }

@@ -130,11 +130,15 @@ impl Hoist {
     /// A rope that is lifted pulls the drum by more than its load, one that is lowered by less. While both together
     /// drive the drum, the loss in the lowered rope is not counted as a help: then the sum is that of the losses,
     /// divided by η_F.
-    fn through_sheaves(&self, [load, counterweight]: [f64; 2], direction: f64) -> [f64; 2] {
-        let sheaves = [self.reeving; 2];
-        let (load, balance) = (with_losses(load, direction, sheaves), with_losses(-counterweight, direction, sheaves));
+    fn through_sheaves(&self, pulls: [f64; 2], direction: f64) -> [f64; 2] {
+        let [load, balance] = self.sheave_losses(pulls, direction);
         let help = if (load + balance) * direction < 0.0 { self.reeving } else { 1.0 };
         [load / help, -balance / help]
+    }
+
+    /// Returns the pull of the load's rope and that of the counterweight's against it, each with the losses of its sheaves.
+    pub(crate) fn sheave_losses(&self, [load, counterweight]: [f64; 2], direction: f64) -> [f64; 2] {
+        [load, -counterweight].map(|pull| with_losses(pull, direction, [self.reeving; 2]))
     }
 }
 

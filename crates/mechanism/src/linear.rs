@@ -51,7 +51,7 @@ pub struct Linear {
 impl Linear {
     /// Returns the force of the wheel or thread on the parts moving along the line \[N\], without and with the rotating
     /// inertia of mechanism and payload, which may be beyond the belt.
-    fn pulls(&self, at: &Instant<'_>) -> [f64; 2] {
+    pub(crate) fn pulls(&self, at: &Instant<'_>) -> [f64; 2] {
         let (k, alpha) = (self.travel_m_per_rad, at.output.acceleration_rad_s2);
         // Inertia turning with the wheel and couples about its axis cause no force along the line.
         let line = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
@@ -60,6 +60,13 @@ impl Linear {
         let torque = reduced.inertia * alpha + reduced.holding + reduced.coulomb * at.output.direction + at.recorded_nm;
         let without = torque / k;
         [without, without + (self.inertia.si() + at.extra.inertia.si()) * alpha / k]
+    }
+
+    /// Returns the force at the circumference of the wheel \[N\]. The share of the rotating inertia beyond the belt is not
+    /// known; the pull is largest at one of the limits.
+    pub(crate) fn tangential(&self, at: &Instant<'_>) -> f64 {
+        let [without, with] = self.pulls(at).map(|force| at.before_losses(force, at.output.direction));
+        without.max(with)
     }
 }
 
@@ -118,13 +125,11 @@ impl Equations for Linear {
     }
 
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
-        let [without, with] = self.pulls(at);
         if self.kind == LinearKind::Screw {
-            return FlangeForces { axial_n: without, ..FlangeForces::default() };
+            let [thrust, _] = self.pulls(at);
+            return FlangeForces { axial_n: thrust, ..FlangeForces::default() };
         }
-        // The share of the rotating inertia beyond the belt is not known; the pull is largest at one of the limits.
-        let amount = |force: f64| at.before_losses(force, at.output.direction);
-        wheel_forces(amount(without).max(amount(with)), self.travel_m_per_rad, at.mounting)
+        wheel_forces(self.tangential(at), self.travel_m_per_rad, at.mounting)
     }
 
     fn switches(&self, at: &Instant<'_>) -> Option<[f64; 2]> {

@@ -71,6 +71,12 @@ impl SliderCrank {
         let mass = self.mass.si() + extra.mass.si();
         mass * (acceleration + gravity_m_s2() * self.inclination.si().sin()) + extra.force.si()
     }
+
+    /// Returns the force of the rod on the slider along its line \[N\], and x' [m/rad].
+    pub(crate) fn rod(&self, at: &Instant<'_>) -> (f64, f64) {
+        let course = self.course(at.output.position_rad);
+        (self.rod_force(&course, at.output, at.extra), course.first)
+    }
 }
 
 impl Equations for SliderCrank {
@@ -111,9 +117,9 @@ impl Equations for SliderCrank {
 
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
         let course = self.course(at.output.position_rad);
-        let force = self.rod_force(&course, at.output, at.extra);
+        let (force, outward) = self.rod(at);
         // Outward travel has the sign of x' ω.
-        let amount = at.before_losses(force, course.first * at.output.direction);
+        let amount = at.before_losses(force, outward * at.output.direction);
         let mut forces = FlangeForces::default();
         // Amount and line of the rod force: its own sign reverses both components.
         forces.act([0.0, 0.0, metres(at.mounting.overhang)], [-amount, amount * course.lean, 0.0]);

@@ -79,6 +79,13 @@ impl Stage {
         with_losses(handed_on, direction, [self.efficiency_driving, self.efficiency_driven]) / self.ratio
     }
 
+    /// Returns the force at the circumference of the wheel on the actuator for a transmitted torque \[N\]. While the mechanism
+    /// drives, it is not known where the losses occur: they are not counted as a relief.
+    pub(crate) fn tangential(&self, handed_on: f64, direction: f64) -> f64 {
+        let torque = self.taken(handed_on, direction).abs().max((handed_on / self.ratio).abs());
+        torque / (0.5 * self.pitch_diameter.map_or(0.0, Measure::si))
+    }
+
     /// Returns the torque at the output of the actuator \[Nm\].
     pub(crate) fn torque(&self, torque: f64, behind: &Output, output: &Output) -> f64 {
         self.taken(self.handed_on(torque, behind), output.direction)

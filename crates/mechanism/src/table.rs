@@ -59,6 +59,26 @@ impl Table {
             && first.torque.si() == last.torque.si();
         Ok(Self { points, periodic })
     }
+
+    /// Returns the points.
+    pub(crate) fn points(&self) -> &[TablePoint] {
+        &self.points
+    }
+
+    /// Returns a position within the table \[rad\], and the indices of the points around it: beyond the ends twice the last one.
+    pub(crate) fn between(&self, position_rad: f64) -> (f64, [usize; 2]) {
+        let at = |index: usize| self.points.get(index).map_or(0.0, |point| point.position.si());
+        let (first, last) = (at(0), self.points.len() - 1);
+        let q =
+            if self.periodic { first + (position_rad - first).rem_euclid(std::f64::consts::TAU) } else { position_rad };
+        let high = self.points.partition_point(|point| point.position.si() <= q).clamp(1, last);
+        let ends = match (q < at(high - 1), q > at(high)) {
+            (true, _) => [high - 1; 2],
+            (_, true) => [high; 2],
+            _ => [high - 1, high],
+        };
+        (q, ends)
+    }
 }
 
 impl Equations for Table {
@@ -67,20 +87,17 @@ impl Equations for Table {
     }
 
     fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
-        let first = self.points.first().map_or(0.0, |point| point.position.si());
-        let q =
-            if self.periodic { first + (position_rad - first).rem_euclid(std::f64::consts::TAU) } else { position_rad };
-        let index = self.points.partition_point(|point| point.position.si() <= q).clamp(1, self.points.len() - 1);
-        let (Some(low), Some(high)) = (self.points.get(index - 1), self.points.get(index)) else {
+        let (q, ends) = self.between(position_rad);
+        let [Some(low), Some(high)] = ends.map(|index| self.points.get(index)) else {
             return Reduced { inertia: 0.0, slope: 0.0, holding: 0.0, coulomb: 0.0 };
         };
         let span = high.position.si() - low.position.si();
-        let share = ((q - low.position.si()) / span).clamp(0.0, 1.0);
-        let outside = q < low.position.si() || q > high.position.si();
+        // Beyond the ends both points are the same.
+        let share = if span > 0.0 { (q - low.position.si()) / span } else { 0.0 };
         let rise = high.inertia.si() - low.inertia.si();
         Reduced {
             inertia: low.inertia.si() + share * rise + extra.inertia.si(),
-            slope: if outside { 0.0 } else { rise / span },
+            slope: if span > 0.0 { rise / span } else { 0.0 },
             holding: low.torque.si() + share * (high.torque.si() - low.torque.si()) + extra.torque.si(),
             coulomb: 0.0,
         }

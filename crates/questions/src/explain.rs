@@ -66,7 +66,7 @@ fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> 
                 let (symbols, figures) = written(&tree, operands, steps, language);
                 (Some(tree), Some(symbols), Some(figures), None)
             }
-            Err(_) => (None, Some((*text).to_owned()), None, None),
+            Err(_) => (None, Some(text.clone().into_owned()), None, None),
         },
         How::Found { what, .. } => {
             let tree = what.formula().and_then(|text| Formula::parse(text).ok());

@@ -50,11 +50,7 @@ pub(crate) fn of_mechanism(borne: &Borne<'_>, kind: FlangeLoadKind, peak: Peak, 
     let acts = derived.acts.get(at.segment).copied().unwrap_or(false);
     let [radial, axial, moment] =
         stated_in(borne.duty, at.segment, offset.map_or_else(|| Length::from_si(0.0), |offset| offset.value));
-    if let Some(offset) = offset.filter(|_| kind == FlangeLoadKind::Moment && (acts || moment != 0.0)) {
-        work.given("R", &METRE, offset);
-    }
-    let centre = offset.map_or_else(|| Length::from_si(0.0), |offset| offset.value);
-    let own = acts.then(|| borne.axis.mechanism.explain_flange(kind, &at, (&derived.mounting, centre), work));
+    let own = acts.then(|| borne.axis.mechanism.explain_flange(kind, &at, (&derived.mounting, offset), work));
     let load = borne.duty.loads.get(at.segment);
     let part = match kind {
         FlangeLoadKind::Radial => radial,
@@ -63,14 +59,15 @@ pub(crate) fn of_mechanism(borne: &Borne<'_>, kind: FlangeLoadKind, peak: Peak, 
     };
     let Some(load) = load.filter(|_| part != 0.0) else {
         // Without a load of the segment nothing acts on the flange.
-        work.formula(symbol, unit, peak.value(), own.unwrap_or("0"), &DERIVED);
+        work.formula(symbol, unit, peak.value(), own.unwrap_or_else(|| "0".to_owned()), &DERIVED);
         return;
     };
     let of_mechanism = if kind == FlangeLoadKind::Moment { "M_m" } else { "F_m" };
+    let is_sum = own.is_some();
     if let Some(text) = own {
         work.formula(of_mechanism, unit, peak.value() - part, text, &DERIVED);
     }
-    let text = match (kind, own.is_some()) {
+    let text = match (kind, is_sum) {
         (FlangeLoadKind::Radial, true) => "F_m + F_rs",
         (FlangeLoadKind::Radial, false) => "F_rs",
         (FlangeLoadKind::Axial, true) => "F_m + F_as",
@@ -85,6 +82,9 @@ pub(crate) fn of_mechanism(borne: &Borne<'_>, kind: FlangeLoadKind, peak: Peak, 
         work.stated("F_as", &NEWTON, load.axial_force.si(), "bearing.axial_force");
     }
     if kind == FlangeLoadKind::Moment {
+        if let Some(offset) = offset {
+            work.given("R", &METRE, offset);
+        }
         work.stated("L_r", &METRE, load.radial_distance.si(), "bearing.radial_distance");
         work.stated("L_a", &METRE, load.axial_distance.si(), "bearing.axial_distance");
         work.formula("M_s", &NEWTON_METRE, moment, "F_rs*(L_r + R) + F_as*L_a", &MODEL);

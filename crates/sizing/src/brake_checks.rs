@@ -6,7 +6,7 @@ use crate::check::{Amount, Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, not_checked, project, unjudged};
 use crate::list::{Case, Outcome};
 use crate::notes::{BrakeStop, Note, Notes};
-use crate::workings;
+use crate::workings::{self, Extreme};
 use actuator::{Brake, Parameters, StopOutcome};
 use derivation::{Finding, Workings};
 use motion::Hold;
@@ -146,9 +146,7 @@ fn holding_torque(axis: &Axis, work: &mut Workings) {
 }
 
 fn find_holding_torque(axis: &Axis, work: &mut Workings) {
-    let what = Finding::PeakHoldingTorque;
-    let source = Source::Model { name: "brake" };
-    work.found("T_hold", &NEWTON_METRE, axis.moments().holding_torque.si(), what, &source, Grade::Computed);
+    workings::holding_torque(axis, work);
 }
 
 fn hangs(axis: &Axis) -> bool {
@@ -267,9 +265,8 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
             let energy = if lightest.energy > heaviest.energy { lightest.energy } else { heaviest.energy };
             let time = if lightest.time > heaviest.time { lightest.time } else { heaviest.time };
             let angle = if by_lightest { lightest.angle } else { heaviest.angle };
-            let (load, what) =
-                if by_lightest { (loads[1], Finding::LeastInertia) } else { (loads[0], Finding::LargestInertia) };
-            (BrakeStop { angle, time, energy, permitted: permitted.map(|permitted| permitted.value) }, (load, what))
+            let load = if by_lightest { (loads[1], Extreme::Least) } else { (loads[0], Extreme::Largest) };
+            (BrakeStop { angle, time, energy, permitted: permitted.map(|permitted| permitted.value) }, load)
         }
         (StopOutcome::DoesNotStop, _) | (_, StopOutcome::DoesNotStop) => {
             holding_torque(axis, work);
@@ -317,7 +314,7 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
 fn stop_angle(
     axis: &Axis,
     (actuator, brake): (&Parameters, &Brake),
-    (load, what): (MomentOfInertia, Finding),
+    (load, which): (MomentOfInertia, Extreme),
     angle: f64,
     work: &mut Workings,
 ) {
@@ -325,12 +322,11 @@ fn stop_angle(
     let source = Source::Model { name: "brake" };
     let moments = axis.moments();
     workings::own_inertia(actuator, work);
-    let figure = |work: &mut Workings, symbol, unit, si, what| {
-        work.found(symbol, unit, si, what, &source, Grade::Computed);
-    };
-    figure(work, "J_L", &KILOGRAM_SQUARE_METRE, load.si(), what);
-    figure(work, "n_peak", &REVOLUTION_PER_MINUTE, moments.speed_peak.si(), Finding::PeakSpeed);
-    figure(work, "T_d", &NEWTON_METRE, moments.holding_torque.si(), Finding::DrivingTorque);
+    workings::load_inertia(axis, ("J_L", which), load.si(), work);
+    let speed = moments.speed_peak.si();
+    work.found("n_peak", &REVOLUTION_PER_MINUTE, speed, Finding::PeakSpeed, &source, Grade::Computed);
+    workings::holding_torque(axis, work);
+    work.formula("T_d", &NEWTON_METRE, moments.holding_torque.si(), "T_hold", &source);
     work.given("T_Br", &NEWTON_METRE, torque);
     work.given("t_c", &SECOND, closing);
     let own = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());

@@ -6,7 +6,7 @@ use crate::comparison::{Asking, Comparison, cite, equation, project, unjudged};
 use crate::demand::ManualDemand;
 use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes};
-use crate::workings;
+use crate::workings::{self, Extreme};
 use actuator::{Drivetrain, Parameters};
 use derivation::{Finding, Workings};
 use numeric::{at_least, at_most};
@@ -107,7 +107,7 @@ pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let source = workings::inertia_source(axis);
     let (value, limit) = (axis.moments.inertia_max.si(), factor.value * own.value.si());
     workings::own_inertia(actuator, work);
-    work.found("J_L", &KILOGRAM_SQUARE_METRE, value, Finding::LargestInertia, &source, Grade::Computed);
+    workings::load_inertia(axis, ("J_L", Extreme::Largest), value, work);
     work.value("J_L");
     let table = Source::Model { name: "demand" };
     work.given_number("k_J", factor);

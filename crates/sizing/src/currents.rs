@@ -195,8 +195,14 @@ impl<'e> Currents<'e> {
     }
 
     /// Records the derivation of the largest current `I_peak` at an instant: that of the cold gear beside that of the settled
-    /// cycle, of which the larger one governs.
-    pub(crate) fn explain_peak(&self, node: &Node, of: (&Axis, &Parameters), work: &mut Workings) {
+    /// cycle, of which the larger one governs; that of the settled cycle at another instant, if it is decisive there.
+    pub(crate) fn explain_peak(
+        &self,
+        node: &Node,
+        settled: Option<&Node>,
+        of: (&Axis, &Parameters),
+        work: &mut Workings,
+    ) {
         if !work.is_on() {
             return;
         }
@@ -209,10 +215,18 @@ impl<'e> Currents<'e> {
             work.formula("I_peak", &AMPERE, current, "abs(I)", &source);
             return;
         }
+        let state = if self.heat.is_ok() { Finding::StateSettled } else { Finding::StateWarmest };
+        // A larger current than that of the check cannot decide it: with a curve the limits differ from instant to instant.
+        let elsewhere = settled.filter(|other| self.at(other).abs() <= current);
+        if let Some(other) = elsewhere {
+            self.explain_point(other, of, work);
+            self.explain_state("I_warm", other, (&self.warm, state), work);
+        }
         self.explain_point(node, of, work);
         self.explain_state("I_cold", node, (self.cold, Finding::StateCold), work);
-        let settled = if self.heat.is_ok() { Finding::StateSettled } else { Finding::StateWarmest };
-        self.explain_state("I_warm", node, (&self.warm, settled), work);
+        if elsewhere.is_none() {
+            self.explain_state("I_warm", node, (&self.warm, state), work);
+        }
         work.formula("I_peak", &AMPERE, current, "max(abs(I_cold), abs(I_warm))", &source);
     }
 
@@ -504,13 +518,18 @@ fn current_check(
     let node = if curve.is_some() { axis.trace.largest(&over).1 } else { currents.peak(axis) };
     let (current, most) = (currents.extreme(&node).abs(), over.permitted(&node, currents.larger(&node)));
     // An excess in the settled cycle does not disappear by warming up.
-    let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm])).0;
+    let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm]));
     // Mostly the instant of the largest current decides; otherwise the others are evaluated.
-    let may_be_cold_only = || at_most(over.ratio(&node, &currents.warm), 1.0) && at_most(settled(), 1.0);
+    let is_within_here = || at_most(over.ratio(&node, &currents.warm), 1.0);
+    let may_be_cold_only = || is_within_here() && at_most(settled().0, 1.0);
     let by_cold_only =
         id == CheckId::PeakCurrent && !at_most(current, most) && currents.heat.is_ok() && may_be_cold_only();
     let source = Source::Model { name: "current" };
-    currents.explain_peak(&node, (axis, actuator), work);
+    if work.is_on() {
+        let elsewhere = (!at_most(current, most) && is_within_here()).then(settled);
+        let elsewhere = elsewhere.filter(|(ratio, _)| !at_most(*ratio, 1.0)).map(|(_, node)| node);
+        currents.explain_peak(&node, elsewhere.as_ref(), (axis, actuator), work);
+    }
     work.value("I_peak");
     work.given(symbol, &AMPERE, limit);
     let limit_source = match curve.filter(|_| most > printed) {

@@ -249,7 +249,7 @@ pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     };
     let symbols = match of {
         Of::Peak(node) => {
-            currents.explain_peak(&node, (axis, actuator), work);
+            currents.explain_peak(&node, None, (axis, actuator), work);
             ("I_peak", "I_D_max")
         }
         Of::Effective => {

@@ -175,7 +175,8 @@ pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
     if work.is_on() {
         explain_budget(axis, actuator, (&case, &budget), work);
         if let Some(stage) = &axis.mechanism.stage {
-            stage::explain_budget(stage, (worst, case.torque), work);
+            let has_torque = case.position_loop == PositionLoop::Motor && !budget.missing.contains(&ErrorKind::Torsion);
+            stage::explain_budget(axis, stage, (worst, has_torque), work);
         }
     }
     let source = Source::Model { name: "error-budget" };

@@ -6,13 +6,13 @@ use crate::comparison::{Asking, against_asked, unjudged};
 use crate::list::{Case, Outcome};
 use crate::notes::{Note, Notes, ResonanceSpeeds};
 use crate::stage;
-use crate::workings;
+use crate::workings::{self, Extreme};
 use actuator::Parameters;
 use derivation::{Finding, Workings};
 use mechanism::Extra;
 use numeric::{First, at_least};
 use provenance::{Grade, Missing, Source, Sourced};
-use quantities::unit::{HERTZ, KILOGRAM_SQUARE_METRE, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
+use quantities::unit::{HERTZ, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{AngularVelocity, Frequency, Measure, MomentOfInertia, Time, TorsionalStiffness};
 
 const MODEL: Source = Source::Model { name: "gear" };
@@ -26,6 +26,8 @@ pub(crate) struct Held {
     speed: f64,
     /// Least and largest J_L \[kgm²\].
     inertia: (f64, f64),
+    /// Index of the segment, with the positions at its ends \[rad\].
+    place: (usize, (f64, f64)),
 }
 
 /// Returns the speeds that the cycle holds, each with the inertia of its own payload and positions; a speed held
@@ -43,9 +45,15 @@ fn each_held_speed(axis: &Axis) -> Vec<Held> {
     let held = axis.motion.pieces().iter().filter(|piece| piece.speed_degree() == Some(0) && !piece.is_rest());
     held.map(|piece| {
         let extra = axis.extras.get(piece.segment).unwrap_or(&none);
-        let found = axis.mechanism.extremes(piece.position_rad, piece.end().position_rad, extra);
+        let (from, to) = (piece.position_rad, piece.end().position_rad);
+        let found = axis.mechanism.extremes(from, to, extra);
         let range = (found.inertia_least.si(), found.inertia_largest.si());
-        Held { start: piece.start_s, speed: piece.speed_rad_s.abs(), inertia: range }
+        Held {
+            start: piece.start_s,
+            speed: piece.speed_rad_s.abs(),
+            inertia: range,
+            place: (piece.segment, (from, to)),
+        }
     })
     .collect()
 }
@@ -81,10 +89,7 @@ pub(crate) fn natural_frequency(case: &Case<'_>, work: &mut Workings) -> Outcome
     let blocked = frequency(k.value, load, Rotor::Blocked);
     let asked = axis.asked.natural_frequency_min.map(Measure::si);
     work.given("K_1", &NEWTON_METRE_PER_RADIAN, &k);
-    if work.is_on() {
-        let source = workings::inertia_source(axis);
-        work.found("J_L", &KILOGRAM_SQUARE_METRE, load, Finding::LargestInertia, &source, Grade::Computed);
-    }
+    workings::load_inertia(axis, ("J_L", Extreme::Largest), load, work);
     work.formula("f", &HERTZ, blocked.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
     work.value("f");
     work.asked("f_min", &HERTZ, asked, id);
@@ -164,7 +169,13 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
     // Without a held speed there is no distance to state.
     let is_held = nearest.is_some();
     if work.is_on() {
-        explain_resonance(actuator, (ratio, &stiffness), nearest.map(|((_, line), held)| (line, held)), value, work);
+        explain_resonance(
+            (axis, actuator),
+            (ratio, &stiffness),
+            nearest.map(|((_, line), held)| (line, held)),
+            value,
+            work,
+        );
     }
     // The constant speeds of a recording are unknown.
     let is_apart = at_least(value, RESONANCE_BAND);
@@ -208,7 +219,7 @@ fn speeds_note(axis: &Axis, stiffness: &[&Sourced<TorsionalStiffness>; 3], ratio
 
 /// Records the derivation of the distance `d` from the resonance of a region that is nearest to a held speed.
 fn explain_resonance(
-    actuator: &Parameters,
+    (axis, actuator): (&Axis, &Parameters),
     (ratio, stiffness): (&Sourced<f64>, &[&Sourced<TorsionalStiffness>; 3]),
     nearest: Option<(Line, &Held)>,
     value: f64,
@@ -230,15 +241,13 @@ fn explain_resonance(
         }
         let hertz = |speed: f64| speed * ratio.value / std::f64::consts::PI;
         work.figure("t", &SECOND, held.start, demand, Grade::Computed);
-        let what = Finding::LargestInertiaHeld;
-        work.found("J_L", &KILOGRAM_SQUARE_METRE, largest, what, demand, Grade::Computed);
+        Extreme::Largest.explain(axis, "J_L", held.place, work);
         let text = if is_free { free } else { blocked };
         work.formula("f", &HERTZ, hertz(line.speeds.0), text, &MODEL);
         work.formula("n_r", &REVOLUTION_PER_MINUTE, line.speeds.0, "60*f/(2*i)", &MODEL);
         let mut distance = "100*max(1 - n/n_r, 0)";
         if line.speeds.1.is_finite() && least != largest {
-            let what = Finding::LeastInertiaHeld;
-            work.found("J_L_min", &KILOGRAM_SQUARE_METRE, least, what, demand, Grade::Computed);
+            Extreme::Least.explain(axis, "J_L_min", held.place, work);
             let text = if is_free { free_least } else { blocked_least };
             work.formula("f_high", &HERTZ, hertz(line.speeds.1), text, &MODEL);
             work.formula("n_r_high", &REVOLUTION_PER_MINUTE, line.speeds.1, "60*f_high/(2*i)", &MODEL);

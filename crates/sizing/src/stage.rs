@@ -1,8 +1,10 @@
 //! Effect of a stage behind the actuator on angles: torsion and errors at the mechanism.
 
+use crate::axis::Axis;
 use crate::comparison::{Asking, project};
+use crate::workings;
 use actuator::{Contribution, ErrorBudget, ErrorKind};
-use derivation::{Finding, Workings};
+use derivation::Workings;
 use mechanism::{Mechanism, Stage};
 use provenance::{Grade, Source, Sourced};
 use quantities::unit::{ARCMINUTE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN, ONE};
@@ -89,8 +91,9 @@ pub(crate) fn before(stage: &Stage, budget: &ErrorBudget) -> Angle {
     Angle::from_si(entries.map(|entry| entry.angle.value.si()).sum::<f64>() * stage.ratio)
 }
 
-/// Records the derivation of the sum at the mechanism, `phi_sum`, from that at the output of the actuator, `phi_out`.
-pub(crate) fn explain_budget(stage: &Stage, (worst, torque): (Angle, Torque), work: &mut Workings) {
+/// Records the derivation of the sum at the mechanism, `phi_sum`, from that at the output of the actuator, `phi_out`;
+/// `has_torque`: the largest load torque is recorded as `T`.
+pub(crate) fn explain_budget(axis: &Axis, stage: &Stage, (worst, has_torque): (Angle, bool), work: &mut Workings) {
     ratio(stage, work);
     let mut text = "phi_out/i_s";
     if let Some(backlash) = stage.backlash {
@@ -99,8 +102,11 @@ pub(crate) fn explain_budget(stage: &Stage, (worst, torque): (Angle, Torque), wo
     }
     if stage.stiffness.is_some() {
         stiffness(stage, work);
-        let found = Finding::PeakLoad;
-        work.found("T_s", &NEWTON_METRE, torque.si(), found, &crate::workings::DEMAND, Grade::Computed);
+        if has_torque {
+            work.formula("T_s", &NEWTON_METRE, axis.moments().load_peak.si(), "T", &workings::DEMAND);
+        } else {
+            workings::peak_load(axis, "T_s", work);
+        }
         text = if stage.backlash.is_some() {
             "phi_out/i_s + phi_b + i_s*T_s/K_s*10800/pi"
         } else {

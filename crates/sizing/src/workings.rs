@@ -6,7 +6,7 @@ use crate::demand::{Demand, ManualDemand};
 use crate::flange::output;
 use actuator::Parameters;
 use derivation::{Finding, Workings};
-use mechanism::{At, Output};
+use mechanism::{At, Extremes, MechanismKind, Output};
 use provenance::{Grade, Source};
 use quantities::Measure;
 use quantities::unit::{
@@ -27,6 +27,82 @@ pub(crate) fn inertia_source(axis: &Axis) -> Source {
     match axis.by_the_manual() {
         Some(_) => project("load.inertia"),
         None => Source::Model { name: "mechanisms" },
+    }
+}
+
+/// One of the extremes of the inertia of the load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extreme {
+    Least,
+    Largest,
+}
+
+impl Extreme {
+    /// Returns value \[kgm²\] and position \[rad\] of the extreme.
+    fn of(self, found: &Extremes) -> (f64, f64) {
+        let [least_at, largest_at] = found.inertia_at_rad;
+        match self {
+            Self::Least => (found.inertia_least.si(), least_at),
+            Self::Largest => (found.inertia_largest.si(), largest_at),
+        }
+    }
+
+    const fn position(self) -> Finding {
+        match self {
+            Self::Least => Finding::PositionOfLeastInertia,
+            Self::Largest => Finding::PositionOfLargestInertia,
+        }
+    }
+
+    /// Records the inertia of the load under a symbol, between two positions in a segment.
+    pub(crate) fn explain(
+        self,
+        axis: &Axis,
+        symbol: &'static str,
+        (segment, (low, high)): (usize, (f64, f64)),
+        work: &mut Workings,
+    ) {
+        let extra = axis.extras.get(segment).copied().unwrap_or_default();
+        let (_, at) = self.of(&axis.mechanism.extremes(low, high, &extra));
+        axis.mechanism.explain_inertia(symbol, (at, self.position()), (segment, &extra), work);
+    }
+}
+
+/// Returns the segment of the path, with its lowest and highest position, in which a value is largest.
+fn segment_of(axis: &Axis, value: impl Fn(&Extremes) -> f64) -> Option<(usize, (f64, f64))> {
+    let each = axis.trace.spans().map(|(segment, (low, high))| {
+        let extra = axis.extras.get(segment).copied().unwrap_or_default();
+        (value(&axis.mechanism.extremes(low, high, &extra)), (segment, (low, high)))
+    });
+    let first = |best: Option<(f64, _)>, each: (f64, _)| best.filter(|best| best.0 >= each.0).or(Some(each));
+    each.fold(None, first).map(|(_, segment)| segment)
+}
+
+/// Records an extreme inertia of the load along the path under a symbol.
+pub(crate) fn load_inertia(axis: &Axis, (symbol, which): (&'static str, Extreme), value: f64, work: &mut Workings) {
+    if !work.is_on() {
+        return;
+    }
+    if which == Extreme::Least && matches!(axis.mechanism.kind, MechanismKind::Joint(_)) {
+        let source = inertia_source(axis);
+        work.found(symbol, &KILOGRAM_SQUARE_METRE, value, Finding::NotKnown, &source, Grade::Computed);
+        return;
+    }
+    let sign = if which == Extreme::Least { -1.0 } else { 1.0 };
+    if let Some(segment) = segment_of(axis, |found| sign * which.of(found).0) {
+        which.explain(axis, symbol, segment, work);
+    }
+}
+
+/// Records the largest torque that holds the load at rest, `T_hold`.
+pub(crate) fn holding_torque(axis: &Axis, work: &mut Workings) {
+    if !work.is_on() {
+        return;
+    }
+    if let Some((segment, (low, high))) = segment_of(axis, |found| found.holding.si()) {
+        let extra = axis.extras.get(segment).copied().unwrap_or_default();
+        let at = axis.mechanism.extremes(low, high, &extra).holding_at_rad;
+        axis.mechanism.explain_holding(at, (segment, &extra), work);
     }
 }
 

@@ -135,6 +135,7 @@ impl<'a> Builder<'a> {
             shares: self.shares,
             inertia,
             span,
+            spans: self.spans,
             holding,
         };
         trace.straight = Straight::of(&trace);

@@ -396,6 +396,8 @@ pub struct Trace {
     inertia: (f64, f64),
     /// Lowest and highest position \[rad\].
     span: (f64, f64),
+    /// Lowest and highest position of each segment \[rad\].
+    spans: Vec<Option<(f64, f64)>>,
     holding: f64,
 }
 
@@ -473,6 +475,11 @@ impl Trace {
     #[must_use]
     pub fn span(&self) -> (Angle, Angle) {
         (Angle::from_si(self.span.0), Angle::from_si(self.span.1))
+    }
+
+    /// Returns the lowest and the highest position of the segments \[rad\], each with its index.
+    pub fn spans(&self) -> impl Iterator<Item = (usize, (f64, f64))> + '_ {
+        self.spans.iter().enumerate().filter_map(|(segment, span)| Some((segment, (*span)?)))
     }
 
     /// Returns the largest magnitude of the torque that holds the load without friction, by motor or brake.

@@ -48,6 +48,7 @@ mod schema;
 pub mod serving;
 pub mod simulation;
 mod stage;
+mod step_terms;
 pub mod sweeps;
 pub mod tables;
 pub mod terminal;
@@ -66,7 +67,7 @@ pub use commissioned::{
     band_text, cause_text, choice_text, conversion_text, gap_text, measurand_name, object_name, parameter_name,
     unjudged_text,
 };
-pub use derivation::{found_condition, found_text, step_term, step_terms, symbol_shown};
+pub use derivation::{found_condition, found_text, symbol_shown};
 pub use errata::{ERRATUM_MARK, erratum_kind, erratum_place, erratum_status, marked};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
@@ -97,6 +98,7 @@ pub use results::{
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;
 pub use stage::ratios_text;
+pub use step_terms::{step_term, step_terms};
 pub use texts::{Text, Word};
 pub use usage::{Usage, UsageHint, usage_hint, usage_text};
 
