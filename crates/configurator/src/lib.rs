@@ -15,6 +15,7 @@ mod product;
 mod products;
 mod requirements;
 mod rules;
+mod sheet;
 
 pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
 pub use family::{battery, ptc_cell};
@@ -24,3 +25,4 @@ pub use product::{FrameSize, Product, ProductId, ProductSource};
 pub use products::Catalogue;
 pub use requirements::{Requirements, Unmet};
 pub use rules::{Availability, BrokenRule, Rule, Uncovered, availability, uncovered};
+pub use sheet::sheet_cells;

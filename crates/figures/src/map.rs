@@ -89,6 +89,7 @@ pub fn has_points(sizing: &Sizing<'_>, by: By) -> bool {
 pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&ProductId>, language: Language) -> Drawing {
     let all: Vec<&Candidate<'_>> = sizing.candidates.iter().chain(sizing.own.as_ref()).collect();
     let place = |candidate: &Candidate<'_>| point(by, candidate);
+    let shared = shared_series(sizing);
     let named: Vec<&ProductId> = all
         .iter()
         .filter(|candidate| candidate.fits() && Some(&candidate.id) != marked)
@@ -98,7 +99,7 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&ProductId>, la
     let points = |of: &dyn Fn(&Candidate<'_>) -> bool| {
         let found = all.iter().filter(|candidate| of(candidate)).filter_map(|candidate| {
             let (x, y) = place(candidate)?;
-            let name = if named.contains(&&candidate.id) { short(&candidate.id) } else { String::new() };
+            let name = if named.contains(&&candidate.id) { short(candidate, shared) } else { String::new() };
             Some((x, y, name))
         });
         found.collect::<Vec<_>>()
@@ -144,10 +145,18 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&ProductId>, la
     Drawing::new(Figure::CandidateMap, of, (165.0, 115.0), (caption, description), Chart::Xy(chart), language)
 }
 
-/// Returns a code without the name of the series, which all share.
-fn short(id: &ProductId) -> String {
-    let text = id.to_string();
-    text.strip_prefix("CHA-").unwrap_or(&text).to_owned()
+/// Returns the series of the products, if all share one.
+fn shared_series<'s>(sizing: &'s Sizing<'_>) -> Option<&'s str> {
+    let first = sizing.candidates.first()?.product.series.as_deref()?;
+    let shares = |candidate: &Candidate<'_>| candidate.product.series.as_deref() == Some(first);
+    sizing.candidates.iter().all(shares).then_some(first)
+}
+
+/// Returns the identity of a candidate without the name of the series that all share.
+fn short(candidate: &Candidate<'_>, shared: Option<&str>) -> String {
+    let text = candidate.id.to_string();
+    let rest = shared.and_then(|series| text.strip_prefix(series)?.strip_prefix('-'));
+    rest.unwrap_or(&text).to_owned()
 }
 
 fn description(

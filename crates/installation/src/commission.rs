@@ -15,8 +15,8 @@ pub mod sinamics;
 
 use crate::commission::encoder::EncoderRow;
 use actuator::Parameters;
-use catalogue::Drive;
-use order_code::{Brake, OrderCode};
+use catalogue::{Cell, Drive};
+use order_code::{Brake, FeedbackKind, OrderCode};
 use provenance::{Datum, Grade, Source};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, HERTZ, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIHENRY,
@@ -272,6 +272,18 @@ impl Commissioning {
     #[must_use]
     pub fn has_ptc(&self) -> bool {
         catalogue::leads_out_ptc(&self.code)
+    }
+
+    /// Returns the cell with the response temperature of the PTC, if a connector has contacts for it.
+    #[must_use]
+    pub fn ptc_response(&self) -> Option<&'static Cell> {
+        configurator::ptc_cell(&self.code).filter(|_| self.has_ptc())
+    }
+
+    /// Returns the kind of the motor feedback.
+    #[must_use]
+    pub fn feedback_kind(&self) -> Option<FeedbackKind> {
+        self.code.feedback.kind()
     }
 
     /// Returns `true` if a connector has contacts for the KTY of the winding.

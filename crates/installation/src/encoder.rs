@@ -320,7 +320,8 @@ mod tests {
     #[test]
     fn wiring_and_encoder_agree() {
         let mut seen = 0;
-        for (code, _) in configurator::catalogue_actuators() {
+        for code in configurator::Catalogue::cha().products(false).iter().filter_map(|product| product.id.order_code())
+        {
             let (Some(wiring), Some(fitted)) = (wiring(code), encoders(code)) else { panic!("{code}") };
             for each in &fitted {
                 for signal in each.encoder.signals() {

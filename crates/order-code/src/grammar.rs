@@ -117,15 +117,20 @@ impl Series {
         self.field(field).is_none_or(|known| known.is_optional)
     }
 
-    /// Returns the series whose word `text` begins with, ignoring case; the longest such word wins, and the default
-    /// series is returned if there is none.
+    /// Returns the series whose word `text` begins with, ignoring case, or the default series.
     pub(crate) fn of_text(text: &str) -> Self {
+        Self::beginning(text).unwrap_or_default()
+    }
+
+    /// Returns the series whose word `text` begins with, ignoring case; the longest such word wins.
+    #[must_use]
+    pub fn beginning(text: &str) -> Option<Self> {
         let text = text.trim_start();
         let begins = |series: &Self| {
             let word = series.as_str();
             text.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word))
         };
-        Self::all().filter(begins).max_by_key(|series| series.as_str().len()).unwrap_or_default()
+        Self::all().filter(begins).max_by_key(|series| series.as_str().len())
     }
 
     pub(crate) fn words_of_fields(self) -> &'static [FieldWords] {

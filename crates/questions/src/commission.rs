@@ -71,7 +71,7 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
         remark(&mut out, &line);
     }
     remark(&mut out, commission::script_missing(language));
-    if about.code.feedback.kind() != Some(FeedbackKind::EndatMultiturn) {
+    if about.feedback_kind() != Some(FeedbackKind::EndatMultiturn) {
         remark(&mut out, commission::encoder_configuration(language));
     }
     for gap in about.gaps.iter().filter(|gap| **gap != room::Gap::OwnObjects) {

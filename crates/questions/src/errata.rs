@@ -4,6 +4,7 @@ use crate::codes::CodeRefusal;
 use crate::codes::read_code;
 use crate::sheet::sheet;
 use catalogue::Erratum;
+use order_code::Series;
 use project::Hint;
 use quantities::Language;
 
@@ -63,9 +64,7 @@ pub fn errata_about(text: Option<&str>, language: Language) -> Result<ErrataFoun
             };
             Ok(ErrataFound { about: Some(code.to_string()), errata: all.iter().filter(concerns).collect() })
         }
-        Err(refusal) if text.get(..3).is_some_and(|series| series.eq_ignore_ascii_case("CHA")) => {
-            Err(ErrataRefusal::Code(refusal))
-        }
+        Err(refusal) if Series::beginning(text).is_some() => Err(ErrataRefusal::Code(refusal)),
         Err(_) => Err(unknown(text, language)),
     }
 }

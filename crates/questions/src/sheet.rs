@@ -1,8 +1,8 @@
 //! Data sheet of one ordering code: every value of the manual for it, with its table and the notes on both.
 
 use catalogue::{Cell, Footnote, Value};
-use configurator::Uncovered;
-use order_code::{Brake, Field, OrderCode};
+use configurator::{Uncovered, sheet_cells, uncovered};
+use order_code::{Field, OrderCode};
 use quantities::{Language, format_significant};
 use words::{cell_text, decimal, terminal};
 
@@ -75,15 +75,8 @@ pub struct Sheet {
 /// Values for the other brake variant are left out, and so are the sections of other feedback systems.
 #[must_use]
 pub fn sheet(code: &OrderCode) -> Option<Sheet> {
-    catalogue::drive(code.size, code.winding, code.feedback)?;
-    let uncovered = configurator::uncovered(code);
-    let mut cells = catalogue::cells_about(code.size, code.winding, code.feedback, code.ratio);
-    cells.retain(|cell| concerns(cell, code));
-    if code.has_output_encoder() {
-        let series = catalogue::SeriesData::of(code.series());
-        let tables = [series.output_encoder].into_iter().chain(series.output_wiring.first().copied());
-        cells.extend(tables.filter_map(catalogue::table).flat_map(catalogue::ManualTable::cells));
-    }
+    let cells = sheet_cells(code)?;
+    let uncovered = uncovered(code);
     let mut sections: Vec<SheetSection> = Vec::new();
     for cell in cells {
         let Some(table) = catalogue::table(cell.place.table) else { continue };
@@ -120,19 +113,6 @@ fn errata_of_table(table: &str) -> Vec<&'static str> {
         .filter(|erratum| erratum.cell().is_none())
         .map(|erratum| erratum.id)
         .collect()
-}
-
-/// Returns `true` if a cell is valid for the brake variant of this code.
-fn concerns(cell: &Cell, code: &OrderCode) -> bool {
-    let of_the_other_variant = match code.brake {
-        Brake::With => ["J_out", "J", "m", "L"].contains(&cell.place.symbol),
-        Brake::Without => {
-            cell.place.symbol.ends_with("_brake")
-                || ["U_Br", "T_Br", "I_OBr", "I_HBr", "N_brakings", "N_emergency", "t_o", "t_c"]
-                    .contains(&cell.place.symbol)
-        }
-    };
-    !of_the_other_variant
 }
 
 /// Marks of the notes in a table: those of the manual, else the next small letter. A property that the tables do not

@@ -206,7 +206,7 @@ impl Commissioning {
     /// no bound for a range.
     #[must_use]
     pub fn expected_ptc(&self, sensor: ThermodynamicTemperature) -> Option<ExpectedValue> {
-        let response = configurator::ptc_cell(&self.code).filter(|_| self.has_ptc())?;
+        let response = self.ptc_response()?;
         let celsius = response.limit().number()?;
         let cold = sensors::ptc_bounds().into_iter().next()?;
         let from_response = sensor.in_unit(&DEGREE_CELSIUS) - celsius;

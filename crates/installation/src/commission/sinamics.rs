@@ -119,7 +119,7 @@ pub struct ParameterLine {
 /// rounding.
 #[must_use]
 pub fn lines(commissioning: &Commissioning) -> Vec<ParameterLine> {
-    let is_identified = commissioning.code.feedback.kind() == Some(FeedbackKind::EndatMultiturn);
+    let is_identified = commissioning.feedback_kind() == Some(FeedbackKind::EndatMultiturn);
     let holds = |choice: ParameterChoice| match choice {
         ParameterChoice::Synchronous => true,
         ParameterChoice::IdentifiedEncoder => is_identified,

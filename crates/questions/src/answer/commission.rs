@@ -179,7 +179,7 @@ fn encoder(row: &EncoderRow, language: Language) -> EncoderValue {
 }
 
 fn commutation(about: &Commissioning, form: DriveForm, language: Language) -> Vec<String> {
-    let Some(kind) = about.code.feedback.kind() else { return Vec::new() };
+    let Some(kind) = about.feedback_kind() else { return Vec::new() };
     let own = match kind {
         FeedbackKind::SineIncremental => commission::commute_c1024(language),
         FeedbackKind::EndatMultiturn | FeedbackKind::SsiMultiturn => commission::commute_absolute(language),
@@ -223,7 +223,7 @@ fn thresholds(about: &Commissioning, language: Language) -> Vec<SensorThreshold>
             errata: [known.errata.clone(), expected.errata].concat(),
         });
     }
-    let Some(response) = configurator::ptc_cell(&about.code).filter(|_| about.has_ptc()) else { return found };
+    let Some(response) = about.ptc_response() else { return found };
     let Some(celsius) = response.limit().number() else { return found };
     let corners = [
         (-20.0, commission::ptc_cold(language)),

@@ -136,12 +136,13 @@ const SHEET: [(&str, &str); 61] = [
 
 /// Returns the data of an actuator of the catalogue: drive, brake, gear, output bearing, encoder, dimensions,
 /// environment.
-pub(super) fn data_sheet(code: &OrderCode, language: Language) -> Vec<DataLine> {
+///
+/// A threshold of the KTY is left out if `without_kty`: no connector leads it out.
+pub(super) fn data_sheet(code: &OrderCode, without_kty: bool, language: Language) -> Vec<DataLine> {
     let Some(sheet) = sheet(code) else { return Vec::new() };
     let rows: Vec<&SheetRow> = sheet.sections.iter().flat_map(|section| &section.rows).collect();
     let of = |(symbol, printed): &(&'static str, &'static str)| {
-        // Thresholds of a sensor that no connector leads out do not apply.
-        let applies = *symbol != "T_KTY" || catalogue::leads_out_kty(code);
+        let applies = *symbol != "T_KTY" || !without_kty;
         let found = rows.iter().filter(move |row| applies && row.cell.place.symbol == *symbol);
         let printed = *printed;
         found.map(move |row| line(row, printed, language)).collect::<Vec<_>>()
@@ -195,7 +196,7 @@ mod tests {
             let Some(sheet) = sheet(code) else { continue };
             let of_the_gear = |section: &&crate::sheet::SheetSection| section.table.id.starts_with("54.");
             let rows = sheet.sections.iter().filter(of_the_gear).flat_map(|section| &section.rows);
-            let lines = data_sheet(code, Language::En);
+            let lines = data_sheet(code, true, Language::En);
             for row in rows {
                 let name = symbol_term(row.cell.place.symbol, Language::En);
                 assert!(lines.iter().any(|line| line.name.starts_with(&name)), "{code} {name}");

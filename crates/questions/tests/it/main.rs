@@ -22,6 +22,7 @@ mod errata_in_documents;
 mod errata_marked;
 mod first_instant;
 mod flat_peak;
+mod handed_catalogue;
 mod identify;
 mod instants;
 mod limits;
