@@ -346,7 +346,14 @@ pub(crate) fn faults_and_proposals(stage: &OpenPage<'_>) -> Worded {
     tab.will_choose("lift.toml", LIFT)?;
     tab.click("[data-open]")?;
     stage.ready()?;
-    tab.says("#verdict .would", "mechanism.screw.lead")
+    // Each card says what changes, and a button changes it; undo leads back.
+    tab.says(".remedies", "Travel per revolution")?;
+    tab.says(".remedies", "Intermediate stage")?;
+    let before = tab.value("#text")?;
+    tab.click(".remedy button")?;
+    tab.until("document.querySelector('#verdict').matches(':not(.fail)') && !document.querySelector('.remedies')")?;
+    tab.click("#undo")?;
+    tab.until(&format!("document.querySelector('#text').value === {}", json!(before)))
 }
 
 /// A lift whose lead suits no actuator.

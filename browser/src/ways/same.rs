@@ -3,12 +3,13 @@
 use crate::stage::OpenPage;
 use crate::tab::{Worded, expect};
 use page::{Call, FileEntry, Folder, Method, SaveFault, Shell, Storage, respond};
-use project::{Files, NoFiles};
+use project::{Catalogue, Files, NoFiles};
 use quantities::Language;
 use questions::Progress;
 use questions::list::new::{template, template_kinds};
 use serde_json::json;
 use std::io::ErrorKind;
+use std::sync::Arc;
 
 /// Shell of an engine in a browser without stored data.
 struct Empty;
@@ -16,6 +17,10 @@ struct Empty;
 impl Shell for Empty {
     fn files(&self) -> &dyn Files {
         &NoFiles
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
     }
 
     fn folder(&self) -> Option<&dyn Folder> {

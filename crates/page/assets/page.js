@@ -226,6 +226,8 @@ document.addEventListener('click', (event) => {
 export const opened = (ids) => { for (const id of ids) folds.set(id, true); };
 // A menu that is open stays so.
 let menus = [];
+let hadFocus = false;
+document.addEventListener('htmx:before:swap', () => { hadFocus = document.activeElement !== document.body; });
 document.addEventListener('htmx:before:swap', () => { menus = all('.menu[open]').map((menu) => [menu.id, menu.contains(document.activeElement) ? document.activeElement.id : '']); });
 document.addEventListener('htmx:after:swap', () => {
   for (const [id, focus] of menus) { const menu = document.getElementById(id); if (menu) menu.open = true; if (focus && document.activeElement.id !== focus) document.getElementById(focus)?.focus(); }
@@ -239,6 +241,8 @@ document.addEventListener('htmx:after:swap', () => {
   if (isNew(head) && !isTypedIn($('#detail'))) head.focus();
   const begin = $('#begin-title');
   if (isNew(begin) && !isTypedIn(begin.closest('form'))) { $('#begin input[type=text]')?.focus(); $('#begin input[type=text]')?.select(); begin.closest('form').scrollIntoView({ block: 'nearest' }); }
+  // What had the focus is gone: the verdict, which the change was about, takes it.
+  if (hadFocus && document.activeElement === document.body) $('#standing')?.focus({ preventScroll: true });
 });
 // The drawer gives the focus back to where it was opened.
 let opener = null;

@@ -1,9 +1,11 @@
 //! The right pane: the ranking with all checks of the selected actuator, the rejected actuators with their reasons, and
 //! the map of candidates.
 
+use crate::call::Shell;
 use crate::checks;
 use crate::form::vals;
 use crate::parts::part;
+use crate::remedies;
 use crate::state::{Filter, List, MARKED_MOST, PageState, Sort};
 use crate::verdict::Outcome;
 use figures::{By, Size, Style, candidate_map};
@@ -26,7 +28,7 @@ const REST: &str = "ranking-rest";
 const REJECTED_SHOWN: usize = 40;
 
 /// Returns the pane.
-pub(crate) fn column(state: &PageState, found: &Outcome<'_, '_>, is_old: bool) -> Markup {
+pub(crate) fn column(state: &PageState, found: &Outcome<'_, '_>, is_old: bool, shell: &dyn Shell) -> Markup {
     let l = state.language;
     html! {
         section id="fits" class=(if is_old { "pane old" } else { "pane" }) aria-labelledby="fits-title" {
@@ -34,7 +36,7 @@ pub(crate) fn column(state: &PageState, found: &Outcome<'_, '_>, is_old: bool) -
             @if let Some(sizing) = found.sizing {
                 (lists(state, sizing))
                 div id="list" role="tabpanel" aria-labelledby={ "list-" (state.list.id()) } { @match state.list {
-                    List::Ranking => (ranking(state, sizing, found.candidate)),
+                    List::Ranking => { @if sizing.answer().is_none() { (remedies::place(&shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()), l)) } (ranking(state, sizing, found.candidate)) },
                     List::Rejected => (rejected(state, sizing, found.candidate)),
                     List::Map => (map(state, sizing, found.candidate.map(|candidate| &candidate.id))),
                 } }

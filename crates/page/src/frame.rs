@@ -125,12 +125,12 @@ fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result
     let looked_at = project.and_then(|project| looked_at(state, project, sizing.as_ref()?.named()));
     let found = Outcome { project, sizing: sizing.as_ref(), candidate: looked_at.as_ref() };
     let moves = form::column(state, &held, looked_at.as_ref(), shell);
-    let bar = verdict::bar(state, &held, &found, &moves.0, shell, progress);
+    let bar = verdict::bar(state, &held, &found, &moves.0, progress);
     let demands = match project {
         Some(project) => demand::column(state, project, looked_at.as_ref(), held.is_old, shell, progress),
         None => demand::nothing(state.language),
     };
-    let panes = panes(&moves, &demands, &fits::column(state, &found, held.is_old), state.language);
+    let panes = panes(&moves, &demands, &fits::column(state, &found, held.is_old, shell), state.language);
     Ok(page_of(state, &held, shell, &bar, &panes))
 }
 
@@ -172,8 +172,9 @@ fn page_of(state: &PageState, held: &ReadProject, shell: &dyn Shell, bar: &Marku
 fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Markup, progress: &Progress) -> Markup {
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
-    let bar = verdict::bar(state, held, &none, &moves.0, shell, progress);
-    let panes = panes(&moves, &demand::nothing(state.language), &fits::column(state, &none, true), state.language);
+    let bar = verdict::bar(state, held, &none, &moves.0, progress);
+    let panes =
+        panes(&moves, &demand::nothing(state.language), &fits::column(state, &none, true, shell), state.language);
     page_of(state, held, shell, &html! { (bar) (demand::stopped(why)) }, &panes)
 }
 

@@ -28,6 +28,7 @@ mod names;
 mod overlay;
 mod parts;
 mod recorded;
+mod remedies;
 mod simulated;
 mod sketch;
 mod start;
@@ -93,7 +94,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply
         (Method::Post, "/versions") => html(versions::listed(call)),
         (Method::Post, "/recorded") => html(recorded::brought(call, shell)),
         (Method::Post, "/picture") => frame::picture(call, shell, progress),
-        (Method::Post, "/would-fit") => html(verdict::would_fit(call, shell, progress)),
+        (Method::Post, "/would-fit") => html(remedies::cards(call, shell, progress)),
         (Method::Post, "/curves") => frame::curves(call, shell, progress),
         (Method::Get, "/example") => html(start::example_verdict(call, shell, progress)),
         (Method::Get, "/files") => html(files::listed(call, shell)),

@@ -303,6 +303,11 @@ impl PageState {
             let value = if band.is_empty() { value.to_owned() } else { format!("{value} ± {band}") };
             apply(&path, Edit::Value(&value));
         }
+        if let (Some(factor), Some(prefix)) = (call.field("pace"), call.field("of"))
+            && let Some(changed) = factor.parse().ok().and_then(|factor| paced(&self.text, &prefix, factor))
+        {
+            self.text = changed;
+        }
         if let (Some(path), Some(pulled)) = (call.field("path"), call.field("pulled"))
             && let Some(changed) = stretched(&self.text, &path, &pulled)
         {
@@ -361,6 +366,14 @@ fn stretched(text: &str, path: &str, pulled: &str) -> Option<String> {
     let (time, way, time_was, way_was) = (next()?, next()?, next()?, next()?);
     let share = |to_be: f64, was: f64| if to_be == was { 1.0 } else { to_be / was };
     stretch(text, path, share(time, time_was), share(way, way_was)).ok()
+}
+
+/// Returns the text with the whole motion of an axis slower by a factor, dwells included; `prefix`: `axis[2].` in a file with several.
+fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
+    let segments = written(text)?.into_iter().filter_map(|key| Some(key.path.strip_suffix(".law")?.to_owned()));
+    let of_the_axis: Vec<String> =
+        segments.filter(|path| path.strip_prefix(prefix).is_some_and(|inside| inside.starts_with("motion["))).collect();
+    of_the_axis.iter().try_fold(text.to_owned(), |text, segment| stretch(&text, segment, factor, 1.0)).ok()
 }
 
 /// Value of `axis` that selects the summary of all axes.

@@ -1,16 +1,14 @@
 //! The bar under the head, always visible: verdict, governing checks, open checks, and the faults of the text.
 
-use crate::call::{Call, Shell};
 use crate::form::{self, vals};
 use crate::state::{List, PageState, ReadProject};
 use maud::{Markup, html};
 use project::{Project, key_at};
 use quantities::Language;
 use questions::list::check::reserve_unasked;
-use questions::list::size::gearing_proposals;
-use questions::texts::{mend_text, objection_text, percent, reserve_lines, standing_text};
+use questions::texts::{objection_text, percent, reserve_lines, standing_text};
 use questions::{Candidate, Fit, Progress, Sizing, Verdict};
-use words::{about_text, capitalised, check_title, page, short_label, terminal, terms, verdict_count, without_limit};
+use words::{about_text, capitalised, check_title, page, short_label, terms, verdict_count, without_limit};
 
 /// Number of faults shown at once.
 const FAULTS_SHOWN: usize = 20;
@@ -39,7 +37,6 @@ pub(crate) fn bar(
     held: &ReadProject,
     found: &Outcome<'_, '_>,
     fields: &str,
-    shell: &dyn Shell,
     progress: &Progress,
 ) -> Markup {
     let l = state.language;
@@ -47,8 +44,8 @@ pub(crate) fn bar(
     html! {
         section id="verdict" class={ (class) @if held.is_old { " old" } } aria-label=(capitalised(terms::verdict(l))) {
             @match found.candidate {
-                Some(candidate) => { (line(candidate, l)) (below(found, candidate, &shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()), progress, l)) },
-                None => p id="standing" role="status" { (page::no_result_yet(l)) },
+                Some(candidate) => { (line(candidate, l)) (below(found, candidate, progress, l)) },
+                None => p id="standing" role="status" tabindex="-1" { (page::no_result_yet(l)) },
             }
             (faults(state, held, fields, l))
             (crate::demand::stopped(&html! {}))
@@ -69,7 +66,7 @@ fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
     };
     let of = |verdict, count| verdict_count(verdict, count, l);
     html! {
-        p id="standing" role="status" aria-live="polite" { strong.code { (candidate.id) } ": " (standing_text(candidate, l)) }
+        p id="standing" role="status" aria-live="polite" tabindex="-1" { strong.code { (candidate.id) } ": " (standing_text(candidate, l)) }
         @if let Some(tightest) = candidate.governing() {
             button.count type="button" id="tightest" data-goto={ "#check-" (tightest.id.id()) } hx-post="/work" hx-vals=(shown) {
                 (page::tightest(l)) " " (check_title(tightest.id, l)) " " strong { (percent(tightest.utilisation, l)) " %" }
@@ -87,23 +84,17 @@ fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
 
 /// Returns the failed checks, the changes that would let it fit, and the values to state so that the other checks can
 /// be made.
-fn below(
-    found: &Outcome<'_, '_>,
-    candidate: &Candidate<'_>,
-    version: &str,
-    progress: &Progress,
-    language: Language,
-) -> Markup {
+fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, progress: &Progress, language: Language) -> Markup {
     let l = language;
     let keys = candidate.keys_to_state();
     let reserve = match found.project {
-        Some(project) if !candidate.fits() => reserve_unasked(project, candidate, progress).unwrap_or_default(),
+        // Where no actuator fits, the right pane says what would.
+        Some(project) if !candidate.fits() && found.sizing.is_some_and(|sizing| sizing.answer().is_some()) => {
+            reserve_unasked(project, candidate, progress).unwrap_or_default()
+        }
         _ => questions::Reserve::default(),
     };
     html! {
-        @if found.sizing.is_some_and(|sizing| sizing.answer().is_none()) {
-            p.below.would id={ "would-" (version) } hx-post="/would-fit" hx-trigger="load" hx-target="this" hx-swap="innerHTML" hx-morph-skip="" {}
-        }
         @for objection in &candidate.objections { p.below.fail { (objection_text(candidate, objection, l)) } }
         @for (head, parts) in reserve_lines(&reserve, candidate, l) {
             p.below.would { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
@@ -117,22 +108,8 @@ fn below(
     }
 }
 
-/// Returns other gearings with which an actuator fits; requested after the page is shown, because it needs several
-/// judgements of the catalogue.
-pub(crate) fn would_fit(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
-    let mut state = PageState::of(call);
-    let l = state.language;
-    let held = state.hold(shell, progress);
-    let found =
-        held.projects.get(state.axis).and_then(|project| gearing_proposals(project, progress).ok()).unwrap_or_default();
-    html! { @if !found.is_empty() {
-        (capitalised(terminal::would_fit_with_other_gearing(l))) ": "
-        @for (place, mend) in found.iter().enumerate() { @if place > 0 { "; " } (mend_text(mend, l)) }
-    } }
-}
-
 /// Returns the label of a key as the left pane shows it; `None` if the path names no key.
-fn label_of(path: &str, language: Language) -> Option<String> {
+pub(crate) fn label_of(path: &str, language: Language) -> Option<String> {
     // The keys of a file with several axes stand under `axis[N]`.
     let inside = path.strip_prefix("axis[").and_then(|rest| rest.split_once("].")).map_or(path, |(_, inside)| inside);
     Some(capitalised(&short_label(about_text(key_at(inside)?.about, language))))

@@ -178,6 +178,22 @@ texts! {
     page_of_the_manual(number) = "page {number} of the manual" | "Seite {number} der Anleitung";
     chapter_of_the_theory(name) = "theory: {name}" | "Theorie (englisch): {name}";
     worst_instant(time) = "at {time} s" | "bei {time} s";
+    what_would_fit = "What would fit" | "Was geeignet wäre";
+    searching_remedies = "Searching for changes with which an actuator fits …" | "Änderungen werden gesucht, mit denen ein Antrieb geeignet ist …";
+    no_remedy_found =
+        "No single change was found: not of the cycle time, of payload or masses, of a ratio up to 16 times larger or smaller, nor with an intermediate stage. Change several, or share the load between several actuators."
+        | "Keine einzelne Änderung gefunden: weder der Zykluszeit, der Nutzlast oder der Massen, einer Übersetzung bis zum 16-Fachen nach oben oder unten noch mit einer Zwischenstufe. Mehrere ändern oder die Last auf mehrere Antriebe verteilen.";
+    remedies_about =
+        "Each change alone is sufficient; ↶ reverts it."
+        | "Jede Änderung genügt für sich; ↶ macht sie rückgängig.";
+    more_remedies(count) = "{count} more" | "{count} weitere";
+    fits_with_proviso(proviso) = "fits {proviso}" | "geeignet, {proviso}";
+    apply = "Apply" | "Anwenden";
+    by_your_own_change = "To be changed in the values of the load." | "In den Angaben der Last zu ändern.";
+    longer_cycle = "Longer cycle" | "Längerer Zyklus";
+    smaller_payload = "Smaller payload" | "Kleinere Nutzlast";
+    smaller_load = "Smaller load" | "Kleinere Last";
+    an_intermediate_stage = "Intermediate stage" | "Zwischenstufe";
     cancel = "Cancel" | "Abbrechen";
     was_cancelled = "Cancelled" | "Abgebrochen";
     result_before =

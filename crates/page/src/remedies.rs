@@ -1,0 +1,171 @@
+//! Changes with which an actuator fits where none does, as cards that apply them.
+
+use crate::call::{Call, Shell};
+use crate::form::vals;
+use crate::frame::looked_at_alone;
+use crate::state::{PageState, ReadProject};
+use crate::verdict::label_of;
+use maud::{Markup, html};
+use project::Project;
+use quantities::unit::SECOND;
+use quantities::{Language, Measure, Unit, format_significant};
+use questions::list::check::reserve_unasked;
+use questions::list::size::{GearingProposal, gearing_proposals};
+use questions::texts::reason;
+use questions::{Candidate, Progress, Reserve};
+use words::{capitalised, page, proviso_text, terminal, terms, unpadded};
+
+/// Number of cards above the fold.
+const FIRST: usize = 3;
+
+/// A change with which an actuator fits.
+struct Remedy {
+    title: String,
+    before: String,
+    after: String,
+    /// Actuator that would fit.
+    code: String,
+    /// Condition of the verdict.
+    proviso: Option<&'static str>,
+    /// Fields of the request that applies the change; `None` if it is up to the user how.
+    apply: Option<String>,
+}
+
+/// Returns the place of the cards in the right pane; they are requested after the page is shown, because they need
+/// several judgements of the catalogue. `version` identifies the text that they belong to.
+pub(crate) fn place(version: &str, language: Language) -> Markup {
+    html! {
+        section.remedies id={ "remedies-" (version) } aria-label=(page::what_would_fit(language)) aria-live="polite" hx-morph-skip=""
+            hx-post="/would-fit" hx-trigger="load" hx-target="this" hx-swap="innerHTML" {
+            p.small { (page::searching_remedies(language)) }
+        }
+    }
+}
+
+/// Returns the cards; without one, what was searched and how far the nearest actuator is from fitting.
+pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
+    let mut state = PageState::of(call);
+    let l = state.language;
+    let held = state.hold(shell, progress);
+    let Some(project) = held.projects.get(state.axis) else { return html! {} };
+    let Some(nearest) = looked_at_alone(&state, project, progress) else { return html! {} };
+    let reserve = reserve_unasked(project, &nearest, progress).unwrap_or_default();
+    let gearings = gearing_proposals(project, progress).unwrap_or_default();
+    let mut found = by_reserve(project, &nearest, &reserve, &state.prefix, l);
+    found.extend(gearings.iter().map(|proposal| by_gearing(proposal, &held, &state.prefix, l)));
+    let (first, rest) = found.split_at(found.len().min(FIRST));
+    html! {
+        @if first.is_empty() {
+            h3 { (capitalised(terminal::no_actuator_fits(l))) }
+            p { (page::no_remedy_found(l)) }
+            p { (capitalised(terminal::nearest_miss(l))) ": " strong.code { (nearest.id) } ", " (reason(&nearest, l)) }
+        } @else {
+            h3 { (page::what_would_fit(l)) }
+            div.remedy-cards { @for remedy in first { (card(remedy, l)) } }
+            @if !rest.is_empty() {
+                details id="more-remedies" { summary { (page::more_remedies(&rest.len(), l)) } div.remedy-cards { @for remedy in rest { (card(remedy, l)) } } }
+            }
+            p.small { (page::remedies_about(l)) }
+        }
+    }
+}
+
+fn card(remedy: &Remedy, language: Language) -> Markup {
+    let l = language;
+    html! {
+        article.remedy {
+            h4 { (remedy.title) }
+            p { @if !remedy.before.is_empty() { s { (remedy.before) } " → " } strong { (remedy.after) } }
+            p.small { span.code { (remedy.code) } ": " @match remedy.proviso { Some(proviso) => { (page::fits_with_proviso(&proviso, l)) }, None => { (terms::fits(l)) } } }
+            @match &remedy.apply {
+                Some(fields) => button.primary type="button" hx-post="/work" hx-vals=(fields) { (page::apply(l)) },
+                None => p.small { (page::by_your_own_change(l)) },
+            }
+        }
+    }
+}
+
+/// Returns the changes of cycle time and load with which the nearest actuator fits.
+fn by_reserve(
+    project: &Project,
+    nearest: &Candidate<'_>,
+    reserve: &Reserve,
+    prefix: &str,
+    language: Language,
+) -> Vec<Remedy> {
+    let l = language;
+    let number = |value: f64| format_significant(value, 4, l);
+    let code = nearest.id.to_string();
+    // Where a requirement is not met, no change of load or motion makes the actuator fit.
+    if !nearest.objections.is_empty() {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    if let Some(reach) = reserve.cycle_time {
+        let duration = project.axis.motion.duration();
+        let seconds = |si: f64| format!("{} {}", number(si), SECOND.symbol_in(l));
+        let factor = reach.value.si() / duration.si();
+        found.push(Remedy {
+            title: page::longer_cycle(l).to_owned(),
+            before: seconds(duration.si()),
+            after: seconds(reach.value.si()),
+            code: code.clone(),
+            proviso: proviso_text(reach.proviso.estimate, reach.proviso.rating, l),
+            apply: Some(vals(&[("pace", &factor.to_string()), ("of", prefix)])),
+        });
+    }
+    let factors = [
+        (reserve.payload_factor, page::smaller_payload(l), terminal::payload_factor as fn(&_, _) -> String),
+        (reserve.load_factor, page::smaller_load(l), terminal::load_factor),
+    ];
+    for (reach, title, text) in factors {
+        let Some(reach) = reach else { continue };
+        found.push(Remedy {
+            title: title.to_owned(),
+            before: String::new(),
+            after: text(&number(reach.value), l),
+            code: code.clone(),
+            proviso: proviso_text(reach.proviso.estimate, reach.proviso.rating, l),
+            apply: None,
+        });
+    }
+    found
+}
+
+/// Returns a number as a project file states it, without the noise of its conversion: a proposal has five digits at most.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+/// Returns the change of a gearing as a card.
+fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, language: Language) -> Remedy {
+    let l = language;
+    let unit = |unit: &'static Unit| if unit.symbol == "1" { "" } else { unit.symbol_in(l) };
+    let shown =
+        |si: f64| format!("{} {}", unpadded(proposal.unit.from_si(si), 5, l), unit(proposal.unit)).trim().to_owned();
+    let path = format!("{prefix}{}", proposal.path);
+    let stated = held.written.iter().find(|key| key.path == path).and_then(|key| key.value.clone());
+    let value = format!(
+        "{} {}",
+        rounded(proposal.unit.from_si(proposal.si)),
+        if proposal.unit.symbol == "1" { "" } else { proposal.unit.ascii }
+    );
+    let value = value.trim();
+    let apply = if proposal.is_stated {
+        vals(&[("do", &format!("value {path}={value}"))])
+    } else {
+        vals(&[("do", &format!("value {prefix}stage.kind=gear\nvalue {path}={value}"))])
+    };
+    Remedy {
+        title: if proposal.is_stated {
+            label_of(&proposal.path, l).unwrap_or_default()
+        } else {
+            page::an_intermediate_stage(l).to_owned()
+        },
+        before: stated.map(|stated| crate::value::with_mark(&stated, l)).unwrap_or_default(),
+        after: if proposal.is_stated { shown(proposal.si) } else { terminal::a_stage(&shown(proposal.si), l) },
+        code: proposal.code.clone(),
+        proviso: proviso_text(proposal.proviso.estimate, proposal.proviso.rating, l),
+        apply: Some(apply),
+    }
+}
