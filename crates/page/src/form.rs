@@ -457,6 +457,9 @@ impl RowContent<'_> {
         let about = about_text(key.about, l);
         let label = capitalised(&short_label(about));
         let id = id(path);
+        // A label that begins with its symbol has it already.
+        let symbol = sketch::symbol_of(path.strip_prefix(self.prefix).unwrap_or(path));
+        let symbol = symbol.filter(|symbol| !about.starts_with(&format!("{symbol},")));
         let value = self.value(path).unwrap_or_default();
         let below = |at: &str| at == path || at.strip_prefix(path).is_some_and(|rest| rest.starts_with('['));
         let faults: Vec<_> = self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(below)).collect();
@@ -468,7 +471,7 @@ impl RowContent<'_> {
         };
         part(html! {
             div.row id={ (id) "-r" } data-path=(path) {
-                label for=(id) title=(about) { (self::label(&label)) }
+                label for=(id) title=(about) { (self::label(&label)) @if let Some(symbol) = symbol { " " i { (crate::chapters::symbol(symbol)) } } }
                 @match key.kind {
                     Kind::Bool => (self.choice(&id, key.name, path, value, &["true", "false"], wrong, &described)),
                     Kind::OneOf(words) => (self.choice(&id, key.name, path, value, words, wrong, &described)),

@@ -26,6 +26,16 @@ fn id_of(mechanism: Option<&str>) -> MechanismId {
     mechanism.and_then(MechanismId::of).unwrap_or(MechanismId::Load)
 }
 
+/// Returns the symbol of a key in the drawing of its mechanism, by its path within an axis: `mechanism.screw.lead`.
+pub(crate) fn symbol_of(path: &str) -> Option<&'static str> {
+    let (mechanism, key) = match path.strip_prefix("mechanism.") {
+        Some(inside) => inside.split_once('.').map(|(kind, key)| (Some(kind), key))?,
+        None => (None, path.strip_prefix("load.")?),
+    };
+    let drawing = id_of(mechanism).drawing(&MechanismValues::none());
+    drawing.call_outs.iter().find(|call_out| call_out.key == key && !call_out.is_of_bearing).map(|found| found.symbol)
+}
+
 /// Returns the drawing alone, as the picture of an option.
 pub(crate) fn still(mechanism: Option<&str>) -> Markup {
     let drawing = id_of(mechanism).drawing(&MechanismValues::none());
