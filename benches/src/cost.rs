@@ -13,10 +13,10 @@
     reason = "a bench fails loudly and prints what it measured"
 )]
 
+use axis::Files;
 use benches::drawn::{Chance, RECORDING, drawn, repeated, toleranced};
 use benches::{binary, sort, timed};
 use mechanism::MechanismId;
-use project::Files;
 use questions::Draw;
 use questions::list::Cost;
 use std::fmt::Write as _;

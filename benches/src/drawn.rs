@@ -1,8 +1,9 @@
 //! Projects at the extremes of their keys: every key of every section, from the schema that the reader of the project
 //! file uses, with values far from those of the examples. New keys and mechanisms are included without a change here.
 
+use axis::Files;
 use mechanism::MechanismId;
-use project::{Edit, Files, edit, schema};
+use project::{Edit, edit, schema};
 use serde_json::Value;
 use std::collections::BTreeSet;
 

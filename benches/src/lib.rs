@@ -4,7 +4,7 @@
 
 pub mod drawn;
 
-use project::Project;
+use axis::AxisProject;
 use questions::list::size::sized;
 use questions::{Progress, Rejected, Sizing};
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ pub fn root() -> PathBuf {
 
 /// Judges the catalogue as the command does: the ten best with every check.
 #[must_use]
-pub fn size(project: &Project) -> Sizing<'_> {
+pub fn size(project: &AxisProject) -> Sizing<'_> {
     sized(project, 10, Rejected::Nearest, &Progress::endless())
         .unwrap_or_else(|refusal| unreachable!("nothing cancels it: {refusal:?}"))
 }

@@ -11,8 +11,8 @@
     reason = "a bench fails loudly and prints what it measured"
 )]
 
+use axis::Files;
 use benches::{Against, Gates, binary, loadtxt, run, size, timed};
-use project::Files;
 use questions::{check, reserve_of};
 use std::f64::consts::PI;
 use std::fmt::Write as _;

@@ -4,9 +4,9 @@
 //! clients at once.
 #![allow(clippy::expect_used, clippy::print_stdout, reason = "a bench fails loudly and tells what it found")]
 
+use axis::{Catalogue, Files, NoFiles};
 use benches::{Gates, against, milliseconds, timed};
 use page::{Call, FileEntry, Folder, Method, SaveFault, Shell};
-use project::{Catalogue, Files, NoFiles};
 use quantities::Language;
 use questions::Progress;
 use server::{Access, Options, RequestLimits, Server};

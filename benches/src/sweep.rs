@@ -9,8 +9,8 @@
     reason = "a bench fails loudly and prints what it measured"
 )]
 
+use axis::NoFiles;
 use benches::{Gates, least_processor_s, numpy, processor_s, sort, timed};
-use project::NoFiles;
 use questions::Progress;
 use questions::sweep::{Cells, Judged, Options, Sweep};
 use rayon::ThreadPool;

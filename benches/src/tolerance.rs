@@ -3,14 +3,14 @@
 //! Baseline: a tenth as many judgements of the nominal axis, without building it again, on one thread.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
+use axis::AxisProject;
 use benches::{Gates, against};
-use project::Project;
 use questions::{Candidate, SAMPLES_USUAL, Sampling, assess, check, size};
 use std::hint::black_box;
 use std::process::ExitCode;
 
 /// Returns the worked example with three toleranced quantities.
-fn project() -> Project {
+fn project() -> AxisProject {
     let mut text = include_str!("../../examples/manual-example.toml").to_owned();
     for (exact, half) in [("1.3 kg m^2", "10 %"), ("5 N m", "20 %"), ("40 1/min", "1 1/min")] {
         text = text.replacen(&format!("\"{exact}\""), &format!("\"{exact} ± {half}\""), 1);

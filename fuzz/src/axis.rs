@@ -6,7 +6,7 @@ pub(crate) mod verdict;
 
 use crate::text::{any_edits, mutate, tells};
 use crate::{draft, project};
-use ::project::Project;
+use ::axis::AxisProject;
 use arbitrary::{Result, Unstructured};
 use quantities::{Language, Measure};
 use questions::list::diff::difference;
@@ -23,7 +23,7 @@ struct Case<'c> {
     text: &'c str,
     /// Place of the axis in the file.
     place: usize,
-    project: &'c Project,
+    project: &'c AxisProject,
     language: Language,
 }
 
@@ -97,7 +97,7 @@ fn twin(case: &Case<'_>, code: &ProductId) {
 /// # Panics
 /// The run is none of these.
 pub fn twin_of<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     code: &ProductId,
     language: Language,
 ) -> Option<std::result::Result<questions::Simulated<'p>, String>> {

@@ -1,9 +1,10 @@
-//! Project files: any text gives a project, or faults with their place and text.
+//! AxisProject files: any text gives a project, or faults with their place and text.
 
 use crate::draft;
 use crate::text::{any_edits, mutate, one_in, rest, tells};
 use arbitrary::{Result, Unstructured};
-use project::{Diagnostic, Project, inputs, place};
+use axis::AxisProject;
+use project::{Diagnostic, inputs, place};
 use quantities::{Language, is_unseen, seen};
 use questions::{answer, project_fingerprint};
 use std::ops::Range;
@@ -32,15 +33,15 @@ fn text(u: &mut Unstructured<'_>) -> Result<String> {
 }
 
 /// Tests the faults of a text in both languages, and returns the projects if there are none.
-pub fn hold(text: &str) -> Option<Vec<Project>> {
-    read(text, || questions::read_all(text, &project::NoFiles))
+pub fn hold(text: &str) -> Option<Vec<AxisProject>> {
+    read(text, || questions::read_all(text, &axis::NoFiles))
 }
 
 /// Tests the faults of a text that is read by another function, and returns the projects if there are none.
 pub fn read(
     text: &str,
-    with: impl FnOnce() -> std::result::Result<Vec<Project>, Vec<project::Diagnostic>>,
-) -> Option<Vec<Project>> {
+    with: impl FnOnce() -> std::result::Result<Vec<AxisProject>, Vec<project::Diagnostic>>,
+) -> Option<Vec<AxisProject>> {
     let faults = match with() {
         Ok(projects) => {
             assert!(!projects.is_empty());

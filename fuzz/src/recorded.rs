@@ -10,7 +10,8 @@ use arbitrary::{Result, Unstructured};
 pub(crate) use columns::{Columns, GeneratedColumn, edit_bytes};
 pub(crate) use table::encoded;
 
-use project::{Diagnostic, Fault, Files, Project};
+use axis::{AxisProject, Files};
+use project::{Diagnostic, Fault};
 use questions::{answer, check, course, moves};
 use recording::{Bytes, Damage, Fault as RecordingFault, Memory, Table, TableValues};
 use std::io::Read;
@@ -210,7 +211,7 @@ fn hold(text: &str, file: &[u8], past: fn(&[Diagnostic]) -> bool) {
     }
 }
 
-fn words_all(project: &Project) {
+fn words_all(project: &AxisProject) {
     for language in [quantities::Language::En, quantities::Language::De] {
         let _ = answer::motion(&moves(project), language);
     }

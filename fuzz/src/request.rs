@@ -3,8 +3,8 @@
 use crate::draft;
 use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
+use axis::{Catalogue, Files};
 use page::{Call, FileEntry, Folder, Method, Reply, SaveFault, Shell, respond};
-use project::{Catalogue, Files};
 use quantities::Language;
 use questions::Progress;
 use serde_json::Value;

@@ -3,7 +3,7 @@
 use crate::recorded::{Columns, GeneratedColumn, edit_bytes, encoded};
 use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
-use project::Files;
+use axis::Files;
 use quantities::Language;
 use questions::Progress;
 use questions::list::{Given, Inquiry, ReferencedText, identify};

@@ -25,7 +25,7 @@ fn most_drafts_are_valid_and_all_kinds_are_among_them() {
     for case in 0..CASES {
         let bytes = bytes(case);
         let text = draft::project(&mut Unstructured::new(&bytes), true).unwrap();
-        match questions::read_all(&text, &::project::NoFiles) {
+        match questions::read_all(&text, &::axis::NoFiles) {
             Ok(_) => {
                 valid += 1;
                 read.push_str(&text);
@@ -117,7 +117,7 @@ fn drafts_are_simulated() {
         if !text.contains("[twin]") {
             continue;
         }
-        let Ok(projects) = questions::read_all(&text, &::project::NoFiles) else { continue };
+        let Ok(projects) = questions::read_all(&text, &::axis::NoFiles) else { continue };
         for project in &projects {
             match fuzz::axis::twin_of(project, &code, quantities::Language::En) {
                 Some(Ok(_)) => ran += 1,

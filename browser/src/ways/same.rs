@@ -3,7 +3,7 @@
 use crate::stage::OpenPage;
 use crate::tab::{Worded, expect};
 use page::{Call, FileEntry, Folder, Method, SaveFault, Shell, Storage, respond};
-use project::{Catalogue, Files, NoFiles};
+use axis::{Catalogue, Files, NoFiles};
 use quantities::Language;
 use questions::Progress;
 use questions::list::new::{template, template_kinds};

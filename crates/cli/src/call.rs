@@ -5,9 +5,9 @@ use crate::fault::memory;
 use crate::save::Saver;
 use crate::source::SourceFile as File;
 use crate::waiting::{progress, waited_s};
+use axis::AxisProject;
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use project::Project;
 use quantities::Language;
 use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, Reads, Unanswered, bounded};
 use questions::{embedded_catalogue, read_code};
@@ -163,7 +163,7 @@ impl Call<'_> {
     }
 
     /// Returns the files that are read: the project and its recordings. None of them is written.
-    pub(crate) fn inputs<'p>(&self, projects: impl IntoIterator<Item = &'p Project>) -> Vec<PathBuf> {
+    pub(crate) fn inputs<'p>(&self, projects: impl IntoIterator<Item = &'p AxisProject>) -> Vec<PathBuf> {
         let Some(file) = self.files.first() else { return Vec::new() };
         let recordings = projects.into_iter().flat_map(|project| &project.recordings);
         let recordings = recordings.map(|read| file.project_files().folder.join(&read.file));

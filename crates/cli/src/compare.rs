@@ -3,7 +3,7 @@
 use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::table::{Align, TextTable, paragraph};
-use project::Project;
+use axis::AxisProject;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
 use questions::list::{Inquiry, Unanswered, compare};
@@ -29,7 +29,7 @@ pub(crate) fn compare(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandA
     Ok(CommandAnswer::of_axes(found))
 }
 
-fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String {
+fn text(found: &Comparison<'_>, project: &AxisProject, language: Language) -> String {
     let mut out = String::new();
     if !project.name.is_empty() {
         let _ = writeln!(out, "{}", project.name);

@@ -4,9 +4,9 @@ use crate::answer::CommandAnswer;
 use crate::fault::memory;
 use crate::source::SourceFile;
 use crate::waiting::progress;
+use axis::AxisProject;
 use clap::ArgMatches;
 use order_code::OrderCode;
-use project::Project;
 use quantities::{Language, MomentOfInertia};
 use questions::drive::{Time, bare_axis, eds, with_drive};
 use questions::list::{AXIS, Cost, Given, Inquiry, Unanswered};
@@ -53,7 +53,7 @@ pub(crate) fn drive(matches: &ArgMatches, language: Language) -> Result<CommandA
 }
 
 fn serve(
-    project: &Project,
+    project: &AxisProject,
     code: &OrderCode,
     (node, seed): (u8, u32),
     (server, protocol): (DriveServer, DriveProtocol),
@@ -84,7 +84,7 @@ fn bound(port: Option<u16>, protocol: DriveProtocol, time: Time) -> Result<Drive
 }
 
 /// Returns the axis of a project.
-fn of_file(file: &SourceFile, axis: Option<&str>, language: Language) -> Result<Project, Unanswered> {
+fn of_file(file: &SourceFile, axis: Option<&str>, language: Language) -> Result<AxisProject, Unanswered> {
     let inquiry = Inquiry {
         given: Given::of(&[AXIS], [], language)?,
         sources: vec![file.source()],

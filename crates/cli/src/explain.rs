@@ -6,7 +6,7 @@ use crate::reserve::assumptions_text;
 use crate::table::{hanging, paragraph};
 use crate::waiting::progress;
 use answers::Node;
-use project::Project;
+use axis::AxisProject;
 use quantities::Language;
 use questions::list::explain::derivation;
 use questions::list::{Cost, Inquiry, Unanswered, explain};
@@ -27,7 +27,7 @@ pub(crate) fn explain(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandA
     Ok(CommandAnswer::of_axes(found))
 }
 
-fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
+fn derivations(project: &AxisProject, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
     let mut out = String::new();
     for check in checks {
         let _ = writeln!(out, "{}: {}", candidate.id, heading(check, language));

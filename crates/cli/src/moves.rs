@@ -3,7 +3,7 @@
 use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::table::{Align, TextTable, labelled};
-use project::SegmentLoadKey;
+use axis::SegmentLoadKey;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, format_significant};
 use questions::Moves;

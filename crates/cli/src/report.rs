@@ -5,10 +5,10 @@ use crate::call::Call;
 use crate::fault::path_text;
 use crate::waiting::progress;
 use answers::{AxisWritten, Block, Chapter, Commissioning, Fit, Picture, ReportWritten};
+use axis::AxisProject;
 use figures::{By, Drawing, Figure, Style, Theme};
 use order_code::OrderCode;
 use page::{Press, ReportInputs};
-use project::Project;
 use quantities::Language;
 use questions::list::commission::{DriveForm, usual_ambient};
 use questions::list::mount::MountInputs;
@@ -157,7 +157,7 @@ fn settings(args: &args::Args) -> Settings {
 /// Returns the actuator of an axis, with its results as a record and as figures, computed in parallel. A thread that
 /// could not finish leaves its part to this one.
 fn content<'p>(
-    (place, project): (usize, &'p Project),
+    (place, project): (usize, &'p AxisProject),
     id: Option<&ProductId>,
     text: &str,
     progress: &Progress,
@@ -192,7 +192,7 @@ fn content<'p>(
 /// catalogue.
 fn install(
     content: &mut AxisContent,
-    (project, candidate): (&Project, &Candidate<'_>),
+    (project, candidate): (&AxisProject, &Candidate<'_>),
     delivered: Option<questions::list::upkeep::Date>,
     language: Language,
 ) -> Result<(), (String, Option<String>)> {
@@ -207,7 +207,7 @@ fn install(
 /// project.
 fn installation(
     code: &OrderCode,
-    project: &Project,
+    project: &AxisProject,
     delivered: Option<questions::list::upkeep::Date>,
     language: Language,
 ) -> Result<Vec<Chapter>, (String, Option<String>)> {
@@ -242,7 +242,12 @@ fn installation(
 }
 
 /// Returns the simulation that a project states, with its pictures; the reason if it is not run.
-fn simulated(project: &Project, candidate: &Candidate<'_>, progress: &Progress, language: Language) -> Option<Chapter> {
+fn simulated(
+    project: &AxisProject,
+    candidate: &Candidate<'_>,
+    progress: &Progress,
+    language: Language,
+) -> Option<Chapter> {
     let run = questions::list::simulate::of_the_project(project, Some(&candidate.id), progress, language)?;
     let run = match run {
         Ok(run) => run,
@@ -265,7 +270,7 @@ fn simulated(project: &Project, candidate: &Candidate<'_>, progress: &Progress, 
 }
 
 fn drawn_figures(
-    project: &Project,
+    project: &AxisProject,
     sizing: &Sizing<'_>,
     candidate: &Candidate<'_>,
     language: Language,

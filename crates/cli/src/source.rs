@@ -1,8 +1,8 @@
 //! A file that a question is about, with the files that it may name.
 
 use crate::fault::{path_text, read_bytes};
+use axis::{Grant, Reach};
 use disk::{Links, ProjectFiles};
-use project::{Grant, Reach};
 use quantities::Language;
 use questions::list::{ReferencedText, Unanswered};
 use std::borrow::Cow;

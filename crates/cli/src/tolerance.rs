@@ -1,7 +1,7 @@
 //! The part of `size` and `check` about the effect of tolerances.
 
 use crate::table::{Align, TextTable, paragraph};
-use project::Project;
+use axis::AxisProject;
 use quantities::Language;
 use questions::Assessment;
 use questions::list::size::Ranking;
@@ -39,7 +39,7 @@ pub(crate) fn table(ranking: &Ranking<'_>, language: Language) -> String {
 }
 
 /// Returns the effect of the tolerances on one actuator.
-pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Language) -> String {
+pub(crate) fn detail(project: &AxisProject, assessment: &Assessment, language: Language) -> String {
     let mut out = format!("\n{}\n", sampling_text(assessment.sampling, language));
     for line in tolerance_lines(project, assessment, language) {
         out.push_str(&paragraph("  ", &line));

@@ -1,6 +1,7 @@
 //! Reading of files: within a size limit, and for files named in a project only in permitted places.
 
-use project::{Files, Grant, Reach, Unopened, is_recording_name};
+use axis::{Files, Grant, Reach, is_recording_name};
+use project::Unopened;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::{Path, PathBuf};

@@ -5,8 +5,8 @@ use crate::drawing::{Chart, Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::labels::{amount, listed, percent, subject};
 use crate::utilisation::sign;
+use axis::AxisProject;
 use plot::{Bar, BarChart, Dash, Label, Line, Panel, PlaneAxis, Reference, StackedChart, Tone};
-use project::Project;
 use quantities::unit::{NEWTON, NEWTON_METRE};
 use quantities::{Language, Measure, Unit};
 use questions::{Amount, Candidate, Check, CheckId, Direction, FlangeSample};
@@ -20,7 +20,7 @@ type Load = fn(&FlangeSample) -> Option<f64>;
 /// # Errors
 /// [`NoFigure::NoFlangeLoads`]
 pub fn bearing_load(
-    project: &Project,
+    project: &AxisProject,
     candidate: &Candidate<'_>,
     window: Option<(f64, f64)>,
     language: Language,

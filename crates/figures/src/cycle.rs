@@ -3,8 +3,8 @@
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, subject};
 use crate::thin::thinned;
+use axis::AxisProject;
 use plot::{Dash, Label, Line, Panel, PlaneAxis, Reference, StackedChart, Tone};
-use project::Project;
 use quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, NEWTON_METRE, PERCENT,
     RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND, WATT,
@@ -47,7 +47,7 @@ pub enum CyclePanels {
 /// position is high enough for dragging.
 #[must_use]
 pub fn cycle(
-    project: &Project,
+    project: &AxisProject,
     candidate: &Candidate<'_>,
     shown: CyclePanels,
     window: Option<(f64, f64)>,
@@ -170,7 +170,7 @@ pub fn cycle(
 }
 
 /// Returns the part of a time window within the cycle.
-pub(crate) fn inside((from, until): (f64, f64), project: &Project) -> Option<(f64, f64)> {
+pub(crate) fn inside((from, until): (f64, f64), project: &AxisProject) -> Option<(f64, f64)> {
     let until = until.min(project.axis.motion.duration().si());
     (from.max(0.0) < until).then_some((from.max(0.0), until))
 }
@@ -302,7 +302,7 @@ fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) 
 }
 
 /// Returns beginning, end and name of each segment.
-pub(crate) fn segments(project: &Project, language: Language) -> Vec<(f64, f64, String)> {
+pub(crate) fn segments(project: &AxisProject, language: Language) -> Vec<(f64, f64, String)> {
     let named = |(index, segment): (usize, &Move<'_>)| {
         let what = law_text(segment.law, language);
         let from = segment.start.si();
@@ -311,7 +311,7 @@ pub(crate) fn segments(project: &Project, language: Language) -> Vec<(f64, f64, 
     questions::moves(project).moves.iter().enumerate().map(named).collect()
 }
 
-fn description(course: &Course, project: &Project, language: Language) -> String {
+fn description(course: &Course, project: &AxisProject, language: Language) -> String {
     let range = |what: &str, of: &dyn Fn(&Sample) -> Option<f64>, unit: &Unit| {
         let (low, high) = extremes(course, of)?;
         Some(pictures::from_to(&what, &amount(low, unit, language), &amount(high, unit, language), language))

@@ -29,7 +29,7 @@ pub use torsion::{torsion, torsion_curve};
 pub use tracks::encoder_tracks;
 pub use utilisation::utilisation;
 
-use project::Project;
+use axis::AxisProject;
 use quantities::Language;
 use questions::{Candidate, Progress, Rejected};
 
@@ -39,7 +39,7 @@ use questions::{Candidate, Progress, Rejected};
 /// [`NoFigure`] if the project or the actuator gives nothing to draw, or the map was cancelled.
 pub fn draw(
     figure: Figure,
-    project: &Project,
+    project: &AxisProject,
     candidate: &Candidate<'_>,
     by: By,
     progress: &Progress,

@@ -2,8 +2,8 @@
 
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::labels::{amount, listed, percent, subject};
+use axis::AxisProject;
 use plot::{Area, Dash, Hatch, Item, Label, Line, Markers, Note, PlaneAxis, Reference, Shape, Tone, Width, XyChart};
-use project::Project;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
 use quantities::{AngularVelocity, Language, Measure, Torque, Unit, format_number, format_significant};
 use questions::{Candidate, CheckId, Course, CurveKind, CurvePoint, PerformanceCurve, Plane, ProductId, Sample};
@@ -16,7 +16,7 @@ type Point = (f64, f64);
 
 /// Draws the limits at the voltage of the project's supply, the cycle within them, its mean point and its peaks.
 #[must_use]
-pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
+pub fn torque_speed(project: &AxisProject, candidate: &Candidate<'_>, language: Language) -> Drawing {
     let plane = questions::plane(project, candidate).ok();
     let course = questions::course_seen(project, candidate, None);
     let mut chart = empty(language);

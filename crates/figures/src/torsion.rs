@@ -3,8 +3,8 @@
 use crate::drawing::{Chart, Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::labels::{amount, subject};
+use axis::AxisProject;
 use plot::{Dash, Label, Line, Markers, PlaneAxis, Reference, Tone, Width, XyChart};
-use project::Project;
 use quantities::unit::{ARCMINUTE, NEWTON_METRE};
 use quantities::{Language, Measure, Torque};
 use questions::{Candidate, TorsionCurve};
@@ -17,7 +17,7 @@ const ROOM: f64 = 1.15;
 ///
 /// # Errors
 /// [`NoFigure::NoStiffness`]
-pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
+pub fn torsion(project: &AxisProject, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
     let found = questions::torsion_of(project, candidate).ok_or(NoFigure::NoStiffness)?;
     Ok(drawn(&subject(candidate, &project.name), &found, Point::OfTheLoad, language))
 }

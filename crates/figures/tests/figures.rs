@@ -1,8 +1,8 @@
 //! Every figure of every example: a complete picture, with points at the places of the checks.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
+use axis::{AxisProject, Files};
 use figures::{By, Drawing, Figure, NoFigure, Picture, Size, Style, draw};
-use project::{Files, Project};
 use quantities::unit::{ARCMINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{Language, Measure};
 use questions::{Candidate, CheckId, Progress};
@@ -24,7 +24,7 @@ impl Files for ExampleFiles {
     }
 }
 
-fn examples() -> Vec<Project> {
+fn examples() -> Vec<AxisProject> {
     let mut paths: Vec<PathBuf> = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
@@ -34,7 +34,7 @@ fn examples() -> Vec<Project> {
 }
 
 /// Returns the best candidate of the catalogue, judged with every check, and that of the project.
-fn candidates(project: &Project) -> Vec<Candidate<'_>> {
+fn candidates(project: &AxisProject) -> Vec<Candidate<'_>> {
     let best = questions::size(project).candidates.swap_remove(0);
     let code = best.id;
     let best = questions::check(project, &code).unwrap();
@@ -52,7 +52,7 @@ fn picture(drawing: &Drawing, language: Language) -> Picture {
     picture
 }
 
-fn example(name: &str) -> Project {
+fn example(name: &str) -> AxisProject {
     let text = std::fs::read_to_string(folder().join(name)).unwrap();
     questions::read_all(&text, &ExampleFiles).unwrap().swap_remove(0)
 }

@@ -4,8 +4,8 @@ use crate::checks::verdict_class;
 use crate::form::vals;
 use crate::frame::chosen;
 use crate::state::{PageState, ReadProject};
+use axis::AxisProject;
 use maud::{Markup, html};
-use project::Project;
 use quantities::unit::{KILOGRAM, WATT};
 use quantities::{Measure, format_number};
 use questions::list::size::sized;
@@ -32,7 +32,7 @@ struct Row {
 /// When the work was cancelled or ran out of time.
 pub(crate) fn summary(state: &PageState, held: &ReadProject, progress: &Progress) -> Result<Markup, Refusal> {
     let l = state.language;
-    let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();
+    let mut rows: Vec<(&AxisProject, Option<Row>)> = Vec::new();
     for project in &held.projects {
         let sizing = sized(project, 0, Rejected::Nearest, progress)?;
         let found = chosen(project, sizing.named());
@@ -88,7 +88,7 @@ pub(crate) fn summary(state: &PageState, held: &ReadProject, progress: &Progress
     })
 }
 
-fn row(state: &PageState, project: &Project, candidate: &Candidate<'_>) -> Row {
+fn row(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>) -> Row {
     let l = state.language;
     let verdict = match (candidate.fit(), candidate.open_questions()) {
         (Fit::DoesNotFit, _) => Verdict::Fail,

@@ -1,8 +1,8 @@
 //! Request, response, and the resources that a shell provides.
 
 use answers::Commissioning;
+use axis::{AxisProject, Catalogue, Files};
 use figures::Theme;
-use project::{Catalogue, Files, Project};
 use quantities::Language;
 use questions::Progress;
 use questions::list::report;
@@ -206,7 +206,7 @@ pub struct ReportInputs<'a> {
     /// The text of the project.
     pub text: &'a str,
     /// Axes of the report, each with its index in the project.
-    pub axes: &'a [(usize, Project)],
+    pub axes: &'a [(usize, AxisProject)],
     /// Actuator, extent and title page.
     pub args: &'a report::Args,
     /// Language of the report.

@@ -5,9 +5,9 @@ use crate::form::vals;
 use crate::parts::part;
 use crate::state::{PageState, View};
 use crate::{overlay, tolerances};
+use axis::AxisProject;
 use figures::{CyclePanels, Drawing, NoFigure, Size, Style};
 use maud::{Markup, PreEscaped, html};
-use project::Project;
 use quantities::unit::WATT;
 use quantities::{Language, Measure, format_number};
 use questions::list::check::reserve_unasked;
@@ -18,7 +18,7 @@ use words::{capitalised, page};
 /// Returns the pane of a candidate judged with every check.
 pub(crate) fn column(
     state: &PageState,
-    project: &Project,
+    project: &AxisProject,
     candidate: Option<&Candidate<'_>>,
     is_old: bool,
     shell: &dyn Shell,
@@ -54,7 +54,7 @@ pub(crate) fn stopped(what: &Markup) -> Markup {
 }
 
 /// Returns the tabs of the pane.
-fn views(state: &PageState, project: &Project, candidate: Option<&Candidate<'_>>) -> Markup {
+fn views(state: &PageState, project: &AxisProject, candidate: Option<&Candidate<'_>>) -> Markup {
     let l = state.language;
     let title = |view: View| match view {
         View::Cycle => page::view_cycle(l),
@@ -96,7 +96,12 @@ fn sums(candidate: &Candidate<'_>, language: Language) -> Markup {
 }
 
 /// Returns the reserve of the actuator if it is found quickly, so that the page responds while the user types.
-pub(crate) fn reserve(project: &Project, candidate: &Candidate<'_>, progress: &Progress, language: Language) -> Markup {
+pub(crate) fn reserve(
+    project: &AxisProject,
+    candidate: &Candidate<'_>,
+    progress: &Progress,
+    language: Language,
+) -> Markup {
     let reserve = if candidate.fits() {
         reserve_unasked(project, candidate, progress).unwrap_or_default()
     } else {
@@ -124,7 +129,7 @@ fn explained(candidate: &Candidate<'_>, si: f64, figure: &str, language: Languag
 /// Number of samples above which the picture of a recording is drawn after the numbers.
 const LONG_SAMPLES: usize = 20_000;
 
-fn is_long(project: &Project) -> bool {
+fn is_long(project: &AxisProject) -> bool {
     project.axis.samples()[0] > LONG_SAMPLES
 }
 
@@ -151,7 +156,7 @@ fn later(state: &PageState, candidate: &Candidate<'_>, shell: &dyn Shell) -> Mar
 /// Returns the content below the tabs.
 pub(crate) fn view(
     state: &PageState,
-    project: &Project,
+    project: &AxisProject,
     candidate: &Candidate<'_>,
     is_old: bool,
     shell: &dyn Shell,
@@ -191,7 +196,7 @@ pub(crate) fn view(
 /// [`NoFigure`] if there is nothing to draw.
 pub(crate) fn drawing(
     state: &PageState,
-    project: &Project,
+    project: &AxisProject,
     candidate: &Candidate<'_>,
     progress: &Progress,
 ) -> Result<Drawing, NoFigure> {
@@ -212,7 +217,7 @@ pub(crate) fn drawing(
 }
 
 /// Returns the largest powers of the cycle.
-fn power(project: &Project, candidate: &Candidate<'_>, language: Language) -> Markup {
+fn power(project: &AxisProject, candidate: &Candidate<'_>, language: Language) -> Markup {
     let number = |watts: f64| format!("{} {}", format_number(watts, 0, language), WATT.symbol);
     html! { @if let Some(power) = power_over_cycle(project, candidate) {
         dl.sums {

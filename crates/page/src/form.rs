@@ -5,8 +5,9 @@ use crate::call::Shell;
 use crate::parts::part;
 use crate::state::{PageState, ReadProject};
 use crate::{laws, recorded, sketch, value};
+use axis::{AxisProject, Files, drawn_figures};
 use maud::{Markup, PreEscaped, html};
-use project::{Files, Key, Kind, Project, SegmentLaw, Variants, drawn_figures, key_at};
+use project::{Key, Kind, SegmentLaw, Variants, key_at};
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
 use questions::{Candidate, ColumnRole, moves};
@@ -24,7 +25,7 @@ pub(crate) struct RowContent<'f> {
     solved: Vec<Followed>,
     pub(crate) files: &'f dyn Files,
     /// The axis as it was last read; source of the distance of its motion.
-    project: Option<&'f Project>,
+    project: Option<&'f AxisProject>,
     /// Keys that checks lack, each with the number of these checks.
     needed: Vec<(&'static str, usize)>,
     /// Open folds in which nothing is stated.

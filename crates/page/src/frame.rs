@@ -6,9 +6,9 @@ use crate::parts::ShownParts;
 use crate::state::{ALL_AXES, List, PageState, ReadProject};
 use crate::verdict::{self, Outcome};
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
+use axis::AxisProject;
 use figures::Theme;
 use maud::{DOCTYPE, Markup, html};
-use project::Project;
 use quantities::Language;
 use questions::list::compare::compare;
 use questions::list::new::{Template, template, template_kinds};
@@ -182,7 +182,7 @@ fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Ma
 /// has been judged with every check if it fits.
 pub(crate) fn looked_at<'p>(
     state: &PageState,
-    project: &'p Project,
+    project: &'p AxisProject,
     best: Option<&Candidate<'p>>,
 ) -> Option<Candidate<'p>> {
     let is_best = |best: &&Candidate<'p>| match &state.code {
@@ -202,7 +202,7 @@ pub(crate) fn looked_at<'p>(
 /// depends on it.
 pub(crate) fn looked_at_alone<'p>(
     state: &PageState,
-    project: &'p Project,
+    project: &'p AxisProject,
     progress: &Progress,
 ) -> Option<Candidate<'p>> {
     let is_sought = state.code.is_none() && project.actuator.is_none();
@@ -211,7 +211,7 @@ pub(crate) fn looked_at_alone<'p>(
 }
 
 /// Returns the default actuator of a project: its own, else the best.
-pub(crate) fn chosen<'p>(project: &'p Project, best: Option<&Candidate<'_>>) -> Option<Candidate<'p>> {
+pub(crate) fn chosen<'p>(project: &'p AxisProject, best: Option<&Candidate<'_>>) -> Option<Candidate<'p>> {
     if let Ok(own) = check_own(project) {
         return Some(own);
     }

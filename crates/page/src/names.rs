@@ -1,6 +1,6 @@
 //! Names of files in a working folder, independent of its storage.
 
-use project::RECORDINGS;
+use axis::RECORDINGS;
 use quantities::is_unseen;
 
 /// Largest number of bytes of a name; the limit of most file systems.

@@ -3,8 +3,8 @@
 
 use crate::checks::verdict_class;
 use crate::state::PageState;
+use axis::AxisProject;
 use maud::{Markup, html};
-use project::Project;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, format_significant};
 use questions::texts::by_importance;
@@ -82,7 +82,7 @@ pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
 }
 
 /// Returns the ends of the segments in the picture of the position, moved by pointer or arrow keys.
-pub(crate) fn segment_handles(state: &PageState, project: &Project) -> Markup {
+pub(crate) fn segment_handles(state: &PageState, project: &AxisProject) -> Markup {
     let l = state.language;
     let found = questions::segment_handles(project);
     let prefix = &state.prefix;

@@ -6,7 +6,7 @@ use crate::frame::looked_at_alone;
 use crate::state::{PageState, ReadProject};
 use crate::verdict::label_of;
 use maud::{Markup, html};
-use project::Project;
+use axis::AxisProject;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::reserve_unasked;
@@ -87,7 +87,7 @@ fn card(remedy: &Remedy, language: Language) -> Markup {
 
 /// Returns the changes of cycle time and load with which the nearest actuator fits.
 fn by_reserve(
-    project: &Project,
+    project: &AxisProject,
     nearest: &Candidate<'_>,
     reserve: &Reserve,
     prefix: &str,

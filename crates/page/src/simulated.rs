@@ -4,8 +4,9 @@ use crate::chapters::laid_out;
 use crate::demand::picture;
 use crate::state::PageState;
 use crate::{form, overlay};
+use axis::AxisProject;
 use maud::{Markup, html};
-use project::{Project, key_at};
+use project::key_at;
 use quantities::{Language, Unit, format_significant};
 use questions::list::simulate::{ScenarioId, of_scenario};
 use questions::{Candidate, Progress, Simulated, Verdict, answer, chapter};
@@ -17,19 +18,19 @@ use words::{about_text, capitalised, page, short_label, simulation, verdict_word
 /// The reason in one sentence, if it is not run.
 pub(crate) fn run<'p>(
     state: &PageState,
-    project: &'p Project,
+    project: &'p AxisProject,
     candidate: &Candidate<'_>,
     progress: &Progress,
 ) -> Result<Simulated<'p>, String> {
     of_scenario(project, Some(&candidate.id), chosen(state, project), progress, state.language)
 }
 
-fn chosen(state: &PageState, project: &Project) -> ScenarioId {
+fn chosen(state: &PageState, project: &AxisProject) -> ScenarioId {
     state.scenario.unwrap_or(project.twin.scenario.id)
 }
 
 /// Returns the simulation as HTML.
-pub(crate) fn view(state: &PageState, project: &Project, candidate: &Candidate<'_>, progress: &Progress) -> Markup {
+pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>, progress: &Progress) -> Markup {
     let l = state.language;
     let none = html! {};
     let found = run(state, project, candidate, progress);

@@ -2,8 +2,8 @@
 //! instant of the pictures over time.
 
 use crate::form::id;
+use axis::AxisProject;
 use maud::{Markup, PreEscaped, html};
-use project::Project;
 use quantities::{Language, Measure};
 use questions::{Drawing, MechanismId, MechanismValues, moves};
 use words::page;
@@ -19,7 +19,7 @@ pub(crate) struct SketchContent<'s> {
     /// Title.
     pub(crate) title: &'s str,
     /// The project as it was last read; source of the distance of its motion.
-    pub(crate) project: Option<&'s Project>,
+    pub(crate) project: Option<&'s AxisProject>,
 }
 
 fn id_of(mechanism: Option<&str>) -> MechanismId {
@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn a_project_gives_the_way_of_its_motion() {
         let id = MechanismId::Screw;
-        let projects = questions::read_all(id.example(), &project::NoFiles).unwrap_or_default();
+        let projects = questions::read_all(id.example(), &axis::NoFiles).unwrap_or_default();
         let project = projects.first();
         let it = |mechanism| SketchContent {
             mechanism: Some(mechanism),

@@ -169,7 +169,7 @@ fn drawing(begin: &Begin, text: &str, language: Language) -> Markup {
     let project = questions::read(text).ok();
     let it = sketch::SketchContent {
         mechanism: begin.mechanism,
-        figures: project::drawn_figures(figures, &of),
+        figures: axis::drawn_figures(figures, &of),
         of: &of,
         title: &title(begin.mechanism, language),
         project: project.as_ref(),

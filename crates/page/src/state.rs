@@ -5,8 +5,9 @@
 use crate::call::{Call, Shell};
 use crate::form::tolerance_of;
 use crate::value::{in_unit, stated, with_point};
+use axis::AxisProject;
 use figures::{By, MapPoint, Theme, nearest};
-use project::{Diagnostic, Edit, Key, Kind, Project, Written, edit, key_at, stretch, written};
+use project::{Diagnostic, Edit, Key, Kind, Written, edit, key_at, stretch, written};
 use quantities::Language;
 use questions::list::simulate::ScenarioId;
 use questions::{Draw, ProductId, Progress, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
@@ -181,7 +182,7 @@ pub(crate) struct Filter {
 /// The project as far as it could be read.
 pub(crate) struct ReadProject {
     /// Axes; those of the last good text if the text has faults.
-    pub(crate) projects: Vec<Project>,
+    pub(crate) projects: Vec<AxisProject>,
     /// Faults of the text, each with the path at which it is shown.
     pub(crate) faults: Vec<(Option<String>, Worded)>,
     /// The axes are those of an older text.

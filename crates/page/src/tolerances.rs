@@ -5,8 +5,8 @@ use crate::form::vals;
 use crate::frame::looked_at_alone;
 use crate::state::PageState;
 use crate::waiting;
+use axis::AxisProject;
 use maud::{Markup, html};
-use project::Project;
 use quantities::Language;
 use questions::answer::refusal_text;
 use questions::list::check::scatter;
@@ -16,7 +16,7 @@ use words::{capitalised, page};
 
 /// Returns the place of the tolerances; empty if the project has none. It identifies text, axis and actuator, so that a
 /// script requests each result once.
-pub(crate) fn place(state: &PageState, project: &Project, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
+pub(crate) fn place(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
     if project.tolerances.is_empty() {
         return html! {};
     }
@@ -58,7 +58,7 @@ pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) ->
     }
 }
 
-fn found(project: &Project, assessment: &Assessment, language: Language) -> Markup {
+fn found(project: &AxisProject, assessment: &Assessment, language: Language) -> Markup {
     let is_number = |place: usize| !matches!(place, 0 | 3);
     html! {
         p.small { (capitalised(&sampling_text(assessment.sampling, language))) }

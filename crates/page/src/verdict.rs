@@ -2,8 +2,9 @@
 
 use crate::form::{self, vals};
 use crate::state::{List, PageState, ReadProject};
+use axis::AxisProject;
 use maud::{Markup, html};
-use project::{Project, key_at};
+use project::key_at;
 use quantities::Language;
 use questions::list::check::reserve_unasked;
 use questions::texts::{objection_text, percent, reserve_lines, standing_text};
@@ -15,7 +16,7 @@ const FAULTS_SHOWN: usize = 20;
 
 /// Result of the work of a request.
 pub(crate) struct Outcome<'o, 'p> {
-    pub(crate) project: Option<&'o Project>,
+    pub(crate) project: Option<&'o AxisProject>,
     pub(crate) sizing: Option<&'o Sizing<'p>>,
     pub(crate) candidate: Option<&'o Candidate<'p>>,
 }

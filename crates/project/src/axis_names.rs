@@ -1,7 +1,7 @@
 //! Names of the axes of a file: each is one of its own.
 
-use crate::read::{Reader, WORD_SHOWN, shortened};
-use crate::root::OneOfSeveral;
+use crate::read::{WORD_SHOWN, shortened};
+use crate::report::FaultReport;
 use crate::stated::{Stated, StatedField};
 use crate::{Fault, Hint};
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,15 +13,15 @@ fn distinguishing(name: &str) -> String {
 }
 
 /// Reports axes with the name of an earlier one, each with the nearest free name.
-pub(crate) fn named_apart(axes: &[OneOfSeveral], reader: &mut Reader<'_>) {
+pub(crate) fn named_apart<'n>(axes: impl Iterator<Item = &'n Stated<String>> + Clone, report: &mut FaultReport<'_>) {
     // By name: the first field, its line, and the number of the next proposal.
     let mut known: BTreeMap<String, (&Stated<String>, usize, usize)> = BTreeMap::new();
-    let names: BTreeSet<String> = axes.iter().filter_map(|axis| Some(distinguishing(axis.name.get()?))).collect();
+    let names: BTreeSet<String> = axes.clone().filter_map(|name| Some(distinguishing(name.get()?))).collect();
     let (mut line, mut counted) = (1, 0);
-    for field in axes.iter().map(|axis| &axis.name) {
+    for field in axes {
         let Some(name) = field.get().map(|name| name.trim()) else { continue };
         let span = field.span();
-        line += reader.text.get(counted..span.start).unwrap_or_default().matches('\n').count();
+        line += report.text().get(counted..span.start).unwrap_or_default().matches('\n').count();
         counted = counted.max(span.start);
         let Some((first, at, next)) = known.get_mut(&distinguishing(name)) else {
             let _ = known.insert(distinguishing(name), (field, line, 2));
@@ -36,14 +36,14 @@ pub(crate) fn named_apart(axes: &[OneOfSeveral], reader: &mut Reader<'_>) {
             *next = number + 1;
             Hint::DidYouMean(free)
         });
-        reader.fault(span, fault, hint);
+        report.fault(span, fault, hint);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::distinguishing;
-    use crate::{Fault, NoCatalogue, NoFiles, Project};
+    use crate::{Fault, read};
 
     /// Two names that differ in case or spaces alone are refused, those that differ in anything else are not.
     #[test]
@@ -58,9 +58,8 @@ mod tests {
                     )
                 };
                 let text = format!("format = 1\n{}{}", axis(one), axis(other));
-                let found = Project::read_all(&text, &NoFiles, &NoCatalogue::shared(), &|_, _| None);
                 let is_one = distinguishing(one) == distinguishing(other);
-                let faults = found.err().unwrap_or_default();
+                let faults = read(&text).unwrap().report.into_faults();
                 let alike = faults.iter().find_map(|each| match each.fault {
                     Fault::AxisNamedTwice { is_alike, .. } => Some(is_alike),
                     _ => None,

@@ -4,7 +4,7 @@
 mod faults;
 mod line;
 
-pub(crate) use faults::fields;
+pub use faults::body_fields;
 
 use crate::Diagnostic;
 use crate::about::About;
@@ -222,7 +222,8 @@ impl BodySection {
     }
 
     /// Returns the body that a table describes; `None` if a required key was refused or is missing.
-    pub(crate) fn body(&self) -> Option<Body> {
+    #[must_use]
+    pub fn body(&self) -> Option<Body> {
         let shape = self.shape()?;
         let has = |name: &&str| self.field(name).is_some_and(StatedField::is_given);
         (self.is_whole() && shape.dimensions.iter().all(has)).then(|| self.body_of(shape.kind))
@@ -258,7 +259,8 @@ impl BodySection {
 }
 
 /// Returns solid bodies with their inertia.
-pub(crate) fn summed(sections: &[BodySection]) -> Option<InertiaAnswer> {
+#[must_use]
+pub fn summed(sections: &[BodySection]) -> Option<InertiaAnswer> {
     let bodies: Vec<Body> = sections.iter().filter_map(BodySection::body).collect();
     let total = mechanism::inertia(&bodies).ok()?;
     Some(InertiaAnswer { bodies: sections.iter().filter_map(parts).collect(), total })
@@ -313,7 +315,7 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
     let body = section.body_of(shape.kind);
     for error in body.faults() {
         // A value that could not be read has been reported already.
-        let fields = faults::fields(&error, &section);
+        let fields = faults::body_fields(&error, &section);
         let unread = |field: &&dyn StatedField| shape.dimensions.contains(&field.name()) && !field.is_given();
         let damaged = |field: &dyn StatedField| written(field.name()) && !field.is_given();
         let lost_mass = fields.is_empty() && (damaged(&section.mass) || damaged(&section.density));

@@ -557,12 +557,12 @@ pub enum Expected {
 }
 
 /// Reason why a file is not opened although the system would open it: the inner error of
-/// [`Files::open`](crate::Files::open), since the system has no kind for it.
+/// the access to the file, since the system has no kind for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unopened {
     /// It is not a regular file: a pipe, a device, a socket.
     NoRegularFile,
-    /// The name is not that of a recording ([`is_recording_name`](crate::is_recording_name)).
+    /// The name is not that of a recording.
     NoRecordingName,
 }
 

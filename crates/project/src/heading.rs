@@ -147,7 +147,7 @@ impl Heading {
         if let Some((unit, range)) = self.measured() {
             let mut reader = Reader::new(&written);
             let _ = reader.quantity((&written, 0..written.len()), (&[unit.dimension], range), (&path, &path));
-            return reader.into_faults().into_iter().next().map(|found| found.fault);
+            return reader.report.into_faults().into_iter().next().map(|found| found.fault);
         }
         match self.key.kind {
             Kind::Number(low, high) => Some(Fault::NumberOutOfRange { path, low, high }),

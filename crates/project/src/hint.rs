@@ -51,7 +51,8 @@ pub enum Hint {
 
 impl Hint {
     /// Creates a proposal of one name, or of several.
-    pub(crate) fn instead(names: &[&str]) -> Self {
+    #[must_use]
+    pub fn instead(names: &[&str]) -> Self {
         match names {
             [only] => Self::DidYouMean((*only).to_owned()),
             several => Self::valid(several),
@@ -64,7 +65,8 @@ impl Hint {
     }
 
     /// Creates the list of the valid names.
-    pub(crate) fn valid(names: &[&str]) -> Self {
+    #[must_use]
+    pub fn valid(names: &[&str]) -> Self {
         Self::ValidAre(names.iter().map(|name| (*name).to_owned()).collect())
     }
 }

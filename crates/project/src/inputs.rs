@@ -106,8 +106,9 @@ pub fn input_changes(old: (&str, usize), new: (&str, usize)) -> Vec<InputChange>
 impl Reader<'_> {
     /// Records a value if requested.
     pub(crate) fn input(&mut self, path: &str, span: &Span<usize>, amount: Option<(f64, &'static Unit)>) {
+        let text = self.text();
         let Some(inputs) = &mut self.inputs else { return };
-        let raw = self.text.get(span.clone()).unwrap_or_default();
+        let raw = text.get(span.clone()).unwrap_or_default();
         let written = ["\"\"\"", "'''", "\"", "'"]
             .iter()
             .find_map(|quote| raw.strip_prefix(quote)?.strip_suffix(quote))

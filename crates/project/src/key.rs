@@ -251,7 +251,7 @@ mod tests {
     use super::*;
     use crate::read::Reader;
     use crate::root::{KEYS, Root};
-    use crate::{Fault, MEASURED_KEYS, measured};
+    use crate::{Fault, MEASURED_KEYS, read_measured};
 
     /// Collects, for every key below a table, a text that states its example.
     fn all(keys: &'static [Key], heads: &str, path: &str, found: &mut Vec<String>) {
@@ -280,13 +280,13 @@ mod tests {
         for text in found {
             let mut reader = Reader::new(&text);
             let _: Root = reader.read();
-            let faults = reader.into_faults();
+            let faults = reader.report.into_faults();
             assert!(!faults.iter().any(|fault| is_of_the_value(&fault.fault)), "{text}: {faults:?}");
         }
         let mut found = Vec::new();
         all(MEASURED_KEYS, "", "", &mut found);
         for text in found {
-            let faults = measured(&text).err().unwrap_or_default();
+            let faults = read_measured(&text).err().unwrap_or_default();
             assert!(!faults.iter().any(|fault| is_of_the_value(&fault.fault)), "{text}: {faults:?}");
         }
     }

@@ -93,14 +93,18 @@ pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Hint, NoCatalogue, Project};
+    use crate::{Diagnostic, Hint, read};
+
+    fn found(text: &str) -> Vec<Diagnostic> {
+        read(text).unwrap().report.into_faults()
+    }
 
     /// Requires that other names of a key, and the word of a law in the place of `law`, lead to the intended key.
     #[test]
     fn an_unknown_key_leads_to_what_is_meant() {
         let hints = |line: &str| {
             let text = format!("format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\n{line}\n");
-            let faults = Project::read(&text, &NoCatalogue::shared(), &|_, _| None).unwrap_err();
+            let faults = found(&text);
             faults.into_iter().filter_map(|fault| fault.hint).collect::<Vec<_>>()
         };
         let meant = |name: &str| Hint::DidYouMean(name.to_owned());
@@ -112,12 +116,12 @@ mod tests {
         assert!(of_dwell.iter().any(is_list), "{of_dwell:?}");
         // A key of another table is named with it.
         let text = "format = 1\n[mechanism.hoist]\npayload = \"5 kg\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
-        let faults = Project::read(text, &NoCatalogue::shared(), &|_, _| None).unwrap_err();
+        let faults = found(text);
         let motion = Hint::KeyOfTable { key: "payload", table: "[[motion]]".to_owned() };
         assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&motion)), "{faults:?}");
         // One that has nothing to do with this mechanism leads to the keys of the mechanism for such a quantity first.
         let text = "format = 1\n[mechanism.arm]\nlength = \"500 mm\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
-        let faults = Project::read(text, &NoCatalogue::shared(), &|_, _| None).unwrap_err();
+        let faults = found(text);
         let keys = vec!["centre_distance", "payload_distance"];
         let lengths = Hint::KeysOfQuantity { dimension: quantities::Dimension::Length, keys };
         assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&lengths)), "{faults:?}");
@@ -140,7 +144,7 @@ mod tests {
                 let is_near = |key: &crate::Key| key.name.starts_with(name) || name.starts_with(key.name) || has(key);
                 let Some(own) = own.filter(|_| !keys.iter().any(is_near)) else { continue };
                 let text = format!("format = 1\n[{path}]\n{name} = \"{value}\"\n");
-                let faults = Project::read(&text, &NoCatalogue::shared(), &|_, _| None).unwrap_err();
+                let faults = found(&text);
                 assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&own)), "{path}.{name}: {faults:?}");
                 tried += 1;
             }

@@ -17,7 +17,7 @@ impl Reader<'_> {
         (low, high): (f64, f64),
     ) -> Option<f64> {
         let written = match value {
-            DeValue::Integer(_) | DeValue::Float(_) => self.text.get(span.clone()),
+            DeValue::Integer(_) | DeValue::Float(_) => self.text().get(span.clone()),
             _ => None,
         };
         let number: Option<f64> = written.and_then(|text| text.replace('_', "").parse().ok());

@@ -4,7 +4,8 @@ use crate::bodies::BodySection;
 use crate::inputs::Input;
 use crate::key::{Key, Kind, Variants, example};
 use crate::nearest::{in_another_table, meant, nearest, of_the_quantity};
-use crate::recovery::{Recovery, Replaced};
+use crate::recovery::Recovery;
+use crate::report::FaultReport;
 use crate::section::{Fields, Section};
 use crate::stated::SectionHead;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
@@ -28,7 +29,7 @@ pub(crate) const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 const LIST_MAX: usize = 10_000;
 
 /// A value of the file with its key.
-pub(crate) struct FoundValue<'v, 'd> {
+pub struct FoundValue<'v, 'd> {
     pub(crate) value: &'v DeValue<'d>,
     /// Place in the file, in bytes.
     pub(crate) span: Span<usize>,
@@ -37,41 +38,20 @@ pub(crate) struct FoundValue<'v, 'd> {
     pub(crate) path: &'v str,
 }
 
-pub(crate) struct Reader<'t> {
-    pub(crate) text: &'t str,
-    pub(crate) faults: Vec<Diagnostic>,
+/// A file while it is read by its description.
+pub struct Reader<'t> {
+    pub(crate) report: FaultReport<'t>,
     /// Tolerances in the order in which they were read, each under its path in the file.
     pub(crate) tolerances: Vec<Tolerance>,
     /// Accepted values, if requested.
     pub(crate) inputs: Option<Vec<Input>>,
-    /// The syntax had errors.
-    damaged: bool,
     /// Parts of the file could not be read.
     torn: bool,
-    /// Lines that could not be read.
-    unread: Vec<Replaced>,
-    /// Number of faults in lines that could not be read, which are not reported.
-    unread_faults: usize,
-    /// Number of faults beyond those that are kept.
-    more: usize,
 }
-
-/// Number of faults listed one by one; further ones are counted, so that the cost stays proportional to the file.
-const FAULTS_MOST: usize = 50;
 
 impl<'t> Reader<'t> {
     pub(crate) const fn new(text: &'t str) -> Self {
-        Self {
-            text,
-            faults: Vec::new(),
-            tolerances: Vec::new(),
-            inputs: None,
-            damaged: false,
-            torn: false,
-            unread: Vec::new(),
-            unread_faults: 0,
-            more: 0,
-        }
+        Self { report: FaultReport::new(text), tolerances: Vec::new(), inputs: None, torn: false }
     }
 
     /// Creates a reader of a file that is not too large.
@@ -83,55 +63,27 @@ impl<'t> Reader<'t> {
         Ok(Self::new(text))
     }
 
-    /// Reads a whole file; faults are collected in `self.faults`.
+    /// Reads a whole file; faults are collected in `self.report`.
     pub(crate) fn read<S: Section>(&mut self) -> S {
-        let Recovery { text, faults, replaced, hiding } = Recovery::of(self.text);
-        self.damaged = !faults.is_empty();
+        let Recovery { text, faults, replaced, hiding } = Recovery::of(self.text());
         self.torn = hiding.is_some();
+        let is_damaged = !faults.is_empty();
         for (index, (span, message)) in faults.into_iter().enumerate() {
             self.fault(span, Fault::Syntax { message, hides: hiding == Some(index) }, None);
         }
-        self.unread = replaced;
-        let (root, _) = DeTable::parse_recoverable(text.as_deref().unwrap_or(self.text));
+        if is_damaged {
+            self.report.damage(replaced);
+        }
+        let (root, _) = DeTable::parse_recoverable(text.as_deref().unwrap_or(self.text()));
         self.section(root.get_ref(), 0..0, "")
     }
 
-    /// Returns `true` if the syntax had errors, so that keys that seem missing may be present.
-    pub(crate) const fn is_damaged(&self) -> bool {
-        self.damaged
-    }
-
-    /// Returns the number of faults reported so far.
-    pub(crate) const fn fault_count(&self) -> usize {
-        self.faults.len() + self.more + self.unread_faults
-    }
-
-    /// Returns the faults, with a last one that counts those not listed.
-    pub(crate) fn into_faults(mut self) -> Vec<Diagnostic> {
-        self.faults.sort_by_key(|fault| (fault.span.start, fault.span.end));
-        self.faults.dedup();
-        if self.more > 0 {
-            let end = self.faults.last().map_or(0, |fault| fault.span.start);
-            let fault = Fault::More { count: self.more };
-            self.faults.push(Diagnostic::at(self.text, end..end, fault, None));
-        }
-        self.faults
+    pub(crate) const fn text(&self) -> &'t str {
+        self.report.text()
     }
 
     pub(crate) fn fault(&mut self, span: Span<usize>, fault: Fault, hint: Option<Hint>) {
-        // A line that could not be read has its fault of the syntax only.
-        let is_unread = |Replaced { line, .. }: &Replaced| line.start <= span.start && span.start <= line.end;
-        if !span.is_empty() && self.unread.iter().any(is_unread) {
-            self.unread_faults += 1;
-            return;
-        }
-        if self.faults.len() >= FAULTS_MOST {
-            self.more += 1;
-            return;
-        }
-        let end = span.end.min(self.text.len());
-        let start = span.start.min(end);
-        self.faults.push(Diagnostic::at(self.text, start..end, fault, hint));
+        self.report.fault(span, fault, hint);
     }
 
     fn section<S: Section>(&mut self, table: &DeTable<'_>, span: Span<usize>, path: &str) -> S {
@@ -165,7 +117,7 @@ impl<'t> Reader<'t> {
         if self.torn {
             return;
         }
-        let is_unread = |key: &Key| self.unread.iter().any(|line| line.states(key.name, span));
+        let is_unread = |key: &Key| self.report.is_unread(key.name, span);
         let required: Vec<&Key> = keys.iter().filter(|key| key.required && !is_unread(key)).collect();
         for key in required {
             if !table.iter().any(|(name, _)| name.get_ref().as_ref() == key.name) {
@@ -205,7 +157,7 @@ impl<'t> Reader<'t> {
     }
 
     fn nearest(&self, written: &str, valid: &[&str]) -> Option<Hint> {
-        (self.faults.len() < FAULTS_MOST).then(|| nearest(written, valid))
+        (!self.report.is_full()).then(|| nearest(written, valid))
     }
 
     /// Reports a value of another type than its key has.
@@ -233,7 +185,7 @@ impl<'t> Reader<'t> {
                 self.quantity((text, found.span.clone()), (dimensions, range), (found.path, found.path))
             }
             (DeValue::Integer(_) | DeValue::Float(_), [dimension, ..]) => {
-                let written = self.text.get(found.span.clone()).unwrap_or_default().to_owned();
+                let written = self.text().get(found.span.clone()).unwrap_or_default().to_owned();
                 let fault = Fault::BareNumber { path: found.path.to_owned(), dimension: *dimension };
                 self.fault(found.span.clone(), fault, Some(Hint::WithUnit { written, dimension: *dimension }));
                 None
@@ -416,7 +368,7 @@ impl<'t> Reader<'t> {
 
     /// Returns the place of a part of a string value in the file, if the string is written without escapes.
     fn inside(&self, span: &Span<usize>, text: &str, part: Span<usize>) -> Span<usize> {
-        let raw = self.text.get(span.clone()).unwrap_or_default();
+        let raw = self.text().get(span.clone()).unwrap_or_default();
         match raw.find(text) {
             Some(at) if !text.is_empty() => {
                 let start = span.start + at + part.start.min(text.len());
@@ -508,9 +460,9 @@ impl<'t> Reader<'t> {
         let near = |name: &str| strsim::damerau_levenshtein(name, &shortened(kind, WORD_SHOWN));
         let nearest = variants.kinds.iter().min_by_key(|(name, ..)| near(name));
         let Some((_, needed, allowed)) = nearest.filter(|(name, ..)| near(name) * 2 <= name.len()) else { return };
-        let is_silent = self.torn || self.faults.len() >= FAULTS_MOST;
+        let is_silent = self.torn || self.report.is_full();
         if !is_silent {
-            let is_unread = |sought: &str| self.unread.iter().any(|line| line.states(sought, &span));
+            let is_unread = |sought: &str| self.report.is_unread(sought, &span);
             let missing: Vec<&str> =
                 needed.iter().filter(|name| find(name).is_none() && !is_unread(name)).copied().collect();
             for name in missing {
@@ -591,7 +543,8 @@ pub(crate) fn joined(path: &str, key: &str) -> String {
 }
 
 /// Returns the beginning of a text of the user.
-pub(crate) fn shortened(text: &str, most: usize) -> String {
+#[must_use]
+pub fn shortened(text: &str, most: usize) -> String {
     text.chars().take(most).collect()
 }
 

@@ -1,18 +1,22 @@
 //! The root of the project file, and what belongs to one axis.
 
 use crate::about::About;
+use crate::axis_names::named_apart;
 use crate::curves::CurveSection;
 use crate::flange::Bearing;
-use crate::mechanism::{DirectLoad, Driven, Mechanisms};
+use crate::mechanism::{DirectLoad, Mechanisms};
 use crate::motion::Segment;
 use crate::own::ActuatorSection;
-use crate::read::joined;
+use crate::read::{Reader, joined};
+use crate::report::FaultReport;
 use crate::requirements::{DriveSection, RequirementsSection};
 use crate::section::{Fields, Section, section, set};
 use crate::stage::StageSection;
 use crate::stated::{SectionHead, StatedField};
+use crate::tolerance::{self, Tolerance};
 use crate::twin::TwinSection;
 use crate::value::{OneOrMany, Tables};
+use crate::{Diagnostic, Fault};
 
 /// Format version of the project file.
 const FORMAT: i64 = 1;
@@ -62,59 +66,117 @@ section! {
 /// The keys of the root of the project file.
 pub const KEYS: &[crate::Key] = Root::KEYS;
 
+/// A project file: its axes, and what they share.
+#[derive(Clone, Debug)]
+pub struct Project {
+    /// Axes in the order of the file; a file without `[[axis]]` is one axis.
+    pub axes: Vec<AxisSection>,
+    /// Values that belong to no axis alone.
+    pub shared: Shared,
+}
+
+/// Values that the axes of a file share.
+#[derive(Clone, Debug)]
+pub struct Shared {
+    /// Curves of the user for actuators of the catalogue.
+    pub curves: Vec<CurveSection>,
+}
+
 /// One axis, alone or among several.
 #[derive(Clone, Debug)]
-pub(crate) struct AxisSection {
-    pub(crate) name: Option<String>,
-    pub(crate) single_move: bool,
-    pub(crate) parts: Parts,
+pub struct AxisSection {
+    /// Name, if one is stated.
+    pub name: Option<String>,
+    /// The motion is a single move.
+    pub single_move: bool,
+    /// Tables of the axis.
+    pub parts: Parts,
+    /// Quantities with a tolerance in the order of the reader, under their keys within the axis.
+    pub tolerances: Vec<Tolerance>,
+}
+
+/// A project file as read, with its faults so far; an axis that is built from it adds its own.
+#[derive(Debug)]
+pub struct ReadProject<'t> {
+    /// Values of the file; refused ones are marked.
+    pub project: Project,
+    /// Faults of keys, units and values.
+    pub report: FaultReport<'t>,
+}
+
+/// Reads a project file with one axis or several.
+///
+/// # Errors
+/// If the file is too large. Faults of its text are in the report.
+pub fn read(text: &str) -> Result<ReadProject<'_>, Vec<Diagnostic>> {
+    let mut reader = Reader::of_file(text)?;
+    let mut root: Root = reader.read();
+    let curves = root.curve.get_mut().map(|all| std::mem::take(&mut all.0)).unwrap_or_default();
+    let several = match root.axis.get_mut() {
+        Some(OneOrMany::Many(several)) => std::mem::take(several),
+        Some(OneOrMany::One(_)) | None => Vec::new(),
+    };
+    let axes = if several.is_empty() {
+        vec![AxisSection::single(root, &reader.tolerances)]
+    } else {
+        for field in root.parts.fields().into_iter().filter(|field| field.is_written()) {
+            reader.fault(field.span(), Fault::OutsideTheAxes { key: field.name() }, None);
+        }
+        named_apart(several.iter().map(|axis| &axis.name), &mut reader.report);
+        let of_several = |(index, axis)| AxisSection::of_several(axis, tolerance::of_axis(&reader.tolerances, index));
+        several.into_iter().enumerate().map(of_several).collect()
+    };
+    Ok(ReadProject { project: Project { axes, shared: Shared { curves } }, report: reader.report })
 }
 
 impl AxisSection {
     /// Creates a single axis.
-    pub(crate) fn single(root: Root) -> Self {
+    fn single(root: Root, tolerances: &[Tolerance]) -> Self {
         let (name, single_move) = match root.axis.get() {
             Some(OneOrMany::One(axis)) => (axis.name.get().cloned(), axis.single_move.value()),
             Some(OneOrMany::Many(_)) | None => (None, None),
         };
-        Self { name, single_move: single_move.unwrap_or(false), parts: root.parts }
+        let single_move = single_move.unwrap_or(false);
+        Self { name, single_move, parts: root.parts, tolerances: tolerances.to_vec() }
     }
 
     /// Creates one of several axes.
-    pub(crate) fn of_several(axis: OneOfSeveral) -> Self {
+    fn of_several(axis: OneOfSeveral, tolerances: Vec<Tolerance>) -> Self {
         let single_move = axis.single_move.value().unwrap_or(false);
-        Self { name: axis.name.get().cloned(), single_move, parts: axis.parts }
+        Self { name: axis.name.get().cloned(), single_move, parts: axis.parts, tolerances }
     }
 
-    pub(crate) fn head(&self) -> &SectionHead {
+    /// Returns its place in the file; the path of a single axis is empty.
+    #[must_use]
+    pub fn head(&self) -> &SectionHead {
         self.parts.head()
     }
 
     /// Returns a path within the axis as it is in the file.
-    pub(crate) fn path(&self, path: &str) -> String {
+    #[must_use]
+    pub fn path(&self, path: &str) -> String {
         joined(&self.head().path, path)
     }
 
-    pub(crate) fn segments(&self) -> &[Segment] {
+    /// Returns the segments of its motion.
+    #[must_use]
+    pub fn segments(&self) -> &[Segment] {
         self.parts.motion.get().map_or(&[], |all| all.0.as_slice())
     }
 
     /// Returns `true` if a segment has its own loads on the flange.
-    pub(crate) fn has_loads_of_segments(&self) -> bool {
+    #[must_use]
+    pub fn has_loads_of_segments(&self) -> bool {
         self.segments().iter().any(|segment| segment.bearing.is_given())
     }
 
-    pub(crate) fn driven(&self) -> Option<&dyn Driven> {
-        self.parts.driven()
-    }
-
     /// Replaces the value of a quantity, in SI; its path is the one within the axis.
-    pub(crate) fn set(&mut self, path: &str, si: f64) -> Option<()> {
+    pub fn set(&mut self, path: &str, si: f64) -> Option<()> {
         set(&mut self.parts, path, si)
     }
 
     /// Replaces several ratios by one.
-    pub(crate) fn set_ratio(&mut self, ratio: f64) {
+    pub fn set_ratio(&mut self, ratio: f64) {
         if let Some(stage) = self.parts.stage.get_mut() {
             let span = stage.ratios.span();
             stage.ratios.clear();

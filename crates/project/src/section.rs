@@ -6,11 +6,14 @@ use crate::stated::{SectionHead, StatedField};
 use std::any::Any;
 
 /// Fields of a section.
-pub(crate) trait Fields {
+pub trait Fields {
+    /// Returns its place and path.
     fn head(&self) -> &SectionHead;
+    /// Returns its place and path for a change.
     fn head_mut(&mut self) -> &mut SectionHead;
     /// Returns the fields in their order.
     fn fields(&self) -> Vec<&dyn StatedField>;
+    /// Returns the field of a key for a change.
     fn field_mut(&mut self, name: &str) -> Option<&mut dyn StatedField>;
     /// Returns the sections whose keys it includes.
     fn groups(&self) -> Vec<&dyn Any>;
@@ -22,12 +25,14 @@ pub(crate) trait Fields {
 }
 
 /// Returns the included section of a type.
-pub(crate) fn group<T: Any>(of: &(impl Fields + ?Sized)) -> Option<&T> {
+#[must_use]
+pub fn group<T: Any>(of: &(impl Fields + ?Sized)) -> Option<&T> {
     of.groups().into_iter().find_map(<dyn Any>::downcast_ref)
 }
 
 /// A section of the file.
-pub(crate) trait Section: Fields + Sized {
+pub trait Section: Fields + Sized {
+    /// Descriptions of its keys.
     const KEYS: &'static [Key];
 
     /// Creates an empty section.
@@ -40,7 +45,8 @@ pub(crate) trait Section: Fields + Sized {
 }
 
 /// A section that has several kinds.
-pub(crate) trait OfKinds: Section {
+pub trait OfKinds: Section {
+    /// Description of its kinds.
     const VARIANTS: &'static Variants;
 }
 
@@ -81,11 +87,16 @@ macro_rules! section {
         }
     ) => {
         $(#[$doc])*
+        #[allow(
+            missing_docs,
+            unreachable_pub,
+            reason = "each field is named as its key, or as the section that it includes; not every section is used outside"
+        )]
         #[derive(Clone, Debug)]
-        pub(crate) struct $Section {
+        pub struct $Section {
             head: $crate::stated::SectionHead,
-            $(pub(crate) $field: $crate::stated::Stated<$Type>,)*
-            $(pub(crate) $group: $Group, $(pub(crate) $more: $crate::stated::Stated<$More>,)*)*
+            $(pub $field: $crate::stated::Stated<$Type>,)*
+            $(pub $group: $Group, $(pub $more: $crate::stated::Stated<$More>,)*)*
         }
 
         $(#[$doc])*
@@ -104,7 +115,9 @@ macro_rules! section {
 
         impl $Section {
             $($(
-                pub(crate) fn $field(&self) -> $Type {
+                /// Returns the stated value, or the default.
+                #[must_use]
+                pub fn $field(&self) -> $Type {
                     self.$field.value().unwrap_or($default)
                 }
             )?)*
@@ -149,7 +162,8 @@ macro_rules! section {
         }
 
         impl $crate::section::Section for $Section {
-            const KEYS: &'static [$crate::key::Key] = {
+            /// Descriptions of its keys.
+    const KEYS: &'static [$crate::key::Key] = {
                 const PARTS: &[&[$crate::key::Key]] = &[
                     $(&[$crate::section::key! {
                         $Name::$field: $field: $Type $(= $default)? $(=> $($has $(($($of)*))?),+)?

@@ -10,27 +10,32 @@ use std::sync::Arc;
 
 /// Start of a section of the file, and its path: `motion[2]`, `axis[1].load`; empty for the root.
 #[derive(Clone, Debug)]
-pub(crate) struct SectionHead {
-    pub(crate) path: Arc<str>,
-    pub(crate) span: Span<usize>,
+pub struct SectionHead {
+    /// Path in the file.
+    pub path: Arc<str>,
+    /// Place in the file, in bytes.
+    pub span: Span<usize>,
     /// The section contains keys that it does not have.
-    pub(crate) has_strays: bool,
+    pub has_strays: bool,
 }
 
 impl SectionHead {
-    pub(crate) fn new(path: &str, span: Span<usize>) -> Self {
+    /// Creates the head of a section.
+    #[must_use]
+    pub fn new(path: &str, span: Span<usize>) -> Self {
         Self { path: path.into(), span, has_strays: false }
     }
 
     /// Returns the place at which a missing key is reported.
-    pub(crate) fn start(&self) -> Span<usize> {
+    #[must_use]
+    pub fn start(&self) -> Span<usize> {
         self.span.start..self.span.start + usize::from(!self.span.is_empty())
     }
 }
 
 /// A field of a section: its value if stated, with path and place.
 #[derive(Clone, Debug)]
-pub(crate) struct Stated<T> {
+pub struct Stated<T> {
     /// Path of its section.
     section: Arc<str>,
     key: &'static Key,
@@ -52,14 +57,16 @@ impl<T> Stated<T> {
         Self { section: Arc::clone(&head.path), key, span: head.span.clone(), state: State::Absent }
     }
 
-    pub(crate) const fn get(&self) -> Option<&T> {
+    /// Returns the valid value.
+    pub const fn get(&self) -> Option<&T> {
         match &self.state {
             State::Given(value) => Some(value),
             State::Absent | State::Refused => None,
         }
     }
 
-    pub(crate) const fn get_mut(&mut self) -> Option<&mut T> {
+    /// Returns the valid value for a change.
+    pub const fn get_mut(&mut self) -> Option<&mut T> {
         match &mut self.state {
             State::Given(value) => Some(value),
             State::Absent | State::Refused => None,
@@ -67,45 +74,50 @@ impl<T> Stated<T> {
     }
 
     /// States a value at a place.
-    pub(crate) fn give(&mut self, value: T, span: Span<usize>) {
+    pub fn give(&mut self, value: T, span: Span<usize>) {
         (self.state, self.span) = (State::Given(value), span);
     }
 
     /// Marks the value as refused after a later check.
-    pub(crate) fn refuse(&mut self) {
+    pub fn refuse(&mut self) {
         self.state = State::Refused;
     }
 
     /// Removes a value as if it had never been stated.
-    pub(crate) fn clear(&mut self) {
+    pub fn clear(&mut self) {
         self.state = State::Absent;
     }
 }
 
 impl<T: Copy> Stated<T> {
-    pub(crate) fn value(&self) -> Option<T> {
+    /// Returns a copy of the valid value.
+    pub fn value(&self) -> Option<T> {
         self.get().copied()
     }
 }
 
 impl<Q: Measure> Stated<Q> {
-    pub(crate) fn or_zero(&self) -> Q {
+    /// Returns the value, or zero if none is stated.
+    pub fn or_zero(&self) -> Q {
         self.value().unwrap_or_else(|| Q::from_si(0.0))
     }
 }
 
 /// A field without the type of its value.
-pub(crate) trait StatedField {
+pub trait StatedField {
+    /// Returns the name of its key.
     fn name(&self) -> &'static str;
     /// Returns the assumption that replaces a missing value, if the key has one.
     fn note(&self) -> Option<Assumption>;
     /// Returns its path in the file: `motion[2].speed`.
     fn path(&self) -> String;
+    /// Returns the place of its value; that of the section without a valid value.
     fn span(&self) -> Span<usize>;
     /// Returns `true` if a valid value is stated.
     fn is_given(&self) -> bool;
     /// Returns `true` if the key is present, with a valid value or not.
     fn is_written(&self) -> bool;
+    /// Reads its value.
     fn read(&mut self, found: &FoundValue<'_, '_>, reader: &mut Reader<'_>);
     /// Returns `true` if its value is stated along the line of a mechanism.
     fn is_of_a_line(&self) -> bool;

@@ -23,7 +23,7 @@ use toml::de::DeValue;
 type Amount = Option<(f64, &'static Unit)>;
 
 /// Value of a key.
-pub(crate) trait KeyValue: Sized {
+pub trait KeyValue: Sized {
     /// Kind of the value, unless its key is more specific.
     const KIND: Kind;
 
@@ -59,7 +59,8 @@ pub(crate) trait KeyValue: Sized {
 }
 
 /// A default of a key as written in a file.
-pub(crate) trait Written {
+pub trait Written {
+    /// Returns it as written in a file.
     fn written(&self) -> String;
 }
 
@@ -108,7 +109,7 @@ quantities! {
 }
 
 /// A rotational quantity that may be stated along the line of a mechanism.
-pub(crate) trait Turning: Measure {
+pub trait Turning: Measure {
     /// Linear quantity.
     type Line: Measure;
 }
@@ -131,11 +132,11 @@ impl Turning for AngularJerk {
 
 /// A rotational quantity, or a linear one of a linear mechanism.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Along<Q> {
+pub struct Along<Q> {
     /// The value is linear.
-    pub(crate) is_of_a_line: bool,
+    pub is_of_a_line: bool,
     /// Value in SI.
-    pub(crate) si: f64,
+    pub si: f64,
     turning: PhantomData<Q>,
 }
 
@@ -218,7 +219,7 @@ impl KeyValue for String {
 
 /// Plain numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Numbers(pub(crate) Vec<f64>);
+pub struct Numbers(pub Vec<f64>);
 
 impl KeyValue for Numbers {
     const KIND: Kind = Kind::Numbers(f64::MIN, f64::MAX, usize::MAX);
@@ -233,7 +234,8 @@ impl KeyValue for Numbers {
 }
 
 /// One of a fixed set of words.
-pub(crate) trait WordChoice: Sized {
+pub trait WordChoice: Sized {
+    /// Words of a file.
     const WORDS: &'static [&'static str];
 
     /// Returns the meaning of a word.
@@ -306,7 +308,7 @@ pub(crate) use {choice, choices, choices_by_id};
 
 /// Several words of a choice.
 #[derive(Clone, Debug)]
-pub(crate) struct Choices<W>(pub(crate) Vec<W>);
+pub struct Choices<W>(pub Vec<W>);
 
 impl<W: WordChoice> KeyValue for Choices<W> {
     const KIND: Kind = Kind::ListOf(W::WORDS);
@@ -321,7 +323,8 @@ impl<W: WordChoice> KeyValue for Choices<W> {
 }
 
 /// A row of quantities.
-pub(crate) trait QuantityRow: Copy {
+pub trait QuantityRow: Copy {
+    /// Permissible dimensions of its columns.
     const COLUMNS: &'static [ColumnDimensions];
 
     /// Creates the row from the cells of its columns.
@@ -376,10 +379,12 @@ fn cell<Q: Measure>(quantity: Q) -> ValueCell {
 
 /// Rows of quantities, each with its place.
 #[derive(Clone, Debug)]
-pub(crate) struct Rows<P>(pub(crate) Vec<(P, Span<usize>)>);
+pub struct Rows<P>(pub Vec<(P, Span<usize>)>);
 
 impl<P: Copy> Rows<P> {
-    pub(crate) fn values(&self) -> Vec<P> {
+    /// Returns the rows without their places.
+    #[must_use]
+    pub fn values(&self) -> Vec<P> {
         self.0.iter().map(|(row, _)| *row).collect()
     }
 }
@@ -407,7 +412,7 @@ impl<P: QuantityRow> KeyValue for Rows<P> {
 
 /// Solid bodies, one text each.
 #[derive(Clone, Debug)]
-pub(crate) struct BodyLines(pub(crate) Vec<BodySection>);
+pub struct BodyLines(pub Vec<BodySection>);
 
 impl KeyValue for BodyLines {
     const KIND: Kind = Kind::Bodies;
@@ -423,7 +428,7 @@ impl KeyValue for BodyLines {
 
 /// An array of tables, each of one of several kinds.
 #[derive(Clone, Debug)]
-pub(crate) struct Tables<S>(pub(crate) Vec<S>);
+pub struct Tables<S>(pub Vec<S>);
 
 impl<S: OfKinds> KeyValue for Tables<S> {
     const KIND: Kind = Kind::Variants(S::VARIANTS);
@@ -439,8 +444,10 @@ impl<S: OfKinds> KeyValue for Tables<S> {
 
 /// A table, or an array of tables with additional keys.
 #[derive(Clone, Debug)]
-pub(crate) enum OneOrMany<A, B> {
+pub enum OneOrMany<A, B> {
+    /// A table.
     One(A),
+    /// An array of tables.
     Many(Vec<B>),
 }
 

@@ -1,8 +1,8 @@
 //! A call from Python as a question of the list.
 
 use antrieb::SourceFile;
+use axis::{Catalogue, Files, NoFiles};
 use page::{Reply, Shell};
-use project::{Catalogue, Files, NoFiles};
 use quantities::Language;
 use questions::list::{ArgumentKind, Entry, Given, Inquiry, LIST, Unanswered};
 use questions::{Progress, embedded_catalogue};

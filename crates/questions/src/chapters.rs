@@ -3,8 +3,8 @@
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_part};
 use actuator::{Battery, BatteryLife};
+use axis::AxisProject;
 use configurator::Product;
-use project::Project;
 use provenance::Datum;
 use quantities::unit::HOUR;
 use quantities::{Language, Measure, Time, parse_as};
@@ -54,7 +54,7 @@ pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = 
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
-pub fn bearing_of_each_size<'p>(project: &'p Project, progress: &Progress) -> Result<Vec<Candidate<'p>>, Refusal> {
+pub fn bearing_of_each_size<'p>(project: &'p AxisProject, progress: &Progress) -> Result<Vec<Candidate<'p>>, Refusal> {
     let mut found: Vec<Candidate<'_>> = Vec::new();
     let kind = |product: &'p Product| (&product.series, &product.frame_size);
     for product in project.catalogue().products(false) {

@@ -12,7 +12,7 @@ use quantities::{Language, Measure, ThermodynamicTemperature, identified};
 use std::fmt::Write as _;
 use words::{ERRATUM_MARK, commission, conversion_text, gap_text, measured_key_text, object_name, parameter_name};
 
-pub use project::measured;
+pub use axis::measured;
 pub use room::recorded::judge;
 pub use room::{Commissioning, commission};
 

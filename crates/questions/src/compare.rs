@@ -4,8 +4,8 @@ use crate::list::size::sized;
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, check, check_own};
 use crate::texts::margin_share;
+use axis::AxisProject;
 use configurator::ProductId;
-use project::Project;
 use provenance::Datum;
 use quantities::unit::{
     AMPERE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE, PERCENT,
@@ -96,7 +96,7 @@ pub struct Comparison<'p> {
 /// [`Refusal`] of the first product that cannot be judged, with its place in the list, or [`Refusal::Stopped`] at its
 /// place.
 pub fn compare<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     ids: &[ProductId],
     progress: &Progress,
 ) -> Result<Comparison<'p>, (usize, Refusal)> {
@@ -248,8 +248,8 @@ pub struct Difference<'p> {
 /// # Errors
 /// [`Refusal`] if the product cannot be judged, [`Refusal::Stopped`].
 pub fn difference<'p>(
-    old: &'p Project,
-    new: &'p Project,
+    old: &'p AxisProject,
+    new: &'p AxisProject,
     id: Option<&ProductId>,
     progress: &Progress,
 ) -> Result<Difference<'p>, Refusal> {

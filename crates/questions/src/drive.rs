@@ -5,10 +5,10 @@ use crate::list::Unanswered;
 use crate::reading::{Unread, read_with};
 use crate::simulate::Ready;
 use crate::sizing_use::{Refusal, check};
+use axis::{AxisProject, Catalogue};
 use drive::{Drive, Entry, Given, Value};
 use installation::commission::{cia402, commission};
 use order_code::OrderCode;
-use project::{Catalogue, Project};
 use quantities::{Language, Measure, MomentOfInertia};
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ pub fn bare_axis(
     inertia: Option<MomentOfInertia>,
     catalogue: &Arc<dyn Catalogue>,
     language: Language,
-) -> Result<Project, Unanswered> {
+) -> Result<AxisProject, Unanswered> {
     let about = commission(code).ok_or(Refusal::NoData)?;
     let own = about.actuator.inertia_out.known().map(|known| known.value);
     let inertia = inertia.or(own).ok_or(Refusal::NoData)?;
@@ -50,7 +50,7 @@ pub fn bare_axis(
 /// # Errors
 /// The manual states no data for the code, the project is not judged, or the twin cannot run.
 pub fn with_drive<T>(
-    project: &Project,
+    project: &AxisProject,
     code: &OrderCode,
     (node, seed): (u8, u32),
     language: Language,

@@ -1,7 +1,7 @@
 //! Fingerprints of the origin of a result: the project with its recordings, and the catalogue.
 
 use crate::export::{EXPORT_COLUMNS, export_rows};
-use project::RecordingRead;
+use axis::RecordingRead;
 
 /// Digits of a fingerprint: the first sixteen of BLAKE3, 64 bits.
 const DIGITS: usize = 16;

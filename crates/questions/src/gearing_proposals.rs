@@ -2,7 +2,7 @@
 
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, size_watched};
-use project::{Gearing, Project};
+use axis::{AxisProject, Gearing};
 use quantities::Unit;
 use quantities::unit::ONE;
 use sizing::{Check, CheckId, Fit, Proviso, Verdict};
@@ -70,7 +70,7 @@ pub const GEARING_INSTANTS_MOST: usize = 10_000;
 /// samples.
 ///
 /// [`Refusal::Stopped`] if the search was cancelled.
-pub fn gearing_proposals(project: &Project, progress: &Progress) -> Result<Vec<GearingProposal>, Refusal> {
+pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<Vec<GearingProposal>, Refusal> {
     let instants = project.axis.instants();
     let [on_flange, recorded] = project.axis.flange_instants();
     #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
@@ -84,7 +84,7 @@ pub fn gearing_proposals(project: &Project, progress: &Progress) -> Result<Vec<G
     let [least, most] = STEPS;
     let fine = (EFFORT / instants.max(1)).clamp(least, most);
     let mut found = Vec::new();
-    let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<Project>| {
+    let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<AxisProject>| {
         let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, progress));
         if let Some((si, (code, fit, proviso))) = nearest(&ranked, stated, &here, unit, fine)? {
             found.push(GearingProposal { path: path.to_owned(), is_stated, si, unit, code, fit, proviso });
@@ -119,7 +119,7 @@ impl Default for Ranked {
 }
 
 impl Ranked {
-    fn of(project: &Project, progress: &Progress) -> Result<Self, Refusal> {
+    fn of(project: &AxisProject, progress: &Progress) -> Result<Self, Refusal> {
         let sizing = size_watched(project, 0, Rejected::None, progress)?;
         let is_met = |candidate: &&Candidate<'_>| candidate.objections.is_empty();
         let farther = sizing.candidates.iter().filter(is_met).filter_map(farther).reduce(f64::min);

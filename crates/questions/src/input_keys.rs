@@ -1,13 +1,13 @@
 //! Replacement of the engine's names for inputs by the keys of the project file.
 
-use project::{Project, Within};
+use axis::{AxisProject, Within};
 use provenance::{Key, Source};
 use sizing::{Check, CheckId};
 
 /// Cached keys of a project: every candidate requires the same few.
 #[derive(Debug)]
 pub(crate) struct InputKeys<'p> {
-    project: &'p Project,
+    project: &'p AxisProject,
     known: Vec<Known>,
 }
 
@@ -23,7 +23,7 @@ struct Known {
 }
 
 impl<'p> InputKeys<'p> {
-    pub(crate) const fn of(project: &'p Project) -> Self {
+    pub(crate) const fn of(project: &'p AxisProject) -> Self {
         Self { project, known: Vec::new() }
     }
 

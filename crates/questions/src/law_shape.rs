@@ -1,5 +1,6 @@
 //! The shape of a law of motion, for its picture in a choice.
 
+use axis::law_sample;
 use motion::{Closing, Motion};
 use project::SegmentLaw;
 
@@ -13,7 +14,7 @@ const PER_PIECE: u32 = 12;
 /// recording, which has no shape of its own.
 #[must_use]
 pub fn law_shape(law: SegmentLaw) -> Shape {
-    let motion = law.sample().and_then(|segment| Motion::new(&[segment], None, Closing::SingleMove).ok());
+    let motion = law_sample(law).and_then(|segment| Motion::new(&[segment], None, Closing::SingleMove).ok());
     motion.map(|motion| shape(&motion)).unwrap_or_default()
 }
 
@@ -39,7 +40,7 @@ fn shape(motion: &Motion) -> Shape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use motion::Law;
+    use project::choices::Law;
 
     #[test]
     fn every_law_has_a_shape_of_its_own_from_rest_to_rest() {

@@ -46,11 +46,11 @@ mod upkeep;
 mod wiring;
 
 // Reading: projects, codes, quantities; progress and cancellation; the actuator of an answer.
+pub use axis::Catalogue;
 pub use chapters::read_quantity;
 pub use codes::{CodeRefusal, read_code};
 pub use fingerprint::project_fingerprint;
 pub use progress::Progress;
-pub use project::Catalogue;
 pub use reading::{Unread, embedded_catalogue, read, read_all, read_all_watched, read_all_with, read_with};
 pub use subject::candidate_for;
 

@@ -1,10 +1,10 @@
 //! Mounting of an actuator: notation of its bores, and the loads of a project.
 
 use crate::sizing_use::{Refusal, check};
+use axis::AxisProject;
 use installation::fit::{Bore, read_bore as read};
 use installation::joint::{AxisLoads, FlangeLoads};
 use order_code::OrderCode;
-use project::Project;
 use provenance::{Grade, Source, Sourced};
 use quantities::{Language, Measure, Torque};
 use sizing::{Check, CheckId, Scope};
@@ -22,7 +22,7 @@ pub(crate) fn read_bore(text: &str, language: Language) -> Result<Bore, (String,
 ///
 /// # Errors
 /// The reason why the actuator cannot be judged.
-pub fn joint_loads(project: &Project, code: &OrderCode) -> Result<AxisLoads, Refusal> {
+pub fn joint_loads(project: &AxisProject, code: &OrderCode) -> Result<AxisLoads, Refusal> {
     let candidate = check(project, code)?;
     let collision = project.axis.asked.collision_torque;
     // The collision is a row of its own: the loads of the cycle are judged without it.

@@ -1,6 +1,7 @@
 //! The solved motion: every segment with stated and derived values.
 
-use project::{Project, RecordingRead, SegmentLaw, SegmentLoadKey};
+use axis::{AxisProject, RecordingRead, SegmentLoadKey};
+use project::SegmentLaw;
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
 };
@@ -40,7 +41,7 @@ pub struct Moves<'p> {
 
 /// Returns the solved segments of a project's motion; along the line if the mechanism has one.
 #[must_use]
-pub fn moves(project: &Project) -> Moves<'_> {
+pub fn moves(project: &AxisProject) -> Moves<'_> {
     let travel = project.axis.mechanism.travel_m_per_rad();
     let units = match travel {
         Some(_) => [&MILLIMETRE, &METRE_PER_SECOND, &METRE_PER_SECOND_SQUARED],

@@ -2,8 +2,8 @@
 
 use crate::sizing_use::Candidate;
 use actuator::{CurveKind, CurvePoint, Parameters, PerformanceCurve};
+use axis::AxisProject;
 use configurator::Product;
-use project::Project;
 use provenance::Missing;
 use quantities::{AngularVelocity, ElectricPotential, Measure, Torque};
 
@@ -45,7 +45,7 @@ impl Plane {
 ///
 /// # Errors
 /// The first missing datum if no curve can be drawn.
-pub fn plane(project: &Project, candidate: &Candidate<'_>) -> Result<Plane, Missing> {
+pub fn plane(project: &AxisProject, candidate: &Candidate<'_>) -> Result<Plane, Missing> {
     Plane::of(candidate.parameters, project.axis.terminal_voltage())
 }
 

@@ -1,6 +1,6 @@
 //! First rows of a recording and the possible roles of its columns, as a basis for selecting them.
 
-use project::Files;
+use axis::Files;
 use recording::{Preview, Role};
 
 /// Number of rows.

@@ -13,7 +13,8 @@ use crate::list::Cost;
 use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
 use crate::tolerance::Draw;
-use project::{Catalogue, Diagnostic, Files, Grant, Project, RatioAnswer};
+use axis::{AxisProject, Catalogue, Files, Grant, RatioAnswer};
+use project::Diagnostic;
 use quantities::Language;
 use serde_json::Value;
 use sizing::{StepObserver, Unobserved, finished, rank};
@@ -33,7 +34,7 @@ pub fn embedded_catalogue() -> &'static Arc<dyn Catalogue> {
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
-pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
+pub fn read(text: &str) -> Result<AxisProject, Vec<Diagnostic>> {
     read_with(text, embedded_catalogue())
 }
 
@@ -42,7 +43,7 @@ pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
-pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagnostic>> {
+pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<AxisProject>, Vec<Diagnostic>> {
     read_all_with(text, files, embedded_catalogue())
 }
 
@@ -50,8 +51,8 @@ pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagn
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_with(text: &str, catalogue: &Arc<dyn Catalogue>) -> Result<Project, Vec<Diagnostic>> {
-    Project::read(text, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+pub fn read_with(text: &str, catalogue: &Arc<dyn Catalogue>) -> Result<AxisProject, Vec<Diagnostic>> {
+    AxisProject::read(text, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
 /// Reads like [`read_all`], with a catalogue.
@@ -62,8 +63,8 @@ pub fn read_all_with(
     text: &str,
     files: &dyn Files,
     catalogue: &Arc<dyn Catalogue>,
-) -> Result<Vec<Project>, Vec<Diagnostic>> {
-    Project::read_all(text, files, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
+) -> Result<Vec<AxisProject>, Vec<Diagnostic>> {
+    AxisProject::read_all(text, files, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
 /// Reasons why there is no project.
@@ -85,9 +86,9 @@ pub fn read_all_watched(
     files: &dyn Files,
     catalogue: &Arc<dyn Catalogue>,
     progress: &Progress,
-) -> Result<Vec<Project>, Unread> {
+) -> Result<Vec<AxisProject>, Unread> {
     let refused = Cell::new(None);
-    let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
+    let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<AxisProject>| {
         let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !progress.is_limited());
         // This work precedes that of the question itself.
         let ranking = Cost::Ranking { complete: 0, draw: Draw::default() };
@@ -99,7 +100,7 @@ pub fn read_all_watched(
         })
     };
     let cancellable = Cancellable { files, progress, opened: Cell::new(false) };
-    let read = Project::read_all(text, &cancellable, catalogue, &choose);
+    let read = AxisProject::read_all(text, &cancellable, catalogue, &choose);
     // Only the reading of a file can be interrupted; the faults of a text alone are complete.
     let stopped = || (read.is_err() && cancellable.opened.get() && progress.is_over()).then(|| Refusal::from(Stopped));
     refused
@@ -150,11 +151,11 @@ pub(crate) fn schema(language: Language) -> Value {
 /// If it was cancelled.
 fn best_ratio<W: StepObserver>(
     ratios: &[f64],
-    with: &dyn Fn(f64) -> Option<Project>,
+    with: &dyn Fn(f64) -> Option<AxisProject>,
     watch: &W,
-) -> Result<Option<Project>, W::Stop> {
+) -> Result<Option<AxisProject>, W::Stop> {
     let mut answers: Vec<RatioAnswer> = Vec::new();
-    let mut best: Option<(Project, sizing::Standing, usize)> = None;
+    let mut best: Option<(AxisProject, sizing::Standing, usize)> = None;
     for ratio in ratios {
         let Some(trial) = with(*ratio) else { continue };
         let sizing = size_watched(&trial, 0, Rejected::Nearest, watch)?;

@@ -1,7 +1,8 @@
 //! Handles at the ends of the segments in the picture of the cycle, for dragging.
 
 use crate::moves::moves;
-use project::{Project, SegmentLaw};
+use axis::AxisProject;
+use project::SegmentLaw;
 use quantities::Unit;
 use quantities::unit::{DEGREE, MILLIMETRE};
 
@@ -31,7 +32,7 @@ pub struct SegmentHandles {
 /// distance. A recording cannot be dragged, nor can a move that begins or ends in motion, since it depends on its
 /// neighbours.
 #[must_use]
-pub fn segment_handles(project: &Project) -> SegmentHandles {
+pub fn segment_handles(project: &AxisProject) -> SegmentHandles {
     let moves = moves(project);
     let (unit, per_output) = if moves.turns { (&DEGREE, 1.0) } else { (&MILLIMETRE, moves.per_output) };
     let pieces = project.axis.motion.pieces();
@@ -41,7 +42,7 @@ pub fn segment_handles(project: &Project) -> SegmentHandles {
         let end = own.next_back().unwrap_or(first).end();
         let rests = |speed: f64| speed.abs() < 1e-9;
         let goes = rests(first.speed_rad_s) && rests(end.speed_rad_s);
-        if !each.law.stretches() || !goes && each.law != SegmentLaw::Law(motion::Law::Constant) {
+        if !each.law.stretches() || !goes && each.law != SegmentLaw::Law(project::choices::Law::Constant) {
             return None;
         }
         let shown = |position: f64| unit.from_si(position * per_output);

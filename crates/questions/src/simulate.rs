@@ -7,11 +7,11 @@ pub(crate) use steps::{StepLimit, TooManySteps, Work};
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_one};
 use actuator::{Parameters as Actuator, natural_frequency, natural_frequency_free};
+use axis::AxisProject;
 use configurator::ProductId;
 use installation::wiring::Role;
 use mechanism::Extra;
 use order_code::OrderCode;
-use project::Project;
 use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia};
 use sizing::{CheckId, RunCase, RunCheck, RunCheckId, StepObserver as _, Verdict};
 use twin::{
@@ -75,7 +75,7 @@ impl From<Fault> for NotRun {
 #[derive(Clone, Debug)]
 pub struct Simulated<'p> {
     /// The axis.
-    pub project: &'p Project,
+    pub project: &'p AxisProject,
     /// The actuator, judged.
     pub candidate: Candidate<'p>,
     /// Scenario of the run.
@@ -133,7 +133,7 @@ fn watched<T>(
 
 /// Simulates the actuator.
 pub(crate) fn simulate<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     id: Option<&ProductId>,
     wanted: Wanted,
     limit: StepLimit,
@@ -232,7 +232,7 @@ pub(crate) fn encoder_of(code: &OrderCode) -> Option<feedback::Encoder> {
 
 /// Inputs of a twin of an axis with an actuator.
 pub(crate) struct Ready<'p> {
-    project: &'p Project,
+    project: &'p AxisProject,
     pub(crate) parameters: Parameters,
     assumed_v: f64,
     supply: Supply,
@@ -241,7 +241,7 @@ pub(crate) struct Ready<'p> {
 }
 
 impl<'p> Ready<'p> {
-    pub(crate) fn of(project: &'p Project, candidate: &Candidate<'_>) -> Self {
+    pub(crate) fn of(project: &'p AxisProject, candidate: &Candidate<'_>) -> Self {
         let dc_link_max = candidate.parameters.dc_link_max.known().map_or(SUPPLY_USUAL_V, |known| known.value.si());
         let assumed_v = SUPPLY_USUAL_V.min(dc_link_max);
         let supply = project.axis.supply.as_ref().map_or(Supply::of(assumed_v), |supply| Supply {
@@ -292,12 +292,12 @@ impl<'p> Ready<'p> {
 }
 
 /// Returns the parameters of an actuator, with the values that the project replaces.
-fn parameters(project: &Project, actuator: &Actuator, supply: &Supply) -> Parameters {
+fn parameters(project: &AxisProject, actuator: &Actuator, supply: &Supply) -> Parameters {
     replaced(project, Parameters::on_supply(actuator, supply))
 }
 
 /// Returns the parameters with the measured values of the project in their place.
-pub(crate) fn replaced(project: &Project, mut parameters: Parameters) -> Parameters {
+pub(crate) fn replaced(project: &AxisProject, mut parameters: Parameters) -> Parameters {
     project.twin.replace(&mut parameters);
     parameters
 }

@@ -3,8 +3,9 @@
 use crate::input_keys::InputKeys;
 use crate::progress::Stopped;
 use actuator::Parameters;
+use axis::AxisProject;
 use configurator::{BrokenRule, Product, ProductId, Unmet};
-use project::{Assumption, Project};
+use project::Assumption;
 use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;
@@ -173,7 +174,7 @@ impl From<Stopped> for Refusal {
 }
 
 /// Returns the products that are offered for an axis, with the encoder at the output if the project requires it.
-pub(crate) fn products_of(project: &Project) -> &[Product] {
+pub(crate) fn products_of(project: &AxisProject) -> &[Product] {
     project.catalogue().products(project.option_1.is_some())
 }
 
@@ -181,7 +182,7 @@ pub(crate) fn products_of(project: &Project) -> &[Product] {
 ///
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
-pub fn size(project: &Project) -> Sizing<'_> {
+pub fn size(project: &AxisProject) -> Sizing<'_> {
     finished(size_watched(project, usize::MAX, Rejected::All, &Unobserved))
 }
 
@@ -191,7 +192,7 @@ pub fn size(project: &Project) -> Sizing<'_> {
 /// # Errors
 /// If it was cancelled.
 pub(crate) fn size_watched<'p, W: StepObserver>(
-    project: &'p Project,
+    project: &'p AxisProject,
     complete_count: usize,
     rejected: Rejected,
     watch: &W,
@@ -236,7 +237,7 @@ pub(crate) fn size_watched<'p, W: StepObserver>(
 /// is that of [`Rejected::All`]. A candidate judged up to its first failing check exceeds the limits at least by this
 /// check, so the remaining ones rank behind the result.
 fn settle_nearest<W: StepObserver>(
-    project: &Project,
+    project: &AxisProject,
     candidates: &mut [Candidate<'_>],
     watch: &W,
 ) -> Result<(), W::Stop> {
@@ -336,7 +337,7 @@ fn judged<'p, W: StepObserver>(
 ///
 /// # Errors
 /// [`Refusal`] if the product cannot be ordered or has no data.
-pub fn check<'p, I>(project: &'p Project, id: &I) -> Result<Candidate<'p>, Refusal>
+pub fn check<'p, I>(project: &'p AxisProject, id: &I) -> Result<Candidate<'p>, Refusal>
 where
     for<'i> ProductId: From<&'i I>,
 {
@@ -347,11 +348,11 @@ where
 ///
 /// # Errors
 /// As [`check`].
-pub(crate) fn check_part<'p>(project: &'p Project, id: &ProductId, part: Part) -> Result<Candidate<'p>, Refusal> {
+pub(crate) fn check_part<'p>(project: &'p AxisProject, id: &ProductId, part: Part) -> Result<Candidate<'p>, Refusal> {
     check_with(project, id.clone(), Judging::of_part(project, part))
 }
 
-fn check_with<'p>(project: &'p Project, id: ProductId, mut judging: Judging<'p>) -> Result<Candidate<'p>, Refusal> {
+fn check_with<'p>(project: &'p AxisProject, id: ProductId, mut judging: Judging<'p>) -> Result<Candidate<'p>, Refusal> {
     id.availability().map_err(Refusal::Broken)?;
     let own = project.actuator.as_ref().filter(|own| own.id == id);
     let product = own.or_else(|| project.catalogue().product(&id)).ok_or(Refusal::NoData)?;
@@ -362,7 +363,7 @@ fn check_with<'p>(project: &'p Project, id: ProductId, mut judging: Judging<'p>)
 ///
 /// # Errors
 /// As [`check`].
-pub fn explain<'p, I>(project: &'p Project, id: &I) -> Result<Candidate<'p>, Refusal>
+pub fn explain<'p, I>(project: &'p AxisProject, id: &I) -> Result<Candidate<'p>, Refusal>
 where
     for<'i> ProductId: From<&'i I>,
 {
@@ -375,7 +376,7 @@ where
 ///
 /// # Errors
 /// As [`check_own`].
-pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
+pub fn explain_own(project: &AxisProject) -> Result<Candidate<'_>, Refusal> {
     let mut candidate = check_own(project)?;
     candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
     Ok(candidate)
@@ -385,7 +386,7 @@ pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
 ///
 /// # Errors
 /// [`Refusal::NoActuator`] if the project describes none.
-pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
+pub fn check_own(project: &AxisProject) -> Result<Candidate<'_>, Refusal> {
     project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
 }
 
@@ -393,52 +394,52 @@ pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
 ///
 /// # Errors
 /// As [`check`] and [`check_own`].
-pub(crate) fn check_one<'p>(project: &'p Project, id: Option<&ProductId>) -> Result<Candidate<'p>, Refusal> {
+pub(crate) fn check_one<'p>(project: &'p AxisProject, id: Option<&ProductId>) -> Result<Candidate<'p>, Refusal> {
     id.map_or_else(|| check_own(project), |id| check(project, id))
 }
 
 /// Returns the cycle of a project's axis on a candidate as time series, with every sample of its recordings.
 #[must_use]
-pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
+pub fn course(project: &AxisProject, candidate: &Candidate<'_>) -> Course {
     Course::of(&project.axis, candidate.parameters)
 }
 
 /// Returns the largest number of instants of this course, which is the number of rows of its table.
 #[must_use]
-pub fn course_rows(project: &Project) -> usize {
+pub fn course_rows(project: &AxisProject) -> usize {
     Course::instants_most(&project.axis)
 }
 
 /// Returns the course with the instants of a picture, over the cycle or between two instants \[s\].
 #[must_use]
-pub fn course_seen(project: &Project, candidate: &Candidate<'_>, window: Option<(f64, f64)>) -> Course {
+pub fn course_seen(project: &AxisProject, candidate: &Candidate<'_>, window: Option<(f64, f64)>) -> Course {
     Course::seen(&project.axis, candidate.parameters, window)
 }
 
 /// Computes the largest permissible changes of the axis of a project up to which a candidate fits, within the default
 /// effort.
 #[must_use]
-pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
+pub fn reserve_of(project: &AxisProject, candidate: &Candidate<'_>) -> Reserve {
     finished(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, &Unobserved))
 }
 
 /// Judges actuators one after the other for the axis of a project; the checks cite the keys of its file.
 struct Judging<'p> {
-    project: &'p Project,
+    project: &'p AxisProject,
     judge: Judge<'p>,
     cited: InputKeys<'p>,
 }
 
 impl<'p> Judging<'p> {
-    fn of(project: &'p Project, scope: Scope, depth: Depth) -> Self {
+    fn of(project: &'p AxisProject, scope: Scope, depth: Depth) -> Self {
         Self { project, judge: Judge::new(&project.axis, scope, depth), cited: InputKeys::of(project) }
     }
 
-    fn of_part(project: &'p Project, part: Part) -> Self {
+    fn of_part(project: &'p AxisProject, part: Part) -> Self {
         Self { project, judge: Judge::of_part(&project.axis, part), cited: InputKeys::of(project) }
     }
 
-    fn explaining(project: &'p Project) -> Self {
+    fn explaining(project: &'p AxisProject) -> Self {
         Self { project, judge: Judge::explaining(&project.axis), cited: InputKeys::of(project) }
     }
 
@@ -469,6 +470,6 @@ fn candidate<'p>(judging: &mut Judging<'p>, id: ProductId, product: &'p Product)
     Candidate { id, product, parameters, on_request, judgement, objections, standing }
 }
 
-fn own_candidate<'p>(project: &'p Project, own: &'p Product) -> Candidate<'p> {
+fn own_candidate<'p>(project: &'p AxisProject, own: &'p Product) -> Candidate<'p> {
     candidate(&mut Judging::of(project, Scope::All, Depth::Complete), own.id.clone(), own)
 }

@@ -1,8 +1,8 @@
 //! Defaults for the subject of a question: axis, actuator, corresponding axes of two projects.
 
 use crate::sizing_use::{Candidate, Refusal, Sizing, check, check_own};
+use axis::AxisProject;
 use configurator::ProductId;
-use project::Project;
 use quantities::Language;
 use std::borrow::Cow;
 use words::terminal;
@@ -12,12 +12,12 @@ use words::terminal;
 /// # Errors
 /// If there is no axis with that name: the names that exist.
 pub(crate) fn picked(
-    projects: Vec<Project>,
+    projects: Vec<AxisProject>,
     wanted: Option<&str>,
     language: Language,
-) -> Result<Vec<(usize, Project)>, String> {
+) -> Result<Vec<(usize, AxisProject)>, String> {
     let names = names(&projects);
-    let mut found: Vec<(usize, Project)> = projects.into_iter().enumerate().collect();
+    let mut found: Vec<(usize, AxisProject)> = projects.into_iter().enumerate().collect();
     if let Some(wanted) = wanted {
         found.retain(|(_, project)| project.name == wanted);
         if found.is_empty() {
@@ -28,7 +28,7 @@ pub(crate) fn picked(
 }
 
 /// Joins the names of axes for a sentence.
-pub(crate) fn names<'p>(projects: impl IntoIterator<Item = &'p Project>) -> String {
+pub(crate) fn names<'p>(projects: impl IntoIterator<Item = &'p AxisProject>) -> String {
     let names: Vec<&str> = projects.into_iter().map(|project| project.name.as_str()).collect();
     names.join(", ")
 }
@@ -39,7 +39,7 @@ pub(crate) fn names<'p>(projects: impl IntoIterator<Item = &'p Project>) -> Stri
 /// # Errors
 /// The reason why it cannot be judged.
 pub fn candidate_for<'p, 's>(
-    project: &'p Project,
+    project: &'p AxisProject,
     id: Option<&ProductId>,
     sizing: impl FnOnce() -> Result<Cow<'s, Sizing<'p>>, Refusal>,
 ) -> Result<Candidate<'p>, Refusal>
@@ -61,8 +61,9 @@ where
 /// Returns the indices of corresponding axes of two revisions: those with equal names, and the single axes of both
 /// independent of their names.
 #[must_use]
-pub(crate) fn paired(old: &[(usize, Project)], new: &[(usize, Project)]) -> Vec<(usize, usize)> {
-    let names = |axes: &'_ [(usize, Project)]| axes.iter().map(|(_, project)| project.name.clone()).collect::<Vec<_>>();
+pub(crate) fn paired(old: &[(usize, AxisProject)], new: &[(usize, AxisProject)]) -> Vec<(usize, usize)> {
+    let names =
+        |axes: &'_ [(usize, AxisProject)]| axes.iter().map(|(_, project)| project.name.clone()).collect::<Vec<_>>();
     pairs(&names(old), &names(new))
 }
 

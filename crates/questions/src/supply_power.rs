@@ -1,7 +1,7 @@
 //! Power that several axes draw from their supply.
 
 use crate::sizing_use::{Candidate, course_seen};
-use project::Project;
+use axis::AxisProject;
 
 /// Electrical power of an axis at the motor terminals over its cycle \[W\].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,7 +14,7 @@ pub struct PowerOverCycle {
 
 /// Computes the power of a candidate over the cycle; `None` if a required datum of the actuator is not known.
 #[must_use]
-pub fn power_over_cycle(project: &Project, candidate: &Candidate<'_>) -> Option<PowerOverCycle> {
+pub fn power_over_cycle(project: &AxisProject, candidate: &Candidate<'_>) -> Option<PowerOverCycle> {
     // The largest values of either sign are among the instants of a picture.
     let course = course_seen(project, candidate, None);
     let mut powers = course.samples.iter().filter_map(|sample| sample.power_w).peekable();

@@ -99,7 +99,7 @@ fn worded(line: &str, language: Language) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use project::NoFiles;
+    use axis::NoFiles;
 
     #[test]
     fn every_template_is_commented_in_german_too() {

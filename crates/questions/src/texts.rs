@@ -14,8 +14,8 @@ use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Objection, Reason, Sizing};
 use crate::torsion::TorsionAnswer;
 use actuator::BatteryLife;
+use axis::RecordingRead;
 use configurator::{BrokenRule, ProductId, Unmet};
-use project::RecordingRead;
 use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND, YEAR,
 };

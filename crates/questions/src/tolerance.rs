@@ -7,9 +7,9 @@ mod statistics;
 pub(crate) mod work;
 
 use crate::sizing_use::{Candidate, Objection, Refusal};
+use axis::{AxisProject, Variant, Varied};
 use configurator::Product;
 use draws::Draws;
-use project::{Project, Variant, Varied};
 use rayon::prelude::*;
 use sizing::{CheckId, Depth, Fit, Judge, Judgement, Scope, StepObserver, Unobserved, finished};
 use statistics::{Ranks, wilson};
@@ -57,7 +57,7 @@ impl Draw {
     /// # Errors
     /// [`Refusal::TooManySamples`] if the samples exceed the usual time and the call states no time limit; with one,
     /// [`SAMPLES_MOST`] are permitted.
-    pub fn sampling(self, project: &Project, actuators: usize, in_time: bool) -> Result<Sampling, Refusal> {
+    pub fn sampling(self, project: &AxisProject, actuators: usize, in_time: bool) -> Result<Sampling, Refusal> {
         let most = if in_time { SAMPLES_MOST } else { work::samples_most(project, actuators) };
         let samples = self.samples.unwrap_or_else(|| work::samples_usual(project, actuators));
         if samples > most && !project.tolerances.is_empty() {
@@ -68,7 +68,7 @@ impl Draw {
 
     /// Returns `true` if the computation is fast enough to be repeated at every keystroke.
     #[must_use]
-    pub fn is_quick(self, project: &Project, actuators: usize) -> bool {
+    pub fn is_quick(self, project: &AxisProject, actuators: usize) -> bool {
         let sampling = self.sampling(project, actuators, false);
         sampling.is_ok_and(|sampling| work::is_quick(project, actuators, sampling.samples))
     }
@@ -110,7 +110,7 @@ pub enum PointKind {
 pub struct Worst {
     /// Kind of the point.
     pub place: PointKind,
-    /// Value of each toleranced quantity at the point, in SI and in the order of [`Project::tolerances`].
+    /// Value of each toleranced quantity at the point, in SI and in the order of [`AxisProject::tolerances`].
     pub values: Vec<f64>,
     /// Verdict on the actuator.
     pub fit: Fit,
@@ -123,7 +123,7 @@ pub struct Worst {
 /// Share of a quantity in the spread of the utilisation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Influence {
-    /// Index in [`Project::tolerances`].
+    /// Index in [`AxisProject::tolerances`].
     pub quantity: usize,
     /// ρ² of this quantity by the sum of all, ρ the rank correlation with the utilisation.
     pub share: f64,
@@ -166,7 +166,7 @@ impl Assessment {
 /// corners are the extremes where the utilisation is monotone in each quantity; a sample that is worse than
 /// every corner is reported instead
 #[must_use]
-pub fn assess(project: &Project, candidates: &[&Candidate<'_>], sampling: Sampling) -> Vec<Assessment> {
+pub fn assess(project: &AxisProject, candidates: &[&Candidate<'_>], sampling: Sampling) -> Vec<Assessment> {
     finished(assess_watched(project, candidates, sampling, &Unobserved))
 }
 
@@ -175,7 +175,7 @@ pub fn assess(project: &Project, candidates: &[&Candidate<'_>], sampling: Sampli
 /// # Errors
 /// If it was cancelled.
 pub(crate) fn assess_watched<W: StepObserver>(
-    project: &Project,
+    project: &AxisProject,
     candidates: &[&Candidate<'_>],
     sampling: Sampling,
     watch: &W,
@@ -184,7 +184,7 @@ pub(crate) fn assess_watched<W: StepObserver>(
 }
 
 fn assess_with<W: StepObserver>(
-    project: &Project,
+    project: &AxisProject,
     candidates: &[&Candidate<'_>],
     sampling: Sampling,
     (parts, watch): (usize, &W),
@@ -264,7 +264,7 @@ struct Judged<'c> {
 }
 
 impl<'c> Judged<'c> {
-    fn of(project: &Project, candidate: &'c Candidate<'c>) -> Self {
+    fn of(project: &AxisProject, candidate: &'c Candidate<'c>) -> Self {
         let own = candidate.product.is_of_project();
         let touched = |table: &str| project.tolerances.iter().any(|each| each.path.starts_with(table));
         let varies = touched("requirements.") || (own && touched("actuator."));
@@ -276,7 +276,7 @@ impl<'c> Judged<'c> {
     }
 
     /// Returns the judgement for a variant, by the judge of its axis, and the verdict on the actuator.
-    fn judge(&self, project: &Project, variant: &Variant, judge: &mut Judge<'_>) -> (Judgement, Fit) {
+    fn judge(&self, project: &AxisProject, variant: &Variant, judge: &mut Judge<'_>) -> (Judgement, Fit) {
         let own = variant.actuator.as_ref().filter(|_| self.candidate.product.is_of_project());
         let product = own.unwrap_or(self.candidate.product);
         let judgement = judge.next(&product.parameters, &mut |_, _| {});
@@ -285,7 +285,7 @@ impl<'c> Judged<'c> {
         (judgement, fit)
     }
 
-    fn meets(&self, project: &Project, variant: &Variant, product: &Product) -> bool {
+    fn meets(&self, project: &AxisProject, variant: &Variant, product: &Product) -> bool {
         if variant.requirements.is_none() && variant.actuator.is_none() {
             return true;
         }
@@ -317,7 +317,7 @@ struct Point {
 impl Point {
     const IMPOSSIBLE: Self = Self { fit: Fit::DoesNotFit, utilisation: f64::INFINITY, check: None };
 
-    fn of(judged: &Judged<'_>, project: &Project, variant: &Variant) -> Self {
+    fn of(judged: &Judged<'_>, project: &AxisProject, variant: &Variant) -> Self {
         let (judgement, fit) = judged.judge(project, variant, &mut judge_of(variant));
         let check = judgement.governing().map(|check| check.id);
         Self { fit, utilisation: number(judgement.utilisation()), check }

@@ -2,7 +2,7 @@ use super::*;
 use crate::{check_own, size};
 
 /// Only T_max limits: (J_L + J_out) n_2/t_1 + T_L = (1.3 + 1) · 10/0.1 + 5 = 235 Nm of 240 Nm.
-fn own(inertia: &str, friction: &str, rest: &str) -> Project {
+fn own(inertia: &str, friction: &str, rest: &str) -> AxisProject {
     let text = format!(
         "format = 1\n[load]\ninertia = \"{inertia}\"\nfriction_torque = \"{friction}\"\n[[motion]]\nlaw = \"manual\"\n\
          speed = \"10 rad/s\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n\
@@ -11,7 +11,7 @@ fn own(inertia: &str, friction: &str, rest: &str) -> Project {
     crate::read(&text).unwrap_or_else(|faults| panic!("{faults:#?}"))
 }
 
-fn assess_own(project: &Project, sampling: Sampling, parts: usize) -> Assessment {
+fn assess_own(project: &AxisProject, sampling: Sampling, parts: usize) -> Assessment {
     let candidate = check_own(project).unwrap();
     let mut found = finished(assess_with(project, &[&candidate], sampling, (parts, &Unobserved)));
     assert_eq!(found.len(), 1);

@@ -4,7 +4,7 @@ use crate::chapters::read_quantity;
 use crate::list::Hinted;
 use crate::sizing_use::Candidate;
 use actuator::{Parameters, Torsion};
-use project::Project;
+use axis::AxisProject;
 use provenance::{Datum, Source, Sourced};
 use quantities::{Angle, Language, Measure, Torque};
 
@@ -125,7 +125,7 @@ impl TorsionCurve {
 /// # Source
 /// cha-manual eq. 73.1 to 73.3; the torque is that of the torsion check, without the actuator's own inertia
 #[must_use]
-pub fn torsion_of(project: &Project, candidate: &Candidate<'_>) -> Option<TorsionCurve> {
+pub fn torsion_of(project: &AxisProject, candidate: &Candidate<'_>) -> Option<TorsionCurve> {
     let curve = candidate.parameters.gear.torsion()?;
     let torque = project.axis.moments().load_peak;
     Some(TorsionCurve { curve, torque, angle: curve.angle(torque) })

@@ -1,10 +1,11 @@
 //! The working folder: project files by name, and the recordings that they name; no access outside of it.
 
+use axis::{Catalogue, Files, Grant, Reach};
 use disk::{Links, ProjectFiles, Unwritten, read_within};
 use page::{
     FileEntry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names,
 };
-use project::{Catalogue, Files, Grant, PROJECT_MAX_BYTES, Reach};
+use project::PROJECT_MAX_BYTES;
 use questions::Progress;
 use std::collections::BTreeMap;
 use std::fs::File;

@@ -1,7 +1,8 @@
 //! Working folder in memory, with the files stored in the browser.
 
+use axis::{Catalogue, Files};
 use page::{FileEntry, Folder, SaveFault, Shell, Storage, is_project_name, recording_names};
-use project::{Catalogue, Files, PROJECT_MAX_BYTES};
+use project::PROJECT_MAX_BYTES;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::io::{Cursor, ErrorKind, Read, Result};

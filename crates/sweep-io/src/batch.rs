@@ -3,7 +3,8 @@
 use crate::columns::cells;
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
-use project::{Files, Project, TabularFault};
+use axis::{AxisProject, Files};
+use project::TabularFault;
 use quantities::unit::MILLIMETRE;
 use questions::list::Unanswered;
 use questions::sweep::{self, Answer, Best, Every, Judged, OnFront, Options, TableFaults, Wanted};
@@ -33,7 +34,7 @@ impl BatchHead {
 
     /// Reads the headings of a table for a project, by its text and its axes or the reason why they cannot be read.
     #[must_use]
-    pub fn read(text: &str, projects: Result<Vec<Project>, Unanswered>, table: &Schema, options: Options) -> Self {
+    pub fn read(text: &str, projects: Result<Vec<AxisProject>, Unanswered>, table: &Schema, options: Options) -> Self {
         let schema = answered(&options.wanted);
         Self { head: sweep::Head::read(text, projects, &headings(table), options), schema }
     }

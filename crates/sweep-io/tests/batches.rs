@@ -4,7 +4,7 @@
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
-use project::NoFiles;
+use axis::NoFiles;
 use questions::Progress;
 use std::sync::Arc;
 use sweep_io::{BatchHead, BatchSweep, Options, TableFaults, Wanted};

@@ -1,7 +1,7 @@
 //! Formats of tables, and the memory of a long course in each.
 
 use crate::table::Table;
-use project::Project;
+use axis::AxisProject;
 use questions::{Refusal, course_rows};
 use std::path::Path;
 
@@ -63,7 +63,7 @@ impl Format {
     ///
     /// # Errors
     /// [`Refusal::TooManyRows`]
-    pub fn within(self, project: &Project, table: Option<&str>, memory: u64) -> Result<(), Refusal> {
+    pub fn within(self, project: &AxisProject, table: Option<&str>, memory: u64) -> Result<(), Refusal> {
         if table.is_some_and(|table| table != "course") || self.course_left_out(project).is_some() {
             return Ok(());
         }
@@ -80,7 +80,7 @@ impl Format {
 
     /// Returns the number of instants of a course that is not computed, because it certainly exceeds a sheet: of two
     /// adjacent rows at most one can be a repetition.
-    pub(crate) fn course_left_out(self, project: &Project) -> Option<usize> {
+    pub(crate) fn course_left_out(self, project: &AxisProject) -> Option<usize> {
         let rows = course_rows(project);
         (self == Self::Workbook && rows / 2 > SHEET_ROWS_MOST).then_some(rows)
     }

@@ -2,7 +2,7 @@
 
 use crate::rows::Rows;
 use crate::table::{Column, ColumnContent, Table};
-use project::Project;
+use axis::AxisProject;
 use quantities::{Language, Unit};
 use questions::{Candidate, Sizing};
 use words::{Word, capitalised};
@@ -15,7 +15,7 @@ pub struct Subject<'a> {
     /// Index of the axis in the file.
     pub axis: usize,
     /// Axis.
-    pub project: &'a Project,
+    pub project: &'a AxisProject,
     /// Ranking of the catalogue for the axis.
     pub sizing: &'a Sizing<'a>,
     /// Actuator of the tables.

@@ -12,7 +12,7 @@ use quantities::Language;
 /// Returns the label of a key of a record, or the title of its table.
 #[must_use]
 pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static str {
-    if let Some(what) = key.measurand() {
+    if let Some(what) = axis::measurand(key) {
         return measurand_name(what, language);
     }
     let (en, de) = match key {

@@ -2,8 +2,10 @@
 
 use crate::texts::said;
 use crate::{pick, terms};
-use motion::{Law, MoveFault, Needed, PointsFault, RecordedFault};
-use project::{SegmentLaw, SegmentLoadKey};
+use axis::SegmentLoadKey;
+use motion::{MoveFault, Needed, PointsFault, RecordedFault};
+use project::SegmentLaw;
+use project::choices::Law;
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
     SECOND,

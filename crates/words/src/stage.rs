@@ -2,7 +2,7 @@
 
 use crate::percent_text;
 use crate::texts::said;
-use project::RatioAnswer;
+use axis::RatioAnswer;
 use quantities::{Language, format_significant};
 
 /// Returns the answers for the ratios of a stage, in order; empty for a stage with one ratio.

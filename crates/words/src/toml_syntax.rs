@@ -114,7 +114,8 @@ pub(crate) fn in_german(message: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use project::{Fault, NoCatalogue, NoFiles, Project};
+    use axis::{AxisProject, NoCatalogue, NoFiles};
+    use project::Fault;
 
     /// The faults that occur when a project file is typed are in German, with what the parser expected.
     #[test]
@@ -156,7 +157,7 @@ mod tests {
         ];
         let (mut tried, mut unknown) = (0, Vec::new());
         for text in texts {
-            let faults = Project::read_all(text, &NoFiles, &NoCatalogue::shared(), &|_, _| None).unwrap_err();
+            let faults = AxisProject::read_all(text, &NoFiles, &NoCatalogue::shared(), &|_, _| None).unwrap_err();
             for fault in faults {
                 let Fault::Syntax { message, .. } = &fault.fault else { continue };
                 let german = in_german(message);

@@ -14,7 +14,7 @@ const REMAINING: [(&str, usize); 14] = [
     ("crates/motion", 5),
     ("crates/order-code", 2),
     ("crates/page", 30),
-    ("crates/project", 30),
+    ("crates/project", 28),
     ("crates/quantities", 4),
     ("crates/questions", 63),
     ("crates/recording", 7),

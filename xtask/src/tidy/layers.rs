@@ -21,7 +21,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 41] = [
+const ROOMS: [(&str, Room); 42] = [
     ("numeric", Room::Layer(0)),
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
@@ -43,6 +43,7 @@ const ROOMS: [(&str, Room); 41] = [
     ("installation", Room::Layer(3)),
     ("drive", Room::Layer(4)),
     ("project", Room::Layer(4)),
+    ("axis", Room::Layer(4)),
     ("answers", Room::Layer(4)),
     ("words", Room::Layer(5)),
     ("questions", Room::Layer(6)),
@@ -85,7 +86,7 @@ const ROLES: [&str; 12] = [
 const FILE: &str = "ARCHITECTURE.md";
 
 /// Crates that their own layer may depend on.
-const SERVE_THEIR_LAYER: [&str; 2] = ["derivation", "motion"];
+const SERVE_THEIR_LAYER: [&str; 3] = ["derivation", "motion", "project"];
 
 fn room(name: &str) -> Option<Room> {
     ROOMS.iter().find(|(known, _)| *known == name).map(|(_, room)| *room)

@@ -1,7 +1,7 @@
 //! Identity of a run: one hash of everything that the output depends on. A call continues a run with the same hash.
 
 use super::table::Table;
-use project::Files;
+use axis::Files;
 use questions::list::Unanswered;
 use questions::list::catalogue::export_csv;
 use std::collections::BTreeSet;

@@ -3,8 +3,8 @@
 
 use crate::run;
 
+use axis::{Catalogue, Files};
 use page::{Call, Method, Reply, Shell};
-use project::{Catalogue, Files};
 use quantities::Language;
 use questions::Progress;
 use run::{root, run_with};

@@ -1,7 +1,8 @@
 #![allow(clippy::indexing_slicing, reason = "JSON answers null for a missing key")]
 
 use super::*;
-use project::{Catalogue, Files, NoFiles, PROJECT_MAX_BYTES};
+use axis::{Catalogue, Files, NoFiles};
+use project::PROJECT_MAX_BYTES;
 use serde_json::Value;
 use std::sync::Arc;
 

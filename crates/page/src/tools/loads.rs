@@ -4,8 +4,9 @@ use super::field::{ToolField, Trouble, at_their_fields};
 use super::{GOOD, MARK, Scene, fields_of};
 use crate::checks::{check_heads, verdict_class};
 use crate::state::placed;
+use axis::AxisProject;
 use maud::{Markup, html};
-use project::{Edit, Project, edit, key_at, written};
+use project::{Edit, edit, key_at, written};
 use quantities::Language;
 use questions::list::bearing::{bearing_checks, bearing_of_each_size};
 use questions::texts::{by_importance, checked_text, margin_text, percent, unit_text, verdict_text};
@@ -74,7 +75,7 @@ fn field(path: &str, first: &str, scene: &Scene<'_>) -> Option<ToolField> {
     Some(field)
 }
 
-fn answer(project: &Project, scene: &Scene<'_>) -> Markup {
+fn answer(project: &AxisProject, scene: &Scene<'_>) -> Markup {
     let l = scene.language;
     // A cancelled answer is not shown.
     let Ok(sizes) = bearing_of_each_size(project, scene.progress) else { return html! {} };

@@ -242,7 +242,7 @@ impl Form<'_> {
     fn remark(&self, purpose: MeasuredKey) -> String {
         let l = self.language;
         let about = measured_key_text(purpose, l);
-        let id = purpose.measurand().map(|what| what.id());
+        let id = axis::measurand(purpose).map(|what| what.id());
         let entries = || self.sheet.lists.iter().flat_map(|list| &list.entries);
         match entries().find(|entry| entry.field && Some(entry.id) == id) {
             Some(entry) => {

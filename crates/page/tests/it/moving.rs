@@ -1,8 +1,8 @@
 //! Dynamic parts of the page from outside: work that ends early, dragged ends, time windows, recordings.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
+use axis::{Catalogue, Files};
 use page::{Call, Method, Reply, Shell, respond};
-use project::{Catalogue, Files};
 use quantities::Language;
 use questions::Progress;
 use questions::list::new::template;

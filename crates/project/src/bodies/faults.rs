@@ -27,7 +27,8 @@ pub(super) struct Faults<'t> {
 }
 
 /// Returns the fields that an error is about; empty for a missing mass, or the whole body.
-pub(crate) fn fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&'s dyn StatedField> {
+#[must_use]
+pub fn body_fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&'s dyn StatedField> {
     match error {
         BodyError::DimensionOutOfRange { field, .. } => body.field(field).into_iter().collect(),
         BodyError::InnerNotBelowOuter { .. } => vec![&body.inner, &body.outer],

@@ -1,11 +1,11 @@
 //! A segment of the motion stretched in time and distance: its stated values are scaled.
 
 use crate::Range;
+use crate::choices::Law;
 use crate::edit::{Edit, EditFault, edit, written};
 use crate::key::{Key, Kind};
 use crate::motion::{Segment, SegmentLaw};
 use crate::section::{OfKinds, Section};
-use ::motion::Law;
 
 /// Digits of a scaled value; more than a pointer in a picture resolves.
 const DIGITS: i32 = 6;

@@ -1,13 +1,10 @@
 //! Drum, rope and load.
 
 use super::parts::{Counterweight, Friction, Losses, ProcessForce};
-use super::{Driven, MechanismName, OnFlange, sound};
+use super::MechanismName;
 use crate::Assumption;
 use crate::about::About;
-use crate::read::Reader;
 use crate::section::section;
-use crate::stated::StatedField;
-use mechanism::MechanismKind;
 use quantities::{Length, Mass, MomentOfInertia};
 
 section! {
@@ -24,39 +21,5 @@ section! {
         ..process: ProcessForce;
         ..friction: Friction;
         ..losses: Losses;
-    }
-}
-
-impl Driven for Hoist {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
-        let hoist = mechanism::Hoist {
-            drum_diameter: self.drum_diameter.value()?,
-            falls: self.falls(),
-            inertia: self.inertia.or_zero(),
-            mass: self.mass.value()?,
-            counterweight: self.counterweight.counterweight.or_zero(),
-            rope_mass: self.rope_mass.or_zero(),
-            hanging: self.hanging.or_zero(),
-            reeving: mechanism::reeving_efficiency(self.falls(), self.sheave_efficiency()),
-        };
-        sound(self, hoist.faults(), reader)?;
-        Some(MechanismKind::Hoist(hoist))
-    }
-
-    fn inertia(&self) -> Vec<&dyn StatedField> {
-        vec![&self.inertia, &self.mass]
-    }
-
-    fn is_without_effect(&self, default: Assumption) -> bool {
-        // A single fall runs over no sheave.
-        default == Assumption::SheavesNoLosses && self.falls() == 1
-    }
-
-    fn travel(&self) -> Option<&dyn StatedField> {
-        Some(&self.drum_diameter)
-    }
-
-    fn on_flange(&self) -> Option<OnFlange<'_>> {
-        Some(OnFlange::Wheel)
     }
 }

@@ -2,9 +2,8 @@
 
 use crate::Assumption;
 use crate::about::About;
-use crate::section::{Fields, group, section};
-use mechanism::{Linear, LinearKind, MechanismKind};
-use quantities::{Angle, Force, Mass, Measure, MomentOfInertia, Torque, ViscousFriction};
+use crate::section::section;
+use quantities::{Angle, Force, Mass, MomentOfInertia, Torque, ViscousFriction};
 
 section! {
     /// Friction and constant torque at the output.
@@ -12,16 +11,6 @@ section! {
         friction_torque: Torque => not_negative, noted(Assumption::NoFriction);
         viscous_friction: ViscousFriction => not_negative;
         external_torque: Torque;
-    }
-}
-
-impl Friction {
-    pub(crate) fn build(&self) -> mechanism::Friction {
-        mechanism::Friction {
-            coulomb: self.friction_torque.or_zero(),
-            viscous: self.viscous_friction.or_zero(),
-            external: self.external_torque.or_zero(),
-        }
     }
 }
 
@@ -69,20 +58,4 @@ section! {
     StartAngle, StartAngleName of About::StartAngle {
         start_angle: Angle => needed;
     }
-}
-
-/// Builds a drive that moves a slide in proportion to the angle.
-pub(super) fn linear(section: &impl Fields, kind: LinearKind, travel_m_per_rad: f64) -> Option<MechanismKind> {
-    let (slide, guide): (&Slide, &Guide) = (group(section)?, group(section)?);
-    let counterweight: Option<&Counterweight> = group(section);
-    Some(MechanismKind::Linear(Linear {
-        kind,
-        travel_m_per_rad,
-        inertia: slide.inertia.or_zero(),
-        mass: slide.mass.value()?,
-        counterweight: counterweight.map_or_else(|| Mass::from_si(0.0), |it| it.counterweight.or_zero()),
-        inclination: slide.inclination.or_zero(),
-        friction_force: guide.friction_force.or_zero(),
-        friction_coefficient: guide.friction_coefficient(),
-    }))
 }

@@ -1,13 +1,10 @@
 //! A screw with a slide.
 
-use super::parts::{Counterweight, Friction, Guide, Losses, ProcessForce, Slide, linear};
-use super::{Driven, MechanismName, OnFlange};
+use super::parts::{Counterweight, Friction, Guide, Losses, ProcessForce, Slide};
+use super::MechanismName;
 use crate::about::About;
-use crate::read::Reader;
 use crate::section::section;
-use crate::stated::StatedField;
-use mechanism::{MechanismKind, LinearKind};
-use quantities::{Measure, Lead};
+use quantities::Lead;
 
 section! {
     /// A screw that moves a slide.
@@ -19,19 +16,5 @@ section! {
         ..process: ProcessForce;
         ..friction: Friction;
         ..losses: Losses;
-    }
-}
-
-impl Driven for Screw {
-    fn kind(&self, _: &mut Reader<'_>) -> Option<MechanismKind> {
-        linear(self, LinearKind::Screw, self.lead.value()?.si() / std::f64::consts::TAU)
-    }
-
-    fn travel(&self) -> Option<&dyn StatedField> {
-        Some(&self.lead)
-    }
-
-    fn on_flange(&self) -> Option<OnFlange<'_>> {
-        Some(OnFlange::Shaft)
     }
 }

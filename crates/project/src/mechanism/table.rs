@@ -1,14 +1,11 @@
 //! Inertia and torque over the position.
 
 use super::parts::{Friction, Losses, StartAngle};
-use super::{Driven, MechanismName};
-use crate::Fault;
+use super::MechanismName;
 use crate::about::About;
-use crate::read::Reader;
 use crate::section::section;
-use crate::stated::StatedField;
 use crate::value::Rows;
-use mechanism::{MechanismKind, TablePoint};
+use mechanism::TablePoint;
 
 section! {
     /// A mechanism given by points.
@@ -18,17 +15,5 @@ section! {
         ..start: StartAngle;
         ..friction: Friction;
         ..losses: Losses;
-    }
-}
-
-impl Driven for Table {
-    fn kind(&self, reader: &mut Reader<'_>) -> Option<MechanismKind> {
-        match mechanism::Table::new(self.points.get()?.values()) {
-            Ok(table) => Some(MechanismKind::Table(table)),
-            Err(fault) => {
-                reader.fault(self.points.span(), Fault::Table(fault), None);
-                None
-            }
-        }
     }
 }

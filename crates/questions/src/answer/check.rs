@@ -3,7 +3,7 @@
 use crate::explain::derivation;
 use crate::sizing_use::Candidate;
 use answers::{DemandFigures, DemandMode, Id, IntegralDemand, MoveTorques, Number, Units};
-use project::Project;
+use axis::AxisProject;
 use quantities::unit::{NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Amount, Check, Demand, ManualDemand, Note};
@@ -52,7 +52,7 @@ pub fn explained(found: &Check, language: Language) -> answers::Explained {
 /// Returns checks of an actuator with their derivations.
 #[must_use]
 pub fn explanations(
-    project: &Project,
+    project: &AxisProject,
     candidate: &Candidate<'_>,
     checks: &[&Check],
     language: Language,

@@ -12,9 +12,9 @@ use crate::texts::{self, Rejections};
 use crate::tolerance::Assessment;
 use actuator::ScrewJoint;
 use answers::{CheckCounts, Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
+use axis::AxisProject;
 use installation::wiring::{CableLength, CableRole};
 use order_code::Field;
-use project::Project;
 use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number};
@@ -31,7 +31,7 @@ use words::{
 /// of the program.
 #[must_use]
 pub fn dossier(
-    project: &Project,
+    project: &AxisProject,
     ranked: &Sizing<'_>,
     chosen: &Candidate<'_>,
     (found, assessment, gearing_proposals): (&Reserve, Option<&Assessment>, &[GearingProposal]),

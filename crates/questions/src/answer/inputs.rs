@@ -2,9 +2,10 @@
 
 use super::chapters::inertia;
 use answers::{InputTable, Mechanism, Number, Sketch, SketchSymbol};
+use axis::AxisProject;
 use mechanism::MechanismId;
 use mechanism::drawing::CallOut;
-use project::{BODY_SHAPES, Input, Project, input_label};
+use project::{BODY_SHAPES, Input, input_label};
 use quantities::unit::MILLIMETRE;
 use quantities::{Language, Unit};
 use std::f64::consts::TAU;
@@ -163,7 +164,7 @@ fn table_title(table: &str, language: Language) -> String {
 }
 
 /// Returns the mechanism driven by the output flange.
-pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language) -> Mechanism {
+pub(super) fn mechanism(project: &AxisProject, inputs: &[Input], language: Language) -> Mechanism {
     let load = &project.axis.mechanism;
     let key = load.id().key();
     let table = if load.id() == MechanismId::Load { key.to_owned() } else { format!("mechanism.{key}") };
@@ -176,7 +177,7 @@ pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language)
         inputs.iter().any(|input| inside(&input.path))
     };
     let values = inputs.iter().map(|input| (input.path.as_str(), input.written.as_str()));
-    let drawing = load.id().drawing(&project::drawn_figures(values, &table));
+    let drawing = load.id().drawing(&axis::drawn_figures(values, &table));
     let is_shown = |it: &CallOut| it.is_of_bearing || is_stated(it.key);
     let symbols = drawing.call_outs.iter().filter(|it| is_shown(it));
     let symbols = symbols.map(|it| SketchSymbol { key: it.key.to_owned(), symbol: it.symbol.to_owned() });

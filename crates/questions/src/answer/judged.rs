@@ -12,8 +12,8 @@ use answers::{
     Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
     Tolerance, ToleratedValue, Units, WorstCorner, WouldFit,
 };
+use axis::{ALL_CORNERS_MOST, AxisProject};
 use configurator::ProductId;
-use project::{ALL_CORNERS_MOST, Project};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Proviso, Reserve, SAMPLES_ANEW, Verdict};
@@ -56,7 +56,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
 /// Returns one actuator with the motion, the reserve and the tolerances of the project.
 #[must_use]
 pub fn judgement(
-    project: &Project,
+    project: &AxisProject,
     judged: &Candidate<'_>,
     found: &Reserve,
     assessment: Option<&Assessment>,
@@ -92,7 +92,7 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Rejection {
 #[must_use]
 pub fn sizing(
     sizing: &Sizing<'_>,
-    project: &Project,
+    project: &AxisProject,
     assessed: &[(ProductId, Assessment)],
     gearing_proposals: &[GearingProposal],
     top: usize,
@@ -138,7 +138,7 @@ fn would_fit(mend: &GearingProposal) -> WouldFit {
 }
 
 /// Returns the ratio of the stage between actuator and mechanism, and the results for the other ratios of the project.
-fn stage(project: &Project) -> Option<Stage> {
+fn stage(project: &AxisProject) -> Option<Stage> {
     let stage = project.axis.mechanism.stage.as_ref()?;
     let ratios = project.ratios.iter().map(|each| StageRatio {
         ratio: Number(each.ratio),
@@ -188,7 +188,7 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
 
 /// Returns samples, worst point and influences of the tolerances.
 #[must_use]
-pub fn tolerance(project: &Project, assessment: &Assessment) -> Tolerance {
+pub fn tolerance(project: &AxisProject, assessment: &Assessment) -> Tolerance {
     let found = &assessment.utilisation;
     let worst = &assessment.worst;
     let values = project.tolerances.iter().zip(&worst.values).map(|(each, si)| ToleratedValue {

@@ -2,7 +2,7 @@
 
 use crate::moves::{Move, Moves};
 use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, TextEncoding, UnitBy, Units};
-use project::{RecordingRead, SegmentLoadKey};
+use axis::{RecordingRead, SegmentLoadKey};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure};
 use recording::{Encoding, KnownBy, Role};

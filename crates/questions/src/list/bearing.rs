@@ -6,7 +6,7 @@ use crate::answer;
 pub use crate::chapters::{bearing_checks, bearing_of_each_size};
 use crate::progress::Progress;
 use crate::sizing_use::Candidate;
-use project::Project;
+use axis::AxisProject;
 use quantities::Language;
 use sizing::Verdict;
 use words::{help, terms};
@@ -44,7 +44,7 @@ pub static ENTRY: Entry = Entry {
 /// # Errors
 /// If the project has no loads on the flange, or the work was cancelled.
 pub fn sizes<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     progress: &Progress,
     language: Language,
 ) -> Result<Vec<Candidate<'p>>, Unanswered> {

@@ -7,8 +7,8 @@ use crate::answer;
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_one};
 use crate::tolerance::{Assessment, Draw, assess_watched};
+use axis::AxisProject;
 use configurator::ProductId;
-use project::Project;
 use quantities::Language;
 use sizing::{Reserve, SAMPLES_ANEW, reserve_watched};
 use words::help;
@@ -58,7 +58,7 @@ impl Args {
     ///
     /// # Errors
     /// As [`verification`].
-    pub fn verification<'p>(&self, project: &'p Project, progress: &Progress) -> Result<Verification<'p>, Refusal> {
+    pub fn verification<'p>(&self, project: &'p AxisProject, progress: &Progress) -> Result<Verification<'p>, Refusal> {
         verification(project, self.code.as_ref(), draw(self.samples, self.seed), progress)
     }
 }
@@ -67,7 +67,7 @@ impl Args {
 #[derive(Clone, Debug)]
 pub struct Verification<'p> {
     /// The axis.
-    pub project: &'p Project,
+    pub project: &'p AxisProject,
     /// The actuator with every check.
     pub candidate: Candidate<'p>,
     /// Largest permissible change of one quantity.
@@ -81,7 +81,7 @@ pub struct Verification<'p> {
 /// # Errors
 /// The reason why it cannot be judged.
 pub fn verification<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     id: Option<&ProductId>,
     draw: Draw,
     progress: &Progress,
@@ -97,7 +97,7 @@ pub fn verification<'p>(
 /// # Errors
 /// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
 pub fn margins(
-    project: &Project,
+    project: &AxisProject,
     candidate: &Candidate<'_>,
     draw: Draw,
     progress: &Progress,
@@ -113,7 +113,7 @@ pub fn margins(
 /// # Errors
 /// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
 pub fn scatter(
-    project: &Project,
+    project: &AxisProject,
     candidate: &Candidate<'_>,
     draw: Draw,
     progress: &Progress,
@@ -127,7 +127,11 @@ pub fn scatter(
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
-pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, progress: &Progress) -> Result<Reserve, Refusal> {
+pub fn reserve_within(
+    project: &AxisProject,
+    candidate: &Candidate<'_>,
+    progress: &Progress,
+) -> Result<Reserve, Refusal> {
     if !progress.is_limited() {
         return reserve_unasked(project, candidate, progress);
     }
@@ -138,7 +142,11 @@ pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, progress: &P
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
-pub fn reserve_unasked(project: &Project, candidate: &Candidate<'_>, progress: &Progress) -> Result<Reserve, Refusal> {
+pub fn reserve_unasked(
+    project: &AxisProject,
+    candidate: &Candidate<'_>,
+    progress: &Progress,
+) -> Result<Reserve, Refusal> {
     Ok(reserve_watched(&project.axis, candidate.parameters, SAMPLES_ANEW, progress)?)
 }
 

@@ -6,8 +6,8 @@ use crate::answer;
 pub use crate::compare::{CheckRow, Comparison, DatumRow, compare, errata_of};
 use crate::sizing_use::Refusal;
 use answers::Fit;
+use axis::AxisProject;
 use configurator::ProductId;
-use project::Project;
 use words::{help, terminal};
 
 /// Permissible numbers of actuators in a comparison.
@@ -62,7 +62,11 @@ impl Args {
     ///
     /// # Errors
     /// The reason why one of them cannot be judged, with its code.
-    pub fn comparison<'p>(&self, project: &'p Project, inquiry: &Inquiry<'_>) -> Result<Comparison<'p>, Unanswered> {
+    pub fn comparison<'p>(
+        &self,
+        project: &'p AxisProject,
+        inquiry: &Inquiry<'_>,
+    ) -> Result<Comparison<'p>, Unanswered> {
         compare(project, &self.codes, inquiry.progress).map_err(|(index, refusal)| {
             let code = self.codes.get(index).filter(|_| refusal != Refusal::Stopped);
             Unanswered::Refused(refusal, code.cloned())

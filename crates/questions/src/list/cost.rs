@@ -3,7 +3,7 @@
 use super::size::ASSESSED_MOST;
 use crate::sizing_use::Refusal;
 use crate::tolerance::{Draw, work};
-use project::Project;
+use axis::AxisProject;
 use sizing::{INSTANTS_MOST, Operation};
 
 /// Question about the axes of a project, as far as the cost depends on it.
@@ -65,7 +65,7 @@ impl Cost {
 
     /// Returns the share of this time that an axis takes.
     #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-    fn share(self, project: &Project) -> f64 {
+    fn share(self, project: &AxisProject) -> f64 {
         /// Instants of the walk by segments in a report that take its time: below a microsecond each, for one actuator.
         const WALKED: f64 = 1e7;
         let [_, samples] = project.axis.samples();
@@ -89,7 +89,7 @@ impl Cost {
     /// process \[byte\].
     #[must_use]
     #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-    pub fn predicted(self, project: &Project) -> (f64, f64) {
+    pub fn predicted(self, project: &AxisProject) -> (f64, f64) {
         /// Bytes of a sample with its position, speed and acceleration, and of an instant.
         const BYTES: (f64, f64) = (128.0, 512.0);
         let [recorded, _] = project.axis.samples();
@@ -124,7 +124,7 @@ impl Cost {
     ///
     /// # Errors
     /// [`Refusal::TooManyRatios`]
-    pub(crate) fn is_quick_for(self, project: &Project, ratios: usize) -> Result<(), Refusal> {
+    pub(crate) fn is_quick_for(self, project: &AxisProject, ratios: usize) -> Result<(), Refusal> {
         #[allow(clippy::cast_precision_loss, reason = "at most sixteen")]
         let share = self.share(project) * ratios as f64;
         if share > 1.0 { Err(Refusal::TooManyRatios { ratios, seconds: self.seconds() }) } else { Ok(()) }
@@ -141,7 +141,7 @@ impl Cost {
         clippy::cast_sign_loss,
         reason = "counts far below 2^52"
     )]
-    pub fn is_quick<'p>(self, projects: impl IntoIterator<Item = &'p Project> + Clone) -> Result<(), Refusal> {
+    pub fn is_quick<'p>(self, projects: impl IntoIterator<Item = &'p AxisProject> + Clone) -> Result<(), Refusal> {
         let (most, seconds) = (self.samples(), self.seconds());
         let each = projects.clone().into_iter().map(|project| project.axis.samples());
         let [samples, cost] = each.fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b]);
@@ -162,7 +162,7 @@ impl Cost {
 /// Returns the instants of an axis without its recordings, with a share of those of the loads on its flange: these cost
 /// less, since only actuators with another bearing evaluate them again.
 #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
-fn instants_of(project: &Project) -> f64 {
+fn instants_of(project: &AxisProject) -> f64 {
     const ON_THE_FLANGE: f64 = 1.0 / 64.0;
     let [recorded, _] = project.axis.samples();
     let [on_flange, _] = project.axis.flange_instants();
@@ -173,7 +173,7 @@ fn instants_of(project: &Project) -> f64 {
 mod tests {
     use super::*;
 
-    fn project(inertia: &str, segments: usize) -> Project {
+    fn project(inertia: &str, segments: usize) -> AxisProject {
         let segment = "[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\n\
             brake = \"0.1 s\"\npause = \"1 s\"\n";
         let text = format!("format = 1\n[load]\ninertia = \"{inertia}\"\n{}", segment.repeat(segments));
@@ -185,8 +185,9 @@ mod tests {
         let draw = Draw::default();
         let ranking = Cost::Ranking { complete: 10, draw };
         let few = project("1 kg m^2", 1);
-        let of =
-            |question: Cost, project: &Project, count: usize| question.is_quick(std::iter::repeat_n(project, count));
+        let of = |question: Cost, project: &AxisProject, count: usize| {
+            question.is_quick(std::iter::repeat_n(project, count))
+        };
         for (question, most) in [(ranking, 400), (Cost::Report, 48), (Cost::Other, 480)] {
             assert_eq!(of(question, &few, most), Ok(()), "{question:?}");
             let refused = of(question, &few, most + 60);

@@ -6,8 +6,8 @@ use crate::answer;
 pub use crate::explain::derivation;
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, explain, explain_own};
+use axis::AxisProject;
 use configurator::ProductId;
-use project::Project;
 use quantities::Language;
 use sizing::{Check, CheckId, StepObserver as _};
 use std::sync::Arc;
@@ -59,7 +59,7 @@ impl Args {
     ///
     /// # Errors
     /// As [`explanation`].
-    pub fn explanation<'p>(&self, project: &'p Project, progress: &Progress) -> Result<Explanation<'p>, Refusal> {
+    pub fn explanation<'p>(&self, project: &'p AxisProject, progress: &Progress) -> Result<Explanation<'p>, Refusal> {
         explanation(project, self.code.as_ref(), self.check, progress)
     }
 }
@@ -68,7 +68,7 @@ impl Args {
 #[derive(Clone, Debug)]
 pub struct Explanation<'p> {
     /// The axis.
-    pub project: &'p Project,
+    pub project: &'p AxisProject,
     /// The actuator.
     pub candidate: Candidate<'p>,
     /// The requested check; `None` for all.
@@ -81,7 +81,7 @@ pub struct Explanation<'p> {
 /// The reason why it cannot be judged, [`Refusal::NotAsked`] if the check is not part of the judgement,
 /// [`Refusal::Stopped`].
 pub fn explanation<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     id: Option<&ProductId>,
     wanted: Option<CheckId>,
     progress: &Progress,

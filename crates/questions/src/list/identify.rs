@@ -12,9 +12,9 @@ use crate::simulate::replaced;
 use crate::sizing_use::{check_one, known_si};
 use actuator::Parameters;
 use answers::Number;
+use axis::AxisProject;
 use configurator::ProductId;
 use mechanism::{Extra, Mechanism, MechanismKind, Plain};
-use project::Project;
 use quantities::unit::{
     AMPERE, AMPERE_SECOND_PER_RADIAN, DEGREE, KILOGRAM_SQUARE_METRE, MILLISECOND, NEWTON_METRE,
     NEWTON_METRE_PER_AMPERE, NEWTON_METRE_SECOND_PER_RADIAN,
@@ -354,7 +354,7 @@ fn title_and_unit(of: Identified) -> (Word, &'static Unit) {
 
 fn row(
     estimate: &Estimate,
-    project: &Project,
+    project: &AxisProject,
     actuator: &Parameters,
     tabulated_nm_a: Option<f64>,
     language: Language,
@@ -373,7 +373,7 @@ fn row(
 }
 
 /// Returns the value that project or tables state.
-fn stated(of: Identified, project: &Project, actuator: &Parameters, tabulated_nm_a: Option<f64>) -> Option<f64> {
+fn stated(of: Identified, project: &AxisProject, actuator: &Parameters, tabulated_nm_a: Option<f64>) -> Option<f64> {
     let mechanism = &project.axis.mechanism;
     let none = Extra::none();
     let extra = project.axis.extras.first().unwrap_or(&none);

@@ -8,7 +8,8 @@ use crate::progress::Progress;
 use crate::reading::read_all_watched;
 use crate::subject::{names, picked};
 use answers::{Answered, Fit};
-use project::{Catalogue, Files, PROJECT_MAX_BYTES, Project};
+use axis::{AxisProject, Catalogue, Files};
+use project::PROJECT_MAX_BYTES;
 use quantities::Language;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -16,7 +17,7 @@ use std::sync::Arc;
 use words::terminal;
 
 /// An axis with its place in the file.
-pub type PlacedAxis = (usize, Project);
+pub type PlacedAxis = (usize, AxisProject);
 
 /// A text to which a question refers.
 pub struct ReferencedText<'a> {
@@ -54,7 +55,7 @@ impl ReferencedText<'_> {
         catalogue: &Arc<dyn Catalogue>,
         progress: &Progress,
         language: Language,
-    ) -> Result<Vec<Project>, Unanswered> {
+    ) -> Result<Vec<AxisProject>, Unanswered> {
         let text = self.text(language)?;
         read_all_watched(text, self.files, catalogue, progress)
             .map_err(|unread| Unanswered::unread(unread, &self.name, text, language))
@@ -137,7 +138,7 @@ impl<'a> Inquiry<'a> {
         if !self.refuses_long {
             return Ok(());
         }
-        let projects: Vec<&Project> = axes.into_iter().map(|(_, project)| project).collect();
+        let projects: Vec<&AxisProject> = axes.into_iter().map(|(_, project)| project).collect();
         cost.is_quick(projects).map_err(Unanswered::from)
     }
 
@@ -148,7 +149,7 @@ impl<'a> Inquiry<'a> {
     pub fn each<'p, T>(
         &self,
         axes: &'p [PlacedAxis],
-        mut one: impl FnMut(&'p Project) -> Result<T, Unanswered>,
+        mut one: impl FnMut(&'p AxisProject) -> Result<T, Unanswered>,
     ) -> Result<Vec<T>, Unanswered> {
         let (mut found, mut faults) = (Vec::new(), Vec::new());
         for (_, project) in axes {
@@ -167,7 +168,7 @@ impl<'a> Inquiry<'a> {
     pub fn record_of_each<'p, T: Serialize>(
         &self,
         axes: &'p [PlacedAxis],
-        one: impl FnMut(&'p Project) -> Result<(T, Fit), Unanswered>,
+        one: impl FnMut(&'p AxisProject) -> Result<(T, Fit), Unanswered>,
     ) -> Result<Answer, Unanswered> {
         let (records, fits): (Vec<T>, Vec<Fit>) = self.each(axes, one)?.into_iter().unzip();
         let verdict = Fit::of_all(fits);

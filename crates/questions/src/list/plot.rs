@@ -5,8 +5,8 @@ use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, PICTURE, 
 use crate::chapters::read_quantity;
 use crate::sizing_use::{Candidate, Rejected};
 use crate::subject::candidate_for;
+use axis::AxisProject;
 use configurator::ProductId;
-use project::Project;
 use quantities::Length;
 use std::borrow::Cow;
 use words::{help, help::values, requests};
@@ -63,7 +63,7 @@ impl Args {
     ///
     /// # Errors
     /// The reason why it cannot be judged.
-    pub fn candidate<'p>(&self, project: &'p Project, inquiry: &Inquiry<'_>) -> Result<Candidate<'p>, Unanswered> {
+    pub fn candidate<'p>(&self, project: &'p AxisProject, inquiry: &Inquiry<'_>) -> Result<Candidate<'p>, Unanswered> {
         let sizing = || super::size::sized(project, 0, Rejected::Nearest, inquiry.progress).map(Cow::Owned);
         Ok(candidate_for(project, self.code.as_ref(), sizing)?)
     }
@@ -72,7 +72,7 @@ impl Args {
     ///
     /// # Errors
     /// Faults of the project, several axes without a name.
-    pub fn drawn(&self, inquiry: &Inquiry<'_>) -> Result<Project, Unanswered> {
+    pub fn drawn(&self, inquiry: &Inquiry<'_>) -> Result<AxisProject, Unanswered> {
         inquiry.axis(self.axis.as_deref(), Cost::Other).map(|(_, project)| project)
     }
 }

@@ -11,9 +11,9 @@ use crate::chapters::{read_hours, read_quantity};
 use crate::progress::Progress;
 use crate::signal::Signal;
 use crate::simulate::{NotRun, ROWS_MOST, Simulated, StepLimit, Wanted, Work, simulate};
+use axis::AxisProject;
 use configurator::ProductId;
 use feedback::Failure;
-use project::Project;
 use quantities::unit::HOUR;
 use quantities::{Language, Length, Measure, Time, format_significant};
 pub use twin::ScenarioId;
@@ -148,7 +148,7 @@ impl Args {
         Ok(axes)
     }
 
-    fn cycles(&self, project: &Project) -> u32 {
+    fn cycles(&self, project: &AxisProject) -> u32 {
         self.cycles.unwrap_or_else(|| project.twin.scenario.cycles.max(1))
     }
 
@@ -158,7 +158,7 @@ impl Args {
     /// The reason why nothing is simulated.
     pub fn simulated<'p>(
         &self,
-        project: &'p Project,
+        project: &'p AxisProject,
         inquiry: &Inquiry<'_>,
         with_course: bool,
     ) -> Result<Simulated<'p>, Unanswered> {
@@ -219,7 +219,7 @@ impl Args {
 /// # Errors
 /// The reason why it is not run, in a sentence.
 pub fn of_the_project<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     product: Option<&ProductId>,
     progress: &Progress,
     language: Language,
@@ -236,7 +236,7 @@ pub fn of_the_project<'p>(
 /// # Errors
 /// The reason why it is not run, in a sentence.
 pub fn of_scenario<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     product: Option<&ProductId>,
     id: ScenarioId,
     progress: &Progress,

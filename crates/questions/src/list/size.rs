@@ -7,8 +7,8 @@ pub use crate::gearing_proposals::{GearingProposal, gearing_proposals};
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, size_watched};
 use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
+use axis::AxisProject;
 use configurator::ProductId;
-use project::Project;
 use quantities::Language;
 use words::{help, help::values};
 
@@ -74,7 +74,7 @@ impl Args {
     ///
     /// # Errors
     /// As [`ranking`].
-    pub fn ranking<'p>(&self, project: &'p Project, progress: &Progress) -> Result<Ranking<'p>, Refusal> {
+    pub fn ranking<'p>(&self, project: &'p AxisProject, progress: &Progress) -> Result<Ranking<'p>, Refusal> {
         ranking(project, self.complete(), self.draw(), progress)
     }
 }
@@ -91,7 +91,7 @@ pub(crate) const ASSESSED_MOST: usize = 10;
 #[derive(Clone, Debug)]
 pub struct Ranking<'p> {
     /// The axis.
-    pub project: &'p Project,
+    pub project: &'p AxisProject,
     /// Every candidate, best first, and the project's own actuator.
     pub sizing: Sizing<'p>,
     /// Number of candidates reported in full.
@@ -107,7 +107,12 @@ pub struct Ranking<'p> {
 ///
 /// # Errors
 /// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
-pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, progress: &Progress) -> Result<Ranking<'p>, Refusal> {
+pub fn ranking<'p>(
+    project: &'p AxisProject,
+    top: usize,
+    draw: Draw,
+    progress: &Progress,
+) -> Result<Ranking<'p>, Refusal> {
     let complete = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
     let sampling = draw.sampling(project, complete, progress.is_limited())?;
     let sizing = sized(project, top, Rejected::Reasons, progress)?;
@@ -126,7 +131,7 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, progress: &Prog
 /// # Errors
 /// [`Refusal::Stopped`].
 pub fn sized<'p>(
-    project: &'p Project,
+    project: &'p AxisProject,
     complete: usize,
     rejected: Rejected,
     progress: &Progress,

@@ -8,7 +8,7 @@ use super::{
 use crate::sizing_use::Refusal;
 use crate::sweep::csv::{Broken, Columns, Lines};
 use crate::sweep::{Cells, Head, Options, SweepRow, SweepSummary, Tally, Wanted};
-use project::{Catalogue, Files, Project};
+use axis::{AxisProject, Catalogue, Files};
 use quantities::{Language, seen};
 use recording::{Content, Fault};
 use sizing::CheckId;
@@ -186,7 +186,7 @@ impl Shelf {
     /// Reads the recordings of the axes of a project; empty if the project cannot be read.
     fn of(
         source: &ReferencedText<'_>,
-        projects: Result<&[Project], &Unanswered>,
+        projects: Result<&[AxisProject], &Unanswered>,
         language: Language,
     ) -> Result<Self, Unanswered> {
         let mut found = BTreeMap::new();

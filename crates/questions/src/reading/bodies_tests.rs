@@ -195,7 +195,7 @@ fn a_table_of_a_body_may_carry_a_tolerance() {
     let project = crate::read(&text).unwrap();
     let paths: Vec<&str> = project.tolerances.iter().map(|each| each.path.as_str()).collect();
     assert_eq!(paths, ["mechanism.turntable.body[2].mass"]);
-    let heavier = project::Varied::new(&project).unwrap().at(&[0.99]).unwrap();
+    let heavier = axis::Varied::new(&project).unwrap().at(&[0.99]).unwrap();
     let inertia = |axis: &sizing::Axis| axis.moments().inertia_max.si();
     // 10 % of m r² and of the box's own m (a² + b²) / 12.
     let more = 0.09 * (0.16 * 0.16 + (0.06 * 0.06 + 0.04 * 0.04) / 12.0);

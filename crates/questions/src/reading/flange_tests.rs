@@ -1,7 +1,7 @@
 //! Loads on the flange out of project files: what is read, what is refused, and what the checks say.
 
 use crate::{Check, CheckId, Verdict, check, size};
-use project::Project;
+use axis::AxisProject;
 use quantities::Language;
 use std::sync::Arc;
 
@@ -36,7 +36,7 @@ fn text(payload: &str, segment: &str, bearing: &str) -> String {
     ARM.replace("PAYLOAD", payload).replace("SEGMENT", segment).replace("BEARING", bearing)
 }
 
-fn read(text: &str) -> Project {
+fn read(text: &str) -> AxisProject {
     crate::read(text).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
@@ -45,16 +45,16 @@ fn messages(text: &str) -> Vec<String> {
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
-fn checks(project: &Project) -> Vec<Arc<Check>> {
+fn checks(project: &AxisProject) -> Vec<Arc<Check>> {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn of(project: &Project, id: CheckId) -> Arc<Check> {
+fn of(project: &AxisProject, id: CheckId) -> Arc<Check> {
     checks(project).into_iter().find(|check| check.id == id).unwrap()
 }
 
-fn value(project: &Project, id: CheckId) -> f64 {
+fn value(project: &AxisProject, id: CheckId) -> f64 {
     of(project, id).value.unwrap().si
 }
 

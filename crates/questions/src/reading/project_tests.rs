@@ -1,7 +1,8 @@
-//! Project files: what is read, what is refused, and with which words.
+//! AxisProject files: what is read, what is refused, and with which words.
 
 use crate::reading::schema;
-use project::{Assumption, NoFiles, PROJECT_MAX_BYTES, Project, Varied};
+use axis::{AxisProject, NoFiles, Varied};
+use project::{Assumption, PROJECT_MAX_BYTES};
 use quantities::{Language, Measure};
 use sizing::CheckId;
 use words::Worded;
@@ -262,7 +263,7 @@ fn a_screw_axis_may_be_written_along_its_line() {
     let line = crate::read(&text("300 mm", "0.2 m/s")).unwrap();
     // 300 mm at 20 mm a revolution are 15 revolutions; 0.2 m/s are 10 revolutions a second.
     let turning = crate::read(&text("15 rev", "10 rev/s")).unwrap();
-    let solved = |project: &Project| project.axis.motion.stretches()[0].solved.unwrap();
+    let solved = |project: &AxisProject| project.axis.motion.stretches()[0].solved.unwrap();
     assert!((solved(&line).time.si() - solved(&turning).time.si()).abs() < 1e-12);
     // T = d/v + v/a + a/j by hand: 1.5 + 0.1 + 0.04.
     assert!((solved(&line).time.si() - 1.64).abs() < 1e-12);
@@ -279,7 +280,7 @@ fn a_turntable_of_bodies_is_the_load_they_sum_to() {
     let turntable = crate::read(&text(bodies)).unwrap();
     let direct = crate::read(&text("[load]\ninertia = \"1.5 kg m^2\"")).unwrap();
     let own = quantities::MomentOfInertia::from_si(0.3);
-    let rms = |project: &Project| project.axis.demand(own).torque_rms.si();
+    let rms = |project: &AxisProject| project.axis.demand(own).torque_rms.si();
     assert!((rms(&turntable) / rms(&direct) - 1.0).abs() < 1e-12);
     let bad = text("[mechanism.turntable]\nbodies = [\"point mass=2kg distance=500mm\", \"cylindr mass=1kg\"]");
     let fault = crate::read(&bad).unwrap_err().remove(0);
@@ -465,7 +466,7 @@ fn a_curve_of_the_user_wins_over_the_catalogue() {
     let text = include_str!("../../../../examples/indexing-table.toml");
     let project = crate::read(&format!("{text}\n{CURVE}")).unwrap();
     let code = order_code::parse("CHA-32A-50-H-C1024").unwrap().code;
-    let limit = |project: &Project, code: &order_code::OrderCode| {
+    let limit = |project: &AxisProject, code: &order_code::OrderCode| {
         let candidate = crate::check(project, code).unwrap();
         let checks = &candidate.judgement.checks;
         let found = checks.iter().find(|check| check.id == sizing::CheckId::ContinuousTorque).unwrap();

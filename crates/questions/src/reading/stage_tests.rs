@@ -1,7 +1,7 @@
 //! A stage out of project files: its limits, what it changes, and the best of several ratios.
 
 use crate::{Check, CheckId, check, explain, size};
-use project::{Project, RatioAnswer};
+use axis::{AxisProject, RatioAnswer};
 use quantities::unit::{ARCMINUTE, DEGREE};
 use quantities::{Language, Measure};
 use std::sync::Arc;
@@ -30,7 +30,7 @@ jerk = "300 rad/s^3"
 lever_arm = "200 mm"
 "#;
 
-fn arm(stage: &str) -> Project {
+fn arm(stage: &str) -> AxisProject {
     let text = format!("{ARM}{stage}");
     crate::read(&text).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
@@ -40,12 +40,12 @@ fn messages(stage: &str) -> Vec<String> {
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
-fn checks(project: &Project) -> Vec<Arc<Check>> {
+fn checks(project: &AxisProject) -> Vec<Arc<Check>> {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn value(project: &Project, id: CheckId) -> f64 {
+fn value(project: &AxisProject, id: CheckId) -> f64 {
     checks(project).into_iter().find(|check| check.id == id).and_then(|check| check.value).unwrap().si
 }
 

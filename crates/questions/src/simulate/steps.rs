@@ -1,6 +1,6 @@
 //! Solver steps of a run, counted before it begins, and the changes of a call by which it stays within the limit.
 
-use project::Project;
+use axis::AxisProject;
 use quantities::{Language, Measure};
 use words::simulation;
 
@@ -47,7 +47,7 @@ pub(crate) struct Work {
 
 impl Work {
     /// Returns the work of an axis, known before the actuator is.
-    pub(crate) fn of_axis(project: &Project, cycles: u32, warm: bool, days: bool) -> Self {
+    pub(crate) fn of_axis(project: &AxisProject, cycles: u32, warm: bool, days: bool) -> Self {
         let duration_s = project.axis.motion.duration().si();
         let steps = duration_s * twin::CURRENT_RATE_HZ * f64::from(twin::SUBSTEPS_USUAL);
         #[allow(

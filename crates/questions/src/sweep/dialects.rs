@@ -4,7 +4,7 @@ use super::csv::{Broken, Lines};
 use super::tests::MOVE;
 use super::*;
 use crate::list::Unanswered;
-use project::NoFiles;
+use axis::NoFiles;
 
 const KEYS: [(&str, &str); 4] =
     [("load.inertia", "kg m^2"), ("load.friction_torque", "N·m"), ("motion[1].law", ""), ("requirements.brake", "")];

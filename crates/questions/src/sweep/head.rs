@@ -8,7 +8,8 @@ use crate::list::Unanswered;
 use crate::reading::{Unread, read_all_with};
 use crate::sizing_use::products_of;
 use crate::subject::{names, picked};
-use project::{Counted, Fault, Files, Heading, Hint, Objection, Project, TabularFault, Written, written};
+use axis::{AxisProject, Files};
+use project::{Counted, Fault, Heading, Hint, Objection, TabularFault, Written, written};
 use std::collections::BTreeSet;
 
 /// A project and the headings of a table before its cells are read: faults of all three are collected and reported
@@ -55,7 +56,12 @@ impl Head {
 
     /// Reads the headings of a table for a project, from its text and its axes, or the reason why they cannot be read.
     #[must_use]
-    pub fn read(text: &str, projects: Result<Vec<Project>, Unanswered>, headings: &[&str], options: Options) -> Self {
+    pub fn read(
+        text: &str,
+        projects: Result<Vec<AxisProject>, Unanswered>,
+        headings: &[&str],
+        options: Options,
+    ) -> Self {
         let known = written(text);
         let recordings = projects.iter().flatten().flat_map(|project| &project.recordings);
         let recordings = recordings.map(|read| read.file.clone()).collect();
@@ -217,9 +223,9 @@ impl Axis {
 }
 
 /// Returns the only axis, or the named one; else the reason why there is none.
-fn of_projects(projects: Vec<Project>, options: &Options) -> (Axis, Option<Unanswered>) {
+fn of_projects(projects: Vec<AxisProject>, options: &Options) -> (Axis, Option<Unanswered>) {
     let language = options.language;
-    let is_of_several = projects.iter().any(Project::is_of_several);
+    let is_of_several = projects.iter().any(AxisProject::is_of_several);
     let (place, refused) = match picked(projects, options.axis.as_deref(), language) {
         Err(why) => (None, Some(why)),
         Ok(found) => match found.as_slice() {

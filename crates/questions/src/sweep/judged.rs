@@ -3,8 +3,8 @@
 use super::Wanted;
 use crate::answer::refusal_text;
 use crate::sizing_use::{Refusal, known_si, products_of};
+use axis::AxisProject;
 use configurator::{Product, ProductId, Requirements};
-use project::Project;
 use provenance::Datum;
 use quantities::Language;
 use sizing::{Axis, CheckId, Depth, Fit, Judgement, Ranked, Scope, Screen, Screening, Standing, Verdict};
@@ -90,7 +90,7 @@ pub(super) struct Entrant<'p> {
 
 impl<'p> Entrant<'p> {
     /// Returns every product of the catalogue.
-    pub(super) fn all(project: &'p Project) -> Vec<Self> {
+    pub(super) fn all(project: &'p AxisProject) -> Vec<Self> {
         let of = |product: &'p Product| {
             let ordered = product.with_options(project.option_1, project.option_2);
             Self {
@@ -128,13 +128,13 @@ impl<'p> Entrant<'p> {
 
 /// The axis of a row.
 pub(super) struct RowAxis<'r> {
-    pub(super) project: &'r Project,
+    pub(super) project: &'r AxisProject,
     pub(super) axis: &'r Axis,
     pub(super) requirements: &'r Requirements,
 }
 
 impl<'r> RowAxis<'r> {
-    pub(super) const fn of(project: &'r Project) -> Self {
+    pub(super) const fn of(project: &'r AxisProject) -> Self {
         Self { project, axis: &project.axis, requirements: &project.requirements }
     }
 

@@ -3,15 +3,16 @@
 use super::judged::{Entrant, Judged, RowAxis};
 use super::{Answer, Holds, Sweep, Value, Wanted};
 use crate::reading::read_all_with;
+use axis::{AxisProject, Varied};
 use configurator::ProductId;
-use project::{Heading, Project, Varied};
+use project::Heading;
 use sizing::{Screen, Screening};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// The project file with some words inserted, read with the numbers of one row.
 pub(super) struct Template {
-    project: Project,
+    project: AxisProject,
     /// Screen of the project's own catalogue, if its curves take the place of others.
     own_screen: OnceLock<Screen>,
 }
@@ -20,7 +21,7 @@ pub(super) struct Template {
 pub(super) type Screens = [OnceLock<Screen>; 2];
 
 impl Template {
-    const fn of(project: Project) -> Self {
+    const fn of(project: AxisProject) -> Self {
         Self { project, own_screen: OnceLock::new() }
     }
 
@@ -66,7 +67,7 @@ impl Sweep {
     ///
     /// # Errors
     /// The reason why it cannot be read.
-    fn project_with(&self, values: &[Value<'_>]) -> Result<Project, String> {
+    fn project_with(&self, values: &[Value<'_>]) -> Result<AxisProject, String> {
         let text = self.text_with(values);
         let mut projects =
             read_all_with(&text, &*self.files, &self.options.catalogue).map_err(|faults| self.reasons(&faults))?;
@@ -90,7 +91,7 @@ impl Sweep {
 /// Judges the rows of one template, one after the other.
 pub(super) struct Judge<'s> {
     sweep: &'s Sweep,
-    project: &'s Project,
+    project: &'s AxisProject,
     varied: Varied<'s>,
     entrants: Vec<Entrant<'s>>,
     screening: Screening<'s>,

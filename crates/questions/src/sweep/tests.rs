@@ -1,5 +1,6 @@
 use super::*;
-use project::{Counted, NoFiles};
+use axis::NoFiles;
+use project::Counted;
 use std::sync::Arc;
 
 pub(super) const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\

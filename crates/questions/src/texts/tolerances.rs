@@ -1,7 +1,7 @@
 //! Effect of tolerances on an actuator, as text and as a table.
 
 use crate::tolerance::{Assessment, PointKind, Sampling, Worst};
-use project::{ALL_CORNERS_MOST, Project};
+use axis::{ALL_CORNERS_MOST, AxisProject};
 use quantities::{Language, Unit, format_number, format_significant};
 use words::{check_title, percent_text, terminal, terms};
 
@@ -40,7 +40,7 @@ pub fn worst_text(worst: &Worst, language: Language) -> String {
 
 /// Returns the dominating quantity and its share.
 #[must_use]
-pub fn dominating(project: &Project, assessment: &Assessment, language: Language) -> [String; 2] {
+pub fn dominating(project: &AxisProject, assessment: &Assessment, language: Language) -> [String; 2] {
     let found = assessment.influence.first().and_then(|first| Some((first, project.tolerances.get(first.quantity)?)));
     match found {
         Some((first, tolerance)) => [tolerance.path.clone(), share_text(first.share, language)],
@@ -50,7 +50,7 @@ pub fn dominating(project: &Project, assessment: &Assessment, language: Language
 
 /// Returns the results of the tolerances of one actuator without its quantities, one sentence per line.
 #[must_use]
-pub fn tolerance_lines(project: &Project, assessment: &Assessment, language: Language) -> Vec<String> {
+pub fn tolerance_lines(project: &AxisProject, assessment: &Assessment, language: Language) -> Vec<String> {
     let (low, high) = assessment.interval;
     let passes = passing_text(assessment, language);
     let [low, high] = [low, high].map(|share| format_number(share * 100.0, 2, language));
@@ -89,7 +89,7 @@ pub fn tolerance_heads(language: Language) -> [&'static str; 6] {
 /// Returns the quantities with band, value at the worst point and influence, sorted by influence; in the order of the
 /// file if none has an influence.
 #[must_use]
-pub fn tolerance_rows(project: &Project, assessment: &Assessment, language: Language) -> Vec<[String; 6]> {
+pub fn tolerance_rows(project: &AxisProject, assessment: &Assessment, language: Language) -> Vec<[String; 6]> {
     let shown = |si: f64, unit: &Unit| format_significant(unit.from_si(si), 5, language);
     let listed: Vec<usize> = assessment.influence.iter().map(|each| each.quantity).collect();
     let order = if listed.is_empty() { (0..project.tolerances.len()).collect() } else { listed };

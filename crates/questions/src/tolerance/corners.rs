@@ -1,7 +1,7 @@
 //! The worst corner of the bands.
 
 use super::{Judged, Point, PointKind, Worst};
-use project::{ALL_CORNERS_MOST, Project, Varied, sign};
+use axis::{ALL_CORNERS_MOST, AxisProject, Varied, sign};
 use sizing::StepObserver;
 
 /// Largest number of passes of a search over all quantities; each pass but the last finds a worse corner.
@@ -9,7 +9,7 @@ const PASSES_MOST: usize = 20;
 
 /// Returns the worst corner for each actuator.
 pub(super) fn worst<W: StepObserver>(
-    (project, varied): (&Project, &Varied<'_>),
+    (project, varied): (&AxisProject, &Varied<'_>),
     judged: &[Judged<'_>],
     rising: &[Vec<f64>],
     watch: &W,
@@ -28,13 +28,13 @@ pub(super) fn worst<W: StepObserver>(
         .collect()
 }
 
-fn values(project: &Project, sign: impl Fn(usize) -> f64) -> Vec<f64> {
+fn values(project: &AxisProject, sign: impl Fn(usize) -> f64) -> Vec<f64> {
     project.tolerances.iter().enumerate().map(|(index, each)| each.at(sign(index))).collect()
 }
 
 /// Returns the worst of all corners, each created once for all actuators; among equally bad ones the first.
 fn of_all<W: StepObserver>(
-    project: &Project,
+    project: &AxisProject,
     varied: &mut Varied<'_>,
     judged: &[Judged<'_>],
     watch: &W,
@@ -65,7 +65,7 @@ fn of_all<W: StepObserver>(
 ///
 /// `looks`: number of evaluations after which the search ends; the starts are always evaluated.
 fn searched<W: StepObserver>(
-    (project, varied): (&Project, &mut Varied<'_>),
+    (project, varied): (&AxisProject, &mut Varied<'_>),
     judged: &Judged<'_>,
     rising: &[f64],
     (mut looks, watch): (usize, &W),

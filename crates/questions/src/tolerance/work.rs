@@ -1,7 +1,7 @@
 //! Cost of judging tolerances, known before the work begins.
 
 use super::{Draw, SAMPLES_MOST, SAMPLES_USUAL};
-use project::{ALL_CORNERS_MOST, Project};
+use axis::{ALL_CORNERS_MOST, AxisProject};
 
 /// Default limit of the work: some seconds. The unit is the work for one instant of a cycle under a load that depends
 /// on the position, about a microsecond on a slow core.
@@ -33,7 +33,7 @@ const BEARINGS: usize = 4;
 /// Returns the work for creating one variant of the axis and judging some actuators for it: each evaluates the bounds
 /// of all blocks of the cycle and the content of some of them.
 #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-pub(super) fn cost_of_a_variant(project: &Project, actuators: usize) -> f64 {
+pub(super) fn cost_of_a_variant(project: &AxisProject, actuators: usize) -> f64 {
     let instants = project.axis.instants() as f64;
     let made = if project.axis.mechanism.depends_on_position() { instants } else { PLAIN * instants };
     let flange: f64 = project.axis.flange_instants().iter().sum();
@@ -48,7 +48,7 @@ pub(super) fn cost_of_a_variant(project: &Project, actuators: usize) -> f64 {
 const QUICK: f64 = 1e6;
 
 /// Returns `true` if this number of samples can be judged during typing.
-pub(super) fn is_quick(project: &Project, actuators: usize, samples: usize) -> bool {
+pub(super) fn is_quick(project: &AxisProject, actuators: usize, samples: usize) -> bool {
     work(project, actuators, samples) <= QUICK
 }
 
@@ -58,7 +58,7 @@ const FIVE_SECONDS: [f64; 2] = [1.4e7, 5e6];
 
 /// Returns the share of five seconds that judging the tolerances of a project takes; zero for a sampling that is
 /// refused.
-pub(crate) fn share(project: &Project, actuators: usize, draw: Draw) -> f64 {
+pub(crate) fn share(project: &AxisProject, actuators: usize, draw: Draw) -> f64 {
     let Ok(sampling) = draw.sampling(project, actuators, false) else { return 0.0 };
     let [recorded, _] = project.axis.samples();
     let [short, long] = FIVE_SECONDS;
@@ -67,14 +67,14 @@ pub(crate) fn share(project: &Project, actuators: usize, draw: Draw) -> f64 {
 }
 
 /// Returns the work for this number of samples and the corners.
-fn work(project: &Project, actuators: usize, samples: usize) -> f64 {
+fn work(project: &AxisProject, actuators: usize, samples: usize) -> f64 {
     #[allow(clippy::cast_precision_loss, reason = "at most a million")]
     let points = (samples + corners(project)) as f64;
     points * cost_of_a_variant(project, actuators)
 }
 
 /// Returns the largest number of corners that are evaluated.
-fn corners(project: &Project) -> usize {
+fn corners(project: &AxisProject) -> usize {
     1_usize << project.tolerances.len().min(ALL_CORNERS_MOST)
 }
 
@@ -83,14 +83,14 @@ const STEPS: [usize; 7] = [SAMPLES_USUAL, 5_000, 2_000, 1_000, 500, 200, 100];
 
 /// Returns the default number of samples of a project for some actuators: ten thousand, or fewer if these would exceed
 /// some seconds.
-pub(super) fn samples_usual(project: &Project, actuators: usize) -> usize {
+pub(super) fn samples_usual(project: &AxisProject, actuators: usize) -> usize {
     let fits = |samples: &&usize| work(project, actuators, **samples) <= USUAL;
     STEPS.iter().find(fits).copied().unwrap_or(100)
 }
 
 /// Returns the largest number of samples of a project for some actuators, besides the corners, without a time limit.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a million")]
-pub(super) fn samples_most(project: &Project, actuators: usize) -> usize {
+pub(super) fn samples_most(project: &AxisProject, actuators: usize) -> usize {
     let points = (MOST / cost_of_a_variant(project, actuators)) as usize;
     points.saturating_sub(corners(project)).min(SAMPLES_MOST)
 }

@@ -2,7 +2,8 @@
 //! what it proposes fits as it is shown. Every example with seeded values is taken, so every mechanism.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail")]
 
-use project::{Counted, Edit, Heading, Input, NoFiles, Project, edit, inputs};
+use axis::{AxisProject, NoFiles};
+use project::{Counted, Edit, Heading, Input, edit, inputs};
 use quantities::{Language, Measure};
 use questions::list::size::{gearing_proposals, sized};
 use questions::sweep::{Cells, Judged, Options, Sweep};
@@ -117,7 +118,7 @@ fn code(candidate: &Candidate<'_>) -> order_code::OrderCode {
 }
 
 /// The nearest miss by judging every rejected one in full.
-fn nearest(project: &Project, sizing: &Sizing<'_>) -> Option<ProductId> {
+fn nearest(project: &AxisProject, sizing: &Sizing<'_>) -> Option<ProductId> {
     let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
     let full = sizing.rejected().iter().filter_map(|each| check(project, &code(each)).ok());
     let near = full
@@ -289,7 +290,7 @@ fn a_proposed_gearing_fits_as_it_is_printed() {
     assert!(seen > 4, "{seen} proposals");
 }
 
-fn stated_si(project: &Project, path: &str) -> f64 {
+fn stated_si(project: &AxisProject, path: &str) -> f64 {
     project.gearings().into_iter().find(|gearing| gearing.path == path).map(|gearing| gearing.si).unwrap()
 }
 

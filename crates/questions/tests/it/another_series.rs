@@ -60,7 +60,7 @@ fn data() {
 }
 
 fn sizes() {
-    let project = &questions::read_all(PROJECT, &project::NoFiles).unwrap()[0];
+    let project = &questions::read_all(PROJECT, &axis::NoFiles).unwrap()[0];
     let ranked = questions::size(project);
     let of_inv = ranked.candidates.iter().filter(|candidate| candidate.id.to_string().starts_with("INV-"));
     // Those available without asking: 07C with QE, 09C with both, each with and without brake.
@@ -78,7 +78,7 @@ fn sizes() {
 
 /// The record that the report is typeset from, in both languages.
 fn reports() {
-    let project = &questions::read_all(PROJECT, &project::NoFiles).unwrap()[0];
+    let project = &questions::read_all(PROJECT, &axis::NoFiles).unwrap()[0];
     let ranked = questions::size(project);
     let code = order_code::parse("INV-V-09C-42-X-QE").unwrap().code;
     let chosen = questions::check(project, &code).unwrap_or_else(|_| unreachable!());

@@ -1,7 +1,7 @@
 //! The law `points` from the project file to the demand, against values of other hands and closed forms.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail")]
 
-use project::Project;
+use axis::AxisProject;
 use quantities::Measure;
 use std::f64::consts::TAU;
 
@@ -49,12 +49,12 @@ fn rows(points: &[(f64, f64)], over: (f64, &str), position: (f64, &str)) -> Stri
     points.iter().map(row).collect::<Vec<_>>().join(", ")
 }
 
-fn read(text: &str) -> Project {
+fn read(text: &str) -> AxisProject {
     questions::read(text).unwrap()
 }
 
 /// Printed to twelve digits: half of the last one, and the rounding of both sides.
-fn agrees(project: &Project, expected: &[[f64; 4]]) {
+fn agrees(project: &AxisProject, expected: &[[f64; 4]]) {
     for [t, position, speed, acceleration] in expected {
         let pieces = project.axis.motion.pieces();
         let piece = pieces.iter().rev().find(|piece| *t + 1e-12 >= piece.start_s).unwrap();

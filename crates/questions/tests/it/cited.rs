@@ -1,7 +1,7 @@
 //! A value cites the keys of the file in which it is stated, as they are written there.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
-use project::Project;
+use axis::AxisProject;
 use provenance::Source;
 use questions::{Check, CheckId, check, explain, read, read_all};
 use std::sync::Arc;
@@ -12,7 +12,7 @@ fn manual(speed: &str) -> String {
     format!("[[motion]]\nlaw = \"manual\"\nspeed = \"{speed}\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\n{REST}")
 }
 
-fn checks(project: &Project) -> Vec<Arc<Check>> {
+fn checks(project: &AxisProject) -> Vec<Arc<Check>> {
     let code = order_code::parse("CHA-25A-100-H-C1024").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
@@ -107,7 +107,7 @@ fn every_key_of_one_axis_of_several_begins_with_the_axis() {
         )
     };
     let text = format!("format = 1\n{}{}", axis("a", "10 1/min"), axis("b", "20 1/min"));
-    let projects = read_all(&text, &project::NoFiles).unwrap();
+    let projects = read_all(&text, &axis::NoFiles).unwrap();
     let found = checks(&projects[1]);
     assert_eq!(value_key(&found, CheckId::PeakSpeed), "axis[2].motion[1].speed");
     assert_eq!(value_key(&found, CheckId::InertiaRatio), "axis[2].load.inertia");

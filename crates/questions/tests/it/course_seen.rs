@@ -1,7 +1,7 @@
 //! The picture of a long recording has few instants, but all that is largest in it, heated by every sample.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use project::Files;
+use axis::Files;
 use quantities::Language;
 use questions::{Course, Sample};
 use std::fmt::Write as _;

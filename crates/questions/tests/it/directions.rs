@@ -1,7 +1,7 @@
 //! Direction, relation, utilisation and verdict of every check say the same, for every example on every actuator.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
-use project::Files;
+use axis::Files;
 use questions::{Check, CheckId, Direction, Verdict, size};
 
 struct Examples;

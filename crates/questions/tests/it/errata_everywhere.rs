@@ -1,9 +1,9 @@
 //! Every number that rests on a cell with an erratum names the erratum: all codes, every question about one.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail")]
 
+use axis::NoFiles;
 use catalogue::Cell;
 use order_code::OrderCode;
-use project::NoFiles;
 use provenance::Source as Origin;
 use quantities::Language;
 use questions::Progress;

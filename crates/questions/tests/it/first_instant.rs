@@ -132,7 +132,7 @@ fn beyond_the_speed_the_torque_is_that_of_the_largest_speed() {
 /// One text as every file.
 struct Only(String);
 
-impl project::Files for Only {
+impl axis::Files for Only {
     fn open(&self, _name: &str) -> std::io::Result<Box<dyn std::io::Read>> {
         Ok(Box::new(std::io::Cursor::new(self.0.clone().into_bytes())))
     }

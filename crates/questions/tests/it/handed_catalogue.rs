@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail")]
 
 use actuator::{Battery, Parameters};
-use project::{Files, NoFiles, Project};
+use axis::{AxisProject, Files, NoFiles};
 use provenance::Datum;
 use quantities::Language;
 use questions::list::{check, compare, explain, size};
@@ -61,7 +61,7 @@ const TEXTS: [&str; 4] = [
     include_str!("../../../../examples/two-way-shuttle.toml"),
 ];
 
-fn read(text: &str, catalogue: &Arc<dyn Catalogue>) -> Project {
+fn read(text: &str, catalogue: &Arc<dyn Catalogue>) -> AxisProject {
     questions::read_all_with(text, &NoFiles as &dyn Files, catalogue).unwrap().swap_remove(0)
 }
 

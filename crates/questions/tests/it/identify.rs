@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
 
-use project::{Files, Project};
+use axis::{AxisProject, Files};
 use quantities::Language;
 use questions::list::identify::Identification;
 use questions::list::{Argument, Given, Inquiry, ReferencedText, identify, simulate};
@@ -92,7 +92,7 @@ fn course(text: &str) -> String {
 fn course_of(text: &str, code: &'static str) -> String {
     let (progress, none) = (Progress::endless(), One(String::new()));
     let inquiry = inquiry(simulate::Args::ARGUMENTS, &[("code", code), ("cold", "true")], text, &none, &progress);
-    let (_, project): (_, Project) = inquiry.axis(None, questions::list::Cost::Other).unwrap();
+    let (_, project): (_, AxisProject) = inquiry.axis(None, questions::list::Cost::Other).unwrap();
     let args = simulate::Args::read(&inquiry.given).unwrap();
     let run = args.simulated(&project, &inquiry, true).unwrap();
     let row = |s: &TwinSample| {

@@ -17,7 +17,7 @@ fn the_page_names_the_instants_of_every_law() {
     let page = page();
     let mut listed = Vec::new();
     for law in SegmentLaw::all().filter(|law| *law != SegmentLaw::Dwell) {
-        let Some(spec) = law.sample() else { continue };
+        let Some(spec) = axis::law_sample(law) else { continue };
         let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(1.0));
         let motion = Motion::new(&[spec], None, Closing::SingleMove).unwrap();
         listed.push(format!("`{}` {}", law.id(), Axis::new(load, motion, Vec::new()).instants()));

@@ -1,12 +1,12 @@
 //! The limits that a candidate would need let it in, and nothing less does.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
-use project::Project;
+use axis::AxisProject;
 use quantities::Language;
 use questions::{check, limits_needed};
 
 /// The indexing table with requirements of its own.
-fn table(requirements: &str) -> Project {
+fn table(requirements: &str) -> AxisProject {
     let text = include_str!("../../../../examples/indexing-table.toml");
     let text = text.replace("bearing_life_min = \"30000 h\"\n", &format!("{requirements}\n"));
     questions::read(&text).unwrap()

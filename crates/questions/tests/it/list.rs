@@ -1,7 +1,7 @@
 //! The list of questions: every entry is whole, and answers.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
-use project::NoFiles;
+use axis::NoFiles;
 use quantities::Language;
 use questions::list::{
     ArgumentForm, ArgumentKind, Entry, Given, Gives, Inquiry, LIST, Reads, ReferencedText, Unanswered, size,

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use crate::catalogue_actuators;
-use project::Files;
+use axis::Files;
 use questions::{Candidate, Progress, Rejected, Verdict};
 use sizing::{Check, Depth, Judge, Scope};
 use std::sync::Arc;
@@ -75,7 +75,7 @@ fn swinging() -> String {
 }
 
 /// The axes of all examples.
-fn examples() -> Vec<project::Project> {
+fn examples() -> Vec<axis::AxisProject> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let texts = files.filter(|path| path.extension().is_some_and(|end| end == "toml"));

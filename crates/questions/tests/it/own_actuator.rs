@@ -1,13 +1,13 @@
 //! Assumed data of an own actuator show in the grade, and stated data take precedence.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
-use project::Project;
+use axis::AxisProject;
 use provenance::Grade;
 use questions::check_own;
 use sizing::{Check, CheckId};
 use std::sync::Arc;
 
-fn project(requirements: &str, actuator: &str) -> Project {
+fn project(requirements: &str, actuator: &str) -> AxisProject {
     let text = format!(
         "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\nlaw = \"manual\"\n\
          speed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n\
@@ -19,7 +19,7 @@ fn project(requirements: &str, actuator: &str) -> Project {
     questions::read(&text).unwrap()
 }
 
-fn check(project: &Project, id: CheckId) -> Arc<Check> {
+fn check(project: &AxisProject, id: CheckId) -> Arc<Check> {
     let found = check_own(project).unwrap();
     found.judgement.checks.iter().find(|check| check.id == id).unwrap().clone()
 }

@@ -4,7 +4,7 @@
 use project::Assumption;
 use quantities::{Measure, MomentOfInertia};
 
-fn project(single: bool, dwells: [&str; 2], payload: &str) -> project::Project {
+fn project(single: bool, dwells: [&str; 2], payload: &str) -> axis::AxisProject {
     let [first, last] = dwells;
     let text = format!(
         "format = 1\n[axis]\nsingle_move = {single}\n[mechanism.hoist]\ndrum_diameter = \"80 mm\"\nmass = \"12 kg\"\n\
@@ -19,7 +19,7 @@ fn project(single: bool, dwells: [&str; 2], payload: &str) -> project::Project {
 #[test]
 fn a_dwell_without_payload_is_assumed() {
     let (carried, nothing) = ("payload = \"60 kg\"", "payload = \"0 kg\"");
-    let is_listed = |project: &project::Project| project.assumptions.contains(&Assumption::NoPayloadInDwell);
+    let is_listed = |project: &axis::AxisProject| project.assumptions.contains(&Assumption::NoPayloadInDwell);
     for single in [false, true] {
         for (dwells, payload, expected) in [
             (["", ""], carried, true),

@@ -1,11 +1,11 @@
 //! Work can be cancelled, and too expensive work is refused before it begins.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-use project::{NoFiles, Project};
+use axis::{AxisProject, NoFiles};
 use questions::{Draw, Progress, Refusal, Unread, embedded_catalogue};
 
 /// An arm that swings many times, each time otherwise, so that no move stands for another.
-fn long(count: u32) -> Project {
+fn long(count: u32) -> AxisProject {
     questions::read(&swings(count)).unwrap_or_else(|faults| panic!("{faults:#?}"))
 }
 
@@ -96,7 +96,7 @@ fn samples_that_cost_too_much_are_refused_where_no_time_is_named() {
 
 #[test]
 fn fewer_samples_are_usual_where_each_costs_more() {
-    let of = |project: &Project| Draw::default().sampling(project, 1, false).unwrap().samples;
+    let of = |project: &AxisProject| Draw::default().sampling(project, 1, false).unwrap().samples;
     let (few, many) = (of(&long(60)), of(&long(2)));
     assert!(few < many && many <= questions::SAMPLES_USUAL && few >= 100, "{few} {many}");
 }

@@ -2,7 +2,7 @@
 //! alike intervals. Noise turns the sign of torque and power thousands of times.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
-use project::Files;
+use axis::Files;
 use questions::{Check, CheckId, check};
 use std::fmt::Write as _;
 use std::sync::Arc;

@@ -2,7 +2,8 @@
 //! its kind, its interval or on the columns that are there.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use project::{Assumption, Files, Project};
+use axis::{AxisProject, Files};
+use project::Assumption;
 use quantities::{Measure, MomentOfInertia};
 use std::fmt::Write as _;
 
@@ -49,7 +50,7 @@ fn recording(interval_ms: u32, noise_deg_s: f64, with_position: bool, noise: &mu
     Given(text)
 }
 
-fn judged(load: &str, files: &Given) -> (Project, f64, f64) {
+fn judged(load: &str, files: &Given) -> (AxisProject, f64, f64) {
     let text =
         format!("format = 1\n[axis]\nname = \"rest\"\n{load}\n[[motion]]\nlaw = \"recorded\"\nfile = \"r.csv\"\n");
     let project = questions::read_all(&text, files).unwrap().remove(0);

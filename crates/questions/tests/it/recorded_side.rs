@@ -2,7 +2,8 @@
 //! taken without a word.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use project::{Assumption, Fault, Files, Project};
+use axis::{AxisProject, Files};
+use project::{Assumption, Fault};
 use quantities::{Measure, MomentOfInertia};
 use std::fmt::Write as _;
 
@@ -31,7 +32,7 @@ fn recording(headings: [&str; 3], ratios: [f64; 3]) -> Given {
 
 const AT_OUTPUT: [&str; 3] = ["q [deg]", "n [1/min]", "M [Nm]"];
 
-fn read(load: &str, keys: &str, files: &Given) -> Result<Project, Vec<Fault>> {
+fn read(load: &str, keys: &str, files: &Given) -> Result<AxisProject, Vec<Fault>> {
     let text = format!(
         "format = 1\n[axis]\nname = \"side\"\n{load}\n[[motion]]\nlaw = \"recorded\"\nfile = \"r.csv\"\n{keys}\n"
     );
@@ -39,7 +40,7 @@ fn read(load: &str, keys: &str, files: &Given) -> Result<Project, Vec<Fault>> {
     read.map(|mut all| all.remove(0)).map_err(|all| all.into_iter().map(|each| each.fault).collect())
 }
 
-fn figures(project: &Project) -> [f64; 4] {
+fn figures(project: &AxisProject) -> [f64; 4] {
     let demand = project.axis.demand(MomentOfInertia::from_si(0.1));
     [demand.torque_rms.si(), demand.torque_peak.si(), demand.speed_peak.si(), demand.speed_mean.si()]
 }

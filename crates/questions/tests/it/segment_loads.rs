@@ -14,7 +14,7 @@ const LINES: [(&str, &str); 5] = [
 ];
 
 /// A cycle of two moves; `of_mechanism`: mass \[kg\], force \[N\], external torque \[Nm\]; `of_segments`: the same of each.
-fn project(line: (&str, &str), of_mechanism: [f64; 3], of_segments: Option<[[f64; 3]; 2]>) -> project::Project {
+fn project(line: (&str, &str), of_mechanism: [f64; 3], of_segments: Option<[[f64; 3]; 2]>) -> axis::AxisProject {
     let (name, keys) = line;
     let [mass, force, torque] = of_mechanism;
     let mut text = format!(
@@ -37,7 +37,7 @@ fn loads_of_segments_are_added_and_shown_as_they_act() {
         for [mass, force, torque] in [[3.0, 0.0, 0.0], [0.0, 500.0, 1.5], [2.0, -120.0, -0.5]] {
             let (own, both) = ([20.0, 1000.0, 2.0], [20.0 + mass, 1000.0 + force, 2.0 + torque]);
             let [split, whole] = [project(line, own, Some([[mass, force, torque]; 2])), project(line, both, None)];
-            let demand = |project: &project::Project| {
+            let demand = |project: &axis::AxisProject| {
                 let demand = project.axis.demand(MomentOfInertia::from_si(0.02));
                 [demand.torque_rms.si(), demand.torque_peak.si()]
             };

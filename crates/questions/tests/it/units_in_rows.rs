@@ -6,7 +6,7 @@ use questions::list::compare::compare;
 use questions::texts::{ValuesInRow, checked_text, unit_text};
 
 /// A hoist whose counterweight decides whether an emergency stop has an angle (the brake stops the load) or a torque (it does not).
-fn project(counterweight: u32) -> project::Project {
+fn project(counterweight: u32) -> axis::AxisProject {
     let text = format!(
         "format = 1\n[mechanism.hoist]\ndrum_diameter = \"150 mm\"\nfalls = 1\nmass = \"40 kg\"\n\
          counterweight = \"{counterweight} kg\"\ninertia = \"0.02 kg m^2\"\n\

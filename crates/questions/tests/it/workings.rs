@@ -3,7 +3,7 @@
 
 use crate::catalogue_actuators;
 use answers::Node;
-use project::{Files, Project};
+use axis::{AxisProject, Files};
 use provenance::{CellRef, Source};
 use quantities::Language;
 use questions::list::explain::derivation;
@@ -27,7 +27,7 @@ impl Files for ProjectFiles {
 }
 
 /// Every example, and one with all requirements.
-fn projects() -> Vec<Project> {
+fn projects() -> Vec<AxisProject> {
     let mut names: Vec<PathBuf> = std::fs::read_dir(examples()).unwrap().map(|entry| entry.unwrap().path()).collect();
     names.sort();
     let mut found = Vec::new();

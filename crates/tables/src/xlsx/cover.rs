@@ -7,8 +7,8 @@ use crate::error::WriteError;
 use crate::format;
 use crate::table::Table;
 use answers::Identified;
+use axis::AxisProject;
 use chrono::NaiveDate;
-use project::Project;
 use provenance::Grade;
 use quantities::unit::NEWTON_METRE;
 use quantities::{Language, Measure};
@@ -28,7 +28,7 @@ pub struct Front<'a> {
     /// Date, if stated; the clock is not used.
     pub date: Option<NaiveDate>,
     /// Axis.
-    pub project: &'a Project,
+    pub project: &'a AxisProject,
     /// Actuator of the tables.
     pub chosen: &'a Candidate<'a>,
     /// Language of the words.

@@ -2,8 +2,8 @@
 //! German workbook, and the errata of the data beside the figures that they touch.
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test fails loudly")]
 
+use axis::Files;
 use calamine::{Data, Reader as _, Xlsx};
-use project::Files;
 use quantities::Language;
 use questions::Candidate;
 use std::io::{Cursor, Read};

@@ -1,10 +1,10 @@
 //! Every table of every example in every format.
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test fails loudly")]
 
+use axis::Files;
 use calamine::{Data, Reader as _, Xlsx};
 use parquet::file::reader::{FileReader as _, SerializedFileReader};
 use parquet::record::Field;
-use project::Files;
 use quantities::Language;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use questions::{Candidate, CheckId};

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 #![allow(dead_code, unreachable_pub, reason = "each test takes what it needs")]
 
+use axis::{Catalogue, Files, NoFiles};
 use page::{Call, FileEntry, Folder, Method, Reply, SaveFault, Shell, respond};
-use project::{Catalogue, Files, NoFiles};
 use quantities::Language;
 use questions::Progress;
 use std::cell::RefCell;

@@ -1,6 +1,6 @@
 //! The cases of the reference and what the engine answers to them.
 
-use project::{Files, Project};
+use axis::{AxisProject, Files};
 use quantities::Measure;
 use quantities::unit::{JOULE, WATT};
 use questions::check;
@@ -85,7 +85,7 @@ impl Case {
     }
 
     /// The project, read.
-    pub(crate) fn read(&self) -> Project {
+    pub(crate) fn read(&self) -> AxisProject {
         let read = questions::read_all(&self.project, &Kept(&self.files));
         let mut axes = read.unwrap_or_else(|faults| panic!("{}: {faults:?}\n{}", self.name, self.project));
         axes.pop().unwrap()

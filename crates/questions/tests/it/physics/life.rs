@@ -2,8 +2,8 @@
 //! laws, at constant speed too.
 
 use crate::physics::read;
+use axis::AxisProject;
 use mechanism::{Extra, Output};
-use project::Project;
 use quantities::unit::HOUR;
 use quantities::{Length, Measure};
 use questions::{CheckId, check};
@@ -15,7 +15,7 @@ const SIZES: [(&str, f64, f64, f64, f64); 2] =
     [("CHA-25A-100-H-C1024", 0.018, 0.088, 30_000.0, 10.0 / 3.0), ("CHA-17A-100-H-RES", 0.014, 0.058, 11_500.0, 3.0)];
 
 /// Without any load the life is without end.
-fn life_h(project: &Project, code: &str) -> f64 {
+fn life_h(project: &AxisProject, code: &str) -> f64 {
     let code = order_code::parse(code).unwrap().code;
     let found = check(project, &code).unwrap();
     let life = found.judgement.checks.iter().find(|check| check.id == CheckId::BearingLife).unwrap();
@@ -24,7 +24,7 @@ fn life_h(project: &Project, code: &str) -> f64 {
 }
 
 /// Eq. 74.1 to 75.4 with averages by a sum over many short steps of every piece.
-fn direct_life_h(project: &Project, (_, r, d_p, c, b): (&str, f64, f64, f64, f64), steps: u32) -> f64 {
+fn direct_life_h(project: &AxisProject, (_, r, d_p, c, b): (&str, f64, f64, f64, f64), steps: u32) -> f64 {
     let axis = &project.axis;
     let mounting = axis.bearing.as_ref().unwrap().derived.as_ref().unwrap().mounting;
     let (mut sums, mut travelled, mut time) = ([0.0; 3], 0.0, 0.0);

@@ -8,19 +8,19 @@ mod life;
 mod limits;
 mod rope;
 
-use project::Project;
+use axis::AxisProject;
 use questions::{Check, CheckId, check};
 use std::sync::Arc;
 
-fn read(text: &str) -> Project {
+fn read(text: &str) -> AxisProject {
     questions::read(text).unwrap_or_else(|faults| panic!("{faults:?}\n{text}"))
 }
 
-fn checks(project: &Project, code: &str) -> Vec<Arc<Check>> {
+fn checks(project: &AxisProject, code: &str) -> Vec<Arc<Check>> {
     let code = order_code::parse(code).unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn of(project: &Project, code: &str, id: CheckId) -> Arc<Check> {
+fn of(project: &AxisProject, code: &str, id: CheckId) -> Arc<Check> {
     checks(project, code).into_iter().find(|check| check.id == id).unwrap_or_else(|| panic!("{id:?} is not made"))
 }

@@ -1,7 +1,7 @@
 //! Answers of the twin about a project in a text.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test that cannot panic cannot fail")]
 
-use project::NoFiles;
+use axis::NoFiles;
 use quantities::Language;
 use questions::Progress;
 use questions::list::{Given, Inquiry, ReferencedText, Unanswered, simulate};

@@ -6,8 +6,8 @@
 
 pub mod read;
 
+use axis::AxisProject;
 use figures::{By, Style, Theme};
-use project::Project;
 use quantities::Language;
 use questions::{Candidate, Sampling, Sizing};
 use report::{AxisContent, Content, Diagram, DiagramPlace, Settings};
@@ -52,7 +52,7 @@ pub fn named(name: &str) -> Sample {
 /// The recordings of the examples.
 struct Recordings;
 
-impl project::Files for Recordings {
+impl axis::Files for Recordings {
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
         Ok(Box::new(std::fs::File::open(
             concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples").to_owned() + "/" + name,
@@ -99,7 +99,7 @@ pub fn made_in(text: &str, code: Option<&str>, languages: &[Language], pictures:
     contents
 }
 
-fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, language: Language) -> Vec<Diagram> {
+fn figures_of(project: &AxisProject, ranked: &Sizing<'_>, chosen: &Candidate<'_>, language: Language) -> Vec<Diagram> {
     let kinds = [
         (DiagramPlace::Motion, figures::Figure::Cycle),
         (DiagramPlace::TorqueSpeed, figures::Figure::TorqueSpeed),

@@ -1,10 +1,12 @@
 //! Gearing between load and actuator, and the axis with another gearing.
 
-use crate::mechanism::Driven;
-use crate::read::Reader;
-use crate::stated::StatedField;
-use crate::{Project, finish, prepare};
+use crate::axis_project::AxisProject;
+use crate::draft::{finish, prepare};
+use crate::driven::Driven;
+use crate::mechanism::driven;
 use mechanism::{Stage, StageKind};
+use project::FaultReport;
+use project::sections::StatedField;
 use quantities::unit::{MILLIMETRE, ONE};
 use quantities::{Measure, MomentOfInertia, Unit};
 
@@ -19,12 +21,12 @@ pub struct Gearing {
     pub unit: &'static Unit,
 }
 
-impl Project {
+impl AxisProject {
     /// Returns the stated keys: lead, diameter of a pulley, roller or drum, radius of a crank, ratio of a stage.
     #[must_use]
     pub fn gearings(&self) -> Vec<Gearing> {
         let of = |field: &dyn StatedField, unit| Some(Gearing { path: field.path(), si: field.si()?, unit });
-        let lever = self.root.driven().and_then(Driven::gearing).and_then(|field| of(field, &MILLIMETRE));
+        let lever = driven(&self.root.parts).and_then(Driven::gearing).and_then(|field| of(field, &MILLIMETRE));
         // Of several ratios the best has been chosen already.
         let stage = self.root.parts.stage.get().filter(|stage| stage.ratios().is_empty());
         lever.into_iter().chain(stage.and_then(|stage| of(&stage.ratio, &ONE))).collect()
@@ -35,9 +37,9 @@ impl Project {
     pub fn with_value(&self, path: &str, si: f64) -> Option<Self> {
         let mut root = self.root.clone();
         root.set(path, si)?;
-        let mut reader = Reader::new("");
-        let draft = prepare(&root, &*self.catalogue, &mut reader)?;
-        (reader.fault_count() == 0).then(|| Self { axis: finish(&root, draft), root, ..self.clone() })
+        let mut report = FaultReport::new("");
+        let draft = prepare(&root, &*self.catalogue, &mut report)?;
+        (report.fault_count() == 0).then(|| Self { axis: finish(&root, draft), root, ..self.clone() })
     }
 
     /// Returns the project with an added stage without losses and inertia; its loads on the flange are unknown.
@@ -58,7 +60,7 @@ impl Project {
             backlash: None,
             pitch_diameter: None,
         };
-        let mut draft = prepare(&self.root, &*self.catalogue, &mut Reader::new(""))?;
+        let mut draft = prepare(&self.root, &*self.catalogue, &mut FaultReport::new(""))?;
         draft.mechanism.stage = Some(stage);
         draft.motion = draft.motion.geared(ratio);
         (draft.bearing.has_loads, draft.bearing.derived) = (false, None);

@@ -3,12 +3,13 @@
 //! The engine does not use keys of a file: it names its inputs by roles, such as `load.inertia` or `motion.speed`. This
 //! module maps a role to the keys as written: `axis[2].mechanism.turntable.body`, `motion[1].distance, motion[1].time`.
 
-use crate::Project;
-use crate::mechanism::Driven;
-use crate::motion::Segment;
-use crate::section::Fields;
-use crate::stated::StatedField;
-use ::motion::{Hold, Solved};
+use crate::axis_project::AxisProject;
+use crate::driven::Driven;
+use crate::mechanism::driven;
+use motion::Solved;
+use project::SegmentLaw;
+use project::choices::Hold;
+use project::sections::{Fields, Segment, StatedField};
 use quantities::{Measure, Time};
 
 /// Segment of a value, for roles that several segments have.
@@ -20,7 +21,7 @@ pub enum Within {
     Segment(usize),
 }
 
-impl Project {
+impl AxisProject {
     /// Returns the keys of the file that state a value, separated by commas; a value that is not stated has the key of
     /// its place. `None` if the role is the key itself.
     ///
@@ -43,7 +44,7 @@ impl Project {
             }
             "load.inertia" => self.inertia_keys(),
             "load.friction_torque" | "friction_torque" => {
-                let friction = root.driven().and_then(Driven::friction);
+                let friction = driven(&root.parts).and_then(Driven::friction);
                 friction.map_or_else(|| root.path(role), |friction| friction.friction_torque.path())
             }
             "stage.ratio" if !self.ratios.is_empty() => root.path("stage.ratios"),
@@ -82,12 +83,12 @@ impl Project {
 
     /// Returns the keys that decide the largest speed of a segment.
     fn speed_keys(&self, within: Within) -> String {
-        let found = self.index(within).and_then(|index| Some((index, self.root.segments().get(index)?)));
+        let found = self.index(within).and_then(|index| Some((index, *self.root.sources().get(index)?)));
         let Some((index, segment)) = found else { return self.root.parts.motion.path() };
-        if segment.recording().is_some() {
+        if segment.recording.is_some() {
             return segment.file.path();
         }
-        let given = segment.speed_follows_from(self.reaches_its_speed(index, segment));
+        let given = speed_follows_from(segment.stated, self.reaches_its_speed(index, segment.stated));
         listed(given.iter().map(|field| field.path()).chain(self.gearing(&given)))
     }
 
@@ -108,7 +109,7 @@ impl Project {
     /// stage.
     fn gearing(&self, stated: &[&dyn StatedField]) -> Vec<String> {
         let along = stated.iter().any(|field| field.is_of_a_line());
-        let travel = self.root.driven().filter(|_| along).and_then(Driven::travel).map(|field| field.path());
+        let travel = driven(&self.root.parts).filter(|_| along).and_then(Driven::travel).map(|field| field.path());
         #[allow(clippy::float_cmp, reason = "a ratio that is written as one, or none")]
         let geared = self.axis.mechanism.stage_ratio() != 1.0;
         let ratio = geared.then(|| self.root.path(if self.ratios.is_empty() { "stage.ratio" } else { "stage.ratios" }));
@@ -118,7 +119,7 @@ impl Project {
     /// Returns the keys that decide the moment of inertia of the load; with a payload the engine cites its model of
     /// mechanisms.
     fn inertia_keys(&self) -> String {
-        let Some(driven) = self.root.driven() else { return self.root.path("load.inertia") };
+        let Some(driven) = driven(&self.root.parts) else { return self.root.path("load.inertia") };
         listed(driven.inertia().into_iter().filter(|field| field.is_given()).map(|field| field.path()))
     }
 
@@ -144,6 +145,28 @@ impl Project {
             several => listed(several.iter().map(|field| field.path())),
         }
     }
+}
+
+/// Returns the fields that decide the largest speed of a move by a law, depending on whether it reaches its stated
+/// speed.
+fn speed_follows_from(segment: &Segment, reaches_its_speed: bool) -> Vec<&dyn StatedField> {
+    let all: Vec<&dyn StatedField> = match segment.law.value() {
+        Some(SegmentLaw::Recorded) => vec![&segment.file],
+        Some(SegmentLaw::Points) => vec![&segment.points, &segment.master_speed],
+        Some(SegmentLaw::Manual) => vec![&segment.speed],
+        Some(SegmentLaw::Law(_) | SegmentLaw::Dwell) | None if reaches_its_speed => vec![&segment.speed],
+        Some(SegmentLaw::Law(_) | SegmentLaw::Dwell) | None => {
+            vec![
+                &segment.distance,
+                &segment.time,
+                &segment.speed,
+                &segment.acceleration,
+                &segment.jerk,
+                &segment.end_speed,
+            ]
+        }
+    };
+    all.into_iter().filter(|field| field.is_given()).collect()
 }
 
 /// Largest number of listed keys.

@@ -1,9 +1,8 @@
 //! Loads of the segments as they act: those that a segment states, together with the constant ones of the mechanism.
 
-use crate::Project;
-use crate::motion::Segment;
-use crate::section::Fields;
+use crate::axis_project::AxisProject;
 use mechanism::Extra;
+use project::sections::{Fields, Segment};
 use quantities::unit::{KILOGRAM, KILOGRAM_SQUARE_METRE, NEWTON, NEWTON_METRE};
 use quantities::{Measure, Unit};
 
@@ -67,7 +66,7 @@ impl SegmentLoadKey {
     }
 }
 
-impl Project {
+impl AxisProject {
     /// Returns the loads that at least one segment states, in the order of their keys.
     #[must_use]
     pub fn segment_loads(&self) -> Vec<SegmentLoadKey> {

@@ -1,22 +1,9 @@
 //! Assumptions that only the computed motion shows.
 
-use crate::Assumption;
 use mechanism::Extra;
+use project::{Assumption, Overrun};
 use quantities::Measure;
 use sizing::Axis;
-
-/// A move in which the axis comes back, because its distance is shorter than its change of speed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Overrun {
-    /// Number of the segment, from 1.
-    pub segment: usize,
-    /// Distance of the move \[rad\], signed.
-    pub stated_rad: f64,
-    /// Distance of the plain change of speed \[rad\], signed.
-    pub plain_rad: f64,
-    /// Travel per angle of a linear mechanism [m/rad].
-    pub travel_m_per_rad: Option<f64>,
-}
 
 /// Adds moves that come back, recordings and cam tables that do not move, the noise at rest in the recordings of an axis, keys that do not do what they are stated
 /// for, and the apparent accelerations due to the resolution of the recordings.
@@ -67,7 +54,8 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Assumption, Files, NoCatalogue, Project};
+    use crate::{AxisProject, Files, NoCatalogue};
+    use project::Assumption;
     use std::io::{Cursor, Read, Result};
 
     /// One file under every name.
@@ -85,7 +73,7 @@ mod tests {
             "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n\
              [[motion]]\n{segment}\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n"
         );
-        let read = Project::read_all(&text, &One(file), &NoCatalogue::shared(), &|_, _| None)
+        let read = AxisProject::read_all(&text, &One(file), &NoCatalogue::shared(), &|_, _| None)
             .unwrap_or_else(|faults| panic!("{faults:?}"));
         let found = read.iter().flat_map(|axis| axis.assumptions.clone());
         let of = |each| if let Assumption::Motionless(segment, hidden) = each { Some((segment, hidden)) } else { None };

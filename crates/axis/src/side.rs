@@ -1,10 +1,8 @@
 //! Side of the gear at which a recording was taken.
 
-use crate::motion::Segment;
-use crate::read::{Reader, shortened};
-use crate::recorded::Ratios;
-use crate::stated::{Stated, StatedField};
-use crate::{Assumption, Fault};
+use crate::source::SegmentSource;
+use project::sections::{Ratios, Segment, Stated, StatedField};
+use project::{Assumption, Fault, FaultReport, shortened};
 use recording::{Along, Recording, Role, Series};
 
 /// Longest heading in a fault, in characters.
@@ -65,19 +63,19 @@ fn turns(recording: &Recording, role: Role) -> bool {
 }
 
 /// Returns the ratios of a recording; reports columns of the motor without one, and ratios without a column.
-pub(crate) fn ratios(segment: &Segment, reader: &mut Reader<'_>) -> Side {
+pub(crate) fn ratios(segment: SegmentSource<'_>, report: &mut FaultReport<'_>) -> Side {
     let stated = |role: Role| stated(segment.recorded_ratio.get(), role);
     let ratio = |role: Role| stated(role).and_then(Stated::value);
     for (role, _) in SIDED {
         let magnitude = RATIO_BOUNDS;
         if let Some(field) = stated(role).filter(|field| field.value().is_some_and(|ratio| ratio.abs() < magnitude.0)) {
-            reader.fault(field.span(), Fault::RatioTooSmall { path: field.path(), magnitude }, None);
+            report.fault(field.span(), Fault::RatioTooSmall { path: field.path(), magnitude }, None);
         }
     }
-    if let Some(read) = segment.recording() {
+    if let Some(read) = segment.recording {
         for (role, _) in SIDED {
             if let Some(field) = stated(role).filter(|field| field.is_given() && !turns(&read.recording, role)) {
-                reader.fault(field.span(), Fault::NoColumnWithRatio { path: field.path() }, None);
+                report.fault(field.span(), Fault::NoColumnWithRatio { path: field.path() }, None);
             }
         }
         let column = |role: Role| read.recording.columns.iter().find(|column| column.role == role);
@@ -91,7 +89,7 @@ pub(crate) fn ratios(segment: &Segment, reader: &mut Reader<'_>) -> Side {
             let line = SIDED.into_iter().filter(|(role, _)| ratio(*role).is_some() || unstated(*role).is_some());
             let ratios = line.map(|(role, key)| (key, ratio(role))).collect();
             let fault = Fault::MotorSide { name: read.file.clone(), headings, ratios };
-            reader.fault(segment.file.span(), fault, None);
+            report.fault(segment.file.span(), fault, None);
         }
     }
     let ratio = |role: Role| ratio(role).unwrap_or(1.0);
@@ -99,8 +97,8 @@ pub(crate) fn ratios(segment: &Segment, reader: &mut Reader<'_>) -> Side {
 }
 
 /// Adds what the recordings of an axis leave open: the side of the gear, the origin of their speed, turns.
-pub(crate) fn assumptions(segments: &[Segment], found: &mut Vec<Assumption>) {
-    let recordings = || segments.iter().filter_map(|segment| Some((segment, &*segment.recording()?.recording)));
+pub(crate) fn assumptions(segments: &[SegmentSource<'_>], found: &mut Vec<Assumption>) {
+    let recordings = || segments.iter().filter_map(|segment| Some((segment.stated, &*segment.recording?.recording)));
     let stated = |segment: &Segment, role: Role| stated(segment.recorded_ratio.get(), role).and_then(Stated::value);
     let is_open = |(segment, recording): (&Segment, &Recording)| {
         SIDED.into_iter().any(|(role, _)| turns(recording, role) && stated(segment, role).is_none())

@@ -84,7 +84,7 @@ impl Catalogue for NoCatalogue {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Project;
+    use crate::AxisProject;
     use quantities::{Measure, Time};
 
     #[derive(Debug)]
@@ -122,7 +122,7 @@ mod tests {
                     [[motion]]\nlaw = \"dwell\"\ntime = \"2 s\"\nhold = \"brake\"\n";
         for (seconds, open) in [(None, 1.0), (Some(0.1), 1.0 - 1.9 / 4.0), (Some(0.4), 1.0 - 1.6 / 4.0)] {
             let catalogue: Arc<dyn Catalogue> = Arc::new(Closing(seconds));
-            let project = Project::read(text, &catalogue, &|_, _| None).unwrap();
+            let project = AxisProject::read(text, &catalogue, &|_, _| None).unwrap();
             let geared = project.with_stage(2.0).unwrap();
             for axis in [&project.axis, &geared.axis] {
                 assert!((axis.brake_open_share().si() - open).abs() < 1e-12, "{seconds:?}");

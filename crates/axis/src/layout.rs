@@ -1,11 +1,7 @@
 //! Layout of a recording as a segment states it: columns, units and window.
 
-use crate::motion::Segment;
-use crate::read::{Reader, shortened};
-use crate::recorded::{Gaps, TimeStamps};
-use crate::section::Section;
-use crate::stated::{Stated, StatedField};
-use crate::{Fault, Hint};
+use project::sections::{Gaps, Section, Segment, Stated, StatedField, TimeStamps};
+use project::{Fault, FaultReport, Hint, shortened};
 use quantities::Unit;
 use recording::{ColumnSpec, Layout, Role};
 
@@ -16,7 +12,7 @@ const UNIT_SHOWN: usize = 40;
 const NO_COLUMN: &str = "none";
 
 /// Returns the layout that a segment states; reports units that are not known.
-pub(crate) fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
+pub(crate) fn layout(segment: &Segment, report: &mut FaultReport<'_>) -> Layout {
     let (columns, units) = (segment.columns.get(), segment.units.get());
     let mut column = |name: Option<&Stated<String>>, unit: Option<&Stated<String>>, role: Role| {
         let name = name.and_then(Stated::get);
@@ -27,7 +23,7 @@ pub(crate) fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
                 let units = role.dimensions().iter().flat_map(|dimension| dimension.units());
                 let known: Vec<&str> = units.map(|unit| unit.ascii).collect();
                 let fault = Fault::UnknownUnit { written: shortened(written, UNIT_SHOWN) };
-                reader.fault(stated.span(), fault, Some(Hint::valid(&known)));
+                report.fault(stated.span(), fault, Some(Hint::valid(&known)));
             }
             found
         });

@@ -1,15 +1,12 @@
 //! Lengths and speeds of the web of a winder, whose diameter changes with every turn.
 
-use crate::motion::Segment;
-use crate::read::Reader;
-use crate::section::Fields;
-use crate::stated::StatedField;
-use crate::{Fault, Hint};
 use mechanism::MechanismKind;
+use project::sections::{Fields, Segment, StatedField};
+use project::{Fault, FaultReport, Hint};
 use quantities::Measure;
 
 /// Reports values along the web, with the turns of the roll that they are; returns `true` if there are some.
-pub(crate) fn is_along_a_web(segments: &[Segment], kind: &MechanismKind, reader: &mut Reader<'_>) -> bool {
+pub(crate) fn is_along_a_web(segments: &[Segment], kind: &MechanismKind, report: &mut FaultReport<'_>) -> bool {
     let MechanismKind::Winder(winder) = kind else { return false };
     let mut found = false;
     for segment in segments {
@@ -20,7 +17,7 @@ pub(crate) fn is_along_a_web(segments: &[Segment], kind: &MechanismKind, reader:
                 start_m: winder.start_diameter.si(),
                 core_m: winder.core_diameter.si(),
             };
-            reader.fault(field.span(), Fault::NoLine { path: field.name().to_owned() }, Some(hint));
+            report.fault(field.span(), Fault::NoLine { path: field.name().to_owned() }, Some(hint));
             found = true;
         }
     }

@@ -1,10 +1,8 @@
 //! Keys of which one cannot exceed another: rated and largest, continuous and peak, lowest and highest values.
 
-use crate::read::Reader;
-use crate::root::Parts;
-use crate::section::Fields;
-use crate::{Assumption, Fault};
 use actuator::CurvePoint;
+use project::sections::{Fields, Parts};
+use project::{Assumption, Fault, FaultReport};
 use quantities::Measure;
 
 /// Keys of a section of which the value of the first is at most that of the second.
@@ -40,23 +38,23 @@ pub(crate) fn unusual(parts: &Parts) -> impl Iterator<Item = Assumption> + '_ {
 }
 
 /// Reports the pairs of an axis that are stated in the wrong order, at the key of the lower value.
-pub(crate) fn check(parts: &Parts, reader: &mut Reader<'_>) {
-    let of = |section: Option<&dyn Fields>, orders: &[KeyOrder], reader: &mut Reader<'_>| {
+pub(crate) fn check(parts: &Parts, report: &mut FaultReport<'_>) {
+    let of = |section: Option<&dyn Fields>, orders: &[KeyOrder], report: &mut FaultReport<'_>| {
         let Some(section) = section else { return };
         for (lower, upper) in orders {
             let [Some(low), Some(high)] = [lower, upper].map(|name| section.field(name)) else { continue };
             if let (Some(least), Some(most)) = (low.si(), high.si())
                 && least > most
             {
-                reader.fault(low.span(), Fault::WrongOrder { lower: low.name(), upper: high.name() }, None);
+                report.fault(low.span(), Fault::WrongOrder { lower: low.name(), upper: high.name() }, None);
             }
         }
     };
-    of(parts.requirements.get().map(|section| section as _), &REQUIREMENTS, reader);
-    of(parts.drive.get().map(|section| section as _), &DRIVE, reader);
-    of(parts.actuator.get().map(|section| section as _), &ACTUATOR, reader);
+    of(parts.requirements.get().map(|section| section as _), &REQUIREMENTS, report);
+    of(parts.drive.get().map(|section| section as _), &DRIVE, report);
+    of(parts.actuator.get().map(|section| section as _), &ACTUATOR, report);
     let measured = parts.twin.get().and_then(|twin| twin.measured.get());
-    of(measured.map(|section| section as _), &MEASURED, reader);
+    of(measured.map(|section| section as _), &MEASURED, report);
 }
 
 /// Returns `true` if a continuous limit is above a short-time one at a speed that both have, by more than rounding.
@@ -76,8 +74,8 @@ pub(crate) fn is_above(continuous: &actuator::Curve, short_time: &actuator::Curv
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::key::{Key, Kind};
-    use crate::{KEYS, NoCatalogue, Project};
+    use crate::{AxisProject, NoCatalogue};
+    use project::{KEYS, Key, Kind};
 
     /// Sections with their orders, keys that they need, and units of the values.
     const SECTIONS: [(&str, &[KeyOrder], &str); 4] = [
@@ -91,7 +89,7 @@ mod tests {
         let text = format!(
             "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[{section}]\n{lines}"
         );
-        let read = Project::read(&text, &NoCatalogue::shared(), &|_, _| None).err().unwrap_or_default();
+        let read = AxisProject::read(&text, &NoCatalogue::shared(), &|_, _| None).err().unwrap_or_default();
         read.into_iter().map(|each| (each.fault, text.get(each.span).unwrap_or_default().to_owned())).collect()
     }
 
@@ -162,7 +160,7 @@ mod tests {
                     "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[actuator]\n\
                      name = \"own\"\n{lower} = \"{low} {unit}\"\n{upper} = \"{high} {unit}\"\n"
                 );
-                let project = Project::read(&text, &NoCatalogue::shared(), &|_, _| None).unwrap();
+                let project = AxisProject::read(&text, &NoCatalogue::shared(), &|_, _| None).unwrap();
                 assert_eq!(project.assumptions.contains(&remark), low > high, "{text}");
             }
         }

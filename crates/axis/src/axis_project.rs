@@ -1,0 +1,180 @@
+//! One axis of a project, built from its section.
+
+use crate::catalogue::Catalogue;
+use crate::curves;
+use crate::draft::{assumptions, build_actuator, finish, prepare, requirements};
+use crate::files::{Files, NoFiles};
+use crate::mechanism::driven;
+use crate::recordings::{RecordingRead, Recordings};
+use crate::source::AxisSource;
+use crate::stage::RatioAnswer;
+use crate::tolerance;
+use crate::twin::{self, TwinInput};
+use configurator::{Product, Requirements};
+use order_code::{Option1, Option2};
+use project::sections::{AxisSection, StageSection};
+use project::{Assumption, Diagnostic, Fault, FaultReport, InertiaAnswer, ReadProject, SegmentLaw, Tolerance, summed};
+use sizing::Axis;
+use std::sync::Arc;
+
+/// One axis of a project, complete: load and motion, requirements, and the defaults that were used.
+#[derive(Clone, Debug)]
+pub struct AxisProject {
+    /// Name of the axis; empty if none is given.
+    pub name: String,
+    /// Load and motion.
+    pub axis: Axis,
+    /// Requirements on the actuator.
+    pub requirements: Requirements,
+    /// Required sensor option.
+    pub option_1: Option<Option1>,
+    /// Required cable and connector option.
+    pub option_2: Option<Option2>,
+    /// The user's own actuator, if there is one.
+    pub actuator: Option<Product>,
+    /// Result of each of several ratios of the stage; empty for one ratio or no stage.
+    pub ratios: Vec<RatioAnswer>,
+    /// Settings of the simulation.
+    pub twin: TwinInput,
+    /// Recordings that the motion consists of.
+    pub recordings: Vec<RecordingRead>,
+    /// Defaults that were used.
+    pub assumptions: Vec<Assumption>,
+    /// Quantities with a tolerance, in the order of the reader.
+    pub tolerances: Vec<Tolerance>,
+    pub(crate) catalogue: Arc<dyn Catalogue>,
+    /// The axis as read: it contains the places of the values, and with tolerances it is built again with other values.
+    pub(crate) root: AxisSource,
+}
+
+/// Chooses among the possible ratios of a stage, in the order of the file; returns the project with the chosen one. The
+/// second argument builds the project with a ratio.
+pub type Choose<'c> = &'c dyn Fn(&[f64], &dyn Fn(f64) -> Option<AxisProject>) -> Option<AxisProject>;
+
+impl AxisProject {
+    /// Returns `true` if it is one of several axes of its file.
+    #[must_use]
+    pub fn is_of_several(&self) -> bool {
+        !self.root.head().path.is_empty()
+    }
+
+    /// Returns the catalogue with which the axis was read, with the user's curves.
+    #[must_use]
+    pub fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        &self.catalogue
+    }
+
+    /// Returns the solid bodies that the axis turns, with their inertia; `None` for other loads.
+    #[must_use]
+    pub fn bodies(&self) -> Option<InertiaAnswer> {
+        summed(driven(&self.root.parts)?.bodies()?)
+    }
+
+    /// Reads a project file with one axis that refers to no other file.
+    ///
+    /// # Errors
+    /// Every fault of the file, each with its place, in the order of the file.
+    pub fn read(text: &str, catalogue: &Arc<dyn Catalogue>, choose: Choose<'_>) -> Result<Self, Vec<Diagnostic>> {
+        let mut axes = Self::read_all(text, &NoFiles, catalogue, choose)?;
+        match (axes.pop(), axes.is_empty()) {
+            (Some(only), true) => Ok(only),
+            _ => Err(vec![Diagnostic::at(text, 0..0, Fault::OneAxisOnly, None)]),
+        }
+    }
+
+    /// Reads a project file with one axis or several, in their order, and the files that it refers to.
+    ///
+    /// # Errors
+    /// Every fault of the file, each with its place, in the order of the file.
+    pub fn read_all(
+        text: &str,
+        files: &dyn Files,
+        catalogue: &Arc<dyn Catalogue>,
+        choose: Choose<'_>,
+    ) -> Result<Vec<Self>, Vec<Diagnostic>> {
+        Self::build_all(project::read(text)?, files, catalogue, choose)
+    }
+
+    /// Builds the axes of a project, in their order, with the files that it refers to.
+    ///
+    /// # Errors
+    /// Every fault of the file, those of its text included, each with its place, in the order of the file.
+    pub fn build_all(
+        read: ReadProject<'_>,
+        files: &dyn Files,
+        catalogue: &Arc<dyn Catalogue>,
+        choose: Choose<'_>,
+    ) -> Result<Vec<Self>, Vec<Diagnostic>> {
+        let ReadProject { project, mut report } = read;
+        let with_curves = curves::read(&project.shared.curves, catalogue, &mut report);
+        let catalogue = with_curves.as_ref().unwrap_or(catalogue);
+        let mut recordings = Recordings::new(files);
+        let mut build = |section: AxisSection| {
+            let source = AxisSource::read(section, &mut recordings, &mut report);
+            Self::build(source, (catalogue, choose), &mut report)
+        };
+        let axes: Vec<Option<Self>> = project.axes.into_iter().map(&mut build).collect();
+        let faults = report.into_faults();
+        match axes.into_iter().collect::<Option<Vec<Self>>>() {
+            Some(axes) if faults.is_empty() => Ok(axes),
+            _ => Err(faults),
+        }
+    }
+
+    /// Returns the law of a segment, counted from zero.
+    #[must_use]
+    pub fn law(&self, segment: usize) -> Option<SegmentLaw> {
+        self.root.segments().get(segment)?.law.value()
+    }
+
+    /// Builds one axis; `None` after a fault.
+    fn build(
+        root: AxisSource,
+        (catalogue, choose): (&Arc<dyn Catalogue>, Choose<'_>),
+        report: &mut FaultReport<'_>,
+    ) -> Option<Self> {
+        let root = &root;
+        let axis = prepare(root, &**catalogue, report).map(|draft| finish(root, draft));
+        let actuator = build_actuator(root, &**catalogue, report);
+        let tolerances = root.tolerances.clone();
+        for window in tolerances.iter().filter(|each| each.path.ends_with("].from") || each.path.ends_with("].to")) {
+            report.fault(window.span.clone(), Fault::NoTolerance, None);
+        }
+        if report.fault_count() == 0 && axis.is_some() {
+            tolerance::hold(root, &**catalogue, &tolerances, report);
+        }
+        let required = root.parts.requirements.get();
+        let axis = axis?;
+        let project = Self {
+            ratios: Vec::new(),
+            name: root.name.clone().unwrap_or_default(),
+            catalogue: Arc::clone(catalogue),
+            twin: root.parts.twin.get().map(twin::input).unwrap_or_default(),
+            recordings: root.recordings().cloned().collect(),
+            assumptions: assumptions(root, &axis, !tolerances.is_empty()),
+            requirements: requirements(root),
+            option_1: required.and_then(|required| required.option_1.value()),
+            option_2: required.and_then(|required| required.option_2.value()),
+            axis,
+            actuator,
+            root: root.clone(),
+            tolerances,
+        };
+        let ratios = root.parts.stage.get().map_or(&[][..], StageSection::ratios);
+        if ratios.is_empty() || report.fault_count() > 0 {
+            return Some(project);
+        }
+        let with_ratio = |ratio: f64| project.with_ratio(root, ratio);
+        Some(choose(ratios, &with_ratio).unwrap_or_else(|| project.clone()))
+    }
+
+    /// Returns the project with one ratio instead of several; `None` if that axis is impossible.
+    fn with_ratio(&self, root: &AxisSource, ratio: f64) -> Option<Self> {
+        let mut root = root.clone();
+        root.set_ratio(ratio);
+        let draft = prepare(&root, &*self.catalogue, &mut FaultReport::new(""))?;
+        let axis = finish(&root, draft);
+        let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
+        Some(Self { axis, root, assumptions, ..self.clone() })
+    }
+}

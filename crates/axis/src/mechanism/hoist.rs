@@ -1,0 +1,40 @@
+//! Drum, rope and load.
+
+use crate::driven::{Driven, OnFlange, sound};
+use mechanism::MechanismKind;
+use project::sections::{Hoist, StatedField};
+use project::{Assumption, FaultReport};
+
+impl Driven for Hoist {
+    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
+        let hoist = mechanism::Hoist {
+            drum_diameter: self.drum_diameter.value()?,
+            falls: self.falls(),
+            inertia: self.inertia.or_zero(),
+            mass: self.mass.value()?,
+            counterweight: self.counterweight.counterweight.or_zero(),
+            rope_mass: self.rope_mass.or_zero(),
+            hanging: self.hanging.or_zero(),
+            reeving: mechanism::reeving_efficiency(self.falls(), self.sheave_efficiency()),
+        };
+        sound(self, hoist.faults(), report)?;
+        Some(MechanismKind::Hoist(hoist))
+    }
+
+    fn inertia(&self) -> Vec<&dyn StatedField> {
+        vec![&self.inertia, &self.mass]
+    }
+
+    fn is_without_effect(&self, default: Assumption) -> bool {
+        // A single fall runs over no sheave.
+        default == Assumption::SheavesNoLosses && self.falls() == 1
+    }
+
+    fn travel(&self) -> Option<&dyn StatedField> {
+        Some(&self.drum_diameter)
+    }
+
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        Some(OnFlange::Wheel)
+    }
+}

@@ -1,0 +1,71 @@
+//! An axis as stated, with the recordings that were read for it.
+
+use crate::recordings::{RecordingRead, Recordings};
+use project::FaultReport;
+use project::sections::{AxisSection, Segment};
+use std::ops::{Deref, DerefMut};
+
+/// An axis as the file states it, with the recordings that its segments name.
+#[derive(Clone, Debug)]
+pub(crate) struct AxisSource {
+    section: AxisSection,
+    /// Recordings in the order of the segments.
+    recordings: Vec<Option<RecordingRead>>,
+}
+
+impl AxisSource {
+    /// Reads the recordings of an axis.
+    pub(crate) fn read(
+        mut section: AxisSection,
+        recordings: &mut Recordings<'_>,
+        report: &mut FaultReport<'_>,
+    ) -> Self {
+        let found = match section.parts.motion.get_mut() {
+            Some(segments) => recordings.resolve(&mut segments.0, report),
+            None => Vec::new(),
+        };
+        Self { section, recordings: found }
+    }
+
+    /// Returns the segments with their recordings.
+    pub(crate) fn sources(&self) -> Vec<SegmentSource<'_>> {
+        let recordings = self.recordings.iter().map(Option::as_ref).chain(std::iter::repeat(None));
+        let segments = self.section.segments().iter().zip(recordings);
+        segments.map(|(stated, recording)| SegmentSource { stated, recording }).collect()
+    }
+
+    /// Returns the recordings that were read, in the order of the segments.
+    pub(crate) fn recordings(&self) -> impl Iterator<Item = &RecordingRead> {
+        self.recordings.iter().flatten()
+    }
+}
+
+impl Deref for AxisSource {
+    type Target = AxisSection;
+
+    fn deref(&self) -> &AxisSection {
+        &self.section
+    }
+}
+
+impl DerefMut for AxisSource {
+    fn deref_mut(&mut self) -> &mut AxisSection {
+        &mut self.section
+    }
+}
+
+/// A segment as the file states it, with the recording that it names.
+#[derive(Clone, Copy)]
+pub(crate) struct SegmentSource<'a> {
+    pub(crate) stated: &'a Segment,
+    /// Recording that was read.
+    pub(crate) recording: Option<&'a RecordingRead>,
+}
+
+impl Deref for SegmentSource<'_> {
+    type Target = Segment;
+
+    fn deref(&self) -> &Segment {
+        self.stated
+    }
+}
