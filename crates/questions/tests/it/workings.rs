@@ -304,7 +304,7 @@ fn a_current_that_the_settled_cycle_exceeds_elsewhere_is_derived_there() {
         questions::read(&text).unwrap()
     };
     let is_meant = |code: &&order_code::OrderCode| code.to_string().starts_with("CHA-25A-100-H");
-    let code = catalogue_actuators().iter().map(|(code, _)| code).find(is_meant).unwrap();
+    let code = catalogue_actuators().map(|(code, _)| code).find(is_meant).unwrap();
     for (brake, verdict, instants) in [("0.151 s", sizing::Verdict::Fail, 2), ("0.2 s", sizing::Verdict::Advice, 1)] {
         let project = project(brake);
         let candidate = explain(&project, code).unwrap();
