@@ -1,5 +1,6 @@
 //! One axis of a project, built from its section.
 
+use crate::assumption::Assumption;
 use crate::catalogue::Catalogue;
 use crate::curves;
 use crate::draft::{assumptions, build_actuator, finish, prepare, requirements};
@@ -13,7 +14,7 @@ use crate::twin::{self, TwinInput};
 use configurator::{Product, Requirements};
 use order_code::{Option1, Option2};
 use project::sections::{AxisSection, StageSection};
-use project::{Assumption, Diagnostic, Fault, FaultReport, InertiaAnswer, ReadProject, SegmentLaw, Tolerance, summed};
+use project::{Diagnostic, Fault, FaultReport, InertiaAnswer, ReadProject, SegmentLaw, Tolerance, summed};
 use sizing::Axis;
 use std::sync::Arc;
 

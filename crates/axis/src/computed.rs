@@ -1,7 +1,7 @@
 //! Assumptions that only the computed motion shows.
 
+use crate::assumption::{Assumption, Overrun};
 use mechanism::Extra;
-use project::{Assumption, Overrun};
 use quantities::Measure;
 use sizing::Axis;
 
@@ -54,8 +54,8 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
 
 #[cfg(test)]
 mod tests {
+    use crate::assumption::Assumption;
     use crate::{AxisProject, Files, NoCatalogue};
-    use project::Assumption;
     use std::io::{Cursor, Read, Result};
 
     /// One file under every name.

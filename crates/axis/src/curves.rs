@@ -4,9 +4,10 @@ use crate::catalogue::Catalogue;
 use actuator::{Battery, Curve, CurvePoint, Parameters};
 use configurator::{Product, ProductId};
 use order_code::{OrderCode, Pattern};
-use project::sections::{CurveLimit, CurveSection, Rows, Section, Stated, StatedField};
+use project::sections::{CurveLimit, CurveRow, CurveSection, Rows, Section, Stated, StatedField};
 use project::{Fault, FaultReport};
 use provenance::{Datum, Grade, Source, Sourced};
+use quantities::{AngularVelocity, Measure, Torque};
 use sizing::BrakeTimes;
 use std::sync::{Arc, OnceLock};
 
@@ -123,12 +124,17 @@ pub(crate) fn read(
 }
 
 /// Builds a curve from its corner points.
-pub(crate) fn curve(points: &Stated<Rows<CurvePoint>>, report: &mut FaultReport<'_>) -> Option<Curve> {
-    match Curve::new(points.get()?.values()) {
+pub(crate) fn curve(points: &Stated<Rows<CurveRow>>, report: &mut FaultReport<'_>) -> Option<Curve> {
+    match Curve::new(points.get()?.values().iter().map(corner).collect()) {
         Ok(curve) => Some(curve),
         Err(fault) => {
             report.fault(points.span(), Fault::Curve(fault), None);
             None
         }
     }
+}
+
+fn corner(row: &CurveRow) -> CurvePoint {
+    let [speed, torque] = row.si();
+    CurvePoint { speed: AngularVelocity::from_si(speed), torque: Torque::from_si(torque) }
 }

@@ -1,5 +1,6 @@
 //! An axis made of its sections: checked first, then combined.
 
+use crate::assumption::{Assumption, unstated};
 use crate::catalogue::Catalogue;
 use crate::mechanism::{self, driven};
 use crate::source::AxisSource;
@@ -8,7 +9,7 @@ use ::mechanism::{Extra, Mechanism};
 use ::motion::Motion;
 use configurator::{Product, Requirements};
 use project::sections::{RequirementsSection, Section, StatedField};
-use project::{Assumption, Fault, FaultReport, Hint};
+use project::{Fault, FaultReport, Hint};
 use sizing::{Axis, BearingDuty, BrakeTimes};
 
 /// Returns the defaults that were used.
@@ -22,7 +23,7 @@ pub(crate) fn assumptions(root: &AxisSource, axis: &Axis, toleranced: bool) -> V
     computed::assumptions(axis, &mut found);
     let absent = RequirementsSection::absent(root.head());
     let required = root.parts.requirements.get().unwrap_or(&absent);
-    found.extend(required.ambient.note());
+    found.extend(unstated(&required.ambient));
     found.extend(requirements::conditions_note(required));
     found.push(Assumption::CoolingPlate);
     if root.parts.actuator.get().is_some_and(|own| own.stall_current.is_given()) {
@@ -34,7 +35,7 @@ pub(crate) fn assumptions(root: &AxisSource, axis: &Axis, toleranced: bool) -> V
         stage::assumptions(stage, &mut found);
     }
     flange::assumptions(root, &mut found);
-    found.extend(required.special_application.note());
+    found.extend(unstated(&required.special_application));
     found.extend(toleranced.then_some(Assumption::UniformTolerances));
     found
 }

@@ -1,10 +1,11 @@
 //! The load of an axis, or a mechanism with its load, as the file states it.
 
 use mechanism::{Geometry, MechanismKind};
+use project::KeyDefault;
 use project::sections::{
     Bearing, BodySection, Fields, Friction, Losses, ProcessForce, StartAngle, Stated, StatedField, group,
 };
-use project::{Assumption, Fault, FaultReport};
+use project::{Fault, FaultReport};
 use quantities::{Angle, Force};
 
 /// Part that loads the flange.
@@ -38,7 +39,7 @@ pub(crate) trait Driven: Fields {
     }
 
     /// Returns `true` if a default has no effect on the result and is not listed.
-    fn is_without_effect(&self, _default: Assumption) -> bool {
+    fn is_without_effect(&self, _default: KeyDefault) -> bool {
         false
     }
 

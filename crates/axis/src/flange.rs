@@ -1,5 +1,6 @@
 //! Loads on the output flange: stated ones, and those that follow from the mechanism.
 
+use crate::assumption::{Assumption, unstated};
 use crate::choices;
 use crate::driven::OnFlange;
 use crate::mechanism::driven;
@@ -7,7 +8,7 @@ use crate::needs::needs;
 use actuator::FlangeLoad;
 use mechanism::{Contact, Mechanism, Mounting, StageKind};
 use project::sections::{AxisSection, Bearing, Derived, FlangeLoads, Section, StatedField};
-use project::{Assumption, Fault, FaultReport, Hint};
+use project::{Fault, FaultReport, Hint};
 use quantities::Measure;
 use quantities::unit::DEGREE;
 use sizing::{BearingDuty, DerivedLoads};
@@ -228,14 +229,14 @@ pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
         }
         Derived::Add | Derived::Replace | Derived::Ignore => {}
     }
-    found.extend(section.helix_angle.note().filter(|_| section.pressure_angle.is_given()));
+    found.extend(unstated(&section.helix_angle).filter(|_| section.pressure_angle.is_given()));
     if axis.parts.stage.is_given() {
         found.push(Assumption::MechanismOnOwnBearings);
-        found.extend(section.wheel_mass.note());
+        found.extend(unstated(&section.wheel_mass));
         return;
     }
     let Some(on_flange) = driven(&axis.parts).and_then(|driven| driven.on_flange()) else { return };
-    found.extend(section.flange_share.note().filter(|_| !matches!(on_flange, OnFlange::Shaft)));
+    found.extend(unstated(&section.flange_share).filter(|_| !matches!(on_flange, OnFlange::Shaft)));
     match on_flange {
         OnFlange::Bodies(tilt) => {
             found.push(Assumption::FlangeBodiesFlat);
@@ -246,6 +247,6 @@ pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
                 found.push(Assumption::PayloadInertiaWeightless);
             }
         }
-        OnFlange::Wheel | OnFlange::Shaft => found.extend(section.wheel_mass.note()),
+        OnFlange::Wheel | OnFlange::Shaft => found.extend(unstated(&section.wheel_mass)),
     }
 }

@@ -6,6 +6,7 @@
 //! stage ([`Choose`]), since that needs a judgement of the catalogue.
 
 mod along;
+mod assumption;
 mod axis_project;
 mod cam;
 mod catalogue;
@@ -41,6 +42,7 @@ mod twin;
 mod varied;
 mod web;
 
+pub use assumption::{Assumption, Overrun};
 pub use axis_project::{AxisProject, Choose};
 pub use catalogue::{Catalogue, NoCatalogue};
 pub use drawn::drawn_figures;

@@ -2,11 +2,12 @@
 
 mod parts;
 
+use crate::assumption::{Assumption, unstated};
 use crate::driven::Driven;
 use mechanism::{Mechanism, MechanismKind, Rotor};
 use parts::friction;
 use project::sections::{DirectLoad, Fields, Guide, Losses, Mechanisms, Parts, Stated, StatedField, group};
-use project::{Assumption, Fault, FaultReport, Hint};
+use project::{Fault, FaultReport, Hint, KeyDefault};
 use quantities::{Angle, Force, Measure};
 
 /// Defines the modules of the mechanisms and the list of those that a file states.
@@ -95,17 +96,18 @@ pub(crate) fn assumptions(driven: &dyn Driven, found: &mut Vec<Assumption>) {
         let mut fields: Vec<&dyn StatedField> = vec![&friction.friction_torque, &friction.viscous_friction];
         fields.extend(group(driven).into_iter().flat_map(|guide: &Guide| guide.fields()));
         if !fields.iter().any(|field| field.is_given()) {
-            found.extend(friction.friction_torque.note());
+            found.extend(unstated(&friction.friction_torque));
         }
     }
     if let Some(losses) = driven.losses() {
-        found.extend(losses.efficiency.note().or_else(|| losses.efficiency_back.note()));
+        found.extend(unstated(&losses.efficiency).or_else(|| unstated(&losses.efficiency_back)));
     }
     // Those of friction and losses depend on each other and are listed above.
-    let apart = [Assumption::NoFriction, Assumption::NoLosses, Assumption::LossesDoNotHelp];
+    let apart = [KeyDefault::NoFriction, KeyDefault::NoLosses, KeyDefault::LossesDoNotHelp];
     for default in driven.fields().into_iter().filter_map(StatedField::note) {
-        if !apart.contains(&default) && !found.contains(&default) && !driven.is_without_effect(default) {
-            found.push(default);
+        let listed = Assumption::Default(default);
+        if !apart.contains(&default) && !found.contains(&listed) && !driven.is_without_effect(default) {
+            found.push(listed);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Motion of an axis at the output, and the loads of its segments.
 
 use crate::along::turned;
+use crate::assumption::{Assumption, unstated};
 use crate::cam::through_points;
 use crate::choices;
 use crate::driven::Driven;
@@ -13,7 +14,7 @@ use mechanism::{Extra, Mechanism};
 use motion::{Closing, Given, ManualMove, Motion, MotionFault, MoveFault, SegmentSpec, Unread};
 use project::choices::{Law, Spline};
 use project::sections::{Fields, Stated, StatedField};
-use project::{Assumption, Fault, FaultReport, Hint, SegmentLaw};
+use project::{Fault, FaultReport, Hint, SegmentLaw};
 use quantities::Measure;
 use sizing::Axis;
 use std::ops::Range as Span;
@@ -286,7 +287,7 @@ pub(crate) fn assumptions(axis: &AxisSource, driven: Option<&dyn Driven>, found:
     found.extend(splines.map(|each| Assumption::SplineThroughPoints(choices::spline(each))));
     side::assumptions(&segments, found);
     let rests = |segment: &&SegmentSource<'_>| segment.law.value() == Some(SegmentLaw::Dwell);
-    found.extend(segments.iter().filter(rests).find_map(|segment| segment.hold.note()));
+    found.extend(segments.iter().filter(rests).find_map(|segment| unstated(&segment.hold)));
     let carries =
         |one: &SegmentSource<'_>| one.payload.or_zero().si() > 0.0 || one.payload_inertia.or_zero().si() > 0.0;
     let is_silent = |one: &SegmentSource<'_>| !one.payload.is_given() && !one.payload_inertia.is_given();

@@ -1,8 +1,9 @@
 //! Keys of which one cannot exceed another: rated and largest, continuous and peak, lowest and highest values.
 
+use crate::assumption::Assumption;
 use actuator::CurvePoint;
 use project::sections::{Fields, Parts};
-use project::{Assumption, Fault, FaultReport};
+use project::{Fault, FaultReport};
 use quantities::Measure;
 
 /// Keys of a section of which the value of the first is at most that of the second.

@@ -1,12 +1,13 @@
 //! Requirements on the actuator, and the drive that supplies it.
 
+use crate::assumption::{Assumption, unstated};
 use crate::catalogue::Catalogue;
 use crate::choices;
 use actuator::{BatteryFault, Protection};
 use configurator::Requirements;
 use project::choices::MainsPhases;
 use project::sections::{DriveSection, PositionLoop, RequirementsSection, Section, StatedField};
-use project::{Assumption, Fault, FaultReport, Hint, example};
+use project::{Fault, FaultReport, Hint, example};
 use sizing::{Axis, AxisRequirements, Supply, SupplyFrom};
 
 /// Returns the requirements on the choice of an actuator.
@@ -48,7 +49,7 @@ pub(crate) fn conditions_note(section: &RequirementsSection) -> Option<Assumptio
 /// Returns the assumptions about the DC link.
 pub(crate) fn link_notes(section: &RequirementsSection) -> Vec<Assumption> {
     if !section.mains.is_given() {
-        return section.supply.note().or_else(|| section.modulation_reserve.note()).into_iter().collect();
+        return unstated(&section.supply).or_else(|| unstated(&section.modulation_reserve)).into_iter().collect();
     }
     let rectifier = match (phases(section), section.mains_deviation.is_given()) {
         (MainsPhases::Three, true) => Assumption::Rectifier,
@@ -56,7 +57,7 @@ pub(crate) fn link_notes(section: &RequirementsSection) -> Vec<Assumption> {
         (MainsPhases::Single, true) => Assumption::SinglePhaseRectifier,
         (MainsPhases::Single, false) => Assumption::SinglePhaseRectifierAndDeviation,
     };
-    std::iter::once(rectifier).chain(section.modulation_reserve.note()).collect()
+    std::iter::once(rectifier).chain(unstated(&section.modulation_reserve)).collect()
 }
 
 /// Reports contradictions, and keys without effect; `has_line`: the mechanism moves along a line in proportion to its

@@ -1,8 +1,9 @@
 //! Side of the gear at which a recording was taken.
 
+use crate::assumption::Assumption;
 use crate::source::SegmentSource;
 use project::sections::{Ratios, Segment, Stated, StatedField};
-use project::{Assumption, Fault, FaultReport, shortened};
+use project::{Fault, FaultReport, shortened};
 use recording::{Along, Recording, Role, Series};
 
 /// Longest heading in a fault, in characters.

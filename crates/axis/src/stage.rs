@@ -1,9 +1,10 @@
 //! Stage between actuator and mechanism, and the best of several ratios.
 
+use crate::assumption::{Assumption, unstated};
 use crate::choices;
 use mechanism::{Stage, StageKind};
 use project::sections::{Fields, StageSection, StatedField};
-use project::{Assumption, Fault, FaultReport, Hint};
+use project::{Fault, FaultReport, Hint};
 
 /// Result of one of several ratios.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,9 +54,9 @@ pub(crate) fn build(section: &StageSection, report: &mut FaultReport<'_>) -> Opt
 
 /// Adds the defaults about the stage that the file leaves open.
 pub(crate) fn assumptions(section: &StageSection, found: &mut Vec<Assumption>) {
-    found.extend(section.efficiency.note().or_else(|| section.efficiency_back.note()));
-    found.extend(section.inertia_driven.note().filter(|_| !section.inertia_driving.is_given()));
-    found.extend([section.stiffness.note(), section.backlash.note()].into_iter().flatten());
+    found.extend(unstated(&section.efficiency).or_else(|| unstated(&section.efficiency_back)));
+    found.extend(unstated(&section.inertia_driven).filter(|_| !section.inertia_driving.is_given()));
+    found.extend([unstated(&section.stiffness), unstated(&section.backlash)].into_iter().flatten());
     if section.ratios.is_given() {
         found.push(Assumption::StageRatioChosen);
     }

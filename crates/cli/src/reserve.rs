@@ -7,7 +7,7 @@ use questions::{Candidate, Reserve};
 use words::{assumption_text, terms};
 
 /// Returns the assumptions.
-pub(crate) fn assumptions_text(assumptions: &[project::Assumption], language: Language) -> String {
+pub(crate) fn assumptions_text(assumptions: &[axis::Assumption], language: Language) -> String {
     let head = terms::assumed(language);
     assumptions.iter().map(|assumption| labelled(head, &assumption_text(*assumption, language))).collect()
 }

@@ -3,8 +3,7 @@
 use crate::about::About;
 use crate::key::Variants;
 use crate::section::{OfKinds, Section, names, section};
-use crate::value::{Rows, WordChoice, choices};
-use actuator::CurvePoint;
+use crate::value::{CurveRow, Rows, WordChoice, choices};
 
 /// Example of a curve.
 pub(crate) const CURVE: &str = "[[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]";
@@ -14,7 +13,7 @@ section! {
     CurveSection, CurveName of About::Curve {
         kind: CurveLimit => needed;
         code: String => example("CHA-25A-100-*");
-        points: Rows<CurvePoint> => example(CURVE);
+        points: Rows<CurveRow> => example(CURVE);
         source: String;
     }
 }

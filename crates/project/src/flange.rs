@@ -1,6 +1,6 @@
 //! Loads on the output flange: stated ones, and those that follow from the mechanism.
 
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::choices::OperatingCondition;
 use crate::section::section;
@@ -26,11 +26,11 @@ section! {
         mechanism: Derived;
         overhang: Length;
         payload_overhang: Length;
-        flange_share: f64 => within(0.0, 1.0), example("0.5"), noted(Assumption::FlangeBearsAll);
+        flange_share: f64 => within(0.0, 1.0), example("0.5"), noted(KeyDefault::FlangeBearsAll);
         belt_tension: Force => not_negative;
         pressure_angle: Angle => positive, example("20 deg");
-        helix_angle: Angle => not_negative, example("15 deg"), noted(Assumption::SpurTeeth);
-        wheel_mass: Mass => not_negative, example("1.2 kg"), noted(Assumption::WheelWeightless);
+        helix_angle: Angle => not_negative, example("15 deg"), noted(KeyDefault::SpurTeeth);
+        wheel_mass: Mass => not_negative, example("1.2 kg"), noted(KeyDefault::WheelWeightless);
         axis_tilt: Angle;
     }
 }

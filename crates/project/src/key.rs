@@ -2,7 +2,7 @@
 //! the form of the page.
 
 use crate::about::About;
-use crate::{Assumption, Expected, Range};
+use crate::{Expected, KeyDefault, Range};
 use quantities::Dimension;
 
 /// Permissible dimensions of a column of rows, the default first.
@@ -118,7 +118,7 @@ pub struct Key {
     /// Default as written; `None` if the absence of the key has a meaning of its own.
     pub default: Option<fn() -> String>,
     /// Assumption that is listed if the key is not stated.
-    pub note: Option<Assumption>,
+    pub note: Option<KeyDefault>,
     /// Exponents a and b by which the value of a segment with time factor k and distance factor m is scaled: k^a m^b.
     pub(crate) stretches: Option<(i32, i32)>,
 }
@@ -186,7 +186,7 @@ impl Key {
     }
 
     /// Sets the assumption that is listed if the key is not stated.
-    pub(crate) const fn noted(self, note: Assumption) -> Self {
+    pub(crate) const fn noted(self, note: KeyDefault) -> Self {
         Self { note: Some(note), ..self }
     }
 

@@ -4,7 +4,6 @@
 //! so is a [`Hint`]. [`read`] returns them as sections of keys; `axis` makes an axis of a section.
 
 mod about;
-mod assumption;
 mod axis_names;
 mod bodies;
 mod cam;
@@ -20,6 +19,7 @@ mod hint;
 mod ids;
 mod inputs;
 mod key;
+mod key_default;
 mod label;
 mod measured;
 mod mechanism;
@@ -77,11 +77,12 @@ pub mod sections {
     pub use crate::stage::StageSection;
     pub use crate::stated::{SectionHead, Stated, StatedField};
     pub use crate::twin::{MeasuredSection, TwinSection};
-    pub use crate::value::{Along, BodyLines, Choices, KeyValue, Numbers, OneOrMany, Rows, Tables, Turning, Written};
+    pub use crate::value::{
+        Along, BodyLines, Choices, CurveRow, KeyValue, Numbers, OneOrMany, Rows, TableRow, Tables, Turning, Written,
+    };
 }
 
 pub use about::About;
-pub use assumption::{Assumption, Overrun};
 pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, body_fields, inertia, summed};
 pub use diagnostic::{Diagnostic, place};
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
@@ -90,6 +91,7 @@ pub use heading::{Counted, Heading, Objection, nearest_heading};
 pub use hint::Hint;
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{ColumnDimensions, Key, Kind, Variants, example};
+pub use key_default::KeyDefault;
 pub use label::input_label;
 pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured_lines, read_measured};
 pub use motion::SegmentLaw;

@@ -1,6 +1,6 @@
 //! Segments of the motion: their keys, and the laws with their keys.
 
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::cam::{CamEnds, CamPoint};
 use crate::choices::{Hold, Law, Spline};
@@ -27,7 +27,7 @@ section! {
         acceleration: Along<AngularAcceleration> => positive, stretches(-2, 1);
         jerk: Along<AngularJerk> => positive, stretches(-3, 1);
         end_speed: Along<AngularVelocity> => stretches(-1, 1);
-        hold: Hold = Hold::Motor => noted(Assumption::MotorHolds);
+        hold: Hold = Hold::Motor => noted(KeyDefault::MotorHolds);
         file: String => example("lift.csv");
         columns: Columns;
         units: Units;

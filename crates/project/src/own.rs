@@ -3,8 +3,7 @@
 use crate::about::About;
 use crate::curves::CURVE;
 use crate::section::section;
-use crate::value::Rows;
-use actuator::CurvePoint;
+use crate::value::{CurveRow, Rows};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass,
     MomentOfInertia, NoLoadCurrentConstant, ThermodynamicTemperature, Torque, TorqueConstant, VoltageConstant,
@@ -39,7 +38,7 @@ section! {
         hollow_shaft: Length => not_negative, example("18 mm");
         dc_link_max: ElectricPotential => positive;
         terminal_voltage_min: ElectricPotential => positive;
-        short_time_curve: Rows<CurvePoint> => example(CURVE);
-        continuous_curve: Rows<CurvePoint> => example(CURVE);
+        short_time_curve: Rows<CurveRow> => example(CURVE);
+        continuous_curve: Rows<CurveRow> => example(CURVE);
     }
 }

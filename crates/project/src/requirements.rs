@@ -1,6 +1,6 @@
 //! Requirements on the actuator.
 
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::choices::{MainsPhases, MountingPosition, ProtectionDegree, SpecialApplication};
 use crate::section::section;
@@ -25,12 +25,12 @@ section! {
         hollow_shaft_min: Length => not_negative, example("18 mm");
         length_max: Length => positive, example("200 mm");
         mass_max: Mass => positive, example("10 kg");
-        supply: ElectricPotential => positive, noted(Assumption::NoSupply);
+        supply: ElectricPotential => positive, noted(KeyDefault::NoSupply);
         mains: EffectiveVoltage => positive;
         mains_phases: MainsPhases;
         mains_deviation: f64 = MAINS_DEVIATION => within(0.0, 0.5), example("0.1");
-        modulation_reserve: f64 = MODULATION_RESERVE => within(0.5, 1.0), example("0.9"), noted(Assumption::ModulationReserve);
-        ambient: ThermodynamicTemperature => noted(Assumption::AmbientWithinRange);
+        modulation_reserve: f64 = MODULATION_RESERVE => within(0.5, 1.0), example("0.9"), noted(KeyDefault::ModulationReserve);
+        ambient: ThermodynamicTemperature => noted(KeyDefault::AmbientWithinRange);
         altitude: Length => example("800 m");
         altitude_derating: f64 => within(0.1, 1.0), example("0.9");
         protection: ProtectionDegree;
@@ -62,7 +62,7 @@ section! {
         collisions: u32 => whole(0, 1_000_000), example("10");
         position_loop: PositionLoop;
         dc_link_rise: ElectricPotential => positive, example("40 V");
-        special_application: SpecialApplication => noted(Assumption::OrdinaryApplication);
+        special_application: SpecialApplication => noted(KeyDefault::OrdinaryApplication);
         option_1: Option1;
         option_2: Option2;
     }

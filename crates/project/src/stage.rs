@@ -1,6 +1,6 @@
 //! Stage between actuator and mechanism.
 
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::choices::StageKind;
 use crate::section::section;
@@ -16,12 +16,12 @@ section! {
         kind: StageKind => needed;
         ratio: f64 => within(0.01, 1000.0), example("2.5");
         ratios: Numbers => within(0.01, 1000.0), at_most(RATIOS_MOST);
-        efficiency: f64 = 1.0 => within(0.01, 1.0), example("0.95"), noted(Assumption::StageNoLosses);
-        efficiency_back: f64 = 1.0 => within(0.0, 1.0), example("0.9"), noted(Assumption::StageLossesDoNotHelp);
+        efficiency: f64 = 1.0 => within(0.01, 1.0), example("0.95"), noted(KeyDefault::StageNoLosses);
+        efficiency_back: f64 = 1.0 => within(0.0, 1.0), example("0.9"), noted(KeyDefault::StageLossesDoNotHelp);
         inertia_driving: MomentOfInertia => not_negative;
-        inertia_driven: MomentOfInertia => not_negative, noted(Assumption::StageWithoutInertia);
-        stiffness: TorsionalStiffness => positive, noted(Assumption::StageRigid);
-        backlash: Angle => not_negative, example("3 arcmin"), noted(Assumption::StageNoBacklash);
+        inertia_driven: MomentOfInertia => not_negative, noted(KeyDefault::StageWithoutInertia);
+        stiffness: TorsionalStiffness => positive, noted(KeyDefault::StageRigid);
+        backlash: Angle => not_negative, example("3 arcmin"), noted(KeyDefault::StageNoBacklash);
         pitch_diameter: Length => positive;
     }
 }

@@ -1,6 +1,6 @@
 //! A value with its place and path in the file.
 
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::key::Key;
 use crate::read::{FoundValue, Reader, joined};
 use crate::value::KeyValue;
@@ -108,7 +108,7 @@ pub trait StatedField {
     /// Returns the name of its key.
     fn name(&self) -> &'static str;
     /// Returns the assumption that replaces a missing value, if the key has one.
-    fn note(&self) -> Option<Assumption>;
+    fn note(&self) -> Option<KeyDefault>;
     /// Returns its path in the file: `motion[2].speed`.
     fn path(&self) -> String;
     /// Returns the place of its value; that of the section without a valid value.
@@ -135,7 +135,7 @@ impl<T: KeyValue> StatedField for Stated<T> {
         self.key.name
     }
 
-    fn note(&self) -> Option<Assumption> {
+    fn note(&self) -> Option<KeyDefault> {
         self.key.note.filter(|_| !self.is_given())
     }
 

@@ -5,8 +5,6 @@ use crate::bodies::BodySection;
 use crate::key::{ColumnDimensions, Kind};
 use crate::read::{FoundValue, Reader};
 use crate::section::{Fields, OfKinds, Section, set};
-use actuator::CurvePoint;
-use mechanism::TablePoint;
 use quantities::unit::ONE;
 use quantities::{
     Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, CurrentGain, Dimension, EffectiveVoltage,
@@ -342,39 +340,40 @@ pub trait QuantityRow: Copy {
 /// Dimension of a cell of a row, and its value in SI.
 pub(crate) type ValueCell = (Dimension, f64);
 
-impl QuantityRow for TablePoint {
-    const COLUMNS: &'static [ColumnDimensions] =
-        &[&[Dimension::Angle], &[Dimension::MomentOfInertia], &[Dimension::Torque]];
+/// Declares rows of quantities: the number of their columns, and the dimensions of each.
+macro_rules! rows {
+    ($($(#[$doc:meta])* $Row:ident of $count:literal: $columns:expr;)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $Row([$crate::value::ValueCell; $count]);
 
-    fn of(cells: &[ValueCell]) -> Option<Self> {
-        let [(_, position), (_, inertia), (_, torque)] = *<&[ValueCell; 3]>::try_from(cells).ok()?;
-        Some(Self {
-            position: Angle::from_si(position),
-            inertia: MomentOfInertia::from_si(inertia),
-            torque: Torque::from_si(torque),
-        })
-    }
+        impl $Row {
+            /// Returns the values of its columns in SI.
+            #[must_use]
+            pub fn si(&self) -> [f64; $count] {
+                self.0.map(|(_, si)| si)
+            }
+        }
 
-    fn cells(&self) -> Vec<ValueCell> {
-        vec![cell(self.position), cell(self.inertia), cell(self.torque)]
-    }
+        impl $crate::value::QuantityRow for $Row {
+            const COLUMNS: &'static [$crate::key::ColumnDimensions] = $columns;
+
+            fn of(cells: &[$crate::value::ValueCell]) -> Option<Self> {
+                cells.try_into().ok().map(Self)
+            }
+
+            fn cells(&self) -> Vec<$crate::value::ValueCell> {
+                self.0.to_vec()
+            }
+        }
+    )+};
 }
 
-impl QuantityRow for CurvePoint {
-    const COLUMNS: &'static [ColumnDimensions] = &[&[Dimension::AngularVelocity], &[Dimension::Torque]];
-
-    fn of(cells: &[ValueCell]) -> Option<Self> {
-        let [(_, speed), (_, torque)] = *<&[ValueCell; 2]>::try_from(cells).ok()?;
-        Some(Self { speed: AngularVelocity::from_si(speed), torque: Torque::from_si(torque) })
-    }
-
-    fn cells(&self) -> Vec<ValueCell> {
-        vec![cell(self.speed), cell(self.torque)]
-    }
-}
-
-fn cell<Q: Measure>(quantity: Q) -> ValueCell {
-    (Q::DIMENSION, quantity.si())
+rows! {
+    /// A point of a table over the position: position, inertia and torque.
+    TableRow of 3: &[&[Dimension::Angle], &[Dimension::MomentOfInertia], &[Dimension::Torque]];
+    /// A corner point of a limit curve: speed and torque.
+    CurveRow of 2: &[&[Dimension::AngularVelocity], &[Dimension::Torque]];
 }
 
 /// Rows of quantities, each with its place.

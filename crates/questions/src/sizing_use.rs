@@ -3,9 +3,9 @@
 use crate::input_keys::InputKeys;
 use crate::progress::Stopped;
 use actuator::Parameters;
+use axis::Assumption;
 use axis::AxisProject;
 use configurator::{BrokenRule, Product, ProductId, Unmet};
-use project::Assumption;
 use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;

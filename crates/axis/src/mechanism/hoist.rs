@@ -2,8 +2,9 @@
 
 use crate::driven::{Driven, OnFlange, sound};
 use mechanism::MechanismKind;
+use project::KeyDefault;
 use project::sections::{Hoist, StatedField};
-use project::{Assumption, FaultReport};
+use project::FaultReport;
 
 impl Driven for Hoist {
     fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
@@ -25,9 +26,9 @@ impl Driven for Hoist {
         vec![&self.inertia, &self.mass]
     }
 
-    fn is_without_effect(&self, default: Assumption) -> bool {
+    fn is_without_effect(&self, default: KeyDefault) -> bool {
         // A single fall runs over no sheave.
-        default == Assumption::SheavesNoLosses && self.falls() == 1
+        default == KeyDefault::SheavesNoLosses && self.falls() == 1
     }
 
     fn travel(&self) -> Option<&dyn StatedField> {

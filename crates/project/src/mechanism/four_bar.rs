@@ -2,7 +2,7 @@
 
 use super::parts::{Friction, Losses, StartAngle};
 use super::MechanismName;
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::section::section;
 use quantities::{Angle, Length, Mass, MomentOfInertia, Torque};
@@ -15,16 +15,16 @@ section! {
         coupler: Length => positive, needed, example("350 mm");
         rocker: Length => positive, needed, example("250 mm");
         crossed: bool;
-        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
-        coupler_mass: Mass => not_negative, noted(Assumption::CouplerWeightless);
+        inertia: MomentOfInertia => not_negative, noted(KeyDefault::PartsWithoutInertia);
+        coupler_mass: Mass => not_negative, noted(KeyDefault::CouplerWeightless);
         coupler_centre: Length => not_negative, example("175 mm");
         coupler_inertia: MomentOfInertia => not_negative;
-        rocker_mass: Mass => not_negative, noted(Assumption::RockerWeightless);
+        rocker_mass: Mass => not_negative, noted(KeyDefault::RockerWeightless);
         rocker_centre: Length => not_negative, example("125 mm");
         rocker_inertia: MomentOfInertia => not_negative;
         rocker_torque: Torque;
         axis_tilt: Angle => needed;
-        inclination: Angle => noted(Assumption::GroundHorizontal);
+        inclination: Angle => noted(KeyDefault::GroundHorizontal);
         ..start: StartAngle;
         ..friction: Friction;
         ..losses: Losses;

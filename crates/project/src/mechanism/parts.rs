@@ -1,6 +1,6 @@
 //! Keys that several mechanisms have.
 
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::section::section;
 use quantities::{Angle, Force, Mass, MomentOfInertia, Torque, ViscousFriction};
@@ -8,7 +8,7 @@ use quantities::{Angle, Force, Mass, MomentOfInertia, Torque, ViscousFriction};
 section! {
     /// Friction and constant torque at the output.
     Friction, FrictionName of About::Friction {
-        friction_torque: Torque => not_negative, noted(Assumption::NoFriction);
+        friction_torque: Torque => not_negative, noted(KeyDefault::NoFriction);
         viscous_friction: ViscousFriction => not_negative;
         external_torque: Torque;
     }
@@ -17,8 +17,8 @@ section! {
 section! {
     /// Efficiencies between output and load.
     Losses, LossesName of About::Losses {
-        efficiency: f64 = 1.0 => within(0.01, 1.0), example("0.9"), noted(Assumption::NoLosses);
-        efficiency_back: f64 = 1.0 => within(0.0, 1.0), example("0.8"), noted(Assumption::LossesDoNotHelp);
+        efficiency: f64 = 1.0 => within(0.01, 1.0), example("0.9"), noted(KeyDefault::NoLosses);
+        efficiency_back: f64 = 1.0 => within(0.0, 1.0), example("0.8"), noted(KeyDefault::LossesDoNotHelp);
     }
 }
 
@@ -26,8 +26,8 @@ section! {
     /// A mass on a line, and the inertia that turns with the output.
     Slide, SlideName of About::Slide {
         mass: Mass => not_negative, needed;
-        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
-        inclination: Angle => noted(Assumption::TravelHorizontal);
+        inertia: MomentOfInertia => not_negative, noted(KeyDefault::PartsWithoutInertia);
+        inclination: Angle => noted(KeyDefault::TravelHorizontal);
     }
 }
 

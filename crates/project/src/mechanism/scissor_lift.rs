@@ -2,7 +2,7 @@
 
 use super::parts::{Friction, Losses, ProcessForce};
 use super::MechanismName;
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::section::section;
 use quantities::{Angle, Lead, Length, Mass, MomentOfInertia};
@@ -15,8 +15,8 @@ section! {
         lead: Lead => positive, needed, example("10 mm");
         arm_angle: Angle => needed, example("20 deg");
         mass: Mass => not_negative, needed;
-        arm_mass: Mass => not_negative, example("60 kg"), noted(Assumption::ArmsWeightless);
-        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
+        arm_mass: Mass => not_negative, example("60 kg"), noted(KeyDefault::ArmsWeightless);
+        inertia: MomentOfInertia => not_negative, noted(KeyDefault::PartsWithoutInertia);
         ..process: ProcessForce;
         ..friction: Friction;
         ..losses: Losses;

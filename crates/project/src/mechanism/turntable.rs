@@ -2,7 +2,7 @@
 
 use super::parts::{Friction, Losses};
 use super::MechanismName;
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::bodies::BodySection;
 use crate::section::section;
@@ -14,7 +14,7 @@ section! {
     Turntable, TurntableName of About::Mechanism, MechanismName::Turntable {
         body: Tables<BodySection>;
         bodies: BodyLines;
-        axis_tilt: Angle => noted(Assumption::AxisVertical);
+        axis_tilt: Angle => noted(KeyDefault::AxisVertical);
         start_angle: Angle;
         payload_distance: Length => not_negative;
         ..friction: Friction;

@@ -2,7 +2,7 @@
 
 use super::parts::{Friction, Losses};
 use super::MechanismName;
-use crate::Assumption;
+use crate::KeyDefault;
 use crate::about::About;
 use crate::choices::WebWinding;
 use crate::section::section;
@@ -19,7 +19,7 @@ section! {
         width: Length => positive, needed, example("600 mm");
         density: MassDensity => positive, needed, example("900 kg/m^3");
         tension: Force => not_negative, needed, example("120 N");
-        inertia: MomentOfInertia => not_negative, noted(Assumption::PartsWithoutInertia);
+        inertia: MomentOfInertia => not_negative, noted(KeyDefault::PartsWithoutInertia);
         ..friction: Friction;
         ..losses: Losses;
     }

@@ -66,7 +66,7 @@ pub fn explanations(
 }
 
 /// Returns the assumptions as text.
-pub(super) fn assumptions(assumptions: &[project::Assumption], language: Language) -> Vec<String> {
+pub(super) fn assumptions(assumptions: &[axis::Assumption], language: Language) -> Vec<String> {
     assumptions.iter().map(|assumption| assumption_text(*assumption, language)).collect()
 }
 

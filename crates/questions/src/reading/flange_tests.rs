@@ -118,18 +118,18 @@ fn stated_loads_beside_those_of_the_mechanism_need_a_word() {
             let said = text("", segment, &format!("mechanism = \"{word}\"\n{bearing}"));
             let assumptions = read(&said).assumptions;
             let expected = match word {
-                "add" => project::Assumption::FlangeLoadsAddUp,
-                _ => project::Assumption::FlangeLoadsIgnored,
+                "add" => axis::Assumption::FlangeLoadsAddUp,
+                _ => axis::Assumption::FlangeLoadsIgnored,
             };
             assert!(assumptions.contains(&expected), "{word}: {assumptions:?}");
         }
     }
     let replaced = read(&text("", &segment, "mechanism = \"replace\"\noverhang = \"45 mm\""));
-    assert!(replaced.assumptions.contains(&project::Assumption::FlangeLoadsReplaced));
+    assert!(replaced.assumptions.contains(&axis::Assumption::FlangeLoadsReplaced));
     let load = format!(
         "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[bearing]\n{loads}\n"
     );
-    assert!(!read(&load).assumptions.contains(&project::Assumption::FlangeLoadsIgnored));
+    assert!(!read(&load).assumptions.contains(&axis::Assumption::FlangeLoadsIgnored));
 }
 
 #[test]

@@ -1,8 +1,9 @@
 //! AxisProject files: what is read, what is refused, and with which words.
 
 use crate::reading::schema;
+use axis::Assumption;
 use axis::{AxisProject, NoFiles, Varied};
-use project::{Assumption, PROJECT_MAX_BYTES};
+use project::PROJECT_MAX_BYTES;
 use quantities::{Language, Measure};
 use sizing::CheckId;
 use words::Worded;
@@ -41,12 +42,12 @@ fn a_good_project_is_read() {
     assert_eq!(
         project.assumptions,
         [
-            Assumption::AmbientWithinRange,
+            Assumption::Default(project::KeyDefault::AmbientWithinRange),
             Assumption::ConditionsWithinRange,
             Assumption::CoolingPlate,
-            Assumption::NoSupply,
+            Assumption::Default(project::KeyDefault::NoSupply),
             Assumption::NoFlangeLoads,
-            Assumption::OrdinaryApplication,
+            Assumption::Default(project::KeyDefault::OrdinaryApplication),
         ]
     );
 }
@@ -267,7 +268,7 @@ fn a_screw_axis_may_be_written_along_its_line() {
     assert!((solved(&line).time.si() - solved(&turning).time.si()).abs() < 1e-12);
     // T = d/v + v/a + a/j by hand: 1.5 + 0.1 + 0.04.
     assert!((solved(&line).time.si() - 1.64).abs() < 1e-12);
-    assert!(line.assumptions.contains(&Assumption::LossesDoNotHelp));
+    assert!(line.assumptions.contains(&Assumption::Default(project::KeyDefault::LossesDoNotHelp)));
     let one_way = text("300 mm", "0.2 m/s").replace("-300 mm", "-200 mm");
     assert!(messages(&one_way)[0].contains("does not close"), "{:?}", messages(&one_way));
     assert!(crate::read(&format!("{one_way}[axis]\nsingle_move = true\n")).is_ok());

@@ -109,7 +109,7 @@ fn a_cubic_through_points_of_a_cubic_demands_what_the_polynomial_does() {
     let rms = ((inertia * alpha).powi(2) / 3.0 + friction * friction).sqrt();
     assert!(close(demand.torque_rms.si(), rms), "{:?} {rms}", demand.torque_rms);
     let notes = project.assumptions;
-    assert!(notes.contains(&project::Assumption::SplineThroughPoints(motion::Spline::Cubic)), "{notes:?}");
+    assert!(notes.contains(&axis::Assumption::SplineThroughPoints(motion::Spline::Cubic)), "{notes:?}");
 }
 
 /// Line and identifier of every fault.

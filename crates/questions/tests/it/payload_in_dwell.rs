@@ -1,7 +1,7 @@
 //! A dwell that states no payload behind a move with one carries nothing, which is listed as assumed.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use project::Assumption;
+use axis::Assumption;
 use quantities::{Measure, MomentOfInertia};
 
 fn project(single: bool, dwells: [&str; 2], payload: &str) -> axis::AxisProject {

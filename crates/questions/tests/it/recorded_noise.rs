@@ -2,8 +2,8 @@
 //! its kind, its interval or on the columns that are there.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
+use axis::Assumption;
 use axis::{AxisProject, Files};
-use project::Assumption;
 use quantities::{Measure, MomentOfInertia};
 use std::fmt::Write as _;
 

@@ -2,8 +2,9 @@
 //! taken without a word.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
+use axis::Assumption;
 use axis::{AxisProject, Files};
-use project::{Assumption, Fault};
+use project::Fault;
 use quantities::{Measure, MomentOfInertia};
 use std::fmt::Write as _;
 

@@ -2,11 +2,12 @@
 
 use crate::marks::{FACTOR, WRONG, has_own_marks, x};
 use actuator::{BatteryFault, CurveFault, CurveKind};
+use axis::Assumption;
 use configurator::{BrokenRule, Rule, Unmet};
 use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, Needed, PointsFault, RecordedFault};
 use order_code::{Brake, CodeError, Field};
-use project::{Assumption, BODY_SHAPES, Expected, Fault, FileTrouble, Hint, Range, SegmentLaw, Unopened};
+use project::{BODY_SHAPES, Expected, Fault, FileTrouble, Hint, Range, SegmentLaw, Unopened};
 use provenance::{Grade, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};

@@ -1,22 +1,18 @@
-//! Defaults that the file leaves open.
+//! Defaults that the user did not confirm.
 
 use motion::{Alternating, MadeUp, Remark, RestNoise, Spline, Spurious, SteppedColumn};
+use project::KeyDefault;
+use project::sections::StatedField;
 
 /// A default that the user did not confirm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Assumption {
-    /// No friction torque is given: zero is assumed.
-    NoFriction,
-    /// No ambient temperature is given: the values of the manual hold up to 40 °C.
-    AmbientWithinRange,
+    /// Default of a key that is not stated.
+    Default(KeyDefault),
     /// Not all conditions of use are stated: those that are missing are within the manufacturer's.
     ConditionsWithinRange,
     /// The plate of table 13.3 cools the actuator.
     CoolingPlate,
-    /// A DC link voltage is given without a modulation reserve.
-    ModulationReserve,
-    /// No DC link voltage is given: the terminal voltage is not checked.
-    NoSupply,
     /// The DC link is that of a three-phase rectifier without control.
     Rectifier,
     /// The DC link is that of an uncontrolled three-phase rectifier, and the mains voltage varies by 10 %.
@@ -47,64 +43,22 @@ pub enum Assumption {
     FlangeLoadsIgnored,
     /// Loads on the flange of a segment replace those of the mechanism there, as stated in the file.
     FlangeLoadsReplaced,
-    /// No share is given: the flange bears the loads of the mechanism alone.
-    FlangeBearsAll,
     /// The bodies on the flange have no products of inertia.
     FlangeBodiesFlat,
     /// No tilt of the axis is given: the flange looks upwards.
     FlangeUpwards,
     /// A payload given by its inertia loads the flange with no weight.
     PayloadInertiaWeightless,
-    /// No mass of pulley, pinion or crank is given.
-    WheelWeightless,
-    /// No helix angle is given: spur teeth.
-    SpurTeeth,
     /// With a stage the mechanism does not load the flange.
     MechanismOnOwnBearings,
-    /// No efficiency of the stage is given.
-    StageNoLosses,
-    /// No efficiency of the stage for driving backwards is given.
-    StageLossesDoNotHelp,
-    /// No inertia of the stage is given.
-    StageWithoutInertia,
-    /// No stiffness of the stage is given.
-    StageRigid,
-    /// No backlash of the stage is given.
-    StageNoBacklash,
     /// The best of several ratios was chosen.
     StageRatioChosen,
-    /// No efficiency of the mechanism is given: one is assumed.
-    NoLosses,
-    /// No efficiency for driving backwards is given: the losses do not help to brake.
-    LossesDoNotHelp,
-    /// No inclination of a linear travel is given: horizontal.
-    TravelHorizontal,
-    /// No inclination of the ground link of a four-bar linkage is given: horizontal.
-    GroundHorizontal,
-    /// No tilt of the axis of rotation is given: vertical.
-    AxisVertical,
-    /// No inertia of the rotating parts of a mechanism is given: zero.
-    PartsWithoutInertia,
-    /// No mass of the rope is given: zero.
-    RopeWeightless,
-    /// No efficiency of the rope sheaves is given: one.
-    SheavesNoLosses,
-    /// No mass of the arms of a scissor lift is given: zero.
-    ArmsWeightless,
-    /// No mass of the coupler of a four-bar linkage is given: zero.
-    CouplerWeightless,
-    /// No mass of the rocker of a four-bar linkage is given: zero.
-    RockerWeightless,
     /// A trapezoid given by two quantities accelerates, runs and brakes for a third of the time each.
     TrapezoidThirds,
     /// A single move is judged as if it were repeated without a pause.
     SingleMoveRepeats,
-    /// No special field of application is stated.
-    OrdinaryApplication,
     /// A quantity with a tolerance is uniform within its band and independent of the others.
     UniformTolerances,
-    /// The motor carries the load in a dwell without `hold`.
-    MotorHolds,
     /// A dwell behind a move with a payload states none: nothing is carried in it.
     NoPayloadInDwell,
     /// The payload of a turntable lies in the direction of the common centre of mass of the bodies.
@@ -150,12 +104,12 @@ const STEPS: MadeUp = MadeUp {
 impl Assumption {
     /// Assumptions in their order, with example arguments.
     pub const ALL: [Self; 78] = [
-        Self::NoFriction,
-        Self::AmbientWithinRange,
+        Self::Default(KeyDefault::NoFriction),
+        Self::Default(KeyDefault::AmbientWithinRange),
         Self::ConditionsWithinRange,
         Self::CoolingPlate,
-        Self::ModulationReserve,
-        Self::NoSupply,
+        Self::Default(KeyDefault::ModulationReserve),
+        Self::Default(KeyDefault::NoSupply),
         Self::Rectifier,
         Self::RectifierAndDeviation,
         Self::SinglePhaseRectifier,
@@ -171,35 +125,35 @@ impl Assumption {
         Self::FlangeLoadsAddUp,
         Self::FlangeLoadsIgnored,
         Self::FlangeLoadsReplaced,
-        Self::FlangeBearsAll,
+        Self::Default(KeyDefault::FlangeBearsAll),
         Self::FlangeBodiesFlat,
         Self::FlangeUpwards,
         Self::PayloadInertiaWeightless,
-        Self::WheelWeightless,
-        Self::SpurTeeth,
+        Self::Default(KeyDefault::WheelWeightless),
+        Self::Default(KeyDefault::SpurTeeth),
         Self::MechanismOnOwnBearings,
-        Self::StageNoLosses,
-        Self::StageLossesDoNotHelp,
-        Self::StageWithoutInertia,
-        Self::StageRigid,
-        Self::StageNoBacklash,
+        Self::Default(KeyDefault::StageNoLosses),
+        Self::Default(KeyDefault::StageLossesDoNotHelp),
+        Self::Default(KeyDefault::StageWithoutInertia),
+        Self::Default(KeyDefault::StageRigid),
+        Self::Default(KeyDefault::StageNoBacklash),
         Self::StageRatioChosen,
-        Self::NoLosses,
-        Self::LossesDoNotHelp,
-        Self::TravelHorizontal,
-        Self::GroundHorizontal,
-        Self::AxisVertical,
-        Self::PartsWithoutInertia,
-        Self::RopeWeightless,
-        Self::SheavesNoLosses,
-        Self::ArmsWeightless,
-        Self::CouplerWeightless,
-        Self::RockerWeightless,
+        Self::Default(KeyDefault::NoLosses),
+        Self::Default(KeyDefault::LossesDoNotHelp),
+        Self::Default(KeyDefault::TravelHorizontal),
+        Self::Default(KeyDefault::GroundHorizontal),
+        Self::Default(KeyDefault::AxisVertical),
+        Self::Default(KeyDefault::PartsWithoutInertia),
+        Self::Default(KeyDefault::RopeWeightless),
+        Self::Default(KeyDefault::SheavesNoLosses),
+        Self::Default(KeyDefault::ArmsWeightless),
+        Self::Default(KeyDefault::CouplerWeightless),
+        Self::Default(KeyDefault::RockerWeightless),
         Self::TrapezoidThirds,
         Self::SingleMoveRepeats,
-        Self::OrdinaryApplication,
+        Self::Default(KeyDefault::OrdinaryApplication),
         Self::UniformTolerances,
-        Self::MotorHolds,
+        Self::Default(KeyDefault::MotorHolds),
         Self::NoPayloadInDwell,
         Self::PayloadTowardsCentre,
         Self::RecordedTorqueAdds,
@@ -236,6 +190,11 @@ impl Assumption {
         Self::SplineThroughPoints(Spline::Cubic),
         Self::SplineThroughPoints(Spline::Quintic),
     ];
+}
+
+/// Returns the default of a field that is not stated, if its key has one.
+pub(crate) fn unstated(field: &dyn StatedField) -> Option<Assumption> {
+    field.note().map(Assumption::Default)
 }
 
 /// A move in which the axis comes back, because its distance is shorter than its change of speed.
