@@ -3,8 +3,9 @@
 use crate::draft;
 use crate::text::{any_edits, mutate, one_in, rest, tells};
 use arbitrary::{Result, Unstructured};
+use axis::AxisDiagnostic;
 use axis::AxisProject;
-use project::{Diagnostic, inputs, place};
+use project::{inputs, place};
 use quantities::{Language, is_unseen, seen};
 use questions::{answer, project_fingerprint};
 use std::ops::Range;
@@ -40,7 +41,7 @@ pub fn hold(text: &str) -> Option<Vec<AxisProject>> {
 /// Tests the faults of a text that is read by another function, and returns the projects if there are none.
 pub fn read(
     text: &str,
-    with: impl FnOnce() -> std::result::Result<Vec<AxisProject>, Vec<project::Diagnostic>>,
+    with: impl FnOnce() -> std::result::Result<Vec<AxisProject>, Vec<axis::AxisDiagnostic>>,
 ) -> Option<Vec<AxisProject>> {
     let faults = match with() {
         Ok(projects) => {
@@ -74,7 +75,7 @@ pub fn read(
 }
 
 /// Tests the texts of faults, also as shown within the project text, and returns their ids and places.
-fn wording(text: &str, faults: &[Diagnostic], language: Language) -> Vec<(&'static str, Range<usize>)> {
+fn wording(text: &str, faults: &[AxisDiagnostic], language: Language) -> Vec<(&'static str, Range<usize>)> {
     let worded = worded(faults, language);
     for fault in &worded {
         tells(&fault.message);

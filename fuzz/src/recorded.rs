@@ -10,8 +10,8 @@ use arbitrary::{Result, Unstructured};
 pub(crate) use columns::{Columns, GeneratedColumn, edit_bytes};
 pub(crate) use table::encoded;
 
+use axis::AxisDiagnostic;
 use axis::{AxisProject, Files};
-use project::{Diagnostic, Fault};
 use questions::{answer, check, course, moves};
 use recording::{Bytes, Damage, Fault as RecordingFault, Memory, Table, TableValues};
 use std::io::Read;
@@ -179,7 +179,7 @@ fn project(u: &mut Unstructured<'_>, file: &str) -> Result<String> {
 }
 
 /// Returns `true` if the faults of a file were found after its footer, or there are none.
-fn is_past_the_footer(faults: &[Diagnostic]) -> bool {
+fn is_past_the_footer(faults: &[AxisDiagnostic]) -> bool {
     let at_the_footer = |fault: &RecordingFault| match fault {
         RecordingFault::ParquetUnreadable { reason } => {
             matches!(reason, Damage::NoParquet | Damage::Encrypted | Damage::Footer)
@@ -188,15 +188,15 @@ fn is_past_the_footer(faults: &[Diagnostic]) -> bool {
         _ => false,
     };
     faults.iter().all(|fault| match &fault.fault {
-        Fault::Recording { fault, .. } => !at_the_footer(fault),
-        Fault::Recorded { .. } => true,
+        axis::AxisFault::Recording { fault, .. } => !at_the_footer(fault),
+        axis::AxisFault::Recorded { .. } => true,
         _ => false,
     })
 }
 
 /// Checks that a recording can be shown and judged, in half of the cases; one actuator is enough, the target `axis`
 /// covers the others. Counts the cases for which `past` reports that they passed the gate.
-fn hold(text: &str, file: &[u8], past: fn(&[Diagnostic]) -> bool) {
+fn hold(text: &str, file: &[u8], past: fn(&[AxisDiagnostic]) -> bool) {
     let read_it = || {
         let read = questions::read_all(text, &Only(file));
         // CSV has no gate, so its cases are not counted.

@@ -1,13 +1,14 @@
 //! Quantities along the line of a mechanism.
 
+use crate::fault::AxisReport;
+use project::Fault;
 use project::sections::{Along, Stated, StatedField, Turning};
-use project::{Fault, FaultReport};
 
 /// Converts a quantity to the output.
 pub(crate) fn turned<Q: Turning>(
     stated: &Stated<Along<Q>>,
     travel: Option<f64>,
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) -> Option<Q> {
     let along = stated.value()?;
     match (along.is_of_a_line, travel) {

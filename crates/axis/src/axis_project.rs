@@ -1,9 +1,11 @@
 //! One axis of a project, built from its section.
 
 use crate::assumption::Assumption;
+use crate::bodies::{InertiaAnswer, summed};
 use crate::catalogue::Catalogue;
 use crate::curves;
 use crate::draft::{assumptions, build_actuator, finish, prepare, requirements};
+use crate::fault::{AxisDiagnostic, AxisReport};
 use crate::files::{Files, NoFiles};
 use crate::mechanism::driven;
 use crate::recordings::{RecordingRead, Recordings};
@@ -14,7 +16,7 @@ use crate::twin::{self, TwinInput};
 use configurator::{Product, Requirements};
 use order_code::{Option1, Option2};
 use project::sections::{AxisSection, StageSection};
-use project::{Diagnostic, Fault, FaultReport, InertiaAnswer, ReadProject, SegmentLaw, Tolerance, summed};
+use project::{Diagnostic, Fault, ReadProject, SegmentLaw, Tolerance};
 use sizing::Axis;
 use std::sync::Arc;
 
@@ -75,11 +77,11 @@ impl AxisProject {
     ///
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
-    pub fn read(text: &str, catalogue: &Arc<dyn Catalogue>, choose: Choose<'_>) -> Result<Self, Vec<Diagnostic>> {
+    pub fn read(text: &str, catalogue: &Arc<dyn Catalogue>, choose: Choose<'_>) -> Result<Self, Vec<AxisDiagnostic>> {
         let mut axes = Self::read_all(text, &NoFiles, catalogue, choose)?;
         match (axes.pop(), axes.is_empty()) {
             (Some(only), true) => Ok(only),
-            _ => Err(vec![Diagnostic::at(text, 0..0, Fault::OneAxisOnly, None)]),
+            _ => Err(vec![Diagnostic::at(text, 0..0, Fault::OneAxisOnly.into(), None)]),
         }
     }
 
@@ -92,8 +94,10 @@ impl AxisProject {
         files: &dyn Files,
         catalogue: &Arc<dyn Catalogue>,
         choose: Choose<'_>,
-    ) -> Result<Vec<Self>, Vec<Diagnostic>> {
-        Self::build_all(project::read(text)?, files, catalogue, choose)
+    ) -> Result<Vec<Self>, Vec<AxisDiagnostic>> {
+        let read =
+            project::read(text).map_err(|faults| faults.into_iter().map(Diagnostic::into_other).collect::<Vec<_>>())?;
+        Self::build_all(read, files, catalogue, choose)
     }
 
     /// Builds the axes of a project, in their order, with the files that it refers to.
@@ -105,8 +109,9 @@ impl AxisProject {
         files: &dyn Files,
         catalogue: &Arc<dyn Catalogue>,
         choose: Choose<'_>,
-    ) -> Result<Vec<Self>, Vec<Diagnostic>> {
-        let ReadProject { project, mut report } = read;
+    ) -> Result<Vec<Self>, Vec<AxisDiagnostic>> {
+        let ReadProject { project, report } = read;
+        let mut report: AxisReport<'_> = report.into_other();
         let with_curves = curves::read(&project.shared.curves, catalogue, &mut report);
         let catalogue = with_curves.as_ref().unwrap_or(catalogue);
         let mut recordings = Recordings::new(files);
@@ -132,7 +137,7 @@ impl AxisProject {
     fn build(
         root: AxisSource,
         (catalogue, choose): (&Arc<dyn Catalogue>, Choose<'_>),
-        report: &mut FaultReport<'_>,
+        report: &mut AxisReport<'_>,
     ) -> Option<Self> {
         let root = &root;
         let axis = prepare(root, &**catalogue, report).map(|draft| finish(root, draft));
@@ -173,7 +178,7 @@ impl AxisProject {
     fn with_ratio(&self, root: &AxisSource, ratio: f64) -> Option<Self> {
         let mut root = root.clone();
         root.set_ratio(ratio);
-        let draft = prepare(&root, &*self.catalogue, &mut FaultReport::new(""))?;
+        let draft = prepare(&root, &*self.catalogue, &mut AxisReport::new(""))?;
         let axis = finish(&root, draft);
         let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
         Some(Self { axis, root, assumptions, ..self.clone() })

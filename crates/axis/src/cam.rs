@@ -2,11 +2,12 @@
 
 use crate::along::turned;
 use crate::choices;
+use crate::fault::{AxisFault, AxisReport};
 use crate::needs::needs;
 use motion::{EndState, Ends, Points, PointsFault};
+use project::Fault;
 use project::choices::Spline;
 use project::sections::{CamEnds, Segment, StatedField, Written};
-use project::{Fault, FaultReport};
 use quantities::{Angle, AngularVelocity, Dimension, Measure, Time};
 use std::sync::Arc;
 
@@ -16,7 +17,7 @@ pub(crate) fn through_points(
     segment: &Segment,
     end_speed: Option<AngularVelocity>,
     travel: Option<f64>,
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) -> Option<Arc<Points>> {
     let before = report.fault_count();
     let (spline, ends) = (segment.spline.value(), segment.ends.value());
@@ -76,7 +77,7 @@ pub(crate) fn through_points(
                     PointsFault::TooFew { .. } | PointsFault::Uneven => None,
                 };
                 let span = row.map_or_else(|| segment.points.span(), |(_, span)| span.clone());
-                report.fault(span, Fault::Points(fault), None);
+                report.fault(span, AxisFault::Points(fault), None);
             }
             None
         }
@@ -84,7 +85,7 @@ pub(crate) fn through_points(
 }
 
 /// Reports speeds and accelerations at the ends that are missing or that spline and ends do not use.
-fn end_keys(segment: &Segment, spline: Option<Spline>, ends: Option<CamEnds>, report: &mut FaultReport<'_>) {
+fn end_keys(segment: &Segment, spline: Option<Spline>, ends: Option<CamEnds>, report: &mut AxisReport<'_>) {
     let Some(ends) = ends else { return };
     let fields: [(&dyn StatedField, bool); 4] = [
         (&segment.start_speed, true),

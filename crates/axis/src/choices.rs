@@ -17,6 +17,7 @@ in_the_engine! {
     law: Law => ::motion::Law { Trapezoid, Triangle, Jerk, Polynomial5, ModifiedSine, ModifiedTrapezoid, SimpleSine, InclinedSine, Constant }
     hold: Hold => ::motion::Hold { Motor, Brake, Free }
     spline: Spline => ::motion::Spline { Cubic, Quintic }
+    orientation: Orientation => ::mechanism::Orientation { Parallel, Perpendicular }
     stage_kind: StageKind => ::mechanism::StageKind { Belt, Gear, Coupling }
     winding: WebWinding => ::mechanism::Winding { Up, Off }
     operating_condition: OperatingCondition => ::sizing::OperatingCondition { Normal, Shock, HighAccuracy }

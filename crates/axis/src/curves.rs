@@ -1,11 +1,12 @@
 //! Curves that the user measured or digitised, for actuators of the catalogue.
 
 use crate::catalogue::Catalogue;
+use crate::fault::{AxisFault, AxisReport};
 use actuator::{Battery, Curve, CurvePoint, Parameters};
 use configurator::{Product, ProductId};
 use order_code::{OrderCode, Pattern};
+use project::Fault;
 use project::sections::{CurveLimit, CurveRow, CurveSection, Rows, Section, Stated, StatedField};
-use project::{Fault, FaultReport};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{AngularVelocity, Measure, Torque};
 use sizing::BrakeTimes;
@@ -93,7 +94,7 @@ impl UserCurve {
 pub(crate) fn read(
     sections: &[CurveSection],
     catalogue: &Arc<dyn Catalogue>,
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) -> Option<Arc<dyn Catalogue>> {
     let mut found = Vec::new();
     for (index, section) in sections.iter().enumerate().filter(|(_, section)| section.is_whole()) {
@@ -124,11 +125,11 @@ pub(crate) fn read(
 }
 
 /// Builds a curve from its corner points.
-pub(crate) fn curve(points: &Stated<Rows<CurveRow>>, report: &mut FaultReport<'_>) -> Option<Curve> {
+pub(crate) fn curve(points: &Stated<Rows<CurveRow>>, report: &mut AxisReport<'_>) -> Option<Curve> {
     match Curve::new(points.get()?.values().iter().map(corner).collect()) {
         Ok(curve) => Some(curve),
         Err(fault) => {
-            report.fault(points.span(), Fault::Curve(fault), None);
+            report.fault(points.span(), AxisFault::Curve(fault), None);
             None
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::assumption::{Assumption, unstated};
 use crate::catalogue::Catalogue;
+use crate::fault::AxisReport;
 use crate::mechanism::{self, driven};
 use crate::source::AxisSource;
 use crate::{computed, flange, motion, order, own, requirements, stage};
@@ -9,7 +10,7 @@ use ::mechanism::{Extra, Mechanism};
 use ::motion::Motion;
 use configurator::{Product, Requirements};
 use project::sections::{RequirementsSection, Section, StatedField};
-use project::{Fault, FaultReport, Hint};
+use project::{Fault, Hint};
 use sizing::{Axis, BearingDuty, BrakeTimes};
 
 /// Returns the defaults that were used.
@@ -55,7 +56,7 @@ pub(crate) struct Draft {
 }
 
 /// Prepares an axis and reports all of its faults; [`finish`] only computes.
-pub(crate) fn prepare(root: &AxisSource, catalogue: &dyn Catalogue, report: &mut FaultReport<'_>) -> Option<Draft> {
+pub(crate) fn prepare(root: &AxisSource, catalogue: &dyn Catalogue, report: &mut AxisReport<'_>) -> Option<Draft> {
     if !root.parts.motion.is_written() && !report.is_damaged() {
         let hint = Hint::Example("[[motion]]".to_owned());
         let fault = Fault::MissingKey { path: root.parts.motion.name().to_owned(), list: true };
@@ -101,7 +102,7 @@ pub(crate) fn finish(root: &AxisSource, draft: Draft) -> Axis {
 pub(crate) fn build_actuator(
     root: &AxisSource,
     catalogue: &dyn Catalogue,
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) -> Option<Product> {
     own::build(root.parts.actuator.get()?, catalogue.own_actuator(), report)
 }

@@ -1,11 +1,12 @@
 //! The load of an axis, or a mechanism with its load, as the file states it.
 
+use crate::fault::{AxisFault, AxisReport};
 use mechanism::{Geometry, MechanismKind};
 use project::KeyDefault;
 use project::sections::{
     Bearing, BodySection, Fields, Friction, Losses, ProcessForce, StartAngle, Stated, StatedField, group,
 };
-use project::{Fault, FaultReport};
+
 use quantities::{Angle, Force};
 
 /// Part that loads the flange.
@@ -21,7 +22,7 @@ pub(crate) enum OnFlange<'s> {
 /// A load, or a mechanism with its load, as the file states it.
 pub(crate) trait Driven: Fields {
     /// Builds the mechanism; `None` after a fault or if a value is missing.
-    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind>;
+    fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind>;
 
     /// Returns the keys from which its inertia follows.
     fn inertia(&self) -> Vec<&dyn StatedField> {
@@ -96,11 +97,11 @@ pub(crate) trait Driven: Fields {
 }
 
 /// Reports every fault of the lengths and angles of a mechanism.
-pub(crate) fn sound(section: &impl Fields, faults: Vec<Geometry>, report: &mut FaultReport<'_>) -> Option<()> {
+pub(crate) fn sound(section: &impl Fields, faults: Vec<Geometry>, report: &mut AxisReport<'_>) -> Option<()> {
     let is_sound = faults.is_empty();
     for fault in faults {
         let span = section.field(fault.key()).map_or_else(|| section.head().span.clone(), StatedField::span);
-        report.fault(span, Fault::Geometry(fault), None);
+        report.fault(span, AxisFault::Geometry(fault), None);
     }
     is_sound.then_some(())
 }

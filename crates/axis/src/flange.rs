@@ -3,12 +3,13 @@
 use crate::assumption::{Assumption, unstated};
 use crate::choices;
 use crate::driven::OnFlange;
+use crate::fault::AxisReport;
 use crate::mechanism::driven;
 use crate::needs::needs;
 use actuator::FlangeLoad;
 use mechanism::{Contact, Mechanism, Mounting, StageKind};
 use project::sections::{AxisSection, Bearing, Derived, FlangeLoads, Section, StatedField};
-use project::{Fault, FaultReport, Hint};
+use project::{Fault, Hint};
 use quantities::Measure;
 use quantities::unit::DEGREE;
 use sizing::{BearingDuty, DerivedLoads};
@@ -37,7 +38,7 @@ fn build(loads: &FlangeLoads) -> FlangeLoad {
 }
 
 /// Reports a force without its distance, and the reverse.
-fn pairs(loads: &FlangeLoads, report: &mut FaultReport<'_>) {
+fn pairs(loads: &FlangeLoads, report: &mut AxisReport<'_>) {
     let pairs: [[&dyn StatedField; 2]; 2] =
         [[&loads.radial_force, &loads.radial_distance], [&loads.axial_force, &loads.axial_distance]];
     for [force, distance] in pairs {
@@ -95,7 +96,7 @@ fn states_loads(axis: &AxisSection) -> Option<&dyn StatedField> {
 
 /// Reports loads that are stated next to a mechanism with loads of its own, without a statement of their use: both
 /// adding and ignoring them would be a guess. Returns `true` if it did.
-fn undecided(axis: &AxisSection, report: &mut FaultReport<'_>) -> bool {
+fn undecided(axis: &AxisSection, report: &mut AxisReport<'_>) -> bool {
     let decided = axis.parts.bearing.get().is_some_and(|section| section.mechanism.is_written());
     let Some(field) = states_loads(axis).filter(|_| !decided && loads_flange(axis)) else { return false };
     let fault = Fault::FlangeLoadsUndecided { key: field.name(), section: axis.path("bearing") };
@@ -104,7 +105,7 @@ fn undecided(axis: &AxisSection, report: &mut FaultReport<'_>) -> bool {
 }
 
 /// Returns the loads on the flange and the requirements on the bearing.
-pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, report: &mut FaultReport<'_>) -> BearingDuty {
+pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, report: &mut AxisReport<'_>) -> BearingDuty {
     let absent = Bearing::absent(axis.head());
     let section = axis.parts.bearing.get().unwrap_or(&absent);
     let own: Vec<Option<&FlangeLoads>> = axis.segments().iter().map(|segment| segment.bearing.get()).collect();
@@ -134,7 +135,7 @@ pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, report: &mut Fault
 }
 
 /// Reports faults of the stated loads that need no mechanism: a force needs its distance.
-pub(crate) fn stated(axis: &AxisSection, report: &mut FaultReport<'_>) {
+pub(crate) fn stated(axis: &AxisSection, report: &mut AxisReport<'_>) {
     if let Some(section) = axis.parts.bearing.get() {
         pairs(&section.loads, report);
     }
@@ -149,7 +150,7 @@ fn mounting(
     axis: &AxisSection,
     section: &Bearing,
     (mechanism, how): (&Mechanism, Derived),
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) -> Option<Mounting> {
     if !mechanism.knows_flange_forces() {
         report.fault(section.mechanism.span(), Fault::NoFlangeLoads, Some(Hint::MechanismsWithLoads));

@@ -3,9 +3,9 @@
 use crate::axis_project::AxisProject;
 use crate::draft::{finish, prepare};
 use crate::driven::Driven;
+use crate::fault::AxisReport;
 use crate::mechanism::driven;
 use mechanism::{Stage, StageKind};
-use project::FaultReport;
 use project::sections::StatedField;
 use quantities::unit::{MILLIMETRE, ONE};
 use quantities::{Measure, MomentOfInertia, Unit};
@@ -37,7 +37,7 @@ impl AxisProject {
     pub fn with_value(&self, path: &str, si: f64) -> Option<Self> {
         let mut root = self.root.clone();
         root.set(path, si)?;
-        let mut report = FaultReport::new("");
+        let mut report = AxisReport::new("");
         let draft = prepare(&root, &*self.catalogue, &mut report)?;
         (report.fault_count() == 0).then(|| Self { axis: finish(&root, draft), root, ..self.clone() })
     }
@@ -60,7 +60,7 @@ impl AxisProject {
             backlash: None,
             pitch_diameter: None,
         };
-        let mut draft = prepare(&self.root, &*self.catalogue, &mut FaultReport::new(""))?;
+        let mut draft = prepare(&self.root, &*self.catalogue, &mut AxisReport::new(""))?;
         draft.mechanism.stage = Some(stage);
         draft.motion = draft.motion.geared(ratio);
         (draft.bearing.has_loads, draft.bearing.derived) = (false, None);

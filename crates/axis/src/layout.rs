@@ -1,7 +1,8 @@
 //! Layout of a recording as a segment states it: columns, units and window.
 
+use crate::fault::{AxisFault, AxisReport};
 use project::sections::{Gaps, Section, Segment, Stated, StatedField, TimeStamps};
-use project::{Fault, FaultReport, Hint, shortened};
+use project::{Fault, Hint, shortened};
 use quantities::Unit;
 use recording::{ColumnSpec, Layout, Role};
 
@@ -12,7 +13,7 @@ const UNIT_SHOWN: usize = 40;
 const NO_COLUMN: &str = "none";
 
 /// Returns the layout that a segment states; reports units that are not known.
-pub(crate) fn layout(segment: &Segment, report: &mut FaultReport<'_>) -> Layout {
+pub(crate) fn layout(segment: &Segment, report: &mut AxisReport<'_>) -> Layout {
     let (columns, units) = (segment.columns.get(), segment.units.get());
     let mut column = |name: Option<&Stated<String>>, unit: Option<&Stated<String>>, role: Role| {
         let name = name.and_then(Stated::get);
@@ -54,10 +55,10 @@ pub(crate) fn has_layout(segment: &Segment) -> bool {
 }
 
 /// Returns `true` if another layout may read the file without the fault.
-pub(crate) fn depends_on_layout(fault: &Fault) -> bool {
+pub(crate) fn depends_on_layout(fault: &AxisFault) -> bool {
     use recording::Fault as Of;
     match fault {
-        Fault::Recording { fault, .. } => !matches!(
+        AxisFault::Recording { fault, .. } => !matches!(
             fault,
             Of::ReadFailed { .. }
                 | Of::NoHeader

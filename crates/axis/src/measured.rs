@@ -1,6 +1,7 @@
 //! Record of a commissioning: measured values with their units, read with the same faults as a project file.
 
 use crate::choices;
+use crate::fault::AxisDiagnostic;
 use installation::commission::expected::Measurand;
 use installation::commission::recorded::{MeasuredValues, NoLoad};
 use project::names::{BrakeName, EmfName, NoLoadName, SensorName, WindingName};
@@ -11,8 +12,9 @@ use project::{Diagnostic, MeasuredKey};
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file.
-pub fn measured(text: &str) -> Result<MeasuredValues, Vec<Diagnostic>> {
-    project::read_measured(text).map(|root| build(&root))
+pub fn measured(text: &str) -> Result<MeasuredValues, Vec<AxisDiagnostic>> {
+    let read = project::read_measured(text);
+    read.map(|root| build(&root)).map_err(|faults| faults.into_iter().map(Diagnostic::into_other).collect())
 }
 
 /// Returns the measured quantity; `None` for a condition of the measurement.

@@ -4,10 +4,11 @@ mod parts;
 
 use crate::assumption::{Assumption, unstated};
 use crate::driven::Driven;
+use crate::fault::AxisReport;
 use mechanism::{Mechanism, MechanismKind, Rotor};
 use parts::friction;
 use project::sections::{DirectLoad, Fields, Guide, Losses, Mechanisms, Parts, Stated, StatedField, group};
-use project::{Fault, FaultReport, Hint, KeyDefault};
+use project::{Fault, Hint, KeyDefault};
 use quantities::{Angle, Force, Measure};
 
 /// Defines the modules of the mechanisms and the list of those that a file states.
@@ -42,7 +43,7 @@ pub(crate) fn driven(parts: &Parts) -> Option<&dyn Driven> {
 }
 
 impl Driven for DirectLoad {
-    fn kind(&self, _: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, _: &mut AxisReport<'_>) -> Option<MechanismKind> {
         Some(MechanismKind::Rotor(Rotor::balanced(self.inertia.value()?)))
     }
 }
@@ -56,7 +57,7 @@ pub(crate) struct Load {
 }
 
 /// Builds the one load of the axis.
-pub(crate) fn load(parts: &Parts, report: &mut FaultReport<'_>) -> Option<Load> {
+pub(crate) fn load(parts: &Parts, report: &mut AxisReport<'_>) -> Option<Load> {
     match loads(parts).as_slice() {
         [driven] => build(*driven, report),
         [] => {
@@ -76,7 +77,7 @@ pub(crate) fn load(parts: &Parts, report: &mut FaultReport<'_>) -> Option<Load> 
     }
 }
 
-fn build(driven: &dyn Driven, report: &mut FaultReport<'_>) -> Option<Load> {
+fn build(driven: &dyn Driven, report: &mut AxisReport<'_>) -> Option<Load> {
     let kind = driven.kind(report)?;
     let mechanism = Mechanism {
         kind,

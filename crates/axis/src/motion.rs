@@ -5,6 +5,7 @@ use crate::assumption::{Assumption, unstated};
 use crate::cam::through_points;
 use crate::choices;
 use crate::driven::Driven;
+use crate::fault::{AxisFault, AxisReport};
 use crate::mechanism::{Load, driven};
 use crate::recorded::{RecordedMotions, motion as recorded_motion, states_its_motion};
 use crate::side;
@@ -14,7 +15,7 @@ use mechanism::{Extra, Mechanism};
 use motion::{Closing, Given, ManualMove, Motion, MotionFault, MoveFault, SegmentSpec, Unread};
 use project::choices::{Law, Spline};
 use project::sections::{Fields, Stated, StatedField};
-use project::{Fault, FaultReport, Hint, SegmentLaw};
+use project::{Fault, Hint, SegmentLaw};
 use quantities::Measure;
 use sizing::Axis;
 use std::ops::Range as Span;
@@ -83,7 +84,7 @@ impl SegmentSource<'_> {
         &self,
         travel: Option<f64>,
         known: &mut RecordedMotions,
-        report: &mut FaultReport<'_>,
+        report: &mut AxisReport<'_>,
     ) -> Option<SegmentSpec> {
         let before = report.fault_count();
         let given = Given {
@@ -122,7 +123,7 @@ impl SegmentSource<'_> {
 }
 
 /// Builds the motion, and the loads that each segment adds.
-pub(crate) fn motion(axis: &AxisSource, load: &Load, report: &mut FaultReport<'_>) -> Option<(Motion, Vec<Extra>)> {
+pub(crate) fn motion(axis: &AxisSource, load: &Load, report: &mut AxisReport<'_>) -> Option<(Motion, Vec<Extra>)> {
     // A missing motion has been reported.
     let _ = axis.parts.motion.get()?;
     let segments = axis.sources();
@@ -142,7 +143,7 @@ pub(crate) fn motion(axis: &AxisSource, load: &Load, report: &mut FaultReport<'_
     let place_of_all = || axis.parts.motion.span();
     let place = |index: usize| segments.get(index).map_or_else(place_of_all, |segment| segment.law.span());
     if let Some(found) = Axis::too_many_instants(&load.mechanism, &motion) {
-        report.fault(place(found.segment), Fault::Instants(found), None);
+        report.fault(place(found.segment), AxisFault::Instants(found), None);
         return None;
     }
     let beyond = beyond_range(&load.mechanism, &motion);
@@ -154,14 +155,14 @@ pub(crate) fn motion(axis: &AxisSource, load: &Load, report: &mut FaultReport<'_
 
 /// Reports the faults of a motion whose load is faulty: those that depend on the kind of the load alone, neither on its
 /// values nor on the end of the cycle.
-pub(crate) fn without_load(axis: &AxisSource, report: &mut FaultReport<'_>) {
+pub(crate) fn without_load(axis: &AxisSource, report: &mut AxisReport<'_>) {
     // A length counts as an angle, and is converted back where a fault shows it.
     let travel = driven(&axis.parts).is_none_or(|driven| driven.travel().is_some()).then_some(1.0);
     report_all(axis, travel, report);
 }
 
 /// Reports the faults of all segments, apart from those of their end.
-fn report_all(axis: &AxisSource, travel: Option<f64>, report: &mut FaultReport<'_>) {
+fn report_all(axis: &AxisSource, travel: Option<f64>, report: &mut AxisReport<'_>) {
     let specs = specs(axis, travel, report);
     report_readable(axis, specs, travel, report);
 }
@@ -171,7 +172,7 @@ fn report_readable(
     axis: &AxisSource,
     specs: Vec<Option<SegmentSpec>>,
     travel: Option<f64>,
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) {
     // A file whose text cannot be read may have its motion behind the fault.
     if specs.is_empty() {
@@ -190,7 +191,7 @@ fn report_readable(
 }
 
 /// Builds the segments, `None` for a faulty one, and reports those of their keys that have no effect on the load.
-fn specs(axis: &AxisSource, travel: Option<f64>, report: &mut FaultReport<'_>) -> Vec<Option<SegmentSpec>> {
+fn specs(axis: &AxisSource, travel: Option<f64>, report: &mut AxisReport<'_>) -> Vec<Option<SegmentSpec>> {
     let segments = axis.sources();
     let mut recorded = RecordedMotions::default();
     let specs: Vec<Option<SegmentSpec>> =
@@ -207,7 +208,7 @@ fn specs(axis: &AxisSource, travel: Option<f64>, report: &mut FaultReport<'_>) -
 }
 
 /// Reports the faults of a chain of segments.
-fn report_chain(axis: &AxisSource, faults: Vec<MotionFault>, travel: Option<f64>, report: &mut FaultReport<'_>) {
+fn report_chain(axis: &AxisSource, faults: Vec<MotionFault>, travel: Option<f64>, report: &mut AxisReport<'_>) {
     let segments = axis.sources();
     let recorded = segments.iter().any(|segment| segment.law.value() == Some(SegmentLaw::Recorded));
     for MotionFault { segment, fault } in faults {
@@ -218,7 +219,7 @@ fn report_chain(axis: &AxisSource, faults: Vec<MotionFault>, travel: Option<f64>
         let along =
             segment.map_or_else(|| segments.iter().any(SegmentSource::is_along_a_line), SegmentSource::is_along_a_line);
         let travel_m_per_rad = travel.filter(|_| along);
-        report.fault(span, Fault::Move { fault, travel_m_per_rad }, hint);
+        report.fault(span, AxisFault::Move { fault, travel_m_per_rad }, hint);
     }
 }
 
@@ -258,7 +259,7 @@ fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
 }
 
 /// Reports a payload that no part carries and a force without a line, which would otherwise be ignored silently.
-fn without_effect(segment: &SegmentSource<'_>, driven: &dyn Driven, report: &mut FaultReport<'_>) {
+fn without_effect(segment: &SegmentSource<'_>, driven: &dyn Driven, report: &mut AxisReport<'_>) {
     let (carries, turns, has_line) = (driven.carries(), !driven.torque_is_recorded(), driven.process_force().is_some());
     let of_payload: &[&str] = if turns { &["payload_inertia", "payload_distance"] } else { &["process_torque"] };
     let fields: [(&dyn StatedField, bool, &[&str]); 3] = [

@@ -1,9 +1,10 @@
 //! Keys of which one cannot exceed another: rated and largest, continuous and peak, lowest and highest values.
 
 use crate::assumption::Assumption;
+use crate::fault::AxisReport;
 use actuator::CurvePoint;
+use project::Fault;
 use project::sections::{Fields, Parts};
-use project::{Fault, FaultReport};
 use quantities::Measure;
 
 /// Keys of a section of which the value of the first is at most that of the second.
@@ -39,8 +40,8 @@ pub(crate) fn unusual(parts: &Parts) -> impl Iterator<Item = Assumption> + '_ {
 }
 
 /// Reports the pairs of an axis that are stated in the wrong order, at the key of the lower value.
-pub(crate) fn check(parts: &Parts, report: &mut FaultReport<'_>) {
-    let of = |section: Option<&dyn Fields>, orders: &[KeyOrder], report: &mut FaultReport<'_>| {
+pub(crate) fn check(parts: &Parts, report: &mut AxisReport<'_>) {
+    let of = |section: Option<&dyn Fields>, orders: &[KeyOrder], report: &mut AxisReport<'_>| {
         let Some(section) = section else { return };
         for (lower, upper) in orders {
             let [Some(low), Some(high)] = [lower, upper].map(|name| section.field(name)) else { continue };
@@ -75,6 +76,7 @@ pub(crate) fn is_above(continuous: &actuator::Curve, short_time: &actuator::Curv
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fault::AxisFault;
     use crate::{AxisProject, NoCatalogue};
     use project::{KEYS, Key, Kind};
 
@@ -86,7 +88,7 @@ mod tests {
         ("twin.measured", &MEASURED, ""),
     ];
 
-    fn faults(section: &str, lines: &str) -> Vec<(Fault, String)> {
+    fn faults(section: &str, lines: &str) -> Vec<(AxisFault, String)> {
         let text = format!(
             "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[{section}]\n{lines}"
         );
@@ -114,7 +116,7 @@ mod tests {
                     [(1.0, 1.0, false), (1.0, 1.2, false), (1.2, 1.0, true), (1.0001, 1.0, true)]
                 {
                     let lines = format!("{head}{lower} = {}\n{upper} = {}\n", text(base * low), text(base * high));
-                    let expected = is_wrong.then(|| (Fault::WrongOrder { lower, upper }, text(base * low)));
+                    let expected = is_wrong.then(|| (Fault::WrongOrder { lower, upper }.into(), text(base * low)));
                     assert_eq!(faults(section, &lines), Vec::from_iter(expected), "{lines}");
                     // One of them alone has no order.
                     assert_eq!(faults(section, &format!("{head}{lower} = {}\n", text(base * low))), []);
@@ -141,8 +143,8 @@ mod tests {
                 of(continuous),
                 of(short_time)
             );
-            let found: Vec<Fault> = faults("actuator", &lines).into_iter().map(|(fault, _)| fault).collect();
-            let expected = Fault::WrongOrder { lower: "continuous_curve", upper: "short_time_curve" };
+            let found: Vec<AxisFault> = faults("actuator", &lines).into_iter().map(|(fault, _)| fault).collect();
+            let expected = Fault::WrongOrder { lower: "continuous_curve", upper: "short_time_curve" }.into();
             assert_eq!(found, Vec::from_iter(is_wrong.then_some(expected)), "{lines}");
         }
     }

@@ -1,12 +1,13 @@
 //! An actuator that is not in the catalogue.
 
 use crate::curves::curve;
+use crate::fault::AxisReport;
 use crate::order::is_above;
 use crate::sourced::sourced;
 use actuator::Parameters;
 use configurator::Product;
+use project::Fault;
 use project::sections::{ActuatorSection, KeyValue, Stated, StatedField};
-use project::{Fault, FaultReport};
 use provenance::Datum;
 use quantities::{Measure, ThermodynamicTemperature};
 
@@ -21,7 +22,7 @@ fn celsius(temperature: f64) -> ThermodynamicTemperature {
 pub(crate) fn build(
     section: &ActuatorSection,
     mut parameters: Parameters,
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) -> Option<Product> {
     if let Datum::Known(stated) = own(&section.winding_temperature_max) {
         parameters.heat.winding_shutdown = Datum::Known(stated);

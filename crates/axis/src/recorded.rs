@@ -1,12 +1,13 @@
 //! Recordings converted to motion at the output.
 
 use crate::along::turned;
+use crate::fault::{AxisFault, AxisReport};
 use crate::recordings::RecordingRead;
 use crate::side::ratios;
 use crate::source::SegmentSource;
 use motion::{Recorded, RecordedFault, Samples, Treatment};
+use project::Fault;
 use project::sections::{Fields, HeldValues, OfKinds, Segment, StatedField, TimeStamps};
-use project::{Fault, FaultReport};
 use quantities::AngularVelocity;
 use recording::{Along, Recording, Role, Series};
 use std::sync::Arc;
@@ -42,7 +43,7 @@ pub(crate) fn motion(
     segment: SegmentSource<'_>,
     travel: Option<f64>,
     known: &mut RecordedMotions,
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) -> Option<Arc<Recorded>> {
     let before = report.fault_count();
     // Known without the recording.
@@ -101,7 +102,7 @@ pub(crate) fn motion(
                 | RecordedFault::NotIncreasing { .. }
                 | RecordedFault::Contradiction { .. } => segment.file.span(),
             };
-            report.fault(span, Fault::Recorded { name: file.clone(), fault }, None);
+            report.fault(span, AxisFault::Recorded { name: file.clone(), fault }, None);
             None
         }
     }

@@ -1,9 +1,10 @@
 //! Recordings that a project file refers to: located and read, each once.
 
+use crate::fault::{AxisFault, AxisReport};
 use crate::files::{Files, Grant, Reach};
 use crate::layout::{depends_on_layout, has_layout, layout};
 use project::sections::{Segment, StatedField};
-use project::{Fault, FaultReport, SegmentLaw};
+use project::{Fault, SegmentLaw};
 use recording::{Bytes, Content, FILE_BYTES_MAX, Layout, Limit, Memory, Recording};
 use std::io::Read;
 use std::sync::Arc;
@@ -48,12 +49,12 @@ impl<'f> Recordings<'f> {
     pub(crate) fn resolve(
         &mut self,
         segments: &mut [Segment],
-        report: &mut FaultReport<'_>,
+        report: &mut AxisReport<'_>,
     ) -> Vec<Option<RecordingRead>> {
         segments.iter_mut().map(|segment| self.of_segment(segment, report)).collect()
     }
 
-    fn of_segment(&mut self, segment: &mut Segment, report: &mut FaultReport<'_>) -> Option<RecordingRead> {
+    fn of_segment(&mut self, segment: &mut Segment, report: &mut AxisReport<'_>) -> Option<RecordingRead> {
         if segment.law.value() != Some(SegmentLaw::Recorded) {
             return None;
         }
@@ -61,7 +62,7 @@ impl<'f> Recordings<'f> {
         let span = segment.file.span();
         let before = report.fault_count();
         let layout = layout(segment, report);
-        let listed = |faults: Vec<Fault>, report: &mut FaultReport<'_>| {
+        let listed = |faults: Vec<AxisFault>, report: &mut AxisReport<'_>| {
             for fault in faults {
                 report.fault(span.clone(), fault, None);
             }
@@ -93,7 +94,7 @@ impl<'f> Recordings<'f> {
     }
 
     /// Returns the faults of a file that no layout can mend, once for each file.
-    fn faults_of_file(&mut self, name: &str, layout: &Layout) -> Vec<Fault> {
+    fn faults_of_file(&mut self, name: &str, layout: &Layout) -> Vec<AxisFault> {
         let is_known = self.read.iter().any(|(file, ..)| file == name) || self.examined.iter().any(|file| file == name);
         if is_known {
             return Vec::new();
@@ -105,11 +106,12 @@ impl<'f> Recordings<'f> {
         found.into_iter().filter(|fault| !depends_on_layout(fault)).collect()
     }
 
-    fn read_file(&mut self, name: &str, layout: &Layout) -> Result<Recording, Vec<Fault>> {
+    fn read_file(&mut self, name: &str, layout: &Layout) -> Result<Recording, Vec<AxisFault>> {
         if !self.reach.admits(name) {
-            return Err(vec![Fault::FileOutOfReach { name: name.to_owned() }]);
+            return Err(vec![Fault::FileOutOfReach { name: name.to_owned() }.into()]);
         }
-        let unopened = |error: std::io::Error| vec![Fault::File { name: name.to_owned(), trouble: (&error).into() }];
+        let unopened =
+            |error: std::io::Error| vec![Fault::File { name: name.to_owned(), trouble: (&error).into() }.into()];
         let refused = |fault| unreadable(name, vec![fault]);
         let beyond = |found| recording::Fault::Beyond { limit: Limit::FileBytes, found, most: FILE_BYTES_MAX };
         let size = self.files.size(name);
@@ -162,8 +164,8 @@ impl<'f> Recordings<'f> {
 }
 
 /// Returns the faults of a file that is no recording.
-fn unreadable(name: &str, faults: Vec<recording::Fault>) -> Vec<Fault> {
-    faults.into_iter().map(|fault| Fault::Recording { name: name.to_owned(), fault }).collect()
+fn unreadable(name: &str, faults: Vec<recording::Fault>) -> Vec<AxisFault> {
+    faults.into_iter().map(|fault| AxisFault::Recording { name: name.to_owned(), fault }).collect()
 }
 
 #[cfg(test)]
@@ -203,7 +205,7 @@ mod tests {
         }
     }
 
-    fn faults(files: &[&str], shelf: &Shelf) -> Vec<Fault> {
+    fn faults(files: &[&str], shelf: &Shelf) -> Vec<AxisFault> {
         let segments = files.iter().map(|file| format!("[[motion]]\nlaw = \"recorded\"\nfile = '{file}'\n"));
         let text = format!(
             "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n{}",
@@ -248,7 +250,7 @@ mod tests {
         assert!(
             matches!(
                 found.as_slice(),
-                [Fault::Recording { fault: recording::Fault::Beyond { limit: Limit::Memory, .. }, .. }]
+                [AxisFault::Recording { fault: recording::Fault::Beyond { limit: Limit::Memory, .. }, .. }]
             ),
             "{found:?}"
         );
@@ -262,7 +264,7 @@ mod tests {
             assert!(
                 matches!(
                     found.as_slice(),
-                    [Fault::Recording { fault: recording::Fault::ParquetUnreadable { .. }, .. }]
+                    [AxisFault::Recording { fault: recording::Fault::ParquetUnreadable { .. }, .. }]
                 ),
                 "{found:?}"
             );
@@ -277,7 +279,7 @@ mod tests {
             assert!(
                 matches!(
                     found.as_slice(),
-                    [Fault::Recording { fault: recording::Fault::Beyond { limit: Limit::FileBytes, .. }, .. }]
+                    [AxisFault::Recording { fault: recording::Fault::Beyond { limit: Limit::FileBytes, .. }, .. }]
                 ),
                 "{found:?}"
             );
@@ -287,12 +289,12 @@ mod tests {
         let grant = Grant { memory: 100, ..Grant::default() };
         let shelf = Shelf { size: Some(1000), ..Shelf::of(TEXT, grant) };
         let found = faults(&["a.parquet"], &shelf);
-        assert!(matches!(found.as_slice(), [Fault::Recording { .. }]), "{found:?}");
+        assert!(matches!(found.as_slice(), [AxisFault::Recording { .. }]), "{found:?}");
         assert_eq!(*shelf.opened.borrow(), [""; 0]);
         let unsized_ = Shelf::of(&format!("PAR1{}", "x".repeat(1000)), grant);
         assert!(matches!(
             faults(&["a.parquet"], &unsized_).as_slice(),
-            [Fault::Recording { fault: recording::Fault::Beyond { .. }, .. }]
+            [AxisFault::Recording { fault: recording::Fault::Beyond { .. }, .. }]
         ));
     }
 
@@ -309,7 +311,7 @@ mod tests {
         ];
         for name in away {
             let shelf = Shelf::of(TEXT, Grant::default());
-            assert_eq!(faults(&[name], &shelf), [Fault::FileOutOfReach { name: name.to_owned() }]);
+            assert_eq!(faults(&[name], &shelf), [Fault::FileOutOfReach { name: name.to_owned() }.into()]);
             assert_eq!(*shelf.opened.borrow(), [""; 0]);
             let anywhere = Shelf::of(TEXT, Grant { reach: Reach::Anywhere, ..Grant::default() });
             assert_eq!(faults(&[name], &anywhere), []);

@@ -3,11 +3,12 @@
 use crate::assumption::{Assumption, unstated};
 use crate::catalogue::Catalogue;
 use crate::choices;
+use crate::fault::{AxisFault, AxisReport};
 use actuator::{BatteryFault, Protection};
 use configurator::Requirements;
 use project::choices::MainsPhases;
 use project::sections::{DriveSection, PositionLoop, RequirementsSection, Section, StatedField};
-use project::{Fault, FaultReport, Hint, example};
+use project::{Fault, Hint, example};
 use sizing::{Axis, AxisRequirements, Supply, SupplyFrom};
 
 /// Returns the requirements on the choice of an actuator.
@@ -62,7 +63,7 @@ pub(crate) fn link_notes(section: &RequirementsSection) -> Vec<Assumption> {
 
 /// Reports contradictions, and keys without effect; `has_line`: the mechanism moves along a line in proportion to its
 /// angle.
-pub(crate) fn check(section: &RequirementsSection, has_line: bool, report: &mut FaultReport<'_>) {
+pub(crate) fn check(section: &RequirementsSection, has_line: bool, report: &mut AxisReport<'_>) {
     if section.supply.is_given() && section.mains.is_given() {
         report.fault(section.mains.span(), Fault::SupplyAndMains, None);
     }
@@ -125,14 +126,14 @@ pub(crate) fn apply(section: &RequirementsSection, axis: &mut Axis) {
 }
 
 /// Reports an operation for which the life of the battery is unknown.
-pub(crate) fn battery(section: &RequirementsSection, catalogue: &dyn Catalogue, report: &mut FaultReport<'_>) {
+pub(crate) fn battery(section: &RequirementsSection, catalogue: &dyn Catalogue, report: &mut AxisReport<'_>) {
     let Some(operation) = section.operation_per_day.value() else { return };
     let battery = catalogue.battery();
     let Some(model) = battery.known() else { return };
     if let Err(fault) = model.value.life(operation, section.storage.or_zero()) {
         let operation = matches!(fault, BatteryFault::OperationOutOfRange { .. });
         let span = if operation { section.operation_per_day.span() } else { section.storage.span() };
-        report.fault(span, Fault::Battery(fault), None);
+        report.fault(span, AxisFault::Battery(fault), None);
     }
 }
 

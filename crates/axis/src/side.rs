@@ -1,9 +1,10 @@
 //! Side of the gear at which a recording was taken.
 
 use crate::assumption::Assumption;
+use crate::fault::AxisReport;
 use crate::source::SegmentSource;
 use project::sections::{Ratios, Segment, Stated, StatedField};
-use project::{Fault, FaultReport, shortened};
+use project::{Fault, shortened};
 use recording::{Along, Recording, Role, Series};
 
 /// Longest heading in a fault, in characters.
@@ -64,7 +65,7 @@ fn turns(recording: &Recording, role: Role) -> bool {
 }
 
 /// Returns the ratios of a recording; reports columns of the motor without one, and ratios without a column.
-pub(crate) fn ratios(segment: SegmentSource<'_>, report: &mut FaultReport<'_>) -> Side {
+pub(crate) fn ratios(segment: SegmentSource<'_>, report: &mut AxisReport<'_>) -> Side {
     let stated = |role: Role| stated(segment.recorded_ratio.get(), role);
     let ratio = |role: Role| stated(role).and_then(Stated::value);
     for (role, _) in SIDED {

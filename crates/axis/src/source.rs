@@ -1,7 +1,8 @@
 //! An axis as stated, with the recordings that were read for it.
 
+use crate::bodies::check_texts;
+use crate::fault::AxisReport;
 use crate::recordings::{RecordingRead, Recordings};
-use project::FaultReport;
 use project::sections::{AxisSection, Segment};
 use std::ops::{Deref, DerefMut};
 
@@ -15,11 +16,8 @@ pub(crate) struct AxisSource {
 
 impl AxisSource {
     /// Reads the recordings of an axis.
-    pub(crate) fn read(
-        mut section: AxisSection,
-        recordings: &mut Recordings<'_>,
-        report: &mut FaultReport<'_>,
-    ) -> Self {
+    pub(crate) fn read(mut section: AxisSection, recordings: &mut Recordings<'_>, report: &mut AxisReport<'_>) -> Self {
+        check_texts(&mut section.parts, report);
         let found = match section.parts.motion.get_mut() {
             Some(segments) => recordings.resolve(&mut segments.0, report),
             None => Vec::new(),

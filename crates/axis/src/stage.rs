@@ -2,9 +2,10 @@
 
 use crate::assumption::{Assumption, unstated};
 use crate::choices;
+use crate::fault::AxisReport;
 use mechanism::{Stage, StageKind};
 use project::sections::{Fields, StageSection, StatedField};
-use project::{Fault, FaultReport, Hint};
+use project::{Fault, Hint};
 
 /// Result of one of several ratios.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +23,7 @@ pub struct RatioAnswer {
 }
 
 /// Builds the stage, and reports its faults.
-pub(crate) fn build(section: &StageSection, report: &mut FaultReport<'_>) -> Option<Stage> {
+pub(crate) fn build(section: &StageSection, report: &mut AxisReport<'_>) -> Option<Stage> {
     let kind = choices::stage_kind(section.kind.value()?);
     if section.ratio.is_written() && section.ratios.is_written() {
         report.fault(section.ratios.span(), Fault::RatioAndRatios, None);

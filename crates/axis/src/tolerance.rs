@@ -2,8 +2,9 @@
 
 use crate::catalogue::Catalogue;
 use crate::draft::{build_actuator, prepare};
+use crate::fault::{AxisDiagnostic, AxisFault, AxisReport};
 use crate::source::AxisSource;
-use project::{Diagnostic, Fault, FaultReport, Hint, Tolerance};
+use project::{Hint, Tolerance};
 
 /// Largest number of toleranced quantities for which every corner of their bands is checked: 2¹⁰ of them.
 pub const ALL_CORNERS_MOST: usize = 10;
@@ -20,15 +21,15 @@ pub(crate) fn hold(
     root: &AxisSource,
     catalogue: &dyn Catalogue,
     tolerances: &[Tolerance],
-    report: &mut FaultReport<'_>,
+    report: &mut AxisReport<'_>,
 ) {
     let recorded: usize = root.recordings().map(|read| read.recording.time_s.len()).sum();
     let mut root = root.clone();
-    let mut fails = |values: &[(&Tolerance, f64)], report: &FaultReport<'_>| {
+    let mut fails = |values: &[(&Tolerance, f64)], report: &AxisReport<'_>| {
         for (tolerance, share) in values {
             let _ = root.set(&tolerance.path, tolerance.at(*share));
         }
-        let mut trial = FaultReport::new(report.text());
+        let mut trial = AxisReport::new(report.text());
         let own = values.iter().any(|(tolerance, _)| tolerance.path.starts_with("actuator."));
         let built = prepare(&root, catalogue, &mut trial).is_some();
         if own {
@@ -72,8 +73,8 @@ pub(crate) fn hold(
 const SAMPLES_BUILT_MOST: usize = 1 << 26;
 
 /// Returns the fault of values within the tolerances for which the axis is impossible.
-fn impossible(values: &[(&Tolerance, f64)], found: Option<Diagnostic>) -> (Fault, Option<Hint>) {
+fn impossible(values: &[(&Tolerance, f64)], found: Option<AxisDiagnostic>) -> (AxisFault, Option<Hint>) {
     let (why, hint) = found.map_or((None, None), |found| (Some(Box::new(found.fault)), found.hint));
     let named = |(tolerance, end): &(&Tolerance, f64)| (tolerance.path.clone(), tolerance.at(*end), tolerance.unit);
-    (Fault::ImpossibleWithin { values: values.iter().map(named).collect(), why }, hint)
+    (AxisFault::ImpossibleWithin { values: values.iter().map(named).collect(), why }, hint)
 }

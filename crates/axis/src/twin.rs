@@ -231,7 +231,7 @@ mod tests {
             };
             let faults = read(number).unwrap_err();
             let [fault] = faults.as_slice() else { panic!("{faults:?}") };
-            assert_eq!(fault.fault, Fault::BareNumber { path: format!("twin.{key}"), dimension });
+            assert_eq!(fault.fault, Fault::BareNumber { path: format!("twin.{key}"), dimension }.into());
             assert_eq!(fault.hint, Some(Hint::WithUnit { written: number.to_owned(), dimension }));
             let usual = Gains {
                 current_p: 1.0,

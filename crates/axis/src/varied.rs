@@ -2,9 +2,9 @@
 
 use crate::axis_project::AxisProject;
 use crate::draft::{build_actuator, finish, prepare, requirements};
+use crate::fault::{AxisDiagnostic, AxisReport};
 use crate::source::AxisSource;
 use configurator::{Product, Requirements};
-use project::{Diagnostic, FaultReport};
 use sizing::Axis;
 
 /// A project whose quantities can be varied repeatedly without reading the file again.
@@ -60,11 +60,11 @@ impl<'p> Varied<'p> {
     ///
     /// # Errors
     /// The reason why it cannot be built: faults without a place in a file.
-    pub fn at(&mut self, values: &[f64]) -> Result<Variant, Vec<Diagnostic>> {
+    pub fn at(&mut self, values: &[f64]) -> Result<Variant, Vec<AxisDiagnostic>> {
         for (path, value) in self.paths.iter().zip(values) {
             self.root.set(path, *value).ok_or_else(Vec::new)?;
         }
-        let mut report = FaultReport::new("");
+        let mut report = AxisReport::new("");
         let draft = prepare(&self.root, &*self.project.catalogue, &mut report);
         let actuator = self.of_actuator.then(|| build_actuator(&self.root, &*self.project.catalogue, &mut report));
         let Some(draft) = draft.filter(|_| report.fault_count() == 0) else { return Err(report.into_faults()) };

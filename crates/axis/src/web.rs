@@ -1,12 +1,13 @@
 //! Lengths and speeds of the web of a winder, whose diameter changes with every turn.
 
+use crate::fault::AxisReport;
 use mechanism::MechanismKind;
 use project::sections::{Fields, Segment, StatedField};
-use project::{Fault, FaultReport, Hint};
+use project::{Fault, Hint};
 use quantities::Measure;
 
 /// Reports values along the web, with the turns of the roll that they are; returns `true` if there are some.
-pub(crate) fn is_along_a_web(segments: &[Segment], kind: &MechanismKind, report: &mut FaultReport<'_>) -> bool {
+pub(crate) fn is_along_a_web(segments: &[Segment], kind: &MechanismKind, report: &mut AxisReport<'_>) -> bool {
     let MechanismKind::Winder(winder) = kind else { return false };
     let mut found = false;
     for segment in segments {

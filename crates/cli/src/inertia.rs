@@ -3,7 +3,7 @@
 use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::table::{Align, TextTable};
-use project::InertiaAnswer;
+use axis::InertiaAnswer;
 use quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, format_significant};
 use questions::list::{Inquiry, Unanswered, inertia};

@@ -5,9 +5,10 @@
 use crate::call::{Call, Shell};
 use crate::form::tolerance_of;
 use crate::value::{in_unit, stated, with_point};
+use axis::AxisDiagnostic;
 use axis::AxisProject;
 use figures::{By, MapPoint, Theme, nearest};
-use project::{Diagnostic, Edit, Key, Kind, Written, edit, key_at, stretch, written};
+use project::{Edit, Key, Kind, Written, edit, key_at, stretch, written};
 use quantities::Language;
 use questions::list::simulate::ScenarioId;
 use questions::{Draw, ProductId, Progress, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
@@ -392,14 +393,15 @@ pub(crate) const MARKED_MOST: usize = 5;
 /// Returns every fault with its path: the one that it names, else that of the smallest enclosing value, else that of
 /// the key at its position. A path that the file does not have belongs to the enclosing table.
 pub(crate) fn placed(
-    faults: &[Diagnostic],
+    faults: &[AxisDiagnostic],
     (text, written): (&str, &[Written]),
     key_at: fn(&str) -> Option<&'static Key>,
     language: Language,
 ) -> Vec<(Option<String>, Worded)> {
+    use axis::AxisFault;
     use project::Fault;
-    let path = |fault: &Diagnostic| -> Option<String> {
-        if let Fault::MissingKey { path, .. } = &fault.fault {
+    let path = |fault: &AxisDiagnostic| -> Option<String> {
+        if let AxisFault::Stated(Fault::MissingKey { path, .. }) = &fault.fault {
             return Some(path.clone());
         }
         let around = |key: &&Written| {
@@ -411,7 +413,7 @@ pub(crate) fn placed(
         let on_line = |key: &&Written| key.value.is_some() && between(key).is_some_and(|text| !text.contains('\n'));
         let found = inside.or_else(|| written.iter().filter(on_line).min_by_key(|key| key.span.start));
         let found = found.map(|key| known(&key.path, key_at));
-        if !matches!(fault.fault, Fault::NoMechanism) {
+        if !matches!(fault.fault, AxisFault::Stated(Fault::NoMechanism)) {
             return found;
         }
         // The value is not in the text: the fault belongs to its future place, in its axis.

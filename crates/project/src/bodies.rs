@@ -4,18 +4,17 @@
 mod faults;
 mod line;
 
-pub use faults::body_fields;
-
 use crate::Diagnostic;
 use crate::about::About;
+use crate::choices::Orientation;
 use crate::key::{Kind, Variants};
 use crate::section::{Fields, OfKinds, Section, names, section};
-use crate::stated::{SectionHead, StatedField};
+use crate::stated::SectionHead;
 use crate::value::choices;
 use faults::Faults;
 use line::{Keyed, Line};
-use mechanism::{Body, BodyInertia, Inertia, Orientation, SolidShape};
 use quantities::{Angle, HalfWidth, Length, Mass, MassDensity, Reading};
+use std::ops::Range;
 
 section! {
     /// A solid body, in a table of the project file and in one line of text alike.
@@ -48,7 +47,6 @@ choices! {
         Point = "point",
         Rod = "rod",
     }
-    Orientation { Parallel = "parallel", Perpendicular = "perpendicular" }
 }
 
 impl OfKinds for BodySection {
@@ -137,72 +135,51 @@ impl BodyShape {
     }
 }
 
-/// One body as read, and its inertia.
-#[derive(Clone, Copy, Debug)]
-pub struct BodyAnswer {
-    /// Shape.
-    pub shape: &'static BodyShape,
-    /// The body.
-    pub body: Body,
-    /// Parts of its inertia.
-    pub parts: BodyInertia,
+/// Solid bodies as read from text, with the faults of their keys and values.
+#[derive(Debug)]
+pub struct BodyText {
+    /// One section for each line that states a shape; refused values are marked.
+    pub bodies: Vec<BodySection>,
+    /// Faults in the order of the text.
+    pub faults: Vec<Diagnostic>,
+    /// Number of faults beyond those that are kept.
+    pub more: usize,
 }
 
-/// The inertia of several bodies.
-#[derive(Clone, Debug)]
-pub struct InertiaAnswer {
-    /// Bodies in the order of the text.
-    pub bodies: Vec<BodyAnswer>,
-    /// Sum of the inertias.
-    pub total: Inertia,
-}
-
-/// Reads solid bodies, one a line, and adds their inertias.
+/// Reads solid bodies, one a line.
 ///
 /// A body is its shape, then `key=value`, with the unit in the value: `tube outer=80mm inner=60mm length=50mm
 /// density=2.7g/cm^3 distance=120mm count=3`. Defaults: `distance` 0, `angle` 0, `count` 1, `axis` parallel.
-///
-/// # Source
-/// docs/guide/inertia.md; [`mechanism::inertia()`]
-/// # Errors
-/// Every fault with its place; the line of a place is the number of the body.
-pub fn inertia(text: &str) -> Result<InertiaAnswer, Vec<Diagnostic>> {
-    let (sections, total) = sections(text, &mut Faults::new(text))?;
-    Ok(InertiaAnswer { bodies: sections.iter().filter_map(parts).collect(), total })
+#[must_use]
+pub fn read_bodies(text: &str) -> BodyText {
+    let mut faults = Faults::new(text);
+    let bodies = sections(text, &mut faults, &|_, span| span);
+    let (faults, more) = faults.take();
+    BodyText { bodies, faults, more }
 }
 
 /// A tolerance of a body: its line from zero, its key, the value, the half-width with its place in the line.
 pub(crate) type BodyTolerance = (usize, &'static str, Reading, HalfWidth);
 
-/// Reads bodies whose quantities may have tolerances; returns their sections and tolerances.
-pub(crate) fn toleranced(text: &str) -> Result<(Vec<BodySection>, Vec<BodyTolerance>), Vec<Diagnostic>> {
+/// Place in the file of a place in a line, counted from zero.
+type PlaceOf<'p> = &'p dyn Fn(usize, Range<usize>) -> Range<usize>;
+
+/// Reads bodies whose quantities may have tolerances; `place` gives the places of their values.
+pub(crate) fn toleranced(text: &str, place: PlaceOf<'_>) -> (BodyText, Vec<BodyTolerance>) {
     let mut faults = Faults::with_tolerances(text);
-    let (sections, _) = sections(text, &mut faults)?;
-    Ok((sections, faults.tolerances.unwrap_or_default()))
+    let bodies = sections(text, &mut faults, place);
+    let tolerances = faults.tolerances.take().unwrap_or_default();
+    let (faults, more) = faults.take();
+    (BodyText { bodies, faults, more }, tolerances)
 }
 
-fn sections(text: &str, faults: &mut Faults<'_>) -> Result<(Vec<BodySection>, Inertia), Vec<Diagnostic>> {
-    let mut found = Vec::new();
-    let mut spans = Vec::new();
-    for (index, (start, line)) in lines(text).enumerate() {
-        let line = Line::split(start, line);
+fn sections(text: &str, faults: &mut Faults<'_>, place: PlaceOf<'_>) -> Vec<BodySection> {
+    let read = |(index, (start, line)): (usize, (usize, &str))| {
         faults.begin(index, start);
-        found.extend(read(&line, faults));
-        spans.push(line.span.clone());
-    }
-    if !faults.is_empty() {
-        return Err(faults.take());
-    }
-    let bodies: Vec<Body> = found.iter().filter_map(BodySection::body).collect();
-    match mechanism::inertia(&bodies) {
-        Ok(total) => Ok((found, total)),
-        Err(errors) => {
-            for fault in errors {
-                faults.body(&fault.error, spans.get(fault.body).cloned().unwrap_or_default());
-            }
-            Err(faults.take())
-        }
-    }
+        let place = |span: Range<usize>| place(index, span);
+        read(&Line::split(start, line), faults, &place)
+    };
+    lines(text).enumerate().filter_map(read).collect()
 }
 
 /// Iterates over the lines of a text with their offsets; an empty text has one line.
@@ -216,68 +193,20 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 }
 
 impl BodySection {
-    /// Returns the shape of the text.
-    fn shape(&self) -> Option<&'static BodyShape> {
+    /// Returns its shape.
+    #[must_use]
+    pub fn shape(&self) -> Option<&'static BodyShape> {
         BODY_SHAPES.iter().find(|shape| Some(shape.kind) == self.shape.value())
     }
-
-    /// Returns the body that a table describes; `None` if a required key was refused or is missing.
-    #[must_use]
-    pub fn body(&self) -> Option<Body> {
-        let shape = self.shape()?;
-        let has = |name: &&str| self.field(name).is_some_and(StatedField::is_given);
-        (self.is_whole() && shape.dimensions.iter().all(has)).then(|| self.body_of(shape.kind))
-    }
-
-    /// Returns the body, with defaults for keys that are not stated.
-    fn body_of(&self, kind: BodyKind) -> Body {
-        Body {
-            shape: self.shape_of(kind),
-            mass: self.mass.value(),
-            density: self.density.value(),
-            distance: self.distance.or_zero(),
-            angle: self.angle.or_zero(),
-            count: self.count(),
-        }
-    }
-
-    fn shape_of(&self, kind: BodyKind) -> SolidShape {
-        let orientation = self.axis.value().unwrap_or_default();
-        let (diameter, length, height) = (self.diameter.or_zero(), self.length.or_zero(), self.height.or_zero());
-        match kind {
-            BodyKind::Tube => {
-                SolidShape::Tube { outer: self.outer.or_zero(), inner: self.inner.or_zero(), length, orientation }
-            }
-            BodyKind::Box => SolidShape::Box { a: self.a.or_zero(), b: self.b.or_zero(), height },
-            BodyKind::Cone => SolidShape::Cone { diameter, height },
-            BodyKind::Sphere => SolidShape::Sphere { diameter },
-            BodyKind::Point => SolidShape::PointMass,
-            BodyKind::Rod => SolidShape::Rod { length },
-            BodyKind::Cylinder | BodyKind::Disc => SolidShape::Cylinder { diameter, length, orientation },
-        }
-    }
-}
-
-/// Returns solid bodies with their inertia.
-#[must_use]
-pub fn summed(sections: &[BodySection]) -> Option<InertiaAnswer> {
-    let bodies: Vec<Body> = sections.iter().filter_map(BodySection::body).collect();
-    let total = mechanism::inertia(&bodies).ok()?;
-    Some(InertiaAnswer { bodies: sections.iter().filter_map(parts).collect(), total })
-}
-
-fn parts(section: &BodySection) -> Option<BodyAnswer> {
-    let (shape, body) = (section.shape()?, section.body()?);
-    body.inertia().ok().map(|parts| BodyAnswer { shape, body, parts })
 }
 
 /// Reads one body and reports its faults.
-fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
+fn read(line: &Line<'_>, faults: &mut Faults<'_>, place: &dyn Fn(Range<usize>) -> Range<usize>) -> Option<BodySection> {
     let known = faults.shape(line);
     if let Some(stray) = &line.stray {
         faults.stray(stray);
     }
-    let mut section = BodySection::absent(&SectionHead::new("", line.span.clone()));
+    let mut section = BodySection::absent(&SectionHead::new("", place(line.span.clone())));
     let by = BodySection::VARIANTS.by;
     let all: Vec<&str> = BodySection::KEYS.iter().map(|key| key.name).filter(|name| *name != by).collect();
     let valid = known.map_or(all, BodyShape::keys);
@@ -291,37 +220,37 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
             faults.twice(pair);
             continue;
         }
-        let span = pair.value_span.clone();
+        let span = place(pair.value_span.clone());
         if let Kind::Quantity(dimension, _) = key.kind {
             let si = faults.quantity(pair, key.name, dimension);
-            if let Some((field, si)) = section.field_mut(key.name).zip(si) {
-                field.state(si, span);
+            match (section.field_mut(key.name), si) {
+                (Some(field), Some(si)) => field.state(si, span),
+                (Some(field), None) => field.refuse_value(),
+                (None, _) => {}
             }
         } else if let Kind::Integer(..) = key.kind {
-            if let Some(count) = faults.count(pair) {
-                section.count.give(count, span);
+            match faults.count(pair) {
+                Some(count) => section.count.give(count, span),
+                None => section.count.refuse(),
             }
-        } else if let Some(axis) = faults.axis(pair) {
-            section.axis.give(axis, span);
+        } else {
+            match faults.axis(pair) {
+                Some(axis) => section.axis.give(axis, span),
+                None => section.axis.refuse(),
+            }
         }
     }
     let shape = known?;
-    section.shape.give(shape.kind, line.shape_span.clone());
+    section.shape.give(shape.kind, place(line.shape_span.clone()));
     // The key that a misspelt one stands for is not reported as missing.
     let written = |name: &str| line.has(name) || meant.contains(&name);
     for dimension in shape.dimensions.iter().filter(|name| !written(name)) {
         faults.missing(line, dimension);
     }
-    let body = section.body_of(shape.kind);
-    for error in body.faults() {
-        // A value that could not be read has been reported already.
-        let fields = faults::body_fields(&error, &section);
-        let unread = |field: &&dyn StatedField| shape.dimensions.contains(&field.name()) && !field.is_given();
-        let damaged = |field: &dyn StatedField| written(field.name()) && !field.is_given();
-        let lost_mass = fields.is_empty() && (damaged(&section.mass) || damaged(&section.density));
-        if !fields.iter().any(unread) && !lost_mass {
-            let place = fields.first().and_then(|field| line.value_of(field.name()));
-            faults.body(&error, place.unwrap_or_else(|| line.shape_span.clone()));
+    // A misspelt key has a value that is not known.
+    for name in meant {
+        if let Some(field) = section.field_mut(name).filter(|field| !field.is_written()) {
+            field.refuse_value();
         }
     }
     Some(section)

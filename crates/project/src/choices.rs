@@ -47,6 +47,15 @@ identified! {
         Quintic = "quintic",
     }
 
+    /// Orientation of a body.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Orientation {
+        /// Parallel to the axis of rotation.
+        Parallel = "parallel",
+        /// Perpendicular to the axis of rotation.
+        Perpendicular = "perpendicular",
+    }
+
     /// Kind of a stage.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum StageKind {
@@ -200,7 +209,7 @@ identified! {
 }
 
 choices_by_id! {
-    Hold, Spline, StageKind, WebWinding, OperatingCondition, MainsPhases, MountingPosition, SpecialApplication, Reaction, Failure, ScenarioId, Turn, Counting
+    Hold, Spline, Orientation, StageKind, WebWinding, OperatingCondition, MainsPhases, MountingPosition, SpecialApplication, Reaction, Failure, ScenarioId, Turn, Counting
 }
 
 /// Degree of protection of a rotating machine by EN 60034-5, or one of immersion and of jets at high pressure by EN 60529.

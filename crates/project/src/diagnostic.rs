@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// One fault of a text that the user wrote.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Diagnostic {
+pub struct Diagnostic<F = Fault> {
     /// Faulty part of the text, in bytes.
     pub span: Range<usize>,
     /// Line, from one.
@@ -13,7 +13,7 @@ pub struct Diagnostic {
     /// Column in characters, from one.
     pub column: usize,
     /// Fault.
-    pub fault: Fault,
+    pub fault: F,
     /// Expected text, or the nearest valid choice, unless the fault itself contains it.
     pub hint: Option<Hint>,
 }
@@ -26,12 +26,19 @@ pub fn place(text: &str, offset: usize) -> (usize, usize) {
     (before.matches('\n').count() + 1, before.get(line_start..).unwrap_or_default().chars().count() + 1)
 }
 
-impl Diagnostic {
+impl<F> Diagnostic<F> {
     /// Creates a fault at a place of a text.
     #[must_use]
-    pub fn at(text: &str, span: Range<usize>, fault: Fault, hint: Option<Hint>) -> Self {
+    pub fn at(text: &str, span: Range<usize>, fault: F, hint: Option<Hint>) -> Self {
         let (line, column) = place(text, span.start);
         Self { span, line, column, fault, hint }
+    }
+
+    /// Returns the fault as one of another kind, at its place.
+    #[must_use]
+    pub fn into_other<G: From<F>>(self) -> Diagnostic<G> {
+        let Self { span, line, column, fault, hint } = self;
+        Diagnostic { span, line, column, fault: fault.into(), hint }
     }
 }
 

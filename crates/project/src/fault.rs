@@ -1,12 +1,8 @@
 //! Faults of the input, and hints: identifiers with their arguments, independent of language.
 
 use crate::{ColumnDimensions, TabularFault, ids};
-use actuator::{BatteryFault, CurveFault};
-use mechanism::{BodyError, Geometry, TableFault};
-use motion::{MoveFault, PointsFault, RecordedFault};
 use order_code::CodeError;
 use quantities::{Dimension, QuantityError, Unit};
-use sizing::TooManyInstants;
 
 /// One fault of a project file, of a file that it refers to, or of bodies written as text.
 #[derive(Clone, Debug, PartialEq)]
@@ -205,13 +201,6 @@ pub enum Fault {
     },
     /// A tolerance of a value that is used only while reading.
     NoTolerance,
-    /// Values within the tolerances for which the axis is impossible.
-    ImpossibleWithin {
-        /// Path, value in SI and unit of each quantity.
-        values: Vec<(String, f64, &'static Unit)>,
-        /// Fault for these values, if it is known.
-        why: Option<Box<Fault>>,
-    },
     /// A pattern of codes that cannot be read.
     Code(CodeError),
     /// A pattern of codes that no actuator of the catalogue has.
@@ -219,12 +208,6 @@ pub enum Fault {
         /// Pattern.
         written: String,
     },
-    /// Corner points that do not form a limit curve.
-    Curve(CurveFault),
-    /// Points that do not form a table over the position.
-    Table(TableFault),
-    /// Hours a day, or years of storage, that the battery model does not cover.
-    Battery(BatteryFault),
     /// A key without effect on this load.
     WithoutEffect {
         /// Key.
@@ -250,8 +233,6 @@ pub enum Fault {
     },
     /// A rod that is not longer than the crank.
     RodTooShort,
-    /// Lengths and angles that do not form a mechanism.
-    Geometry(Geometry),
     /// A motion beyond the range of the mechanism.
     BeyondRange {
         /// Outermost position of the motion \[rad\].
@@ -284,15 +265,6 @@ pub enum Fault {
     },
     /// A joint with a segment that is not recorded with its torque.
     JointWithoutTorque,
-    /// An impossible motion.
-    Move {
-        /// Reason.
-        fault: MoveFault,
-        /// Travel per angle \[m/rad\] for a segment stated along a line.
-        travel_m_per_rad: Option<f64>,
-    },
-    /// Points of a cam table that do not form a motion.
-    Points(PointsFault),
     /// A point of a cam table in other quantities than the first one.
     UnlikeFirstPoint,
     /// Both the DC link and the mains are stated.
@@ -306,8 +278,6 @@ pub enum Fault {
     },
     /// The speed of a master with points over time.
     MasterOfTimes,
-    /// A motion over too many revolutions under a load that depends on the position.
-    Instants(TooManyInstants),
     /// An unknown unit.
     UnknownUnit {
         /// Unit as written, shortened.
@@ -325,13 +295,6 @@ pub enum Fault {
         /// Name of the file.
         name: String,
     },
-    /// A file that is no recording.
-    Recording {
-        /// Name of the file.
-        name: String,
-        /// Fault of the file.
-        fault: recording::Fault,
-    },
     /// Columns recorded at the motor, without the ratio to the output.
     MotorSide {
         /// Name of the file.
@@ -345,13 +308,6 @@ pub enum Fault {
     NoColumnWithRatio {
         /// Path of the ratio.
         path: String,
-    },
-    /// A recording that does not form a motion.
-    Recorded {
-        /// Name of its file.
-        name: String,
-        /// Reason.
-        fault: RecordedFault,
     },
     /// A fault within one of several bodies that are written as texts.
     InBody {
@@ -396,8 +352,6 @@ pub enum Fault {
         /// Word as written, shortened.
         written: String,
     },
-    /// An impossible body.
-    Body(BodyError),
     /// Bodies as texts and as tables.
     BodiesTwice,
 }
@@ -436,24 +390,8 @@ impl Fault {
             Self::ToleranceEnd { .. } => "tolerance_end",
             Self::TooManyTolerances { .. } => "too_many_tolerances",
             Self::NoTolerance => "no_tolerance",
-            Self::ImpossibleWithin { .. } => "impossible_within_tolerance",
             Self::Code(error) => ids::code(error),
             Self::NoSuchCode { .. } => "no_such_code",
-            Self::Curve(fault) => match fault {
-                CurveFault::TooFewPoints => "curve_too_few_points",
-                CurveFault::DoesNotStartAtZero => "curve_not_from_standstill",
-                CurveFault::SpeedsNotAscending => "curve_speeds_not_ascending",
-                CurveFault::TorqueOutOfRange => "curve_torque_out_of_range",
-            },
-            Self::Table(fault) => match fault {
-                TableFault::TooFewPoints => "table_too_few_points",
-                TableFault::PositionsNotAscending => "table_positions_not_ascending",
-                TableFault::NegativeInertia => "table_negative_inertia",
-            },
-            Self::Battery(fault) => match fault {
-                BatteryFault::OperationOutOfRange { .. } => "battery_operation_out_of_range",
-                BatteryFault::StorageOutOfRange { .. } => "battery_storage_out_of_range",
-            },
             Self::MotorSide { .. } => "recorded_at_the_motor",
             Self::NoColumnWithRatio { .. } => "no_column_with_ratio",
             Self::WithoutEffect { .. } => "without_effect",
@@ -463,7 +401,6 @@ impl Fault {
             Self::NoLine { .. } => "no_line",
             Self::Tabular(fault) => fault.id(),
             Self::RodTooShort => "rod_too_short",
-            Self::Geometry(fault) => fault.id(),
             Self::BeyondRange { .. } => "beyond_range",
             Self::NoFlangeLoads => "no_flange_loads",
             Self::FlangeLoadsUndecided { .. } => "flange_loads_undecided",
@@ -471,23 +408,13 @@ impl Fault {
             Self::BeltOrTeeth => "belt_or_teeth",
             Self::ToothAngle { .. } => "tooth_angle",
             Self::JointWithoutTorque => "joint_without_torque",
-            Self::Move { fault, .. } => ids::motion(fault),
-            Self::Points(fault) => match fault {
-                PointsFault::TooFew { .. } => "points_too_few",
-                PointsFault::NotFinite { .. } => "points_not_finite",
-                PointsFault::NotIncreasing { .. } => "points_not_increasing",
-                PointsFault::Uneven => "points_uneven",
-            },
             Self::UnlikeFirstPoint => "unlike_first_point",
             Self::SupplyAndMains => "supply_and_mains",
             Self::WrongOrder { .. } => "wrong_order",
             Self::MasterOfTimes => "master_of_times",
-            Self::Instants(_) => "too_many_instants",
             Self::UnknownUnit { .. } => "unknown_unit",
             Self::File { .. } => "file_unreadable",
             Self::FileOutOfReach { .. } => "file_out_of_reach",
-            Self::Recording { fault, .. } => ids::recording(fault),
-            Self::Recorded { fault, .. } => ids::recorded(fault),
             Self::InBody { fault, .. } => fault.id(),
             Self::BodyMissing => "body_missing",
             Self::ShapeMissing => "shape_missing",
@@ -497,7 +424,6 @@ impl Fault {
             Self::Twice { .. } => "given_twice",
             Self::Count { .. } => "count",
             Self::BodyAxis { .. } => "body_axis",
-            Self::Body(error) => ids::body(error),
             Self::BodiesTwice => "bodies_twice",
         }
     }

@@ -83,7 +83,7 @@ pub mod sections {
 }
 
 pub use about::About;
-pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, body_fields, inertia, summed};
+pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use diagnostic::{Diagnostic, place};
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};

@@ -1,6 +1,6 @@
 //! Reader of a project file by its description; reports every fault at once.
 
-use crate::bodies::BodySection;
+use crate::bodies::BodyText;
 use crate::inputs::Input;
 use crate::key::{Key, Kind, Variants, example};
 use crate::nearest::{in_another_table, meant, nearest, of_the_quantity};
@@ -9,7 +9,7 @@ use crate::report::FaultReport;
 use crate::section::{Fields, Section};
 use crate::stated::SectionHead;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
-use crate::value::{QuantityRow, ValueCell, WordChoice};
+use crate::value::{BodyLines, QuantityRow, ValueCell, WordChoice};
 use crate::{Diagnostic, Expected, Fault, Hint, PROJECT_MAX_BYTES, Range};
 use quantities::{Dimension, HalfWidth, QuantityError, Reading, is_unseen};
 use std::ops::Range as Span;
@@ -292,7 +292,7 @@ impl<'t> Reader<'t> {
         let dimension = one_of(dimensions, text)?;
         match quantities::parse_toleranced(dimension, text) {
             Err(error) => {
-                let inner = self.inside(&span, text, error.span());
+                let inner = inside(self.text(), &span, text, error.span());
                 let also = dimensions.iter().copied().filter(|other| *other != dimension).collect();
                 // The bounds of a recording are not those of its clock.
                 let is_bound = [".from", ".to"].iter().any(|key| path.ends_with(key));
@@ -332,7 +332,7 @@ impl<'t> Reader<'t> {
     ) -> Option<()> {
         // A tolerance of zero is ignored.
         let Some(half) = half.filter(|half| half.si > 0.0) else { return Some(()) };
-        let span = self.inside(whole, text, half.span);
+        let span = inside(self.text(), whole, text, half.span);
         for end in [reading.si - half.si, reading.si + half.si] {
             if !range.holds(dimension, end) {
                 let fault = Fault::ToleranceEnd { path: path.to_owned(), end, unit: reading.unit, range };
@@ -364,19 +364,6 @@ impl<'t> Reader<'t> {
             self.fault(span.clone(), fault, None);
         }
         plausible
-    }
-
-    /// Returns the place of a part of a string value in the file, if the string is written without escapes.
-    fn inside(&self, span: &Span<usize>, text: &str, part: Span<usize>) -> Span<usize> {
-        let raw = self.text().get(span.clone()).unwrap_or_default();
-        match raw.find(text) {
-            Some(at) if !text.is_empty() => {
-                let start = span.start + at + part.start.min(text.len());
-                let end = span.start + at + part.end.min(text.len());
-                if start < end { start..end } else { span.clone() }
-            }
-            _ => span.clone(),
-        }
     }
 
     /// Reads an array of tables; with `variants` each is of one of several kinds.
@@ -413,7 +400,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads solid bodies, one text each; a fault is reported at its text.
-    pub(crate) fn bodies(&mut self, found: &FoundValue<'_, '_>) -> Option<Vec<BodySection>> {
+    pub(crate) fn bodies(&mut self, found: &FoundValue<'_, '_>) -> Option<BodyLines> {
         let (items, path, span) = (self.items(found)?, found.path, &found.span);
         let mut lines: Vec<(&str, Span<usize>)> = Vec::new();
         for item in items.iter() {
@@ -423,33 +410,34 @@ impl<'t> Reader<'t> {
             }
         }
         let text = lines.iter().map(|(text, _)| *text).collect::<Vec<_>>().join("\n");
-        match crate::bodies::toleranced(&text) {
-            Ok((bodies, tolerances)) => {
-                for (line, key, reading, half) in tolerances {
-                    let Some((text, whole)) = lines.get(line) else { continue };
-                    let path = format!("{path}[{}].{key}", line + 1);
-                    self.tolerance(&reading, Some(half), whole, text, &path, (reading.unit.dimension, Range::Any))?;
-                }
-                for (number, (_, span)) in (1..).zip(&lines) {
-                    self.input(&format!("{path}[{number}]"), span, None);
-                }
-                (lines.len() == items.len()).then_some(bodies)
+        let starts: Vec<usize> = crate::bodies::lines(&text).map(|(start, _)| start).collect();
+        let file = self.text();
+        let place = |line: usize, part: Span<usize>| match (lines.get(line), starts.get(line)) {
+            (Some((text, whole)), Some(start)) => {
+                inside(file, whole, text, part.start.saturating_sub(*start)..part.end.saturating_sub(*start))
             }
-            Err(faults) => {
-                let starts: Vec<usize> = crate::bodies::lines(&text).map(|(start, _)| start).collect();
-                for fault in faults {
-                    let line = fault.line.saturating_sub(1);
-                    let (Some((text, whole)), Some(start)) = (lines.get(line), starts.get(line)) else {
-                        self.fault(span.clone(), in_body(path, fault.fault), fault.hint);
-                        continue;
-                    };
-                    let part = fault.span.start.saturating_sub(*start)..fault.span.end.saturating_sub(*start);
-                    let place = self.inside(whole, text, part);
-                    self.fault(place, in_body(path, fault.fault), fault.hint);
-                }
-                None
+            _ => span.clone(),
+        };
+        let (BodyText { bodies, faults, more }, tolerances) = crate::bodies::toleranced(&text, &place);
+        let is_whole = faults.is_empty() && lines.len() == items.len();
+        if faults.is_empty() {
+            for (line, key, reading, half) in tolerances {
+                let Some((text, whole)) = lines.get(line) else { continue };
+                let path = format!("{path}[{}].{key}", line + 1);
+                self.tolerance(&reading, Some(half), whole, text, &path, (reading.unit.dimension, Range::Any))?;
+            }
+            for (number, (_, span)) in (1..).zip(&lines) {
+                self.input(&format!("{path}[{number}]"), span, None);
             }
         }
+        for fault in faults {
+            let at = place(fault.line.saturating_sub(1), fault.span);
+            self.fault(at, in_body(path, fault.fault), fault.hint);
+        }
+        if more > 0 {
+            self.fault(span.clone(), in_body(path, Fault::More { count: more }), None);
+        }
+        Some(BodyLines { bodies, is_whole })
     }
 
     /// Checks that the keys of a table are those of its kind.
@@ -514,6 +502,19 @@ impl<'t> Reader<'t> {
             rows.extend(row.map(|row| (row, item.span())));
         }
         Some(rows)
+    }
+}
+
+/// Returns the place of a part of a string value in the file, if the string is written without escapes.
+fn inside(file: &str, span: &Span<usize>, text: &str, part: Span<usize>) -> Span<usize> {
+    let raw = file.get(span.clone()).unwrap_or_default();
+    match raw.find(text) {
+        Some(at) if !text.is_empty() => {
+            let start = span.start + at + part.start.min(text.len());
+            let end = span.start + at + part.end.min(text.len());
+            if start < end { start..end } else { span.clone() }
+        }
+        _ => span.clone(),
     }
 }
 

@@ -9,9 +9,9 @@ const FAULTS_MOST: usize = 50;
 
 /// Faults of a file, reported while it is read and while axes are built from it.
 #[derive(Debug)]
-pub struct FaultReport<'t> {
+pub struct FaultReport<'t, F = Fault> {
     text: &'t str,
-    found: Vec<Diagnostic>,
+    found: Vec<Diagnostic<F>>,
     /// The syntax had errors.
     damaged: bool,
     /// Lines that could not be read.
@@ -22,7 +22,7 @@ pub struct FaultReport<'t> {
     more: usize,
 }
 
-impl<'t> FaultReport<'t> {
+impl<'t, F: From<Fault> + PartialEq> FaultReport<'t, F> {
     /// Creates a report without faults about a text.
     #[must_use]
     pub const fn new(text: &'t str) -> Self {
@@ -65,19 +65,19 @@ impl<'t> FaultReport<'t> {
 
     /// Returns the faults in the order of the file, with a last one that counts those not listed.
     #[must_use]
-    pub fn into_faults(mut self) -> Vec<Diagnostic> {
+    pub fn into_faults(mut self) -> Vec<Diagnostic<F>> {
         self.found.sort_by_key(|fault| (fault.span.start, fault.span.end));
         self.found.dedup();
         if self.more > 0 {
             let end = self.found.last().map_or(0, |fault| fault.span.start);
             let fault = Fault::More { count: self.more };
-            self.found.push(Diagnostic::at(self.text, end..end, fault, None));
+            self.found.push(Diagnostic::at(self.text, end..end, fault.into(), None));
         }
         self.found
     }
 
     /// Reports a fault at a place of the text, in bytes.
-    pub fn fault(&mut self, span: Span<usize>, fault: Fault, hint: Option<Hint>) {
+    pub fn fault(&mut self, span: Span<usize>, fault: impl Into<F>, hint: Option<Hint>) {
         // A line that could not be read has its fault of the syntax only.
         let is_unread = |Replaced { line, .. }: &Replaced| line.start <= span.start && span.start <= line.end;
         if !span.is_empty() && self.unread.iter().any(is_unread) {
@@ -90,6 +90,14 @@ impl<'t> FaultReport<'t> {
         }
         let end = span.end.min(self.text.len());
         let start = span.start.min(end);
-        self.found.push(Diagnostic::at(self.text, start..end, fault, hint));
+        self.found.push(Diagnostic::at(self.text, start..end, fault.into(), hint));
+    }
+
+    /// Returns the report for faults of another kind, of which those so far are some.
+    #[must_use]
+    pub fn into_other<G: From<F>>(self) -> FaultReport<'t, G> {
+        let Self { text, found, damaged, unread, unread_faults, more } = self;
+        let found = found.into_iter().map(Diagnostic::into_other).collect();
+        FaultReport { text, found, damaged, unread, unread_faults, more }
     }
 }

@@ -123,6 +123,8 @@ pub trait StatedField {
     fn is_of_a_line(&self) -> bool;
     /// Returns the value of a quantity in SI.
     fn si(&self) -> Option<f64>;
+    /// Marks its value as refused.
+    fn refuse_value(&mut self);
     /// States a quantity by its value in SI.
     fn state(&mut self, si: f64, span: Span<usize>);
     /// Replaces the value of a quantity, in SI; `index` and `rest` lead to it within a list. `None` if there is no
@@ -173,6 +175,10 @@ impl<T: KeyValue> StatedField for Stated<T> {
 
     fn si(&self) -> Option<f64> {
         self.get()?.as_si()
+    }
+
+    fn refuse_value(&mut self) {
+        self.refuse();
     }
 
     fn state(&mut self, si: f64, span: Span<usize>) {

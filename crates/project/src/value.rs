@@ -411,17 +411,22 @@ impl<P: QuantityRow> KeyValue for Rows<P> {
 
 /// Solid bodies, one text each.
 #[derive(Clone, Debug)]
-pub struct BodyLines(pub Vec<BodySection>);
+pub struct BodyLines {
+    /// Bodies of the texts that state a shape.
+    pub bodies: Vec<BodySection>,
+    /// No text has a fault; otherwise a body may lack a value.
+    pub is_whole: bool,
+}
 
 impl KeyValue for BodyLines {
     const KIND: Kind = Kind::Bodies;
 
     fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
-        reader.bodies(found).map(Self)
+        reader.bodies(found)
     }
 
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
-        set_in(&mut self.0, index, rest, si)
+        set_in(&mut self.bodies, index, rest, si)
     }
 }
 

@@ -13,8 +13,8 @@ use crate::list::Cost;
 use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
 use crate::tolerance::Draw;
+use axis::AxisDiagnostic;
 use axis::{AxisProject, Catalogue, Files, Grant, RatioAnswer};
-use project::Diagnostic;
 use quantities::Language;
 use serde_json::Value;
 use sizing::{StepObserver, Unobserved, finished, rank};
@@ -34,7 +34,7 @@ pub fn embedded_catalogue() -> &'static Arc<dyn Catalogue> {
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
-pub fn read(text: &str) -> Result<AxisProject, Vec<Diagnostic>> {
+pub fn read(text: &str) -> Result<AxisProject, Vec<AxisDiagnostic>> {
     read_with(text, embedded_catalogue())
 }
 
@@ -43,7 +43,7 @@ pub fn read(text: &str) -> Result<AxisProject, Vec<Diagnostic>> {
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::worded`] words them.
-pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<AxisProject>, Vec<Diagnostic>> {
+pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<AxisProject>, Vec<AxisDiagnostic>> {
     read_all_with(text, files, embedded_catalogue())
 }
 
@@ -51,7 +51,7 @@ pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<AxisProject>, Vec<D
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_with(text: &str, catalogue: &Arc<dyn Catalogue>) -> Result<AxisProject, Vec<Diagnostic>> {
+pub fn read_with(text: &str, catalogue: &Arc<dyn Catalogue>) -> Result<AxisProject, Vec<AxisDiagnostic>> {
     AxisProject::read(text, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
@@ -63,7 +63,7 @@ pub fn read_all_with(
     text: &str,
     files: &dyn Files,
     catalogue: &Arc<dyn Catalogue>,
-) -> Result<Vec<AxisProject>, Vec<Diagnostic>> {
+) -> Result<Vec<AxisProject>, Vec<AxisDiagnostic>> {
     AxisProject::read_all(text, files, catalogue, &|ratios, with| finished(best_ratio(ratios, with, &Unobserved)))
 }
 
@@ -71,7 +71,7 @@ pub fn read_all_with(
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unread {
     /// Every fault of the file, each with its place, in the order of the file.
-    Faults(Vec<Diagnostic>),
+    Faults(Vec<AxisDiagnostic>),
     /// The best of several ratios was not searched: the call was cancelled, or the search exceeds the usual time.
     Refused(Refusal),
 }

@@ -4,6 +4,7 @@ use crate::pick;
 use crate::texts::said;
 use axis::{Assumption, Overrun};
 use motion::{Alternating, MadeUp, Remark, Spline, Spurious, SteppedColumn};
+use project::KeyDefault;
 use quantities::unit::{
     DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
 };
@@ -36,10 +37,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "a spline of the fifth degree goes through the points of the cam table: jerk and its derivative are continuous there (C⁴); at the ends the jerk may be discontinuous",
             "Kurventabelle mit Spline fünften Grades interpoliert: Ruck und Ruckableitung sind an den Stützpunkten stetig (C⁴); an den Enden kann der Ruck springen",
         ),
-        Assumption::Default(project::KeyDefault::NoFriction) => {
+        Assumption::Default(KeyDefault::NoFriction) => {
             ("no friction torque given: 0 Nm assumed", "kein Reibmoment angegeben: 0 Nm angenommen")
         }
-        Assumption::Default(project::KeyDefault::AmbientWithinRange) => (
+        Assumption::Default(KeyDefault::AmbientWithinRange) => (
             "no ambient temperature given: heating computed for the highest permitted (CHA: 40 °C), cold gear friction for 30 °C; colder starts are not covered",
             "keine Umgebungstemperatur angegeben: Erwärmung für die höchste zulässige (CHA: 40 °C) gerechnet, Reibung des kalten Getriebes für 30 °C; kältere Starts sind nicht abgedeckt",
         ),
@@ -51,11 +52,11 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "mounted on the aluminium plate of table 13.3: the continuous-duty data are valid for this plate only",
             "Montage auf der Aluminiumplatte nach Tabelle 13.3: nur dafür gelten die Dauerbetriebsdaten",
         ),
-        Assumption::Default(project::KeyDefault::ModulationReserve) => (
+        Assumption::Default(KeyDefault::ModulationReserve) => (
             "the drive provides 90 % of U_DC/√2 at the motor terminals (requirements.modulation_reserve)",
             "der Servoregler stellt an den Motorklemmen 90 % von U_DC/√2 bereit (requirements.modulation_reserve)",
         ),
-        Assumption::Default(project::KeyDefault::NoSupply) => (
+        Assumption::Default(KeyDefault::NoSupply) => (
             "no voltage given, neither that of the DC link (requirements.supply) nor that of the mains (requirements.mains): the terminal voltage is not checked",
             "keine Spannung angegeben, weder die des Zwischenkreises (requirements.supply) noch die des Netzes (requirements.mains): die Klemmenspannung wird nicht geprüft",
         ),
@@ -99,46 +100,46 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "moments of radial and axial force on the flange assumed to act in the same direction",
             "Momente aus Radial- und Axialkraft am Flansch gleichgerichtet angesetzt",
         ),
-        Assumption::Default(project::KeyDefault::NoLosses) => (
+        Assumption::Default(KeyDefault::NoLosses) => (
             "no efficiency of the mechanism given: 1 assumed",
             "kein Wirkungsgrad der Mechanik angegeben: 1 angenommen",
         ),
-        Assumption::Default(project::KeyDefault::LossesDoNotHelp) => (
+        Assumption::Default(KeyDefault::LossesDoNotHelp) => (
             "no efficiency for a driving load given (efficiency_back): while the load drives, the losses are not counted as braking torque",
             "kein Wirkungsgrad für die treibende Last angegeben (efficiency_back): bei treibender Last wird keine bremsende Wirkung der Verluste angesetzt",
         ),
-        Assumption::Default(project::KeyDefault::TravelHorizontal) => (
+        Assumption::Default(KeyDefault::TravelHorizontal) => (
             "no inclination of the travel given (inclination): horizontal, without the weight of the load along it",
             "keine Neigung des Verfahrwegs angegeben (inclination): waagerecht, ohne Gewichtskraft in Bewegungsrichtung",
         ),
-        Assumption::Default(project::KeyDefault::GroundHorizontal) => (
+        Assumption::Default(KeyDefault::GroundHorizontal) => (
             "no inclination of the ground link given (inclination): horizontal",
             "keine Neigung des Gestells angegeben (inclination): waagerecht",
         ),
-        Assumption::Default(project::KeyDefault::AxisVertical) => (
+        Assumption::Default(KeyDefault::AxisVertical) => (
             "no tilt of the axis of rotation given (axis_tilt): vertical, without a torque of gravity",
             "keine Neigung der Drehachse angegeben (axis_tilt): senkrecht, ohne Gewichtsmoment",
         ),
-        Assumption::Default(project::KeyDefault::PartsWithoutInertia) => (
+        Assumption::Default(KeyDefault::PartsWithoutInertia) => (
             "no inertia of the rotating parts of the mechanism given (inertia): 0 assumed",
             "kein Massenträgheitsmoment der drehenden Teile der Mechanik angegeben (inertia): 0 angenommen",
         ),
-        Assumption::Default(project::KeyDefault::RopeWeightless) => {
+        Assumption::Default(KeyDefault::RopeWeightless) => {
             ("no mass of the rope given (rope_mass): 0 assumed", "keine Seilmasse angegeben (rope_mass): 0 angenommen")
         }
-        Assumption::Default(project::KeyDefault::SheavesNoLosses) => (
+        Assumption::Default(KeyDefault::SheavesNoLosses) => (
             "no efficiency of the rope sheaves given (sheave_efficiency): 1 assumed",
             "kein Wirkungsgrad der Seilrollen angegeben (sheave_efficiency): 1 angenommen",
         ),
-        Assumption::Default(project::KeyDefault::ArmsWeightless) => (
+        Assumption::Default(KeyDefault::ArmsWeightless) => (
             "no mass of the arms given (arm_mass): 0 assumed",
             "keine Masse der Arme angegeben (arm_mass): 0 angenommen",
         ),
-        Assumption::Default(project::KeyDefault::CouplerWeightless) => (
+        Assumption::Default(KeyDefault::CouplerWeightless) => (
             "no mass of the coupler given (coupler_mass): 0 assumed",
             "keine Masse der Koppel angegeben (coupler_mass): 0 angenommen",
         ),
-        Assumption::Default(project::KeyDefault::RockerWeightless) => (
+        Assumption::Default(KeyDefault::RockerWeightless) => (
             "no mass of the rocker given (rocker_mass): 0 assumed",
             "keine Masse der Schwinge angegeben (rocker_mass): 0 angenommen",
         ),
@@ -150,7 +151,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "the single move is evaluated as if it were repeated without a pause, which is conservative for the rms torque",
             "die einmalige Bewegung wird wie eine ohne Pause wiederholte gerechnet; für das effektive Drehmoment liegt das auf der sicheren Seite",
         ),
-        Assumption::Default(project::KeyDefault::OrdinaryApplication) => (
+        Assumption::Default(KeyDefault::OrdinaryApplication) => (
             "no field of application that requires the manufacturer's approval (section 2.4)",
             "kein Anwendungsbereich, der eine Freigabe des Herstellers erfordert (Abschnitt 2.4)",
         ),
@@ -158,7 +159,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "each quantity with a tolerance is uniformly distributed within its band, independent of the others",
             "jede Größe mit Toleranz ist in ihrem Toleranzband gleichverteilt, unabhängig von den anderen",
         ),
-        Assumption::Default(project::KeyDefault::MotorHolds) => (
+        Assumption::Default(KeyDefault::MotorHolds) => (
             "no means of holding stated for standstill (motion.hold): the motor holds the load",
             "keine Angabe zum Halten im Stillstand (motion.hold): der Motor hält die Last",
         ),
@@ -210,7 +211,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "in a segment that states loads on the flange, these take the place of those of the mechanism (bearing.mechanism = \"replace\")",
             "in einem Abschnitt mit eigenen Lasten am Flansch treten diese an die Stelle derer aus der Mechanik (bearing.mechanism = \"replace\")",
         ),
-        Assumption::Default(project::KeyDefault::FlangeBearsAll) => (
+        Assumption::Default(KeyDefault::FlangeBearsAll) => (
             "no share of the flange in the loads given (bearing.flange_share): the flange carries the full loads of the mechanism",
             "kein Lastanteil des Flansches angegeben (bearing.flange_share): der Flansch nimmt die Lasten der Mechanik vollständig auf",
         ),
@@ -230,31 +231,31 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "the additional moment of inertia of a segment (payload_inertia) adds no weight to the flange loads",
             "das zusätzliche Massenträgheitsmoment eines Abschnitts (payload_inertia) geht nicht als Gewicht in die Flanschlasten ein",
         ),
-        Assumption::Default(project::KeyDefault::WheelWeightless) => (
+        Assumption::Default(KeyDefault::WheelWeightless) => (
             "no mass of pulley, pinion or crank given (bearing.wheel_mass): parts rotating with the flange are assumed to have no mass",
             "keine Masse von Scheibe, Ritzel oder Kurbel angegeben (bearing.wheel_mass): die mit dem Flansch umlaufenden Teile werden masselos angesetzt",
         ),
-        Assumption::Default(project::KeyDefault::SpurTeeth) => (
+        Assumption::Default(KeyDefault::SpurTeeth) => (
             "no helix angle given (bearing.helix_angle): spur teeth",
             "kein Schrägungswinkel angegeben (bearing.helix_angle): Geradverzahnung",
         ),
-        Assumption::Default(project::KeyDefault::StageNoLosses) => (
+        Assumption::Default(KeyDefault::StageNoLosses) => (
             "no efficiency of the stage given: 1 assumed",
             "kein Wirkungsgrad der Zwischenstufe angegeben: 1 angenommen",
         ),
-        Assumption::Default(project::KeyDefault::StageLossesDoNotHelp) => (
+        Assumption::Default(KeyDefault::StageLossesDoNotHelp) => (
             "no efficiency of the stage for a driving mechanism given (stage.efficiency_back): while the mechanism drives, the losses of the stage are not counted as braking torque",
             "kein Wirkungsgrad der Stufe für die treibende Mechanik angegeben (stage.efficiency_back): bei treibender Mechanik wird keine bremsende Wirkung der Stufenverluste angesetzt",
         ),
-        Assumption::Default(project::KeyDefault::StageWithoutInertia) => (
+        Assumption::Default(KeyDefault::StageWithoutInertia) => (
             "no inertia of the stage given: 0 kgm² assumed",
             "keine Massenträgheit der Stufe angegeben: 0 kgm² angenommen",
         ),
-        Assumption::Default(project::KeyDefault::StageRigid) => (
+        Assumption::Default(KeyDefault::StageRigid) => (
             "no stiffness of the stage given (stage.stiffness): the stage is rigid",
             "keine Steifigkeit der Stufe angegeben (stage.stiffness): die Stufe ist starr",
         ),
-        Assumption::Default(project::KeyDefault::StageNoBacklash) => (
+        Assumption::Default(KeyDefault::StageNoBacklash) => (
             "no backlash of the stage given (stage.backlash): the stage has no backlash",
             "kein Spiel der Stufe angegeben (stage.backlash): die Stufe hat kein Spiel",
         ),

@@ -8,6 +8,7 @@ use crate::pick;
 use crate::texts::said;
 use crate::toml_syntax;
 use actuator::{BatteryFault, CurveFault};
+use axis::AxisFault;
 use mechanism::{BodyError, TableFault};
 use project::{ColumnDimensions, Diagnostic, Expected, Fault, Hint, Range};
 use quantities::unit::DEGREE;
@@ -40,27 +41,76 @@ impl Worded {
     }
 }
 
+/// A fault with words.
+pub trait FaultWords {
+    /// Returns its identifier in data exchange.
+    fn id(&self) -> &'static str;
+    /// Returns it in one sentence.
+    fn text(&self, language: Language) -> String;
+    /// Returns the hint that follows from it alone.
+    fn own_hint(&self, language: Language) -> Option<String>;
+}
+
+impl FaultWords for Fault {
+    fn id(&self) -> &'static str {
+        self.id()
+    }
+
+    fn text(&self, language: Language) -> String {
+        file_fault_text(self, language)
+    }
+
+    fn own_hint(&self, language: Language) -> Option<String> {
+        file_own_hint(self, language)
+    }
+}
+
+impl FaultWords for AxisFault {
+    fn id(&self) -> &'static str {
+        self.id()
+    }
+
+    fn text(&self, language: Language) -> String {
+        axis_fault_text(self, language)
+    }
+
+    fn own_hint(&self, language: Language) -> Option<String> {
+        axis_own_hint(self, language)
+    }
+}
+
+/// Returns the fault in one sentence.
+#[must_use]
+pub fn fault_text(fault: &impl FaultWords, language: Language) -> String {
+    fault.text(language)
+}
+
+/// Returns the hint that follows from the fault alone.
+#[must_use]
+pub fn own_hint(fault: &impl FaultWords, language: Language) -> Option<String> {
+    fault.own_hint(language)
+}
+
 /// Returns every fault as text, in the same order.
 #[must_use]
-pub fn worded(faults: &[Diagnostic], language: Language) -> Vec<Worded> {
+pub fn worded<F: FaultWords>(faults: &[Diagnostic<F>], language: Language) -> Vec<Worded> {
     faults.iter().map(|fault| fault_worded(fault, language)).collect()
 }
 
-fn fault_worded(found: &Diagnostic, language: Language) -> Worded {
+fn fault_worded<F: FaultWords>(found: &Diagnostic<F>, language: Language) -> Worded {
     let hint = found.hint.as_ref().map(|hint| hint_text(hint, language));
     Worded {
         id: found.fault.id(),
         span: found.span.clone(),
         line: found.line,
         column: found.column,
-        message: fault_text(&found.fault, language),
-        hint: hint.or_else(|| own_hint(&found.fault, language)),
+        message: found.fault.text(language),
+        hint: hint.or_else(|| found.fault.own_hint(language)),
     }
 }
 
-/// Returns the fault in one sentence.
-#[must_use]
-pub fn fault_text(fault: &Fault, language: Language) -> String {
+/// Returns the fault of a file in one sentence.
+fn file_fault_text(fault: &Fault, language: Language) -> String {
     match fault {
         Fault::FileTooLarge { bytes, most } => said!(language =>
             "the project file has {bytes} bytes; the limit is {most}"
@@ -112,28 +162,12 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "no actuator in the catalogue has an ordering code matching `{written}`"
             | "kein Antrieb des Katalogs hat eine Bestellbezeichnung wie `{written}`"
         ),
-        Fault::Curve(fault) => curve(*fault, language),
-        Fault::Table(fault) => table(*fault, language),
-        Fault::Points(fault) => motion::points_fault(*fault, language),
-        Fault::Battery(fault) => battery_fault(fault, language),
         Fault::File { name, trouble } => format!("{name}: {}", trouble_text(trouble, language)),
         Fault::FileOutOfReach { name } => said!(language =>
             "{name}: only files in the folder of the project and below it are read here"
             | "{name}: hier werden nur Dateien im Ordner des Projekts und darunter gelesen"
         ),
-        Fault::Recording { name, fault } => format!("{name}: {}", recording::fault(fault, language).0),
-        Fault::Recorded { name, fault } => format!("{name}: {}", motion::recorded_fault(fault, language).0),
-        Fault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).0,
-        Fault::Instants(found) => {
-            let [found, most] = [found.instants, found.most].map(|count| format!("{count:.0}"));
-            said!(language =>
-                "the cycle requires {found} evaluation points; the limit is {most}"
-                | "der Zyklus erfordert {found} Stützstellen; gerechnet werden höchstens {most}"
-            )
-        }
-        Fault::InBody { path, fault } => format!("`{path}`: {}", fault_text(fault, language)),
-        Fault::Body(error) => bodies::fault(error, language),
-        Fault::ImpossibleWithin { values, why } => impossible(values, why.as_deref(), language),
+        Fault::InBody { path, fault } => format!("`{path}`: {}", file_fault_text(fault, language)),
         Fault::BareNumber { path, dimension } => {
             let name = dimension.name(language);
             said!(language =>
@@ -296,7 +330,6 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             "`mechanism.slider_crank.rod` must be longer than the crank"
             | "`mechanism.slider_crank.rod` muss länger als der Kurbelradius sein"
         ),
-        Fault::Geometry(fault) => geometry(*fault, language).to_owned(),
         Fault::BeyondRange { position_rad, range_rad: (low, high) } => {
             let shown = |angle: f64| format!("{}°", format_significant(DEGREE.from_si(angle), 5, language));
             let (reached, farthest) = (shown(*position_rad), shown(if position_rad > high { *high } else { *low }));
@@ -357,10 +390,8 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
     }
 }
 
-/// Returns the hint that follows from the fault alone.
-#[must_use]
-pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
-    let example = |line: &str| Some(hint_text(&Hint::Example(line.to_owned()), language));
+/// Returns the hint that follows from the fault of a file alone.
+fn file_own_hint(fault: &Fault, language: Language) -> Option<String> {
     match fault {
         Fault::Quantity { error, also, .. } => hint_of_several(error, also, language),
         Fault::Code(error) => match error.nearest() {
@@ -371,18 +402,8 @@ pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
                 Some(hint_text(&Hint::ValidAre(valid), language))
             }
         },
-        Fault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).1,
-        Fault::Recording { fault, .. } => recording::fault(fault, language).1,
         Fault::Tabular(fault) => crate::sweeps::hint(fault, language),
-        Fault::Recorded { fault, .. } => motion::recorded_fault(fault, language).1,
-        Fault::Instants(_) => Some(said!(language =>
-            "describe a shorter cycle; where the load depends on the position, each revolution at changing speed requires 192 points, all revolutions at constant speed together at most two"
-            | "einen kürzeren Zyklus beschreiben; hängt die Last von der Position ab, erfordert jede Umdrehung mit veränderlicher Drehzahl 192 Stützstellen, alle Umdrehungen mit konstanter Drehzahl zusammen höchstens zwei"
-        )),
-        Fault::Body(BodyError::NoMass) => example("mass=0.6kg"),
-        Fault::Body(BodyError::DistanceOutOfRange { .. }) => example("distance=80mm angle=180deg"),
-        Fault::InBody { fault, .. } => own_hint(fault, language),
-        Fault::ImpossibleWithin { why: Some(why), .. } => own_hint(why, language),
+        Fault::InBody { fault, .. } => file_own_hint(fault, language),
         Fault::MotorSide { ratios, .. } => {
             let ratio = |(key, ratio): &(&str, Option<f64>)| format!("{key} = {}", ratio.unwrap_or(80.0));
             let ratios: Vec<String> = ratios.iter().map(ratio).collect();
@@ -394,6 +415,60 @@ pub fn own_hint(fault: &Fault, language: Language) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// Returns the fault of an axis in one sentence.
+fn axis_fault_text(fault: &AxisFault, language: Language) -> String {
+    match fault {
+        AxisFault::Stated(fault) => file_fault_text(fault, language),
+        AxisFault::Curve(fault) => curve(*fault, language),
+        AxisFault::Table(fault) => table(*fault, language),
+        AxisFault::Points(fault) => motion::points_fault(*fault, language),
+        AxisFault::Battery(fault) => battery_fault(fault, language),
+        AxisFault::Recording { name, fault } => format!("{name}: {}", recording::fault(fault, language).0),
+        AxisFault::Recorded { name, fault } => format!("{name}: {}", motion::recorded_fault(fault, language).0),
+        AxisFault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).0,
+        AxisFault::Instants(found) => {
+            let [found, most] = [found.instants, found.most].map(|count| format!("{count:.0}"));
+            said!(language =>
+                "the cycle requires {found} evaluation points; the limit is {most}"
+                | "der Zyklus erfordert {found} Stützstellen; gerechnet werden höchstens {most}"
+            )
+        }
+        AxisFault::Body(error) => bodies::fault(error, language),
+        AxisFault::ImpossibleWithin { values, why } => impossible(values, why.as_deref(), language),
+        AxisFault::Geometry(fault) => geometry(*fault, language).to_owned(),
+        AxisFault::BodyOfText { path, error } => format!("`{path}`: {}", bodies::fault(error, language)),
+    }
+}
+
+/// Returns the hint that follows from the fault of an axis alone.
+fn axis_own_hint(fault: &AxisFault, language: Language) -> Option<String> {
+    match fault {
+        AxisFault::Stated(fault) => file_own_hint(fault, language),
+        AxisFault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).1,
+        AxisFault::Recording { fault, .. } => recording::fault(fault, language).1,
+        AxisFault::Recorded { fault, .. } => motion::recorded_fault(fault, language).1,
+        AxisFault::Instants(_) => Some(said!(language =>
+            "describe a shorter cycle; where the load depends on the position, each revolution at changing speed requires 192 points, all revolutions at constant speed together at most two"
+            | "einen kürzeren Zyklus beschreiben; hängt die Last von der Position ab, erfordert jede Umdrehung mit veränderlicher Drehzahl 192 Stützstellen, alle Umdrehungen mit konstanter Drehzahl zusammen höchstens zwei"
+        )),
+        AxisFault::Body(BodyError::NoMass) => example_hint("mass=0.6kg", language),
+        AxisFault::Body(BodyError::DistanceOutOfRange { .. }) => example_hint("distance=80mm angle=180deg", language),
+        AxisFault::ImpossibleWithin { why: Some(why), .. } => axis_own_hint(why, language),
+        AxisFault::BodyOfText { error, .. } => axis_own_hint(&AxisFault::Body(*error), language),
+        AxisFault::ImpossibleWithin { why: None, .. }
+        | AxisFault::Curve(_)
+        | AxisFault::Table(_)
+        | AxisFault::Battery(_)
+        | AxisFault::Geometry(_)
+        | AxisFault::Points(_)
+        | AxisFault::Body(_) => None,
+    }
+}
+
+fn example_hint(line: &str, language: Language) -> Option<String> {
+    Some(hint_text(&Hint::Example(line.to_owned()), language))
 }
 
 /// Returns a hint as text.
@@ -466,7 +541,7 @@ fn shown(si: f64, unit: &Unit, language: Language) -> String {
 }
 
 /// Returns the values within the tolerances at which the axis is impossible, and the reason.
-fn impossible(values: &[(String, f64, &Unit)], why: Option<&Fault>, language: Language) -> String {
+fn impossible(values: &[(String, f64, &Unit)], why: Option<&AxisFault>, language: Language) -> String {
     // Largest number of quantities that are named.
     const NAMED_MOST: usize = 4;
     let mut named: Vec<String> = values
@@ -478,7 +553,7 @@ fn impossible(values: &[(String, f64, &Unit)], why: Option<&Fault>, language: La
         named.push("…".to_owned());
     }
     let named = named.join(", ");
-    let why = why.map(|fault| format!(": {}", fault_text(fault, language))).unwrap_or_default();
+    let why = why.map(|fault| format!(": {}", axis_fault_text(fault, language))).unwrap_or_default();
     if values.len() == 1 {
         return said!(language =>
             "within this tolerance the axis is not feasible, at {named}{why}"

@@ -71,7 +71,7 @@ pub use derivation::{found_condition, found_text, symbol_shown};
 pub use errata::{ERRATUM_MARK, erratum_kind, erratum_place, erratum_status, marked};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
-pub use faults::{Worded, battery_fault, fault_text, hint_text, own_hint, worded};
+pub use faults::{FaultWords, Worded, battery_fault, fault_text, hint_text, own_hint, worded};
 pub use file_trouble::file_trouble;
 pub use glossary_page::{glossary_page, glossary_symbol, glossary_symbols};
 pub use hyphens::hyphenated;

@@ -114,7 +114,7 @@ pub(crate) fn in_german(message: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use axis::{AxisProject, NoCatalogue, NoFiles};
+    use axis::{AxisFault, AxisProject, NoCatalogue, NoFiles};
     use project::Fault;
 
     /// The faults that occur when a project file is typed are in German, with what the parser expected.
@@ -159,7 +159,7 @@ mod tests {
         for text in texts {
             let faults = AxisProject::read_all(text, &NoFiles, &NoCatalogue::shared(), &|_, _| None).unwrap_err();
             for fault in faults {
-                let Fault::Syntax { message, .. } = &fault.fault else { continue };
+                let AxisFault::Stated(Fault::Syntax { message, .. }) = &fault.fault else { continue };
                 let german = in_german(message);
                 if german.contains("Meldung") || german.contains("expected") || german.contains("missing") {
                     unknown.push((text, message.clone(), german));

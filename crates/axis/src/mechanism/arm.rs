@@ -1,13 +1,13 @@
 //! An unbalanced arm.
 
+use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange};
 use mechanism::{MechanismKind, Rotor, RotorKind};
 use project::sections::{Arm, StatedField};
-use project::FaultReport;
 use quantities::{Angle, Measure};
 
 impl Driven for Arm {
-    fn kind(&self, _: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, _: &mut AxisReport<'_>) -> Option<MechanismKind> {
         Some(MechanismKind::Rotor(Rotor {
             kind: RotorKind::Arm,
             inertia: self.inertia.value()?,

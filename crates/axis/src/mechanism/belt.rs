@@ -1,14 +1,14 @@
 //! A belt, or rack and pinion, with a slide.
 
+use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange};
 use super::parts::linear;
 use mechanism::{LinearKind, MechanismKind};
 use project::sections::{Bearing, Belt, StatedField};
-use project::FaultReport;
 use quantities::Measure;
 
 impl Driven for Belt {
-    fn kind(&self, _: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, _: &mut AxisReport<'_>) -> Option<MechanismKind> {
         linear(self, LinearKind::Belt, self.pulley_diameter.value()?.si() / 2.0)
     }
 

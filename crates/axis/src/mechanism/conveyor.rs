@@ -1,14 +1,14 @@
 //! A conveyor or roller that runs endlessly.
 
+use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange};
 use super::parts::linear;
 use mechanism::{LinearKind, MechanismKind};
 use project::sections::{Bearing, Conveyor, StatedField};
-use project::FaultReport;
 use quantities::Measure;
 
 impl Driven for Conveyor {
-    fn kind(&self, _: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, _: &mut AxisReport<'_>) -> Option<MechanismKind> {
         linear(self, LinearKind::Conveyor, self.roller_diameter.value()?.si() / 2.0)
     }
 

@@ -1,12 +1,12 @@
 //! Crank, coupler and rocker.
 
+use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange, sound};
 use mechanism::MechanismKind;
 use project::sections::{FourBar, StatedField};
-use project::FaultReport;
 
 impl Driven for FourBar {
-    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
         let linkage = mechanism::FourBar {
             ground: self.ground.value()?,
             crank: self.crank.value()?,

@@ -1,13 +1,13 @@
 //! Drum, rope and load.
 
+use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange, sound};
 use mechanism::MechanismKind;
 use project::KeyDefault;
 use project::sections::{Hoist, StatedField};
-use project::FaultReport;
 
 impl Driven for Hoist {
-    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
         let hoist = mechanism::Hoist {
             drum_diameter: self.drum_diameter.value()?,
             falls: self.falls(),

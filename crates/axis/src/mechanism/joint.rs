@@ -1,12 +1,12 @@
 //! A joint whose torque is recorded with its motion.
 
+use crate::fault::AxisReport;
 use crate::driven::Driven;
 use mechanism::MechanismKind;
 use project::sections::Joint;
-use project::FaultReport;
 
 impl Driven for Joint {
-    fn kind(&self, _: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, _: &mut AxisReport<'_>) -> Option<MechanismKind> {
         let (inertia, holding_torque) = (self.inertia.value(), self.holding_torque.value());
         Some(MechanismKind::Joint(mechanism::Joint { inertia, holding_torque }))
     }

@@ -1,13 +1,13 @@
 //! A platform on crossed arms that a screw draws together.
 
+use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange, sound};
 use mechanism::MechanismKind;
 use project::sections::{ScissorLift, StatedField};
-use project::FaultReport;
 use quantities::{Length, Measure};
 
 impl Driven for ScissorLift {
-    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
         let lift = mechanism::ScissorLift {
             stages: self.stages.value()?,
             arm_length: self.arm_length.value()?,

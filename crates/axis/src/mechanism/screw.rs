@@ -1,14 +1,14 @@
 //! A screw with a slide.
 
+use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange};
 use super::parts::linear;
 use mechanism::{LinearKind, MechanismKind};
 use project::sections::{Screw, StatedField};
-use project::FaultReport;
 use quantities::Measure;
 
 impl Driven for Screw {
-    fn kind(&self, _: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, _: &mut AxisReport<'_>) -> Option<MechanismKind> {
         linear(self, LinearKind::Screw, self.lead.value()?.si() / std::f64::consts::TAU)
     }
 

@@ -1,13 +1,14 @@
 //! Crank, rod and slider.
 
+use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange};
 use mechanism::MechanismKind;
 use project::sections::{SliderCrank, StatedField};
-use project::{Fault, FaultReport};
+use project::Fault;
 use quantities::{Angle, Measure};
 
 impl Driven for SliderCrank {
-    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
         let (crank, rod) = (self.crank.value()?, self.rod.value()?);
         if rod.si() <= crank.si() {
             report.fault(self.rod.span(), Fault::RodTooShort, None);

@@ -1,17 +1,18 @@
 //! Inertia and torque over the position.
 
+use crate::fault::{AxisFault, AxisReport};
 use crate::driven::Driven;
 use mechanism::{MechanismKind, TablePoint};
 use project::sections::{StatedField, Table, TableRow};
-use project::{Fault, FaultReport};
+
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
 
 impl Driven for Table {
-    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
         match mechanism::Table::new(self.points.get()?.values().iter().map(point).collect()) {
             Ok(table) => Some(MechanismKind::Table(table)),
             Err(fault) => {
-                report.fault(self.points.span(), Fault::Table(fault), None);
+                report.fault(self.points.span(), AxisFault::Table(fault), None);
                 None
             }
         }

@@ -1,14 +1,16 @@
 //! A turntable or drum of solid bodies.
 
+use crate::fault::{AxisFault, AxisReport};
+use crate::bodies::{body, body_fields};
 use crate::driven::{Driven, OnFlange};
 use mechanism::{Body, BodyError, MechanismKind, Rotor, RotorKind};
 use project::sections::{BodySection, Fields, Section, Stated, StatedField, Turntable};
-use project::{Fault, FaultReport, Hint, body_fields};
+use project::{Fault, Hint};
 use quantities::{Angle, Measure};
 use std::ops::Range;
 
 /// Returns `true` if the bodies can be determined; otherwise reports the fault.
-fn knows_bodies(table: &Turntable, report: &mut FaultReport<'_>) -> bool {
+fn knows_bodies(table: &Turntable, report: &mut AxisReport<'_>) -> bool {
     if table.bodies.is_written() && table.body.is_written() {
         report.fault(table.bodies.span(), Fault::BodiesTwice, None);
         return false;
@@ -36,16 +38,16 @@ fn place(table: &Turntable, index: usize, error: &BodyError) -> Range<usize> {
 }
 
 impl Driven for Turntable {
-    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
         if !knows_bodies(self, report) {
             return None;
         }
-        let bodies: Vec<Body> = self.bodies()?.iter().map(BodySection::body).collect::<Option<_>>()?;
+        let bodies: Vec<Body> = self.bodies()?.iter().map(body).collect::<Option<_>>()?;
         let bodies = match mechanism::inertia(&bodies) {
             Ok(total) => total,
             Err(errors) => {
                 for each in errors {
-                    report.fault(place(self, each.body, &each.error), Fault::Body(each.error), None);
+                    report.fault(place(self, each.body, &each.error), AxisFault::Body(each.error), None);
                 }
                 return None;
             }
@@ -70,7 +72,7 @@ impl Driven for Turntable {
     }
 
     fn bodies(&self) -> Option<&[BodySection]> {
-        let lines = self.bodies.get().map(|all| all.0.as_slice());
+        let lines = self.bodies.get().map(|all| all.bodies.as_slice());
         lines.or_else(|| self.body.get().map(|all| all.0.as_slice()))
     }
 

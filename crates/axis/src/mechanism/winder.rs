@@ -1,13 +1,13 @@
 //! A web that is wound up or off.
 
+use crate::fault::AxisReport;
 use crate::choices;
 use crate::driven::{Driven, OnFlange, sound};
 use mechanism::MechanismKind;
 use project::sections::{StatedField, Winder};
-use project::FaultReport;
 
 impl Driven for Winder {
-    fn kind(&self, report: &mut FaultReport<'_>) -> Option<MechanismKind> {
+    fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
         let winder = mechanism::Winder {
             winding: choices::winding(self.winding.value()?),
             core_diameter: self.core_diameter.value()?,

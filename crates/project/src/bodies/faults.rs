@@ -1,11 +1,9 @@
 //! Faults of a body as written.
 
-use super::{BODY_SHAPES, BodySection, BodyShape, BodyTolerance, Keyed, Line};
-use crate::section::Fields;
-use crate::stated::StatedField;
+use super::{BODY_SHAPES, BodyShape, BodyTolerance, Keyed, Line};
+use crate::choices::Orientation;
 use crate::value::WordChoice;
 use crate::{Diagnostic, Fault, Hint};
-use mechanism::{BodyError, Orientation};
 use quantities::{Dimension, HalfWidth};
 use std::ops::Range;
 
@@ -26,23 +24,6 @@ pub(super) struct Faults<'t> {
     line: (usize, usize),
 }
 
-/// Returns the fields that an error is about; empty for a missing mass, or the whole body.
-#[must_use]
-pub fn body_fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&'s dyn StatedField> {
-    match error {
-        BodyError::DimensionOutOfRange { field, .. } => body.field(field).into_iter().collect(),
-        BodyError::InnerNotBelowOuter { .. } => vec![&body.inner, &body.outer],
-        BodyError::MassAndDensity { .. } | BodyError::NoVolume | BodyError::DensityOutOfRange { .. } => {
-            vec![&body.density]
-        }
-        BodyError::MassOutOfRange { .. } => vec![&body.mass],
-        BodyError::DistanceOutOfRange { .. } => vec![&body.distance],
-        BodyError::AngleNotFinite => vec![&body.angle],
-        BodyError::NoPiece => vec![&body.count],
-        BodyError::NoMass | BodyError::BeyondNumbers => Vec::new(),
-    }
-}
-
 impl<'t> Faults<'t> {
     pub(super) const fn new(text: &'t str) -> Self {
         Self { text, found: Vec::new(), more: 0, tolerances: None, line: (0, 0) }
@@ -57,19 +38,10 @@ impl<'t> Faults<'t> {
         self.line = (index, start);
     }
 
-    pub(super) const fn is_empty(&self) -> bool {
-        self.found.is_empty()
-    }
-
-    /// Returns the faults in the order of the text.
-    pub(super) fn take(&mut self) -> Vec<Diagnostic> {
-        let mut found = std::mem::take(&mut self.found);
-        found.sort_by_key(|fault| (fault.span.start, fault.span.end));
-        if self.more > 0 {
-            let end = self.text.len();
-            found.push(Diagnostic::at(self.text, end..end, Fault::More { count: self.more }, None));
-        }
-        found
+    /// Returns the faults in the order of the text, and the number of further ones.
+    pub(super) fn take(mut self) -> (Vec<Diagnostic>, usize) {
+        self.found.sort_by_key(|fault| (fault.span.start, fault.span.end));
+        (self.found, self.more)
     }
 
     fn fault(&mut self, span: Range<usize>, fault: Fault, hint: Option<Hint>) {
@@ -195,11 +167,6 @@ impl<'t> Faults<'t> {
             self.fault(pair.value_span.clone(), Fault::BodyAxis { written: excerpt(pair.value) }, hint);
         }
         found
-    }
-
-    /// Reports an impossible body.
-    pub(super) fn body(&mut self, error: &BodyError, span: Range<usize>) {
-        self.fault(span, Fault::Body(*error), None);
     }
 }
 

@@ -79,9 +79,4 @@ impl<'t> Line<'t> {
     pub(super) fn has(&self, key: &str) -> bool {
         self.pairs.iter().any(|pair| pair.key == key)
     }
-
-    /// Returns the place of the value of a key.
-    pub(super) fn value_of(&self, key: &str) -> Option<Range<usize>> {
-        self.pairs.iter().find(|pair| pair.key == key).map(|pair| pair.value_span.clone())
-    }
 }

@@ -8,8 +8,8 @@ use answers::{
     Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Id, Inertia, Number, TorqueExceeded,
     Torsion, Units,
 };
+use axis::{BodyAnswer, InertiaAnswer};
 use configurator::ProductId;
-use project::{BodyAnswer, InertiaAnswer};
 use provenance::Datum;
 use quantities::unit::{
     ARCMINUTE, DEGREE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN, PERCENT,

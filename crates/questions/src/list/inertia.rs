@@ -4,7 +4,7 @@ use super::given::{arguments, lines};
 use super::{Answer, Argument, ArgumentForm, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::reading::Unread;
-use project::{InertiaAnswer, inertia};
+use axis::{InertiaAnswer, inertia};
 use words::{help, help::values};
 
 arguments! {

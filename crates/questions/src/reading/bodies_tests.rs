@@ -1,6 +1,7 @@
 //! Reading bodies: values, and every fault with its place.
 
-use project::{BODY_SHAPES, InertiaAnswer, inertia};
+use axis::{InertiaAnswer, inertia};
+use project::BODY_SHAPES;
 use quantities::{Language, Measure};
 use words::worded;
 

@@ -75,7 +75,7 @@ impl Sweep {
         if place < projects.len() { Ok(projects.swap_remove(place)) } else { Err(String::new()) }
     }
 
-    fn reasons(&self, faults: &[project::Diagnostic]) -> String {
+    fn reasons(&self, faults: &[axis::AxisDiagnostic]) -> String {
         let each = words::worded(faults, self.options.language).into_iter().map(|fault| fault.message);
         each.collect::<Vec<_>>().join("; ")
     }

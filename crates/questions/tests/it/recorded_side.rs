@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use axis::Assumption;
-use axis::{AxisProject, Files};
+use axis::{AxisFault, AxisProject, Files};
 use project::Fault;
 use quantities::{Measure, MomentOfInertia};
 use std::fmt::Write as _;
@@ -33,7 +33,7 @@ fn recording(headings: [&str; 3], ratios: [f64; 3]) -> Given {
 
 const AT_OUTPUT: [&str; 3] = ["q [deg]", "n [1/min]", "M [Nm]"];
 
-fn read(load: &str, keys: &str, files: &Given) -> Result<AxisProject, Vec<Fault>> {
+fn read(load: &str, keys: &str, files: &Given) -> Result<AxisProject, Vec<AxisFault>> {
     let text = format!(
         "format = 1\n[axis]\nname = \"side\"\n{load}\n[[motion]]\nlaw = \"recorded\"\nfile = \"r.csv\"\n{keys}\n"
     );
@@ -91,7 +91,7 @@ fn a_recorded_gear_may_turn_the_other_way() {
     }
     for ratio in ["0", "1e-5", "-1e-5"] {
         let faults = read(LOAD, &format!("recorded_ratio = {{ speed = {ratio} }}"), &recording(AT_OUTPUT, [1.0; 3]));
-        assert!(matches!(faults.unwrap_err().as_slice(), [Fault::RatioTooSmall { .. }]), "{ratio}");
+        assert!(matches!(faults.unwrap_err().as_slice(), [AxisFault::Stated(Fault::RatioTooSmall { .. })]), "{ratio}");
     }
 }
 
@@ -100,7 +100,9 @@ fn columns_of_the_motor_need_their_ratio() {
     let headings = ["r0482[1]: Position [deg]", "r0061[0]: Speed actual value [1/min]", "Motor.Torque [Nm]"];
     let files = recording(headings, [1.0, 80.0, 80.0]);
     let faults = read(LOAD, "", &files).unwrap_err();
-    let [fault @ Fault::MotorSide { ratios, headings: named, .. }] = faults.as_slice() else { panic!("{faults:?}") };
+    let [fault @ AxisFault::Stated(Fault::MotorSide { ratios, headings: named, .. })] = faults.as_slice() else {
+        panic!("{faults:?}")
+    };
     assert_eq!((ratios.as_slice(), named.len()), (&[("speed", None), ("torque", None)][..], 2));
     // The line of the message is read as it stands.
     for language in quantities::Language::ALL {
@@ -114,7 +116,7 @@ fn columns_of_the_motor_need_their_ratio() {
     }
     let faults = read(LOAD, "recorded_ratio = { speed = 50 }", &files).unwrap_err();
     assert!(
-        matches!(faults.as_slice(), [Fault::MotorSide { ratios, .. }] if ratios == &[("speed", Some(50.0)), ("torque", None)]),
+        matches!(faults.as_slice(), [AxisFault::Stated(Fault::MotorSide { ratios, .. })] if ratios == &[("speed", Some(50.0)), ("torque", None)]),
         "{faults:?}"
     );
     let at_output = "recorded_ratio = { speed = 1, torque = 1 }";
@@ -129,10 +131,13 @@ fn a_ratio_without_a_rotary_column_is_refused() {
         &recording(AT_OUTPUT, [1.0; 3]),
     );
     assert!(
-        matches!(faults.unwrap_err().as_slice(), [Fault::NoColumnWithRatio { path }] if path.ends_with("recorded_ratio.torque"))
+        matches!(faults.unwrap_err().as_slice(), [AxisFault::Stated(Fault::NoColumnWithRatio { path })] if path.ends_with("recorded_ratio.torque"))
     );
     let screw = "[mechanism.screw]\nlead = \"10 mm\"\nmass = \"5 kg\"";
     let along = ["x [mm]", "v [mm/s]", "F [N]"];
     let faults = read(screw, "recorded_ratio = { position = 80 }", &recording(along, [1.0; 3])).unwrap_err();
-    assert!(faults.iter().any(|fault| matches!(fault, Fault::NoColumnWithRatio { .. })), "{faults:?}");
+    assert!(
+        faults.iter().any(|fault| matches!(fault, AxisFault::Stated(Fault::NoColumnWithRatio { .. }))),
+        "{faults:?}"
+    );
 }

@@ -2,7 +2,7 @@
 
 use crate::marks::{FACTOR, WRONG, has_own_marks, x};
 use actuator::{BatteryFault, CurveFault, CurveKind};
-use axis::Assumption;
+use axis::{Assumption, AxisFault};
 use configurator::{BrokenRule, Rule, Unmet};
 use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, Needed, PointsFault, RecordedFault};
@@ -206,7 +206,7 @@ fn notes() {
     }
 }
 
-fn move_faults() -> Vec<Fault> {
+fn move_faults() -> Vec<AxisFault> {
     let needed = [
         Needed::TwoOfFour,
         Needed::TwoOrThreeOfFour,
@@ -236,11 +236,12 @@ fn move_faults() -> Vec<Fault> {
         MoveFault::SpeedNotClosed { end: q(1.0), start: q(2.0) },
         MoveFault::PositionNotClosed { gap: q(1.0) },
     ]);
-    let both = |fault: MoveFault| [None, Some(x(0.01))].map(|travel_m_per_rad| Fault::Move { fault, travel_m_per_rad });
+    let both =
+        |fault: MoveFault| [None, Some(x(0.01))].map(|travel_m_per_rad| AxisFault::Move { fault, travel_m_per_rad });
     all.into_iter().flat_map(both).collect()
 }
 
-fn body_faults() -> Vec<Fault> {
+fn body_faults() -> Vec<AxisFault> {
     let all = [
         BodyError::DimensionOutOfRange { field: "length", value: q(0.0) },
         BodyError::InnerNotBelowOuter { inner: q(2.0), outer: q(1.0) },
@@ -254,24 +255,28 @@ fn body_faults() -> Vec<Fault> {
         BodyError::NoPiece,
         BodyError::BeyondNumbers,
     ];
-    let mut faults: Vec<Fault> = all.into_iter().map(Fault::Body).collect();
+    let mut faults: Vec<AxisFault> = all.into_iter().map(AxisFault::Body).collect();
     let word = || "word".to_owned();
-    faults.extend([
-        Fault::BodyMissing,
-        Fault::ShapeMissing,
-        Fault::NoShape { written: word() },
-        Fault::NoKey { written: word() },
-        Fault::KeyOfAnotherShape { key: word(), shape: "rod" },
-        Fault::Twice { key: word() },
-        Fault::Count { written: word() },
-        Fault::BodyAxis { written: word() },
-        Fault::BodiesTwice,
-        Fault::InBody { path: word(), fault: Box::new(Fault::BodyMissing) },
-    ]);
+    faults.extend(
+        [
+            Fault::BodyMissing,
+            Fault::ShapeMissing,
+            Fault::NoShape { written: word() },
+            Fault::NoKey { written: word() },
+            Fault::KeyOfAnotherShape { key: word(), shape: "rod" },
+            Fault::Twice { key: word() },
+            Fault::Count { written: word() },
+            Fault::BodyAxis { written: word() },
+            Fault::BodiesTwice,
+            Fault::InBody { path: word(), fault: Box::new(Fault::BodyMissing) },
+        ]
+        .map(AxisFault::Stated),
+    );
+    faults.push(AxisFault::BodyOfText { path: word(), error: BodyError::NoMass });
     faults
 }
 
-fn recording_faults() -> Vec<Fault> {
+fn recording_faults() -> Vec<AxisFault> {
     let layout = recording::Layout::default();
     let files = [
         "",
@@ -290,7 +295,8 @@ fn recording_faults() -> Vec<Fault> {
         "t [s];q [deg]\n0;998\n1;1.002\n2;1.003\n",
     ];
     let faults = files.iter().flat_map(|file| recording::read_csv(file.as_bytes(), &layout).err().unwrap_or_default());
-    let mut all: Vec<Fault> = faults.map(|fault| Fault::Recording { name: "run.csv".to_owned(), fault }).collect();
+    let mut all: Vec<AxisFault> =
+        faults.map(|fault| AxisFault::Recording { name: "run.csv".to_owned(), fault }).collect();
     assert!(all.len() >= files.len(), "{all:?}");
     let name = || "name".to_owned();
     let damages = [
@@ -343,7 +349,7 @@ fn recording_faults() -> Vec<Fault> {
     ];
     let foreign = recording::Foreign::ALL.map(|format| recording::Fault::Foreign { format });
     let made = beyond.into_iter().chain(damaged).chain(samples).chain(foreign);
-    all.extend(made.map(|fault| Fault::Recording { name: "run.parquet".to_owned(), fault }));
+    all.extend(made.map(|fault| AxisFault::Recording { name: "run.parquet".to_owned(), fault }));
     let recorded = [
         RecordedFault::TooFew { samples: 2 },
         RecordedFault::NoCourse,
@@ -358,7 +364,7 @@ fn recording_faults() -> Vec<Fault> {
         RecordedFault::Contradiction { share: x(0.1), factor: None },
         RecordedFault::Contradiction { share: x(0.2), factor: Some(x(0.8)) },
     ];
-    all.extend(recorded.map(|fault| Fault::Recorded { name: "run.csv".to_owned(), fault }));
+    all.extend(recorded.map(|fault| AxisFault::Recorded { name: "run.csv".to_owned(), fault }));
     all
 }
 
@@ -410,19 +416,6 @@ fn other_faults() -> Vec<Fault> {
         name: word(),
         trouble: FileTrouble { kind, unopened: None, code: None, system: word() },
     }));
-    all.extend(
-        [
-            CurveFault::TooFewPoints,
-            CurveFault::DoesNotStartAtZero,
-            CurveFault::SpeedsNotAscending,
-            CurveFault::TorqueOutOfRange,
-        ]
-        .map(Fault::Curve),
-    );
-    all.extend(
-        [TableFault::TooFewPoints, TableFault::PositionsNotAscending, TableFault::NegativeInertia].map(Fault::Table),
-    );
-    all.extend(Geometry::ALL.iter().map(|fault| Fault::Geometry(*fault)));
     all.extend([
         Fault::FileTooLarge { bytes: 2, most: 1 },
         Fault::FileOutOfReach { name: word() },
@@ -461,10 +454,6 @@ fn other_faults() -> Vec<Fault> {
         Fault::ControlCharacter { path: path() },
         Fault::NotAChoice { path: path(), written: word() },
         Fault::TooManyEntries { path: path(), most: 10 },
-        Fault::Points(PointsFault::TooFew { points: 1, least: 2 }),
-        Fault::Points(PointsFault::NotFinite { index: 1 }),
-        Fault::Points(PointsFault::NotIncreasing { index: 1 }),
-        Fault::Points(PointsFault::Uneven),
         Fault::UnlikeFirstPoint,
         Fault::MasterOfTimes,
         Fault::SupplyAndMains,
@@ -476,15 +465,8 @@ fn other_faults() -> Vec<Fault> {
         Fault::NoRatioInACoupling { key: "ratio" },
         Fault::TooManyTolerances { most: 64 },
         Fault::NoTolerance,
-        Fault::ImpossibleWithin {
-            values: vec![(path(), x(1.0), &MILLIMETRE)],
-            why: Some(Box::new(Fault::RodTooShort)),
-        },
-        Fault::ImpossibleWithin { values: vec![(path(), x(1.0), &MILLIMETRE); 5], why: None },
         Fault::Code(CodeError::Empty),
         Fault::NoSuchCode { written: word() },
-        Fault::Battery(BatteryFault::OperationOutOfRange { per_day: q(1e6) }),
-        Fault::Battery(BatteryFault::StorageOutOfRange { storage: q(1e9) }),
         Fault::WithoutEffect { key: "payload" },
         Fault::MotorSide {
             name: word(),
@@ -503,15 +485,49 @@ fn other_faults() -> Vec<Fault> {
         Fault::BeltOrTeeth,
         Fault::ToothAngle { key: "helix_angle", most_deg: x(60.0) },
         Fault::JointWithoutTorque,
-        Fault::Instants(TooManyInstants { segment: 0, instants: x(10.0), most: x(5.0) }),
         Fault::UnknownUnit { written: word() },
+    ]);
+    all
+}
+
+fn built_faults() -> Vec<AxisFault> {
+    let path = || "load.inertia".to_owned();
+    let mut all = Vec::new();
+    all.extend(
+        [
+            CurveFault::TooFewPoints,
+            CurveFault::DoesNotStartAtZero,
+            CurveFault::SpeedsNotAscending,
+            CurveFault::TorqueOutOfRange,
+        ]
+        .map(AxisFault::Curve),
+    );
+    all.extend(
+        [TableFault::TooFewPoints, TableFault::PositionsNotAscending, TableFault::NegativeInertia]
+            .map(AxisFault::Table),
+    );
+    all.extend(Geometry::ALL.iter().map(|fault| AxisFault::Geometry(*fault)));
+    all.extend([
+        AxisFault::ImpossibleWithin {
+            values: vec![(path(), x(1.0), &MILLIMETRE)],
+            why: Some(Box::new(Fault::RodTooShort.into())),
+        },
+        AxisFault::Points(PointsFault::TooFew { points: 1, least: 2 }),
+        AxisFault::Points(PointsFault::NotFinite { index: 1 }),
+        AxisFault::Points(PointsFault::NotIncreasing { index: 1 }),
+        AxisFault::Points(PointsFault::Uneven),
+        AxisFault::ImpossibleWithin { values: vec![(path(), x(1.0), &MILLIMETRE); 5], why: None },
+        AxisFault::Battery(BatteryFault::OperationOutOfRange { per_day: q(1e6) }),
+        AxisFault::Battery(BatteryFault::StorageOutOfRange { storage: q(1e9) }),
+        AxisFault::Instants(TooManyInstants { segment: 0, instants: x(10.0), most: x(5.0) }),
     ]);
     all
 }
 
 #[test]
 fn faults_and_hints() {
-    let all = [move_faults(), body_faults(), recording_faults(), other_faults()].concat();
+    let of_file = other_faults().into_iter().map(AxisFault::Stated).collect();
+    let all = [move_faults(), body_faults(), recording_faults(), built_faults(), of_file].concat();
     let mut ids: Vec<&str> = Vec::new();
     for fault in &all {
         differ(&format!("{fault:?}"), |language| words::fault_text(fault, language));
@@ -546,7 +562,7 @@ fn faults_and_hints() {
 #[test]
 fn an_overdetermined_move_is_called_so() {
     for fault in move_faults() {
-        let Fault::Move { fault: MoveFault::NotDetermined { given, needed }, .. } = &fault else { continue };
+        let AxisFault::Move { fault: MoveFault::NotDetermined { given, needed }, .. } = &fault else { continue };
         let text = words::fault_text(&fault, Language::De);
         assert_eq!(text.contains("überbestimmt"), *given > needed.most(), "{text}");
         assert_eq!(text.contains("nicht bestimmt"), *given <= needed.most(), "{text}");
