@@ -1,4 +1,4 @@
-//! AxisProject files: any text gives a project, or faults with their place and text.
+//! Project files: any text gives a project, or faults with their place and text.
 
 use crate::draft;
 use crate::text::{any_edits, mutate, one_in, rest, tells};

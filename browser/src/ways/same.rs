@@ -2,8 +2,8 @@
 
 use crate::stage::OpenPage;
 use crate::tab::{Worded, expect};
-use page::{Call, FileEntry, Folder, Method, SaveFault, Shell, Storage, respond};
 use axis::{Catalogue, Files, NoFiles};
+use page::{Call, FileEntry, Folder, Method, SaveFault, Shell, Storage, respond};
 use quantities::Language;
 use questions::Progress;
 use questions::list::new::{template, template_kinds};

@@ -1,4 +1,4 @@
-//! AxisProject files: what is read, what is refused, and with which words.
+//! Project files: what is read, what is refused, and with which words.
 
 use crate::reading::schema;
 use axis::Assumption;
