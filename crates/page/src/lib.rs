@@ -47,6 +47,8 @@ mod waiting;
 pub use api::reply;
 pub use api::{methods, misdirected, wrong_method};
 pub use assets::ASSETS;
+#[cfg(not(target_arch = "wasm32"))]
+pub use assets::FONTS;
 pub use call::{
     Call, FileEntry, Folder, Method, Press, Reply, ReportInputs, SaveFault, Shell, Storage, WritesChecklist,
     WritesReport,

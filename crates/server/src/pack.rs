@@ -49,7 +49,7 @@ impl OpenFiles {
         if reply.status != 200 || !reply.headers.is_empty() || all.len() >= KEPT_MOST {
             return Err(reply);
         }
-        let is_packable = is_text(reply.media) && reply.body.len() >= LEAST;
+        let is_packable = is_compressible(reply.media) && reply.body.len() >= LEAST;
         let file = Arc::new(OpenFile {
             media: reply.media,
             packed: is_packable.then(|| packed(&reply.body)).flatten().map(Bytes::from),
@@ -66,7 +66,7 @@ type Always = [(&'static str, &'static str)];
 
 /// Returns a reply to a request with these headers, with its own headers and those of every reply.
 pub(crate) fn sent(reply: Reply, asked: &HeaderMap, always: &Always) -> Response<Full<Bytes>> {
-    let is_packable = is_text(reply.media) && reply.body.len() >= LEAST && reads_gzip(asked);
+    let is_packable = is_compressible(reply.media) && reply.body.len() >= LEAST && reads_gzip(asked);
     let packed = is_packable.then(|| packed(&reply.body)).flatten();
     let is_packed = packed.is_some();
     let body = Bytes::from(packed.unwrap_or(reply.body));
@@ -91,8 +91,8 @@ pub(crate) fn sent_open(file: &OpenFile, asked: &HeaderMap, always: &Always) -> 
     begun((200, file.media), (body, packed.is_some()), tag, always)
 }
 
-fn is_text(media: &str) -> bool {
-    media.starts_with("text/") || media.contains("json") || media.contains("svg")
+fn is_compressible(media: &str) -> bool {
+    media.starts_with("text/") || media.starts_with("font/") || media.contains("json") || media.contains("svg")
 }
 
 fn begun(
@@ -110,7 +110,7 @@ fn begun(
     }
     let caching = if tag.is_some() { "private, no-cache" } else { "no-store" };
     headers.insert(CACHE_CONTROL, HeaderValue::from_static(caching));
-    if is_text(media) {
+    if is_compressible(media) {
         headers.insert(VARY, HeaderValue::from_static("accept-encoding"));
     }
     if is_packed {

@@ -44,6 +44,7 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
         let reply = respond(&call, &crate::Store::default(), &Progress::endless());
         files.push((name, reply.body));
     }
+    files.extend(page::FONTS.iter().map(|(name, font)| (format!("assets/{name}"), font.to_vec())));
     let worker = kept(&files);
     files.push(("sw.js".to_owned(), worker.into_bytes()));
     Ok(files)
