@@ -319,6 +319,11 @@ impl Tab {
         self.command("Network.emulateNetworkConditions", network)
     }
 
+    /// Shows the page as it is printed, or on the screen again; Chromium only.
+    pub(crate) fn on_paper(&self, is: bool) -> Worded {
+        self.command("Emulation.setEmulatedMedia", json!({ "media": if is { "print" } else { "" } }))
+    }
+
     /// Returns new errors in the console since the last call; the driver of Firefox does not provide them.
     pub(crate) fn faults(&self) -> Worded<Vec<String>> {
         if self.make == Make::Firefox {

@@ -119,6 +119,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("actions", frame::actions_to_an_answer),
     Way::server("screens", screens::as_they_were).in_chromium(),
     Way::both("widths", looks::widths),
+    Way::both("paper", looks::on_paper).in_chromium(),
     Way::both("accessibility", looks::accessibility),
     Way::site("same-answers", same::same_answers),
     Way::both("times", times::times),

@@ -23,6 +23,26 @@ pub(crate) fn widths(stage: &OpenPage<'_>) -> Worded {
     Ok(())
 }
 
+/// The printed page has verdict, diagram, ranking and values, also on the width of a sheet, and no controls.
+pub(crate) fn on_paper(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    tab.sized(680, 960, 1.0)?;
+    tab.on_paper(true)?;
+    let is_shown = |selector: &str| tab.eval(&format!("document.querySelector('{selector}').checkVisibility()"));
+    for shown in ["#standing", "#demands figure.plot svg", "#fits table.ranking", "#f-mechanism-belt-mass"] {
+        expect(is_shown(shown)? == serde_json::Value::Bool(true), || format!("{shown} is not printed"))?;
+    }
+    for hidden in ["#head .bar", "#demands .views", ".plot-tools"] {
+        expect(is_shown(hidden)? == serde_json::Value::Bool(false), || format!("{hidden} is printed"))?;
+    }
+    let [height, below] = ["#demands figure.plot svg", "#work"]
+        .map(|selector| tab.eval(&format!("document.querySelector('{selector}').getBoundingClientRect().height")));
+    let (height, below) = (height?.as_f64().unwrap_or_default(), below?.as_f64().unwrap_or_default());
+    expect(height > 200.0 && below > height, || format!("the diagram is {height} px high, the page {below}"))?;
+    tab.on_paper(false)
+}
+
 /// Accessibility of the start page, the main page, a fault, details, comparison and tools, in light and dark.
 pub(crate) fn accessibility(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
