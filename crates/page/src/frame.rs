@@ -250,6 +250,7 @@ fn start(state: &PageState, shell: &dyn Shell) -> Markup {
             (head::messages(l))
             (state_of(state))
             main.start {
+                p.what-this-is { (page::what_this_is(l)) }
                 section id="unsaved" aria-labelledby="unsaved-title" hidden {
                     h2 id="unsaved-title" { (page::continue_unsaved(l)) }
                     ul.plain {}

@@ -16,6 +16,9 @@ texts! {
         "Choose the closest match; a few values lead to a first result, and everything can be changed later."
         | "Wählen Sie die nächstliegende Anwendung; wenige Angaben führen zu einem ersten Ergebnis, alles lässt sich später ändern.";
     or_an_example = "or start with an example" | "oder mit einem Beispiel beginnen";
+    what_this_is =
+        "antrieb sizes servo actuators: it judges every actuator of the catalogue for a load and a motion, and derives each figure from its source."
+        | "antrieb legt Servoantriebe aus: Für eine Last und eine Bewegung wird jeder Antrieb des Katalogs bewertet und jede Zahl aus ihrer Quelle hergeleitet.";
     or_a_file = "or open a project file" | "oder eine Projektdatei öffnen";
     first_answer = "First result" | "Erstes Ergebnis";
     new_project = "New" | "Neu";
