@@ -91,6 +91,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("pull-by-keys", pictures::an_end_is_pulled_by_keys),
     Way::both("narrow-the-time", pictures::the_time_is_narrowed),
     Way::both("tolerance", pictures::a_tolerance),
+    Way::both("tools-of-the-actuator", pictures::the_tools_know_the_actuator),
     Way::both("calculator", pictures::a_calculator),
     Way::both("save-and-open", files::save_and_open),
     Way::both("two-tabs", files::two_tabs),

@@ -56,6 +56,21 @@ pub(crate) fn a_tolerance(stage: &OpenPage<'_>) -> Worded {
 }
 
 /// A calculator answers while it is edited, and reports faults.
+pub(crate) fn the_tools_know_the_actuator(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let code = tab.text("#standing strong.code")?;
+    tab.click("#tools")?;
+    tab.holds("#about", &code)?;
+    for tool in ["wiring", "commission", "encoder", "upkeep"] {
+        let button = format!("#detail nav.kinds button[hx-vals*='\"{tool}\"']");
+        tab.click(&button)?;
+        tab.until(&format!("document.querySelector({})?.ariaPressed === 'true'", serde_json::json!(button)))?;
+        tab.holds("#about", &code)?;
+    }
+    Ok(())
+}
+
 pub(crate) fn a_calculator(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     tab.open(&stage.shell.at("tool=torsion&lang=en"))?;

@@ -4,6 +4,14 @@ const $ = (selector) => document.querySelector(selector);
 const tell = (words) => { const status = $('#record-status'); if (status) status.textContent = words; };
 const language = () => document.documentElement.lang;
 
+// The tools begin with the actuator that is shown.
+document.addEventListener('htmx:before:request', (event) => {
+  const { action, body } = event.detail.ctx.request;
+  if (!action.endsWith('/tools') || !(body instanceof URLSearchParams) || body.has('about') || body.get('code')) return;
+  const shown = $('#standing strong.code')?.textContent.trim();
+  if (shown) body.set('about', shown);
+});
+
 async function save() {
   const [text, file, known] = ['#record-text', '#record-file', '#record-known'].map((id) => $(id).value);
   const reply = await fetch('/save', { method: 'POST', body: new URLSearchParams({ text, file, known, lang: language() }) });
