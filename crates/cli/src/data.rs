@@ -58,7 +58,7 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
             value.push_str(" *");
             errata.extend(cell.errata.iter().filter(|id| !errata.contains(id)).copied().collect::<Vec<_>>());
         }
-        let unit = Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol);
+        let unit = Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol_in(language));
         table.row([row_sign(cell.place.symbol).unwrap_or_default(), value, unit.to_owned(), name]);
     }
     out.push_str(&table.render());

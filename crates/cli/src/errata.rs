@@ -34,7 +34,7 @@ pub(crate) fn errata(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAn
 
 /// Appends place, stated value, used value and evidence of an erratum.
 fn describe(out: &mut String, erratum: &Erratum, language: Language) {
-    let unit = Unit::of(erratum.unit).map_or(erratum.unit, |unit| unit.symbol);
+    let unit = Unit::of(erratum.unit).map_or(erratum.unit, |unit| unit.symbol_in(language));
     let shown = |text: &str| {
         let text = if text.is_empty() || text == "-" { "–".to_owned() } else { decimal(text, language) };
         if unit.is_empty() || text == "–" { text } else { format!("{text} {unit}") }

@@ -1,5 +1,6 @@
 //! Tables and paragraphs for readers: aligned columns, units in the heading, no line wider than the terminal.
 
+use quantities::Unit;
 use std::io::IsTerminal;
 use std::sync::OnceLock;
 use words::{is_vowel, stands_before_a_number};
@@ -195,27 +196,47 @@ pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
     lines.iter().map(|line| line.trim_end().replace(NO_BREAK, " ")).collect()
 }
 
-/// Units that follow a number.
-const UNITS: [&str; 36] = [
-    "%", "°", "°C", "K", "Nm", "N", "kN", "min⁻¹", "1/min", "rad/s", "rad/s²", "m/s", "m/s²", "m", "mm", "kg", "kgm²",
-    "s", "ms", "min", "h", "a", "V", "A", "W", "kW", "J", "kJ", "Hz", "kHz", "mF", "Ω", "arcmin", "arcsec", "Nm/A",
-    "′",
-];
+/// Returns `true` if a word begins with a unit, before parentheses, marks or a further operation.
+fn begins_with_unit(word: &str) -> bool {
+    let head = word.trim_start_matches('(').split(['(', ')', '[', ']', '|', ',', ';', ':', '·']).next();
+    let head = head.unwrap_or_default().trim_end_matches(['/', '.']);
+    let is_number = head.starts_with(|c: char| c.is_ascii_digit()) && !head.contains('/');
+    !is_number && (matches!(head, "%" | "Umdr" | "U/s" | "U/s²") || Unit::of(head).is_some())
+}
 
-/// Returns the text with no-break blanks between a number and its unit, and between "table" and its number.
+/// Returns `true` if a word ends with a number, such as `3,5`, `(−2·10³` or `cos(0,5`.
+fn ends_with_number(word: &str) -> bool {
+    let tail = word.rsplit(['(', '[', '|', '√', '−', '-', '±', '≥', '≤', '~', '–']).next().unwrap_or_default();
+    tail.starts_with(|c: char| c.is_ascii_digit())
+        && tail.chars().all(|c| c.is_ascii_digit() || "⁰¹²³⁴⁵⁶⁷⁸⁹⁻·,./".contains(c))
+        && !tail.ends_with([',', '.', '/'])
+}
+
+/// Returns `true` if a word is the next group of three digits of a number in groups, such as `10 000`.
+fn is_group(before: &str, word: &str) -> bool {
+    let digits = |text: &str| text.chars().take_while(char::is_ascii_digit).count();
+    let head = before.trim_start_matches(['(', '−']);
+    let rest = word.trim_start_matches(|c: char| c.is_ascii_digit());
+    (1..=3).contains(&digits(head))
+        && digits(head) == head.len()
+        && digits(word) == 3
+        && !rest.starts_with(|c: char| c.is_alphanumeric() || c == '-' || c == '.')
+}
+
+/// Returns the text with no-break blanks between a number and its unit, within a number in groups of three digits, and between
+/// "table" and its number.
 fn kept_together(text: &str) -> String {
-    let bare = |word: &str| word.trim_matches(['(', ')', '[', ']', ',', ';', '.', ':']).to_owned();
     let mut out = String::with_capacity(text.len());
     let mut before = "";
     for (index, word) in text.split(' ').enumerate() {
         if index > 0 {
-            let is_number = before.ends_with(|c: char| c.is_ascii_digit() || "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c))
-                && before.starts_with(|c: char| c.is_ascii_digit() || "(−-±≥≤~".contains(c));
-            let unit = is_number && UNITS.contains(&bare(word).as_str());
+            let unit = ends_with_number(before) && begins_with_unit(word);
             let sign = matches!(before, "≥" | "≤" | "×" | "i" | "=");
             let number = word.starts_with(|c: char| c.is_ascii_digit() || c == '−');
             let numbered = number && (sign || stands_before_a_number(before.trim_start_matches('(')));
-            out.push(if unit || numbered { NO_BREAK } else { ' ' });
+            let is_ratio = before == "i" && word == "=";
+            let held = unit || numbered || is_ratio || is_group(before, word);
+            out.push(if held { NO_BREAK } else { ' ' });
         }
         out.push_str(word);
         before = word;
@@ -361,6 +382,27 @@ mod tests {
                 let end = line.split(' ').next_back().unwrap_or_default();
                 assert!(!["80.5", "12", "(table", "3", "="].contains(&end), "{width}: {line}");
             }
+        }
+    }
+
+    /// The units of formulas with values, which begin and end at parentheses, bars and strokes.
+    #[test]
+    fn a_number_in_a_formula_keeps_its_unit() {
+        let text = "cos(3,6356 rad − (−3,78846 rad))/(0,35 m · |24,97 min⁻¹|) + 10 000 Umdr. · 1,08·10⁻⁵ kgm²/(0,12 m)";
+        let tied =
+            ["3,6356 rad", "(−3,78846 rad))/(0,35 m", "|24,97 min⁻¹|)", "10 000 Umdr.", "1,08·10⁻⁵ kgm²/(0,12 m)"];
+        for width in 30..120 {
+            let lines = wrap(text, width);
+            for tied in tied {
+                assert!(lines.iter().any(|line| line.contains(tied)), "{width}: {tied} in {lines:?}");
+            }
+        }
+        // No unit of the number before it.
+        for text in ["size 14 and 17", "K_1 m", "T_1 Nm", "3, m", "table 12 2345"] {
+            assert!(
+                !kept_together(text).contains(&format!("{NO_BREAK}{}", text.rsplit(' ').next().unwrap())),
+                "{text}"
+            );
         }
     }
 

@@ -117,7 +117,15 @@ fn plain(value: Option<Number>, language: Language) -> String {
 
 /// Returns the symbol of a unit of the records; empty for a pure number.
 fn unit_shown(unit: &str, language: Language) -> String {
-    if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol_in(language)).to_owned() }
+    match Unit::of(unit) {
+        _ if unit == "1" => String::new(),
+        Some(unit) => unit.symbol_in(language).to_owned(),
+        // The increment of an object: `0.1 %`.
+        None if unit.starts_with(|c: char| c.is_ascii_digit()) => {
+            unit.replace('.', &language.decimal_mark().to_string())
+        }
+        None => unit.to_owned(),
+    }
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ mod drive;
 mod ends;
 mod export;
 mod files;
+mod german_figures;
 mod hostile;
 mod readers;
 mod run;
