@@ -182,9 +182,19 @@ fn element(path: &str) -> String {
     format!("f-{}", path.chars().map(sign).collect::<String>())
 }
 
-/// Returns the text of HTML for readers; quotations of the file stand between grave accents in a message.
+/// Returns the text of HTML for readers; quotations of the file stand between grave accents in a message, and a key is shown by its
+/// label, with the key as its title.
 fn plain(html: &str) -> String {
-    html.replace("<code>", "`")
+    let mut text = String::new();
+    for (place, part) in html.split("<em title=\"").enumerate() {
+        match part.split_once("</em>").filter(|_| place > 0) {
+            Some((label, rest)) => {
+                text.push_str(&format!("`{}`{rest}", label.split_once('"').map_or("", |(key, _)| key)));
+            }
+            None => text.push_str(part),
+        }
+    }
+    text.replace("<code>", "`")
         .replace("</code>", "`")
         .replace("&lt;", "<")
         .replace("&gt;", ">")
@@ -332,7 +342,12 @@ fn the_faults_of_another_axis_lead_there() {
 /// The cases name every kind of fault, those apart that stand where another of their kind does, by the same lines of the reader.
 #[test]
 fn no_kind_of_fault_is_forgotten() {
-    let source = concat!(include_str!("../../../project/src/fault.rs"), include_str!("../../../project/src/ids.rs"));
+    let source = concat!(
+        include_str!("../../../project/src/fault.rs"),
+        include_str!("../../../project/src/ids.rs"),
+        include_str!("../../../axis/src/fault.rs"),
+        include_str!("../../../axis/src/ids.rs")
+    );
     let all: BTreeSet<&str> = source
         .lines()
         .filter_map(|line| line.split("=> \"").nth(1)?.split('"').next())
