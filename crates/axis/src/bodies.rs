@@ -160,3 +160,46 @@ pub(crate) fn body_fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&
         BodyError::NoMass | BodyError::BeyondNumbers => Vec::new(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{AxisProject, NoCatalogue};
+
+    /// Lines with the identifier of their fault and the faulty part; sound ones without.
+    const LINES: [(&str, Option<(&str, &str)>); 9] = [
+        ("disc diameter=1m length=1mm mass=1kg", None),
+        ("point mass=0.6 kg distance=80 mm", None),
+        ("disc diameter=1m length=1mm mass=1", Some(("unit_missing", "1"))),
+        ("blob mass=1kg", Some(("no_shape", "blob"))),
+        ("disc diameter=1m length=1mm mas=1kg", Some(("key_of_another_shape", "mas"))),
+        ("disc diameter=1m length=1mm", Some(("body_without_mass", "disc"))),
+        ("point mass=1kg distance=-1m", Some(("body_distance_out_of_range", "-1m"))),
+        ("tube outer=10mm inner=20mm length=1mm mass=1kg", Some(("body_inner_not_below_outer", "20mm"))),
+        ("point mass=1kg count=0", Some(("body_no_piece", "0"))),
+    ];
+
+    fn listed(text: &str, faults: Vec<AxisDiagnostic>) -> Vec<(&'static str, String)> {
+        let of = |fault: AxisDiagnostic| (fault.fault.id(), text.get(fault.span).unwrap_or_default().to_owned());
+        faults.into_iter().map(of).collect()
+    }
+
+    /// Faults of the values and faults of the bodies that they describe appear at once, each at its value, for bodies alone
+    /// and for those of a project.
+    #[test]
+    fn faults_of_values_and_of_bodies_appear_at_once() {
+        let all = LINES.iter().flat_map(|one| LINES.iter().flat_map(move |two| LINES.map(|three| [*one, *two, three])));
+        for lines in all {
+            let expected: Vec<(&str, String)> =
+                lines.iter().filter_map(|(_, fault)| fault.map(|(id, part)| (id, part.to_owned()))).collect();
+            let text = lines.map(|(line, _)| line).join("\n");
+            assert_eq!(listed(&text, inertia(&text).err().unwrap_or_default()), expected, "{text}");
+            let bodies = lines.map(|(line, _)| format!("  \"{line}\",\n")).concat();
+            let text = format!(
+                "format = 1\n[mechanism.turntable]\naxis_tilt = \"0 deg\"\nbodies = [\n{bodies}]\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n"
+            );
+            let found = AxisProject::read(&text, &NoCatalogue::shared(), &|_, _| None).err().unwrap_or_default();
+            assert_eq!(listed(&text, found), expected, "{text}");
+        }
+    }
+}

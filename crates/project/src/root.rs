@@ -184,3 +184,38 @@ impl AxisSection {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CURVE: &str = "[[curve]]\nkind = \"continuous\"\ncode = \"CHA-25A-*\"\nsource = \"measured\"\n\
+        points = [[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]\n";
+
+    /// A file is its axes in their order, each with the tolerances under its own keys, and what they share.
+    #[test]
+    fn a_file_is_its_axes_and_what_they_share() {
+        for count in 0..5_usize {
+            for curves in 0..3_usize {
+                let load =
+                    |head: &str, index: usize| format!("[{head}load]\ninertia = \"{} kg m^2 ± 1 %\"\n", index + 1);
+                let several =
+                    (0..count).map(|index| format!("[[axis]]\nname = \"a{index}\"\n{}", load("axis.", index)));
+                let axes = if count == 0 { load("", 0) } else { several.collect() };
+                let text = format!("format = 1\n{axes}{}", CURVE.repeat(curves));
+                let ReadProject { project, report } = read(&text).unwrap();
+                assert_eq!((project.axes.len(), project.shared.curves.len()), (count.max(1), curves), "{text}");
+                assert!(report.into_faults().is_empty(), "{text}");
+                for (index, axis) in project.axes.iter().enumerate() {
+                    assert_eq!(axis.name.clone(), (count > 0).then(|| format!("a{index}")), "{text}");
+                    let [tolerance] = axis.tolerances.as_slice() else { panic!("{text}") };
+                    #[allow(clippy::cast_precision_loss, reason = "a small number")]
+                    let nominal = (index + 1) as f64;
+                    assert_eq!((tolerance.path.as_str(), tolerance.nominal), ("load.inertia", nominal), "{text}");
+                    let head = if count == 0 { String::new() } else { format!("axis[{}]", index + 1) };
+                    assert_eq!(&*axis.head().path, head, "{text}");
+                }
+            }
+        }
+    }
+}

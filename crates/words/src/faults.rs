@@ -1,15 +1,10 @@
 //! Words for faults in the input of the user.
 
 use super::quantity::hint_of_several;
-use super::{bodies, motion, quantity_fault, recording};
+use super::quantity_fault;
 use crate::file_trouble::trouble_text;
-use crate::geometry::geometry;
-use crate::pick;
 use crate::texts::said;
 use crate::toml_syntax;
-use actuator::{BatteryFault, CurveFault};
-use axis::AxisFault;
-use mechanism::{BodyError, TableFault};
 use project::{ColumnDimensions, Diagnostic, Expected, Fault, Hint, Range};
 use quantities::unit::DEGREE;
 use quantities::{Language, Unit, format_number, format_significant};
@@ -65,20 +60,6 @@ impl FaultWords for Fault {
     }
 }
 
-impl FaultWords for AxisFault {
-    fn id(&self) -> &'static str {
-        self.id()
-    }
-
-    fn text(&self, language: Language) -> String {
-        axis_fault_text(self, language)
-    }
-
-    fn own_hint(&self, language: Language) -> Option<String> {
-        axis_own_hint(self, language)
-    }
-}
-
 /// Returns the fault in one sentence.
 #[must_use]
 pub fn fault_text(fault: &impl FaultWords, language: Language) -> String {
@@ -110,7 +91,7 @@ fn fault_worded<F: FaultWords>(found: &Diagnostic<F>, language: Language) -> Wor
 }
 
 /// Returns the fault of a file in one sentence.
-fn file_fault_text(fault: &Fault, language: Language) -> String {
+pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
     match fault {
         Fault::FileTooLarge { bytes, most } => said!(language =>
             "the project file has {bytes} bytes; the limit is {most}"
@@ -391,7 +372,7 @@ fn file_fault_text(fault: &Fault, language: Language) -> String {
 }
 
 /// Returns the hint that follows from the fault of a file alone.
-fn file_own_hint(fault: &Fault, language: Language) -> Option<String> {
+pub(crate) fn file_own_hint(fault: &Fault, language: Language) -> Option<String> {
     match fault {
         Fault::Quantity { error, also, .. } => hint_of_several(error, also, language),
         Fault::Code(error) => match error.nearest() {
@@ -415,60 +396,6 @@ fn file_own_hint(fault: &Fault, language: Language) -> Option<String> {
         }
         _ => None,
     }
-}
-
-/// Returns the fault of an axis in one sentence.
-fn axis_fault_text(fault: &AxisFault, language: Language) -> String {
-    match fault {
-        AxisFault::Stated(fault) => file_fault_text(fault, language),
-        AxisFault::Curve(fault) => curve(*fault, language),
-        AxisFault::Table(fault) => table(*fault, language),
-        AxisFault::Points(fault) => motion::points_fault(*fault, language),
-        AxisFault::Battery(fault) => battery_fault(fault, language),
-        AxisFault::Recording { name, fault } => format!("{name}: {}", recording::fault(fault, language).0),
-        AxisFault::Recorded { name, fault } => format!("{name}: {}", motion::recorded_fault(fault, language).0),
-        AxisFault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).0,
-        AxisFault::Instants(found) => {
-            let [found, most] = [found.instants, found.most].map(|count| format!("{count:.0}"));
-            said!(language =>
-                "the cycle requires {found} evaluation points; the limit is {most}"
-                | "der Zyklus erfordert {found} Stützstellen; gerechnet werden höchstens {most}"
-            )
-        }
-        AxisFault::Body(error) => bodies::fault(error, language),
-        AxisFault::ImpossibleWithin { values, why } => impossible(values, why.as_deref(), language),
-        AxisFault::Geometry(fault) => geometry(*fault, language).to_owned(),
-        AxisFault::BodyOfText { path, error } => format!("`{path}`: {}", bodies::fault(error, language)),
-    }
-}
-
-/// Returns the hint that follows from the fault of an axis alone.
-fn axis_own_hint(fault: &AxisFault, language: Language) -> Option<String> {
-    match fault {
-        AxisFault::Stated(fault) => file_own_hint(fault, language),
-        AxisFault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).1,
-        AxisFault::Recording { fault, .. } => recording::fault(fault, language).1,
-        AxisFault::Recorded { fault, .. } => motion::recorded_fault(fault, language).1,
-        AxisFault::Instants(_) => Some(said!(language =>
-            "describe a shorter cycle; where the load depends on the position, each revolution at changing speed requires 192 points, all revolutions at constant speed together at most two"
-            | "einen kürzeren Zyklus beschreiben; hängt die Last von der Position ab, erfordert jede Umdrehung mit veränderlicher Drehzahl 192 Stützstellen, alle Umdrehungen mit konstanter Drehzahl zusammen höchstens zwei"
-        )),
-        AxisFault::Body(BodyError::NoMass) => example_hint("mass=0.6kg", language),
-        AxisFault::Body(BodyError::DistanceOutOfRange { .. }) => example_hint("distance=80mm angle=180deg", language),
-        AxisFault::ImpossibleWithin { why: Some(why), .. } => axis_own_hint(why, language),
-        AxisFault::BodyOfText { error, .. } => axis_own_hint(&AxisFault::Body(*error), language),
-        AxisFault::ImpossibleWithin { why: None, .. }
-        | AxisFault::Curve(_)
-        | AxisFault::Table(_)
-        | AxisFault::Battery(_)
-        | AxisFault::Geometry(_)
-        | AxisFault::Points(_)
-        | AxisFault::Body(_) => None,
-    }
-}
-
-fn example_hint(line: &str, language: Language) -> Option<String> {
-    Some(hint_text(&Hint::Example(line.to_owned()), language))
 }
 
 /// Returns a hint as text.
@@ -536,34 +463,8 @@ fn bound_text(bound: f64, language: Language) -> String {
     if language == Language::De { text.replace('.', ",") } else { text }
 }
 
-fn shown(si: f64, unit: &Unit, language: Language) -> String {
+pub(crate) fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol_in(language))
-}
-
-/// Returns the values within the tolerances at which the axis is impossible, and the reason.
-fn impossible(values: &[(String, f64, &Unit)], why: Option<&AxisFault>, language: Language) -> String {
-    // Largest number of quantities that are named.
-    const NAMED_MOST: usize = 4;
-    let mut named: Vec<String> = values
-        .iter()
-        .take(NAMED_MOST)
-        .map(|(path, value, unit)| format!("{path} = {}", shown(*value, unit, language)))
-        .collect();
-    if values.len() > NAMED_MOST {
-        named.push("…".to_owned());
-    }
-    let named = named.join(", ");
-    let why = why.map(|fault| format!(": {}", axis_fault_text(fault, language))).unwrap_or_default();
-    if values.len() == 1 {
-        return said!(language =>
-            "within this tolerance the axis is not feasible, at {named}{why}"
-            | "innerhalb dieser Toleranz ist die Achse nicht ausführbar, bei {named}{why}"
-        );
-    }
-    said!(language =>
-        "within these tolerances combined the axis is not feasible, at {named}{why}"
-        | "innerhalb dieser Toleranzen zusammen ist die Achse nicht ausführbar, bei {named}{why}"
-    )
 }
 
 /// Returns the German name of a type of TOML.
@@ -608,53 +509,4 @@ fn expected_text(expected: Expected, language: Language) -> String {
         Expected::Bodies => said!(language => "a list of bodies" | "Liste von Körpern"),
         Expected::Tables => said!(language => "an array of tables, [[…]]" | "Liste von Tabellen, [[…]]"),
     }
-}
-
-fn curve(fault: CurveFault, language: Language) -> String {
-    let (en, de) = match fault {
-        CurveFault::TooFewPoints => {
-            ("a curve requires at least two points", "eine Kennlinie erfordert mindestens zwei Punkte")
-        }
-        CurveFault::DoesNotStartAtZero => {
-            ("a curve starts at standstill, 0 1/min", "eine Kennlinie beginnt im Stillstand, bei 0 min⁻¹")
-        }
-        CurveFault::SpeedsNotAscending => (
-            "the speeds of a curve must increase from point to point",
-            "die Drehzahlen einer Kennlinie müssen von Punkt zu Punkt steigen",
-        ),
-        CurveFault::TorqueOutOfRange => {
-            ("the torques of a curve must not be negative", "die Drehmomente einer Kennlinie dürfen nicht negativ sein")
-        }
-    };
-    pick(language, en, de).to_owned()
-}
-
-fn table(fault: TableFault, language: Language) -> String {
-    let (en, de) = match fault {
-        TableFault::TooFewPoints => {
-            ("a table requires at least two points", "eine Tabelle erfordert mindestens zwei Punkte")
-        }
-        TableFault::PositionsNotAscending => (
-            "the positions of a table must increase from point to point",
-            "die Positionen einer Tabelle müssen von Punkt zu Punkt steigen",
-        ),
-        TableFault::NegativeInertia => {
-            ("a moment of inertia must not be negative", "ein Massenträgheitsmoment darf nicht negativ sein")
-        }
-    };
-    pick(language, en, de).to_owned()
-}
-
-/// Returns a fault in the times for the battery, in one sentence.
-#[must_use]
-pub fn battery_fault(fault: &BatteryFault, language: Language) -> String {
-    let (en, de) = match fault {
-        BatteryFault::OperationOutOfRange { .. } => {
-            ("operation per day must be from 0 h to 24 h", "der Betrieb je Tag muss zwischen 0 h und 24 h liegen")
-        }
-        BatteryFault::StorageOutOfRange { .. } => {
-            ("the battery model is valid for 0 a to 3 a of storage", "das Batteriemodell gilt für 0 a bis 3 a Lagerung")
-        }
-    };
-    pick(language, en, de).to_owned()
 }

@@ -5,6 +5,7 @@
 //! Nothing is computed here and nothing read.
 
 mod assumptions;
+mod axis_faults;
 mod bodies;
 mod codes;
 pub mod commission;
@@ -61,6 +62,7 @@ mod usage;
 pub mod wiring;
 
 pub use assumptions::assumption_text;
+pub use axis_faults::battery_fault;
 pub use bodies::shape_title;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
 pub use commissioned::{
@@ -71,7 +73,7 @@ pub use derivation::{found_condition, found_text, symbol_shown};
 pub use errata::{ERRATUM_MARK, erratum_kind, erratum_place, erratum_status, marked};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
-pub use faults::{FaultWords, Worded, battery_fault, fault_text, hint_text, own_hint, worded};
+pub use faults::{FaultWords, Worded, fault_text, hint_text, own_hint, worded};
 pub use file_trouble::file_trouble;
 pub use glossary_page::{glossary_page, glossary_symbol, glossary_symbols};
 pub use hyphens::hyphenated;
