@@ -14,7 +14,7 @@ const PARTS: [(&str, &[&str]); 7] = [
     ("quantities", &["quantities/src/"]),
     ("order-code", &["order-code/src/"]),
     ("recording", &["recording/src/"]),
-    ("project", &["project/src/"]),
+    ("project and axis", &["project/src/", "axis/src/"]),
     ("configurator, its reading of codes", &["configurator/src/codes.rs", "configurator/src/nearest.rs"]),
     ("questions, its reading", &["questions/src/codes.rs", "questions/src/reading.rs"]),
     ("page and interface", &["page/src/"]),
