@@ -12,7 +12,7 @@ use derivation::{Finding, Workings};
 use mechanism::Extra;
 use numeric::{First, at_least};
 use provenance::{Grade, Missing, Source, Sourced};
-use quantities::unit::{HERTZ, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
+use quantities::unit::{HERTZ, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{AngularVelocity, Frequency, Measure, MomentOfInertia, Time, TorsionalStiffness};
 
 const MODEL: Source = Source::Model { name: "gear" };
@@ -80,15 +80,15 @@ pub(crate) fn natural_frequency(case: &Case<'_>, work: &mut Workings) -> Outcome
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::NaturalFrequency;
     let [softest, _, _] = &actuator.gear.stiffness;
-    let k = softest.require("K_1")?;
+    let gear = softest.require("K_1")?;
     let load = axis.moments().inertia_max.si();
     if load <= 0.0 {
         return Err(Missing { symbol: "J_L" });
     }
-    let k = stage::in_series(&axis.mechanism, k);
+    let k = stage::in_series(&axis.mechanism, gear);
     let blocked = frequency(k.value, load, Rotor::Blocked);
     let asked = axis.asked.natural_frequency_min.map(Measure::si);
-    work.given("K_1", &NEWTON_METRE_PER_RADIAN, &k);
+    stage::explain_series(&axis.mechanism, "K_1", gear, work);
     workings::load_inertia(axis, ("J_L", Extreme::Largest), load, work);
     work.formula("f", &HERTZ, blocked.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
     work.value("f");
@@ -169,13 +169,7 @@ pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Outcome {
     // Without a held speed there is no distance to state.
     let is_held = nearest.is_some();
     if work.is_on() {
-        explain_resonance(
-            (axis, actuator),
-            (ratio, &stiffness),
-            nearest.map(|((_, line), held)| (line, held)),
-            value,
-            work,
-        );
+        explain_resonance((axis, actuator), ratio, nearest.map(|((_, line), held)| (line, held)), value, work);
     }
     // The constant speeds of a recording are unknown.
     let is_apart = at_least(value, RESONANCE_BAND);
@@ -220,7 +214,7 @@ fn speeds_note(axis: &Axis, stiffness: &[&Sourced<TorsionalStiffness>; 3], ratio
 /// Records the derivation of the distance `d` from the resonance of a region that is nearest to a held speed.
 fn explain_resonance(
     (axis, actuator): (&Axis, &Parameters),
-    (ratio, stiffness): (&Sourced<f64>, &[&Sourced<TorsionalStiffness>; 3]),
+    ratio: &Sourced<f64>,
     nearest: Option<(Line, &Held)>,
     value: f64,
     work: &mut Workings,
@@ -231,8 +225,8 @@ fn explain_resonance(
         let (k, [blocked, free], [blocked_least, free_least]) = *formulas;
         let (least, largest) = held.inertia;
         let demand = &workings::DEMAND;
-        if let Some(stiffness) = stiffness.get(line.region) {
-            work.given(k, &NEWTON_METRE_PER_RADIAN, stiffness);
+        if let Some(gear) = actuator.gear.stiffness.get(line.region).and_then(|gear| gear.known()) {
+            stage::explain_series(&axis.mechanism, k, gear, work);
         }
         work.given_number("i", ratio);
         let is_free = line.rotor != Rotor::Blocked;

@@ -26,6 +26,26 @@ pub(crate) fn in_series<'k>(
     Cow::Owned(Sourced { value: series, source: MODEL, grade: gear.grade.worst(Grade::Computed), errata: gear.errata })
 }
 
+/// Records a stiffness of the gear with that of the stage in series under a symbol.
+pub(crate) fn explain_series(
+    mechanism: &Mechanism,
+    symbol: &'static str,
+    gear: &Sourced<TorsionalStiffness>,
+    work: &mut Workings,
+) {
+    let series = mechanism.in_series(gear.value);
+    match &mechanism.stage {
+        Some(stage) if series != gear.value => {
+            work.given("K_g", &NEWTON_METRE_PER_RADIAN, gear);
+            ratio(stage, work);
+            stiffness(stage, work);
+            let text = "K_g/(1 + K_g*i_s^2/K_s)";
+            work.formula(symbol, &NEWTON_METRE_PER_RADIAN, series.si(), text, &MODEL);
+        }
+        _ => work.given(symbol, &NEWTON_METRE_PER_RADIAN, gear),
+    }
+}
+
 /// Returns the torsion of the stage itself, at the mechanism.
 ///
 /// φ_s = i_s T / K_s

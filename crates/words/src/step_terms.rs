@@ -198,6 +198,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("K_1", "torsional stiffness below T_1", "Torsionssteifigkeit unter T_1"),
     ("K_2", "torsional stiffness between T_1 and T_2", "Torsionssteifigkeit zwischen T_1 und T_2"),
     ("K_3", "torsional stiffness above T_2", "Torsionssteifigkeit über T_2"),
+    ("K_g", "torsional stiffness of the gear in this region", "Torsionssteifigkeit des Getriebes in diesem Bereich"),
     ("K_s", "torsional stiffness of the stage", "Torsionssteifigkeit der Stufe"),
     ("L_10", "L10 life", "L10-Lebensdauer"),
     ("L_10_min", "required life", "geforderte Lebensdauer"),

@@ -193,6 +193,9 @@ const SENTENCES: [(&str, &[Finding]); 9] = [
     ),
 ];
 
+/// Symbols of values that a model states by themselves: instants, constants, estimates of the data, and zero without a brake.
+const STATED: [&str; 10] = ["t", "t_0", "z_q", "d_min", "N", "N_out", "r", "U_M", "T_N", "T_Br"];
+
 /// Returns the values of a check that are described by a sentence without a reason.
 fn sentences(check: &Check) -> Vec<String> {
     let [_, (_, of_the_file), ..] = SENTENCES;
@@ -203,7 +206,13 @@ fn sentences(check: &Check) -> Vec<String> {
         let has_law = what.formula().is_some() || (is_listed(what) && has_source);
         (!has_law).then(|| format!("{} {what:?}", step.symbol))
     };
-    check.workings.iter().filter_map(of).collect()
+    // A value of a model that is stated without one is an instant, a time or a limit of the model.
+    let is_stated = |step: &&sizing::derivation::Step| {
+        step.how == How::Given && matches!(step.source, Source::Model { .. }) && !STATED.contains(&step.symbol)
+    };
+    let stated =
+        check.workings.iter().filter(is_stated).map(|step| format!("{} stated by {}", step.symbol, step.source));
+    check.workings.iter().filter_map(of).chain(stated).collect()
 }
 
 /// Every mechanism, alone and behind a stage, under every law of motion: each check has its derivation or the stated reason
