@@ -1,8 +1,8 @@
 //! Summary of the axes of a project: the actuator of each, its verdict, and the totals.
 
 use crate::checks::verdict_class;
-use crate::form::vals;
-use crate::frame::chosen;
+use crate::markup::vals;
+use crate::shown::chosen;
 use crate::state::{PageState, ReadProject};
 use axis::AxisProject;
 use maud::{Markup, html};
@@ -56,7 +56,7 @@ pub(crate) fn summary(state: &PageState, held: &ReadProject, progress: &Progress
     Ok(html! {
         section id="together" aria-labelledby="together-title" class=[held.is_old.then_some("old")] {
             h2 id="together-title" { (page::axes_together(l)) }
-            (crate::demand::stopped(&html! {}))
+            (crate::markup::stopped(&html! {}))
             @if held.is_old { p.advice role="status" { (page::result_is_old(l)) } }
             p.small { (page::axes_about(l)) }
             div.wide tabindex="0" role="region" aria-labelledby="together-title" {

@@ -1,6 +1,6 @@
 //! Checks of one actuator by the part that they are about, with bars, limits, grades and sources.
 
-use crate::form::{id, label, vals};
+use crate::markup::{id, label, vals};
 use crate::{overlay, value};
 use maud::{Markup, html};
 use project::{Key, key_at};

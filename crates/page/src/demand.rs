@@ -1,7 +1,7 @@
 //! The middle pane: the demand of the axis on the selected actuator, one view at a time.
 
 use crate::call::Shell;
-use crate::form::vals;
+use crate::markup::vals;
 use crate::parts::part;
 use crate::state::{PageState, View};
 use crate::{overlay, tolerances};
@@ -46,11 +46,6 @@ pub(crate) fn nothing(language: Language) -> Markup {
             p { (page::no_result_yet(language)) }
         }
     }
-}
-
-/// Returns the place of the message that the last work was stopped; empty if it was not.
-pub(crate) fn stopped(what: &Markup) -> Markup {
-    html! { p.advice id="stopped" role="status" { (what) } }
 }
 
 /// Returns the tabs of the pane.

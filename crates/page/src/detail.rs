@@ -2,6 +2,7 @@
 
 use crate::checks::{sides, verdict_class};
 use crate::formula;
+use crate::markup::drawer;
 use answers::Node;
 use maud::{Markup, html};
 use quantities::{Language, format_significant};
@@ -13,20 +14,6 @@ use words::{
     ERRATUM_MARK, capitalised, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
     terminal, terms, title_of_check,
 };
-
-/// Returns a heading with a button that closes the content below it.
-pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup {
-    html! {
-        section aria-labelledby="detail-title" {
-            div.bar-head {
-                button.icon type="button" id="detail-back" data-back="" hidden aria-label=(page::back(language)) title=(page::back(language)) { "←" }
-                h2 id="detail-title" tabindex="-1" { (title) }
-                button type="button" data-close="detail" { (page::close(language)) }
-            }
-            (inside)
-        }
-    }
-}
 
 /// Returns the derivation of a check: both sides, as trees.
 pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Language) -> Markup {
@@ -40,7 +27,7 @@ pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Lang
             @if let Some(root) = root { h3 { (capitalised(word)) } ul.tree { (node(root, language)) } }
         }
     };
-    frame(&title, &inside, language)
+    drawer(&title, &inside, language)
 }
 
 /// Number of characters above which a formula can be wider than its place and gets a scroll area, usable by keyboard.
@@ -99,7 +86,7 @@ pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
             @for id in errata_of(&found.data) { p.small { (ERRATUM_MARK) " " (id) ": " (evidence_text(id, l)) } }
         }
     };
-    frame(page::side_by_side(l), &inside, l)
+    drawer(page::side_by_side(l), &inside, l)
 }
 
 fn check_row(row: &CheckRow, language: Language) -> Markup {

@@ -127,7 +127,7 @@ pub(crate) fn listed(call: &Call<'_>, shell: &dyn Shell) -> Markup {
         p { button type="button" data-open="" { (page::from_elsewhere(l)) } }
         (in_folder(shell, l))
     };
-    crate::detail::frame(page::open(l), &inside, l)
+    crate::markup::drawer(page::open(l), &inside, l)
 }
 
 /// Returns the project files of the folder with the day of their last change, the latest first.

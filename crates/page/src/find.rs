@@ -2,7 +2,7 @@
 //! shortcuts.
 
 use crate::call::Call;
-use crate::form::id;
+use crate::markup::id;
 use maud::{Markup, html};
 use project::{KEYS, Key, Kind};
 use quantities::Language;

@@ -3,11 +3,11 @@
 
 use crate::call::Shell;
 use crate::checks;
-use crate::form::vals;
+use crate::markup::vals;
 use crate::parts::part;
 use crate::remedies;
+use crate::shown::Outcome;
 use crate::state::{Filter, List, MARKED_MOST, PageState, Sort};
-use crate::verdict::Outcome;
 use figures::{By, Size, Style, candidate_map};
 use maud::{Markup, PreEscaped, html};
 use order_code::{Brake, Feedback};

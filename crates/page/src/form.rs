@@ -2,18 +2,17 @@
 //! reader uses.
 
 use crate::call::Shell;
+use crate::markup::{id, kept, tolerance_of, vals};
 use crate::parts::part;
 use crate::state::{PageState, ReadProject};
 use crate::{laws, recorded, sketch, value};
 use axis::{AxisProject, Files, drawn_figures};
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 use project::{Key, Kind, SegmentLaw, Variants, key_at};
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
 use questions::{Candidate, ColumnRole, moves};
-use words::{
-    about_text, assumption_text, capitalised, hyphenated, key_word, page, short_label, table_of_project, terms,
-};
+use words::{about_text, assumption_text, capitalised, key_word, page, short_label, table_of_project, terms};
 
 /// Data for drawing a row.
 pub(crate) struct RowContent<'f> {
@@ -95,13 +94,6 @@ fn text(state: &PageState) -> Markup {
     }
 }
 
-/// Returns a text as the content of a field; HTML drops a first line feed, so that one is added.
-pub(crate) fn kept(text: &str) -> Markup {
-    // Quotation marks, of which a project is full, need no escape in content.
-    let escaped = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    html! { @if text.starts_with('\n') { "\n" } (PreEscaped(escaped)) }
-}
-
 /// Returns the assumptions about values that the project does not state.
 fn assumptions(state: &PageState, held: &ReadProject) -> Markup {
     let l = state.language;
@@ -114,15 +106,6 @@ fn assumptions(state: &PageState, held: &ReadProject) -> Markup {
             }
         }
     }
-}
-
-/// Returns a label that may begin with a symbol, set with its subscript: `T_L, friction torque`.
-pub(crate) fn label(text: &str) -> Markup {
-    let symbol = text.split_once(", ").filter(|(head, _)| head.contains('_') && !head.contains(' '));
-    html! { @match symbol {
-        Some((symbol, rest)) => { (crate::chapters::symbol(symbol)) ", " (hyphenated(rest)) },
-        None => (hyphenated(text)),
-    } }
 }
 
 /// Subject of a key of a mechanism.
@@ -144,12 +127,6 @@ impl Group {
             _ => Self::Forces,
         }
     }
-}
-
-/// Returns the identifier of the row of a path.
-pub(crate) fn id(path: &str) -> String {
-    let sign = |sign: char| if sign.is_ascii_alphanumeric() || sign == '_' { sign } else { '-' };
-    format!("f-{}", path.chars().map(sign).collect::<String>())
 }
 
 /// Returns the computed values of each segment of the motion.
@@ -441,14 +418,14 @@ impl RowContent<'_> {
         let others = |path: &str| path.rsplit_once('.').is_some_and(|(above, _)| above == mechanism);
         let is_ours = |path: &str| path == mechanism || path == load || others(path) || Some(path) == chosen;
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(is_ours)) {
-            p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref(), self.language)) }
+            p.fault { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) }
         } }
     }
 
     /// Returns the fault of a table as a whole.
     pub(crate) fn fault_at(&self, path: &str) -> Markup {
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
-            p.fault { (crate::verdict::worded(&fault.message, fault.hint.as_deref(), self.language)) }
+            p.fault { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) }
         } }
     }
 
@@ -472,7 +449,7 @@ impl RowContent<'_> {
         };
         part(html! {
             div.row id={ (id) "-r" } data-path=(path) {
-                label for=(id) title=(about) { (self::label(&label)) @if let Some(symbol) = symbol { " " i { (crate::chapters::symbol(symbol)) } } }
+                label for=(id) title=(about) { (crate::markup::label(&label)) @if let Some(symbol) = symbol { " " i { (crate::chapters::symbol(symbol)) } } }
                 @match key.kind {
                     Kind::Bool => (self.choice(&id, key.name, path, value, &["true", "false"], wrong, &described)),
                     Kind::OneOf(words) => (self.choice(&id, key.name, path, value, words, wrong, &described)),
@@ -496,7 +473,7 @@ impl RowContent<'_> {
                 @if let Some((_, count)) = self.needed.iter().find(|(key, _)| path.strip_prefix(self.prefix) == Some(key)) { p.small.needed { (page::checks_wait(*count, l)) } }
                 @if wrong {
                     div.fault id=(described) {
-                        @for (_, fault) in &faults { p { (crate::verdict::worded(&fault.message, fault.hint.as_deref(), self.language)) } }
+                        @for (_, fault) in &faults { p { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) } }
                     }
                 }
             }
@@ -567,19 +544,6 @@ impl RowContent<'_> {
             }
         }
     }
-}
-
-/// Splits a typed quantity into the value and its tolerance.
-pub(crate) fn tolerance_of(typed: &str) -> (&str, &str) {
-    let parts = ["±", "+/-", "+-"].iter().find_map(|sign| typed.split_once(sign));
-    parts.map_or((typed.trim(), ""), |(value, band)| (value.trim(), band.trim()))
-}
-
-/// Writes the values of a request as JSON.
-pub(crate) fn vals(values: &[(&str, &str)]) -> String {
-    let map: serde_json::Map<String, serde_json::Value> =
-        values.iter().map(|(key, value)| ((*key).to_owned(), (*value).into())).collect();
-    serde_json::Value::Object(map).to_string()
 }
 
 /// Joins several changes into one request.

@@ -3,17 +3,17 @@
 use crate::call::{Call, Reply, Shell};
 use crate::head::{self, USUAL_NAME};
 use crate::parts::ShownParts;
+use crate::shown::{Outcome, looked_at, looked_at_alone};
 use crate::state::{ALL_AXES, List, PageState, ReadProject};
-use crate::verdict::{self, Outcome};
+use crate::verdict;
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
-use axis::AxisProject;
 use figures::Theme;
 use maud::{DOCTYPE, Markup, html};
 use quantities::Language;
 use questions::list::compare::compare;
 use questions::list::new::{Template, template, template_kinds};
 use questions::list::size::sized;
-use questions::{Candidate, CheckId, Progress, Refusal, Rejected, Sizing, check, check_own, explain, explain_own};
+use questions::{CheckId, Progress, Refusal, Rejected, Sizing, explain, explain_own};
 use words::{check_title, page};
 
 /// Icon of the page.
@@ -88,7 +88,7 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) ->
     let parts = html! {
         (partial("#state", state_of(&state)))
         (partial("#moves", form::column(&state, &held, None, shell)))
-        (partial("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, progress, l))))
+        (partial("#stopped", crate::markup::stopped(&waiting::stopped(&why, true, Some("/work"), shell, progress, l))))
     };
     Reply::of(200, crate::HTML, parts.into_string()).with("hx-reswap", "none")
 }
@@ -175,47 +175,7 @@ fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Ma
     let bar = verdict::bar(state, held, &none, &moves.0, progress);
     let panes =
         panes(&moves, &demand::nothing(state.language), &fits::column(state, &none, true, shell), state.language);
-    page_of(state, held, shell, &html! { (bar) (demand::stopped(why)) }, &panes)
-}
-
-/// Returns the selected actuator with every check: the requested one, else that of the project, else the best. `best`
-/// has been judged with every check if it fits.
-pub(crate) fn looked_at<'p>(
-    state: &PageState,
-    project: &'p AxisProject,
-    best: Option<&Candidate<'p>>,
-) -> Option<Candidate<'p>> {
-    let is_best = |best: &&Candidate<'p>| match &state.code {
-        Some(id) => best.id == *id,
-        None => project.actuator.is_none(),
-    };
-    if let Some(best) = best.filter(|best| best.fits()).filter(is_best) {
-        return Some(best.clone());
-    }
-    if let Some(found) = state.code.as_ref().and_then(|id| check(project, id).ok()) {
-        return Some(found);
-    }
-    chosen(project, best)
-}
-
-/// Returns the selected actuator for a page that shows nothing else: the catalogue is judged only if the selection
-/// depends on it.
-pub(crate) fn looked_at_alone<'p>(
-    state: &PageState,
-    project: &'p AxisProject,
-    progress: &Progress,
-) -> Option<Candidate<'p>> {
-    let is_sought = state.code.is_none() && project.actuator.is_none();
-    let sizing = if is_sought { sized(project, 1, Rejected::Nearest, progress).ok() } else { None };
-    looked_at(state, project, sizing.as_ref().and_then(Sizing::named))
-}
-
-/// Returns the default actuator of a project: its own, else the best.
-pub(crate) fn chosen<'p>(project: &'p AxisProject, best: Option<&Candidate<'_>>) -> Option<Candidate<'p>> {
-    if let Ok(own) = check_own(project) {
-        return Some(own);
-    }
-    best.and_then(|best| check(project, &best.id).ok())
+    page_of(state, held, shell, &html! { (bar) (crate::markup::stopped(why)) }, &panes)
 }
 
 /// Returns the form with the state that every request carries.
@@ -223,7 +183,7 @@ fn state_of(state: &PageState) -> Markup {
     let code = state.code.as_ref().map(ToString::to_string).unwrap_or_default();
     html! {
         form id="state" hidden {
-            textarea name="good" { (form::kept(&state.good)) }
+            textarea name="good" { (crate::markup::kept(&state.good)) }
             input type="hidden" name="axis" value=(if state.all_axes { String::from(ALL_AXES) } else { state.axis.to_string() });
             input type="hidden" name="from" value=[state.window.map(|window| window.0)];
             input type="hidden" name="until" value=[state.window.map(|window| window.1)];

@@ -1,7 +1,7 @@
 //! The row at the top: the axes, the file, and the menus.
 
 use crate::call::Shell;
-use crate::form::vals;
+use crate::markup::vals;
 use crate::state::{ALL_AXES, PageState, ReadProject};
 use figures::Theme;
 use maud::{Markup, html};

@@ -1,7 +1,8 @@
 //! A recording in the form: role and unit of each column, and the first rows of the file.
 
 use crate::call::{Call, Shell};
-use crate::form::{Followed, RowContent, id, vals};
+use crate::form::{Followed, RowContent};
+use crate::markup::{id, vals};
 use maud::{Markup, html};
 use quantities::Language;
 use questions::{ColumnRole, Preview, recording_preview, recording_roles};
@@ -37,7 +38,7 @@ pub(crate) fn brought(call: &Call<'_>, shell: &dyn Shell) -> Markup {
             (button("recording-added", &segment(&add), page::add_recording(l)))
         }
     };
-    crate::detail::frame(&file, &inside, l)
+    crate::markup::drawer(&file, &inside, l)
 }
 
 /// Largest number of segments that are replaced.

@@ -1,10 +1,10 @@
 //! Changes with which an actuator fits where none does, as cards that apply them.
 
 use crate::call::{Call, Shell};
-use crate::form::vals;
-use crate::frame::looked_at_alone;
+use crate::markup::label_of;
+use crate::markup::vals;
+use crate::shown::looked_at_alone;
 use crate::state::{PageState, ReadProject};
-use crate::verdict::label_of;
 use axis::AxisProject;
 use maud::{Markup, html};
 use quantities::unit::SECOND;

@@ -2,8 +2,8 @@
 
 use crate::chapters::laid_out;
 use crate::demand::picture;
+use crate::overlay;
 use crate::state::PageState;
-use crate::{form, overlay};
 use axis::AxisProject;
 use maud::{Markup, html};
 use project::key_at;
@@ -80,7 +80,7 @@ fn gains(state: &PageState, record: &answers::Simulation, language: Language) ->
     html! {
         p.small { (page::gains_in_use(l)) ": " @for (place, (path, about, symbol, value, unit)) in stated.enumerate() {
             @if place > 0 { ", " }
-            a href={ "#" (form::id(&path)) } title=(about) { (crate::chapters::symbol(symbol)) } " = " (format_significant(value.0, 4, l)) " " (Unit::of(unit).map_or(unit, |unit| unit.symbol_in(l)))
+            a href={ "#" (crate::markup::id(&path)) } title=(about) { (crate::chapters::symbol(symbol)) } " = " (format_significant(value.0, 4, l)) " " (Unit::of(unit).map_or(unit, |unit| unit.symbol_in(l)))
         } }
     }
 }

@@ -1,7 +1,7 @@
 //! Drawing of a mechanism: its symbols lead to the rows of the form and the rows to them; its moving parts follow the
 //! instant of the pictures over time.
 
-use crate::form::id;
+use crate::markup::id;
 use axis::AxisProject;
 use maud::{Markup, PreEscaped, html};
 use quantities::{Language, Measure};

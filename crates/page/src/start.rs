@@ -136,7 +136,7 @@ pub(crate) fn asked(place: usize, language: Language) -> Markup {
             span.sketch id="begin-sketch" { (drawing(begin, &begin.text(|_| None), language)) }
             p.small { (page::usual_values(language)) }
             @for (path, value) in &begin.asked {
-                @let id = crate::form::id(path);
+                @let id = crate::markup::id(path);
                 div.row {
                     label for=(id) { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(SegmentLaw::Dwell, language)) ")" } }
                     input id=(id) name=(path) type="text" value=(crate::value::with_mark(value, language)) autocomplete="off" spellcheck="false"
@@ -195,7 +195,7 @@ pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, progress: &Pro
     let cycle = format_significant(project.axis.motion.duration().si(), 3, l);
     html! {
         @match sizing.answer() {
-            Some(best) => span class=(crate::verdict::class(best)) { (best.id) },
+            Some(best) => span class=(crate::shown::class(best)) { (best.id) },
             None => span.fail { (capitalised(terminal::no_actuator_fits(l))) },
         }
         " " span.small { (page::cycle_of(&cycle, l)) }

@@ -3,7 +3,7 @@
 //! A shell stores none of it. Every request carries it, and every answer returns it.
 
 use crate::call::{Call, Shell};
-use crate::form::tolerance_of;
+use crate::markup::tolerance_of;
 use crate::value::{in_unit, stated, with_point};
 use axis::AxisDiagnostic;
 use axis::AxisProject;

@@ -1,8 +1,8 @@
 //! The effect of the tolerances on the selected actuator: at once if it is computed quickly, else on request.
 
 use crate::call::{Call, Shell};
-use crate::form::vals;
-use crate::frame::looked_at_alone;
+use crate::markup::vals;
+use crate::shown::looked_at_alone;
 use crate::state::PageState;
 use crate::waiting;
 use axis::AxisProject;

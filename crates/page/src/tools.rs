@@ -10,7 +10,7 @@ mod record;
 use crate::api::inquiry::read_inquiry;
 use crate::api::method;
 use crate::call::{Call, Shell, query};
-use crate::form::vals;
+use crate::markup::vals;
 use field::{ToolField, Trouble};
 use figures::Theme;
 use maud::{Markup, html};
@@ -129,7 +129,7 @@ pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> M
             (shown)
         }
     };
-    crate::detail::frame(page::tools(l), &inside, l)
+    crate::markup::drawer(page::tools(l), &inside, l)
 }
 
 impl Tool {

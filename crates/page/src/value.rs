@@ -3,7 +3,7 @@
 //! The project file keeps the entry as written: a number without a unit takes the selected unit; a number with a unit
 //! is kept unchanged; the choice of another unit converts the value to that unit.
 
-use crate::form::{tolerance_of, vals};
+use crate::markup::{tolerance_of, vals};
 use maud::{Markup, html};
 use project::{KEYS, Key, Kind, example};
 use quantities::{Dimension, Language, Unit, parse};

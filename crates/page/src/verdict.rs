@@ -1,36 +1,18 @@
 //! The bar under the head, always visible: verdict, governing checks, open checks, and the faults of the text.
 
-use crate::form::{self, vals};
+use crate::markup::{hint, id, label, quoted, vals, worded};
+use crate::shown::{Outcome, class};
 use crate::state::{List, PageState, ReadProject};
-use axis::AxisProject;
 use maud::{Markup, html};
 use project::key_at;
 use quantities::Language;
 use questions::list::check::reserve_unasked;
 use questions::texts::{objection_text, percent, reserve_lines, standing_text};
-use questions::{Candidate, Fit, Progress, Sizing, Verdict};
+use questions::{Candidate, Progress, Verdict};
 use words::{about_text, capitalised, check_title, page, short_label, terms, verdict_count, without_limit};
 
 /// Number of faults shown at once.
 const FAULTS_SHOWN: usize = 20;
-
-/// Result of the work of a request.
-pub(crate) struct Outcome<'o, 'p> {
-    pub(crate) project: Option<&'o AxisProject>,
-    pub(crate) sizing: Option<&'o Sizing<'p>>,
-    pub(crate) candidate: Option<&'o Candidate<'p>>,
-}
-
-/// Returns the style class of a candidate.
-pub(crate) fn class(candidate: &Candidate<'_>) -> &'static str {
-    match (candidate.fit(), candidate.open_questions()) {
-        (Fit::DoesNotFit, _) => "fail",
-        _ if candidate.leaves_load_unheld() => "fail",
-        (Fit::FitsIfEstimate, _) => "advice",
-        (Fit::Fits, 0) => "pass",
-        (Fit::Fits, _) => "unchecked",
-    }
-}
 
 /// Returns the bar.
 pub(crate) fn bar(
@@ -49,7 +31,7 @@ pub(crate) fn bar(
                 None => p id="standing" role="status" tabindex="-1" { (page::no_result_yet(l)) },
             }
             (faults(state, held, fields, l))
-            (crate::demand::stopped(&html! {}))
+            (crate::markup::stopped(&html! {}))
             @if held.is_old && found.candidate.is_some() { p.advice id="is-old" role="status" { (page::result_is_old(l)) } }
         }
     }
@@ -103,35 +85,10 @@ fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, progress: &Progress
         @if !keys.is_empty() {
             p.below.open { (page::to_be_checked_state(l)) " " @for (place, (key, _)) in keys.iter().enumerate() {
                 @if place > 0 { ", " }
-                a href={ "#" (form::id(key)) } title=(key) { (key_at(key).map_or_else(|| html! { (key) }, |known| form::label(&short_label(about_text(known.about, l))))) }
+                a href={ "#" (id(key)) } title=(key) { (key_at(key).map_or_else(|| html! { (key) }, |known| label(&short_label(about_text(known.about, l))))) }
             } }
         }
     }
-}
-
-/// Returns the label of a key as the left pane shows it; `None` if the path names no key.
-pub(crate) fn label_of(path: &str, language: Language) -> Option<String> {
-    // The keys of a file with several axes stand under `axis[N]`.
-    let inside = path.strip_prefix("axis[").and_then(|rest| rest.split_once("].")).map_or(path, |(_, inside)| inside);
-    Some(capitalised(&short_label(about_text(key_at(inside)?.about, language))))
-}
-
-/// Returns a sentence about the file: text between grave accents is a quotation of it; a key is shown by its label.
-fn quoted(text: &str, language: Language) -> Markup {
-    html! { @for (place, piece) in text.split('`').enumerate() {
-        @if place % 2 == 0 { (piece) }
-        @else if let Some(label) = label_of(piece, language) { em title=(piece) { (label) } }
-        @else { code { (piece) } }
-    } }
-}
-
-fn hint(hint: Option<&str>, language: Language) -> Markup {
-    html! { @if let Some(hint) = hint { " – " (quoted(hint, language)) } }
-}
-
-/// Returns a fault with its hint.
-pub(crate) fn worded(message: &str, advice: Option<&str>, language: Language) -> Markup {
-    html! { (quoted(message, language)) (hint(advice, language)) }
 }
 
 /// Returns the faults of the text, each with a link to its field, to its axis, or to its line in the text.
@@ -144,7 +101,7 @@ fn faults(state: &PageState, held: &ReadProject, fields: &str, language: Languag
         let inside = path.strip_prefix(prefix)?;
         let is_load = |path: &str| matches!(path.strip_prefix(prefix), Some("load" | "mechanism"));
         let of = |path: &str| {
-            let id = if is_load(path) { String::from("mechanism") } else { form::id(path) };
+            let id = if is_load(path) { String::from("mechanism") } else { id(path) };
             [id.clone(), format!("{id}-t"), format!("{id}-e")].into_iter().find(|id| has(id))
         };
         let other = inside.starts_with("mechanism.").then(|| format!("{prefix}mechanism"));

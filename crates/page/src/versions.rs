@@ -22,11 +22,11 @@ pub(crate) fn listed(call: &Call<'_>) -> Markup {
         } }
         @if let Some(first) = texts.first().filter(|_| count > 1) { div.entry { (page::first_version(l)) " " (back(first, l)) } }
     };
-    crate::detail::frame(page::versions(l), &inside, l)
+    crate::markup::drawer(page::versions(l), &inside, l)
 }
 
 fn back(text: &str, language: Language) -> Markup {
-    html! { div { textarea hidden readonly { (crate::form::kept(text)) } button.small type="button" data-version="" { (page::back_to_version(language)) } } }
+    html! { div { textarea hidden readonly { (crate::markup::kept(text)) } button.small type="button" data-version="" { (page::back_to_version(language)) } } }
 }
 
 /// Returns the changes of a version in all axes, a line each.

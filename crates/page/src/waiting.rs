@@ -1,7 +1,7 @@
 //! Long work: its progress, its end, and the page after a timeout or cancellation.
 
 use crate::call::{Call, Reply, Shell};
-use crate::form::vals;
+use crate::markup::vals;
 use maud::{Markup, html};
 use quantities::{Language, format_number};
 use questions::answer::refusal_text;

@@ -33,7 +33,7 @@ identified! {
     }
 }
 
-/// What the limits of a run depend on besides the figures of the run.
+/// Conditions on which the limits of a run depend, besides its figures.
 #[derive(Clone, Copy, Debug)]
 pub struct RunCase<'a> {
     /// Data of the actuator that was simulated.

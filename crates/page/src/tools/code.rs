@@ -51,7 +51,7 @@ pub(super) fn incomplete(typed: &str, fault: &CodeRefusal, language: Language) -
             }
             ul.rejected { @for (code, found) in list_codes(Some(pattern)).iter().take(PROPOSED) { li { (into(code.to_string(), found.is_available())) } } }
         } @else {
-            @for each in &fault.faults { p.fault { (crate::verdict::worded(&each.message, each.hint.as_deref(), l)) } }
+            @for each in &fault.faults { p.fault { (crate::markup::worded(&each.message, each.hint.as_deref(), l)) } }
         }
         @if !fault.nearest.is_empty() {
             p { (capitalised(terminal::nearest_valid_codes(l))) ": " }

@@ -4,7 +4,7 @@ use super::code::incomplete;
 use super::field::{ToolField, Trouble};
 use super::{GOOD, MARK, Scene};
 use crate::checks::verdict_class;
-use crate::form::vals;
+use crate::markup::vals;
 use crate::state::placed;
 use maud::{Markup, html};
 use project::{About, Edit, Key, Kind, MEASURED_KEYS, MeasuredKey, Written, edit_measured, measured_key_at, written};

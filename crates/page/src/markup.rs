@@ -1,0 +1,85 @@
+//! Markup that several parts of the page have: names of fields, labels, values of requests, faults, drawer.
+
+use maud::{Markup, PreEscaped, html};
+use project::key_at;
+use quantities::Language;
+use words::{about_text, capitalised, hyphenated, page, short_label};
+
+/// Returns the identifier of the row of a path.
+pub(crate) fn id(path: &str) -> String {
+    let sign = |sign: char| if sign.is_ascii_alphanumeric() || sign == '_' { sign } else { '-' };
+    format!("f-{}", path.chars().map(sign).collect::<String>())
+}
+
+/// Returns a label that may begin with a symbol, set with its subscript: `T_L, friction torque`.
+pub(crate) fn label(text: &str) -> Markup {
+    let symbol = text.split_once(", ").filter(|(head, _)| head.contains('_') && !head.contains(' '));
+    html! { @match symbol {
+        Some((symbol, rest)) => { (crate::chapters::symbol(symbol)) ", " (hyphenated(rest)) },
+        None => (hyphenated(text)),
+    } }
+}
+
+/// Returns a text as the content of a field; HTML drops a first line feed, so that one is added.
+pub(crate) fn kept(text: &str) -> Markup {
+    // Quotation marks, of which a project is full, need no escape in content.
+    let escaped = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    html! { @if text.starts_with('\n') { "\n" } (PreEscaped(escaped)) }
+}
+
+/// Splits a typed quantity into the value and its tolerance.
+pub(crate) fn tolerance_of(typed: &str) -> (&str, &str) {
+    let parts = ["±", "+/-", "+-"].iter().find_map(|sign| typed.split_once(sign));
+    parts.map_or((typed.trim(), ""), |(value, band)| (value.trim(), band.trim()))
+}
+
+/// Writes the values of a request as JSON.
+pub(crate) fn vals(values: &[(&str, &str)]) -> String {
+    let map: serde_json::Map<String, serde_json::Value> =
+        values.iter().map(|(key, value)| ((*key).to_owned(), (*value).into())).collect();
+    serde_json::Value::Object(map).to_string()
+}
+
+/// Returns the label of a key as the left pane shows it; `None` if the path names no key.
+pub(crate) fn label_of(path: &str, language: Language) -> Option<String> {
+    // The keys of a file with several axes stand under `axis[N]`.
+    let inside = path.strip_prefix("axis[").and_then(|rest| rest.split_once("].")).map_or(path, |(_, inside)| inside);
+    Some(capitalised(&short_label(about_text(key_at(inside)?.about, language))))
+}
+
+/// Returns a sentence about the file: text between grave accents is a quotation of it; a key is shown by its label.
+pub(crate) fn quoted(text: &str, language: Language) -> Markup {
+    html! { @for (place, piece) in text.split('`').enumerate() {
+        @if place % 2 == 0 { (piece) }
+        @else if let Some(label) = label_of(piece, language) { em title=(piece) { (label) } }
+        @else { code { (piece) } }
+    } }
+}
+
+pub(crate) fn hint(hint: Option<&str>, language: Language) -> Markup {
+    html! { @if let Some(hint) = hint { " – " (quoted(hint, language)) } }
+}
+
+/// Returns a fault with its hint.
+pub(crate) fn worded(message: &str, advice: Option<&str>, language: Language) -> Markup {
+    html! { (quoted(message, language)) (hint(advice, language)) }
+}
+
+/// Returns the place of the message that the last work was stopped; empty if it was not.
+pub(crate) fn stopped(what: &Markup) -> Markup {
+    html! { p.advice id="stopped" role="status" { (what) } }
+}
+
+/// Returns a heading with a button that closes the content below it.
+pub(crate) fn drawer(title: &str, inside: &Markup, language: Language) -> Markup {
+    html! {
+        section aria-labelledby="detail-title" {
+            div.bar-head {
+                button.icon type="button" id="detail-back" data-back="" hidden aria-label=(page::back(language)) title=(page::back(language)) { "←" }
+                h2 id="detail-title" tabindex="-1" { (title) }
+                button type="button" data-close="detail" { (page::close(language)) }
+            }
+            (inside)
+        }
+    }
+}
