@@ -1,7 +1,8 @@
 //! Values of a recording that are held over several rows, because their source is slower than the logger.
 
+use crate::grid::Grid;
 use crate::recorded::slopes;
-use crate::resolution::{mean_interval, median_interval, step};
+use crate::resolution::{mean_interval, median_interval};
 use crate::standstill::rests;
 use crate::timing::SpeedOverTime;
 
@@ -49,7 +50,9 @@ pub(crate) fn held(time: &[f64], values: &[f64]) -> Option<f64> {
     if (repeats as f64) < REPEATED * values.len() as f64 {
         return None;
     }
-    let least = ABOVE_STEP * step(values);
+    let grid = Grid::of(values);
+    // Neighbouring levels are up to a step and the rounding of the file apart.
+    let least = (ABOVE_STEP * grid.step).max((1.0 + numeric::EQUAL) * grid.error());
     let mut lengths = vec![0_u64; ROWS_MOST + 1];
     let (mut begin, mut held, mut distinct, mut returns, mut rests) = (None, 0_u64, 0_u64, 0_u64, 0_u64);
     for (index, (before, value)) in (1..).zip(pairs()) {

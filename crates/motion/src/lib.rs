@@ -9,6 +9,7 @@ mod examination;
 mod faults;
 #[cfg(test)]
 mod generated;
+mod grid;
 mod held;
 mod law;
 mod piece;

@@ -417,7 +417,11 @@ impl Course {
         };
         if !between && let Some(period_s) = held(time, values) {
             let without = Self::of(samples, window, true).ok()?;
-            return of(Spurious::Held { period_s }, mean_interval(time), SpeedOverTime { time, speed: &without.speed });
+            let found =
+                of(Spurious::Held { period_s }, mean_interval(time), SpeedOverTime { time, speed: &without.speed });
+            if found.is_some() {
+                return found;
+            }
         }
         if treatment.time_stamps == TimeStamps::Kept
             && let Stamps::Scattered(even) = Stamps::of(time, &[values])

@@ -1,19 +1,14 @@
 //! Resolution of recorded samples: the step of a column and the spurious acceleration that it causes.
 
+use crate::grid::Grid;
 use numeric::{nth_smallest, upper_median};
-
-/// Rounding error of a value, relative to the largest: 64 units in the last place.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
-/// Smallest step relative to the rounding error.
-const STEP_LEAST: f64 = 16.0;
-
-/// Permitted deviation of a difference from a multiple of the step, relative to the step.
-const STEP_SLACK: f64 = 0.05;
 
 /// Smallest difference that counts as rough, relative to the step; values are rounded if a quarter of the samples are
 /// rough.
 const ROUGH: f64 = 0.5;
+
+/// Smallest median of the deviations, relative to that of the steps of the source, with which they are its steps.
+const OF_SOURCE: f64 = 0.85;
 
 /// Smallest spurious acceleration that is reported, relative to that of the motion.
 pub(crate) const NOTABLE: f64 = 0.05;
@@ -85,43 +80,12 @@ pub struct MadeUp {
     pub motion_rad_s2: f64,
 }
 
-/// Returns the step of a column: the largest number of which all differences of adjacent values are multiples; zero if
-/// there is none.
-pub(crate) fn step(values: &[f64]) -> f64 {
-    let most = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    let least = ROUNDING * most;
-    let mut step = 0.0_f64;
-    for (one, other) in values.iter().zip(values.iter().skip(1)) {
-        let difference = (other - one).abs();
-        if difference <= least {
-            continue;
-        }
-        if step == 0.0 {
-            step = difference;
-            continue;
-        }
-        let rest = (difference - step * (difference / step).round()).abs();
-        if rest > STEP_SLACK * step.min(difference) {
-            // Euclid's algorithm down to the rounding error.
-            let (mut larger, mut smaller) = (difference.max(step), difference.min(step));
-            while smaller > least && smaller > STEP_SLACK * larger.min(step) {
-                (larger, smaller) = (smaller, (larger - smaller * (larger / smaller).round()).abs());
-            }
-            step = larger;
-            if step < STEP_LEAST * least {
-                return 0.0;
-            }
-        }
-    }
-    if step < STEP_LEAST * least { 0.0 } else { step }
-}
-
-/// Returns `true` if the values are rounded to the step: they deviate from the polynomial through their neighbours by
-/// shares of the step, while those of a densely sampled motion follow it.
+/// Returns the median of the deviations from the polynomial through the neighbours if the values are rounded to the
+/// step: they deviate by shares of the step, while those of a densely sampled motion follow the polynomial.
 ///
 /// At equal time steps the deviation is that of the difference of this order: a half of the second, a third of the third.
-fn is_rough(time: &[f64], values: &[f64], step: f64, order: usize) -> bool {
-    let (mut rough, mut moving) = (0_usize, 0_usize);
+fn roughness(time: &[f64], values: &[f64], step: f64, order: usize) -> Option<f64> {
+    let (mut rough, mut moving) = (0_usize, Vec::new());
     for (time, values) in time.windows(order + 1).zip(values.windows(order + 1)) {
         let deviation = match (time, values) {
             ([t0, t1, t2], [a, b, c]) => {
@@ -137,10 +101,30 @@ fn is_rough(time: &[f64], values: &[f64], step: f64, order: usize) -> bool {
             _ => 0.0,
         };
         let is_rough = deviation.abs() >= ROUGH * step;
-        moving += usize::from(is_rough || values.first() != values.last());
+        if is_rough || values.first() != values.last() {
+            moving.push(deviation.abs());
+        }
         rough += usize::from(is_rough);
     }
-    moving >= 8 && 4 * rough >= moving
+    let is_rounded = moving.len() >= 8 && 4 * rough >= moving.len();
+    if is_rounded { upper_median(moving.into_iter()) } else { None }
+}
+
+/// Returns the grid to which the values are rounded: that of the source, or that of the file where they deviate too little from
+/// each other for the steps of the source; a constant speed has equal steps too.
+///
+/// Uniform errors of a width s cause a median of 0.67 √(20/12) s in the third difference and 0.67 √(6/12) s in the second, single
+/// steps of slow motions one of s.
+fn rough_grid(time: &[f64], values: &[f64], order: usize) -> Option<Grid> {
+    let grid = Grid::of(values);
+    let share = 0.6745 * if order == 3 { (20.0_f64 / 12.0).sqrt() } else { 0.5_f64.sqrt() };
+    let both = grid.step.hypot(grid.rounded);
+    let is_of_source = |roughness: f64| grid.rounded == 0.0 || roughness >= OF_SOURCE * share * both;
+    let is_rough = |step: f64| if step > 0.0 { roughness(time, values, step, order) } else { None };
+    if is_rough(grid.step).is_some_and(is_of_source) {
+        return Some(grid);
+    }
+    is_rough(grid.rounded).map(|_| Grid { step: grid.rounded, rounded: 0.0 })
 }
 
 /// Returns the median time step \[s\].
@@ -166,15 +150,13 @@ pub(crate) fn mean_interval(time: &[f64]) -> f64 {
 /// Returns the spurious acceleration caused by the steps of a column, if it is significant compared with that of the
 /// motion.
 pub(crate) fn made_up(time: &[f64], values: &[f64], column: SteppedColumn, window_s: Option<f64>) -> Option<MadeUp> {
-    let step = step(values);
     let order = match column {
         SteppedColumn::Position => 3,
         SteppedColumn::Speed => 2,
     };
-    if step == 0.0 || !is_rough(time, values, step, order) {
-        return None;
-    }
-    let rounded = Rounded { time, values, column, step, window_s };
+    let grid = rough_grid(time, values, order)?;
+    let step = grid.step;
+    let rounded = Rounded { time, values, column, step: grid.error(), window_s };
     let motion = rounded.motion();
     let (plain, interval_s) = rounded.between_rows(motion);
     let acceleration = window_s.map_or(plain, |window| rounded.smoothed(window).min(plain));
@@ -204,6 +186,7 @@ struct Rounded<'s> {
     time: &'s [f64],
     values: &'s [f64],
     column: SteppedColumn,
+    /// Twice the largest error of a value.
     step: f64,
     window_s: Option<f64>,
 }

@@ -1,6 +1,7 @@
 //! Noise of a recorded axis at rest.
 
-use crate::resolution::{median_interval, step};
+use crate::grid::Grid;
+use crate::resolution::median_interval;
 use std::ops::Range;
 
 /// Largest speed at which noise is searched for, relative to the largest speed.
@@ -164,8 +165,8 @@ pub(crate) fn rests(
     differentiated: bool,
 ) -> Option<Vec<Range<usize>>> {
     let most = speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
-    let position_step = position.map_or(0.0, step);
-    let speed_step = if differentiated { position_step / (2.0 * median_interval(time)) } else { step(speed) };
+    let position_step = position.map_or(0.0, |position| Grid::of(position).step);
+    let speed_step = if differentiated { position_step / (2.0 * median_interval(time)) } else { Grid::of(speed).step };
     let floor = ROUNDED * most;
     let slowest = NOISE_MOST * most;
     let small = (SLOW * most).max((2.0 * speed_step).min(slowest));
