@@ -1,5 +1,7 @@
 //! Checks of current and voltage.
 
+mod overcurrent;
+
 use crate::axis::Axis;
 use crate::check::{CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, cite};
@@ -9,11 +11,13 @@ use crate::notes::{Note, Notes};
 use crate::supply::Edge;
 use crate::workings;
 use actuator::{
-    FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, OperatingPoint, Parameters, Settled,
+    CurvePoint, FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, OperatingPoint, Parameters,
+    Settled,
 };
 use derivation::{Finding, Workings};
 use numeric::at_most;
-use provenance::{Grade, Missing, Source, Sourced};
+use overcurrent::{OfCurve, Overcurrent};
+use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
 };
@@ -326,128 +330,6 @@ impl Sought for Terminal<'_> {
     }
 }
 
-/// Number of corners above which a bound uses only the least permissible current.
-const FEW: usize = 8;
-
-/// Ratio of |I| to the permissible current at an instant: the limit of the manual or, with a published curve, the
-/// current of its torque at that speed if that is larger.
-///
-/// While the direction is constant, |I| is convex along a straight line and the current of a straight piece of the
-/// curve is linear: the ratio is largest at an end of the piece.
-struct Overcurrent<'a> {
-    currents: &'a Currents<'a>,
-    printed: f64,
-    curve: Option<&'a actuator::Curve>,
-    /// States to be checked.
-    states: &'a [&'a FrictionAt],
-    /// Speeds at which the limit has a corner.
-    corners: Vec<f64>,
-}
-
-impl<'a> Overcurrent<'a> {
-    fn of(
-        currents: &'a Currents<'a>,
-        printed: f64,
-        curve: Option<&'a actuator::Curve>,
-        states: &'a [&'a FrictionAt],
-    ) -> Self {
-        let mut corners = Vec::new();
-        let points = curve.map_or(&[][..], actuator::Curve::points);
-        for (a, b) in points.iter().zip(points.iter().skip(1)) {
-            corners.extend([a.speed.si(), b.speed.si()]);
-            // Speeds at which the curve's current falls below the limit of the manual.
-            for friction in states {
-                let [from, to] =
-                    [a, b].map(|p| currents.motor.of_torque(p.torque.si()) + friction.current(p.speed).si() - printed);
-                if from * to < 0.0 {
-                    corners.push(a.speed.si() + from / (from - to) * (b.speed.si() - a.speed.si()));
-                }
-            }
-        }
-        // Beyond its end the curve permits no current.
-        corners.extend(points.last().map(|end| end.speed.si().next_up()));
-        corners.sort_by(f64::total_cmp);
-        corners.dedup();
-        Self { currents, printed, curve, states, corners }
-    }
-
-    /// Returns the permissible current at the speed of an instant \[A\].
-    fn permitted(&self, node: &Node, friction: &FrictionAt) -> f64 {
-        self.permitted_at(node.speed_rad_s, friction)
-    }
-
-    fn permitted_at(&self, speed: f64, friction: &FrictionAt) -> f64 {
-        let Some(curve) = self.curve else { return self.printed };
-        let speed = AngularVelocity::from_si(speed);
-        self.printed.max(self.currents.motor.of_torque(curve.at(speed).si()) + friction.current(speed).si())
-    }
-
-    /// Returns the least permissible current at any speed between two, in either state \[A\].
-    fn least(&self, curve: &actuator::Curve, slower: f64, faster: f64) -> f64 {
-        let [slower, faster] = [slower, faster].map(AngularVelocity::from_si);
-        let torque = curve.least_between(slower, faster).si();
-        let running = |friction: &&FrictionAt| friction.current(slower).si().min(friction.current(faster).si());
-        let running = self.states.iter().map(running).fold(f64::INFINITY, f64::min);
-        self.printed.max(self.currents.motor.of_torque(torque) + running)
-    }
-
-    /// Returns the state with the larger value at an instant.
-    fn state(&self, node: &Node) -> &'a FrictionAt {
-        match *self.states {
-            [only] => only,
-            _ => self.currents.larger(node),
-        }
-    }
-
-    fn ratio(&self, node: &Node, friction: &FrictionAt) -> f64 {
-        self.currents.in_state(node, friction).abs() / self.permitted(node, friction)
-    }
-}
-
-impl Sought for Overcurrent<'_> {
-    /// Returns the current of the largest torque over the permissible one, both linear in |ω| between the corners:
-    /// largest at a corner or at the slowest or the fastest instant.
-    fn bound(&self, extent: &Extent) -> f64 {
-        let (back, forth) = extent.speeds_rad_s;
-        let slowest = back.max(-forth).max(0.0);
-        let fastest = extent.speed_rad_s;
-        let first = self.corners.partition_point(|corner| *corner <= slowest);
-        let end = self.corners.partition_point(|corner| *corner < fastest).max(first);
-        let within = self.corners.get(first..end).unwrap_or_default();
-        // Of many corners the least permissible current at any of them is used.
-        let (within, least) = match self.curve {
-            Some(curve) if within.len() > FEW => (&[][..], Some(self.least(curve, slowest, fastest))),
-            _ => (within, None),
-        };
-        let speeds = || within.iter().copied().chain([slowest, fastest]);
-        let of = |friction: &&FrictionAt| {
-            let [acceleration, load, direction, speed] = self.currents.weights(friction);
-            let (low, high) = extent.range([acceleration, load, direction, 0.0]);
-            let ratio = |n: f64| {
-                let forwards = if forth > 0.0 { (high + speed * n).max(-low - speed * n) } else { 0.0 };
-                let backwards = if back < 0.0 { (high - speed * n).max(speed * n - low) } else { 0.0 };
-                let still = if slowest == 0.0 { high.max(-low) } else { 0.0 };
-                forwards.max(backwards).max(still) / least.unwrap_or_else(|| self.permitted_at(n, friction))
-            };
-            speeds().map(ratio).fold(0.0, f64::max)
-        };
-        self.states.iter().map(of).fold(0.0, f64::max)
-    }
-
-    fn value(&self, node: &Node) -> f64 {
-        self.ratio(node, self.state(node))
-    }
-
-    fn on_line(&self, a: &Node, b: &Node) -> f64 {
-        let ends = |friction: &&FrictionAt| self.ratio(a, friction).max(self.ratio(b, friction));
-        self.states.iter().map(ends).fold(0.0, f64::max)
-    }
-
-    fn corners(&self) -> &[f64] {
-        &self.corners
-    }
-}
-
 /// Checks U ≤ (U_DC/√2) · reserve: the motor's terminal voltage at every instant of the cycle, winding hot.
 pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, electrics, currents, .. } = *case;
@@ -490,8 +372,9 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Outcome {
 /// Checks I_peak ≤ I_max.
 ///
 /// Both states are checked: a current that exceeds I_max with the cold gear only is advice, because the drive limits
-/// the current until the gear is warm. With a published short-time curve, the current of that curve is permitted too:
-/// the stated I_max is not below it by the manufacturer's calculation.
+/// the current until the gear is warm. With a published short-time curve, the current of that curve, up to T_max and I_E, is
+/// permitted too: the stated I_max is not below it by the manufacturer's calculation. Of a curve or an I_max of the project
+/// the lower limit governs.
 pub(crate) fn peak_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     current_check(case, (CheckId::PeakCurrent, "I_max", case.actuator.current_max.require("I_max")?), work)
 }
@@ -509,10 +392,16 @@ fn current_check(
 ) -> Outcome {
     let Case { axis, actuator, currents, .. } = *case;
     let currents = currents.map_err(|missing| *missing)?;
-    let curve = actuator.at_voltage(&actuator.short_time_curve, axis.terminal_voltage());
-    let curve = curve.filter(|_| id == CheckId::PeakCurrent);
+    let is_of_peak = id == CheckId::PeakCurrent;
+    let terminal = axis.terminal_voltage();
+    let curve = actuator.curve_above_current_max(terminal).filter(|_| is_of_peak);
     let printed = limit.value.si();
-    let published = curve.map(|curve| &curve.value);
+    let si = |datum: &Datum<ElectricCurrent>| datum.known().map_or(f64::INFINITY, |known| known.value.si());
+    let published = curve.map(|curve| OfCurve {
+        curve: &curve.value,
+        torque_max: actuator.torque_max.known().map_or(f64::INFINITY, |known| known.value.si()),
+        current_most: si(&actuator.current_demagnetisation),
+    });
     let both = [currents.cold, &currents.warm];
     let over = Overcurrent::of(currents, printed, published, &both);
     let node = if curve.is_some() { axis.trace.largest(&over).1 } else { currents.peak(axis) };
@@ -522,8 +411,7 @@ fn current_check(
     // Mostly the instant of the largest current decides; otherwise the others are evaluated.
     let is_within_here = || at_most(over.ratio(&node, &currents.warm), 1.0);
     let may_be_cold_only = || is_within_here() && at_most(settled().0, 1.0);
-    let by_cold_only =
-        id == CheckId::PeakCurrent && !at_most(current, most) && currents.heat.is_ok() && may_be_cold_only();
+    let by_cold_only = is_of_peak && !at_most(current, most) && currents.heat.is_ok() && may_be_cold_only();
     let source = Source::Model { name: "current" };
     if work.is_on() {
         let elsewhere = (!at_most(current, most) && is_within_here()).then(settled);
@@ -547,6 +435,28 @@ fn current_check(
     let mut notes = currents.notes.clone();
     if by_cold_only {
         notes.push(Note::UntilWarm);
+    }
+    if curve.is_some() {
+        // The limits differ from instant to instant.
+        let largest = currents.peak(axis);
+        let most = currents.extreme(&largest).abs();
+        if !at_most(most, current) {
+            notes.push(Note::LargestCurrentElsewhere {
+                current: ElectricCurrent::from_si(most),
+                time: Time::from_si(largest.time_s),
+            });
+        }
+    } else if is_of_peak && let Some(own) = actuator.at_voltage(&actuator.short_time_curve, terminal) {
+        // A curve of the project may contradict I_max.
+        let torque_max = actuator.torque_max.known().map_or(f64::INFINITY, |known| known.value.si());
+        let of_curve = |point: &CurvePoint| {
+            let torque = point.torque.si().min(torque_max);
+            currents.motor.of_torque(torque) + currents.warm.current(point.speed).si()
+        };
+        let most = own.value.points().iter().map(of_curve).fold(0.0, f64::max);
+        if !at_most(most, printed) {
+            notes.push(Note::CurveAboveLargestCurrent { current: ElectricCurrent::from_si(most) });
+        }
     }
     Ok(Comparison {
         id,

@@ -33,6 +33,18 @@ pub enum Note {
     },
     /// The limit is exceeded with a cold gear only.
     UntilWarm,
+    /// The value is that of the instant with the highest utilisation; the largest current occurs elsewhere.
+    LargestCurrentElsewhere {
+        /// Largest current of the cycle.
+        current: ElectricCurrent,
+        /// Instant of the largest current.
+        time: Time,
+    },
+    /// The short-time curve of the project permits a torque whose current exceeds I_max; the lower limit governs.
+    CurveAboveLargestCurrent {
+        /// Largest current of the curve, of T_max at most.
+        current: ElectricCurrent,
+    },
     /// The limit is the lower edge of an estimate; this is the upper edge.
     EstimatedUpTo(Amount),
     /// The value lies between the edges of an estimate.

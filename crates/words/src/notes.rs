@@ -163,6 +163,21 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "the limit is exceeded with a cold gear only: the drive limits the current until the gear is warm"
             | "Grenze nur bei kaltem Getriebe überschritten: bis zur Betriebswärme begrenzt der Servoregler den Strom"
         ),
+        Note::LargestCurrentElsewhere { current, time } => {
+            let (current, time) =
+                (with_unit(current.si(), &AMPERE, 3, language), with_unit(time.si(), &SECOND, 3, language));
+            said!(language =>
+                "instant of the highest utilisation; the largest current is {current} at t = {time}, where the curve permits more"
+                | "Zeitpunkt der höchsten Auslastung; der größte Strom beträgt {current} bei t = {time}, dort lässt die Kennlinie mehr zu"
+            )
+        }
+        Note::CurveAboveLargestCurrent { current } => {
+            let current = with_unit(current.si(), &AMPERE, 3, language);
+            said!(language =>
+                "assumed: the short-time curve of the project requires up to {current}, which contradicts I_max; the lower limit governs"
+                | "angenommen: die Kurzzeitkennlinie des Projekts erfordert bis zu {current} und widerspricht damit I_max; maßgebend ist die niedrigere Grenze"
+            )
+        }
         Note::EstimatedUpTo(upper) => {
             let is_temperature = upper.unit.symbol == DEGREE_CELSIUS.symbol;
             let upper = with_unit(upper.si, upper.unit, 3, language);

@@ -307,7 +307,7 @@ impl Bounds {
             let magnitude = torque.abs();
             sure = sure.fast_max(braking.select((magnitude - most).fast_max(f64x4::ZERO), magnitude + least));
         }
-        // A published curve may permit more than I_max.
+        // A published curve may permit more than I_max, but not more than I_E.
         let per_limit = four.per_current_max * four.without_curve;
         self.above_beside(low * per_limit, sure * per_limit);
         self.above(low * four.per_current_demagnetisation);

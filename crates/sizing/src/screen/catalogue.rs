@@ -287,7 +287,7 @@ impl Drive {
             ratio: drivetrain.ratio.known()?.value,
             current_max: si(&drivetrain.current_max),
             current_demagnetisation: si(&drivetrain.current_demagnetisation),
-            has_short_time_curve: drivetrain.short_time_curve.known().is_some(),
+            has_short_time_curve: drivetrain.curve_above_current_max(None).is_some(),
             has_curves: half || quarter || continuous_curve,
             published: Published::of(drivetrain, &heat),
             stall_current: si(&drivetrain.stall_current)?,

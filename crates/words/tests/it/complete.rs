@@ -151,6 +151,8 @@ fn notes() {
         Note::FrictionTemperatures { cold: q(293.0), settled: None },
         Note::FrictionExtrapolated { low: x(0.5), high: x(2.0) },
         Note::UntilWarm,
+        Note::LargestCurrentElsewhere { current: q(3.0), time: q(0.5) },
+        Note::CurveAboveLargestCurrent { current: q(9.0) },
         Note::EstimatedUpTo(figure),
         Note::InsideBand,
         Note::RiseAbove(q(313.0)),
