@@ -17,6 +17,12 @@ use std::cmp::Ordering;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+/// Rounding error of a difference of time stamps, relative to the largest stamp.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+/// Share by which an interval may exceed the longest permitted one.
+const GAP_ROUNDING: f64 = 1e-9;
+
 /// Treatment of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SampleUse {
@@ -382,8 +388,11 @@ impl<'m> Gather<'m> {
         // Of rounded time stamps most may be equal.
         let mean = steps().sum::<f64>() / (self.time_s.len() - 1).max(1) as f64;
         let median = if self.even_stamps { median.max(mean) } else { *median };
+        // The difference of two rounded stamps is inexact by units of their last place.
+        let largest = self.time_s.iter().fold(0.0_f64, |largest, time| largest.max(time.abs()));
+        let most = GAP_FACTOR * median * (1.0 + GAP_ROUNDING) + ROUNDING * largest;
         for (index, step) in (1..).zip(steps()) {
-            if step > GAP_FACTOR * median {
+            if step > most {
                 let at = self.place(self.number_of(index));
                 faults.push(Fault::Gap { at, length: Time::from_si(step), median: Time::from_si(median) });
             }

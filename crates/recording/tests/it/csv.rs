@@ -264,6 +264,32 @@ fn time_rises() {
     assert_eq!((time.to_string(), before.to_string(), same.to_string()), ("1 ms".into(), "2 ms".into(), "3 ms".into()));
 }
 
+/// Ten intervals are no gap in any unit, from any start; eleven are one.
+#[test]
+fn a_gap_of_exactly_ten_intervals_is_none() {
+    for (unit, decimals) in [("s", 6), ("ms", 3), ("s", 4), ("min", 6)] {
+        for start in [0.0, 0.1, 12.3, 4567.8, 1_700_000_000.0] {
+            for interval in [0.001_f64, 0.002, 0.003, 0.007] {
+                for (factor, is_gap) in [(10.0, false), (11.0, true)] {
+                    let (mut time, mut text) = (start, format!("t [{unit}],q [deg]\n"));
+                    for row in 0..60 {
+                        text += &format!("{time:.decimals$},1\n");
+                        time += interval * if row % 3 == 2 { factor } else { 1.0 };
+                    }
+                    let layout = Layout::default();
+                    let found = read_csv(text.as_bytes(), &layout).err();
+                    let is_a_gap = |fault: &Fault| match fault {
+                        Fault::Repeated { first, .. } => matches!(**first, Fault::Gap { .. }),
+                        fault => matches!(fault, Fault::Gap { .. }),
+                    };
+                    let has_gap = found.iter().flat_map(|found| found.iter().map(Fault::bare)).any(is_a_gap);
+                    assert_eq!(has_gap, is_gap, "{unit} from {start}, {interval}: {found:?}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_gap_is_reported_and_can_be_allowed() {
     let text = "t [ms],q [deg]\n0,1\n1,1\n# pause\n2,1\n13,1\n23,1\n24,1\n25,1\n";
