@@ -8,7 +8,7 @@ use crate::mechanism::driven;
 use crate::needs::needs;
 use actuator::FlangeLoad;
 use mechanism::{Contact, Mechanism, Mounting, StageKind};
-use project::sections::{AxisSection, Bearing, Derived, FlangeLoads, Section, StatedField};
+use project::sections::{AxisSection, Bearing, Derived, FlangeLoads, Section, StageSection, StatedField};
 use project::{Fault, Hint};
 use quantities::Measure;
 use quantities::unit::DEGREE;
@@ -87,6 +87,14 @@ fn loads_flange(axis: &AxisSection) -> bool {
     axis.parts.stage.is_given() || driven(&axis.parts).is_some_and(|driven| driven.on_flange().is_some())
 }
 
+/// Returns `true` if the mechanism or its stage can load the flange in addition to stated loads: a coupling alone does not,
+/// without the mass of its half.
+fn adds_to_stated(axis: &AxisSection) -> bool {
+    let is_coupling = |stage: &StageSection| stage.kind.value().map(choices::stage_kind) == Some(StageKind::Coupling);
+    let states_mass = || axis.parts.bearing.get().is_some_and(|bearing| bearing.wheel_mass.is_given());
+    loads_flange(axis) && (!axis.parts.stage.get().is_some_and(is_coupling) || states_mass())
+}
+
 /// Returns the first stated load on the flange.
 fn states_loads(axis: &AxisSection) -> Option<&dyn StatedField> {
     let common = axis.parts.bearing.get().map(|section| &section.loads);
@@ -98,7 +106,7 @@ fn states_loads(axis: &AxisSection) -> Option<&dyn StatedField> {
 /// adding and ignoring them would be a guess. Returns `true` if it did.
 fn undecided(axis: &AxisSection, report: &mut AxisReport<'_>) -> bool {
     let decided = axis.parts.bearing.get().is_some_and(|section| section.mechanism.is_written());
-    let Some(field) = states_loads(axis).filter(|_| !decided && loads_flange(axis)) else { return false };
+    let Some(field) = states_loads(axis).filter(|_| !decided && adds_to_stated(axis)) else { return false };
     let fault = Fault::FlangeLoadsUndecided { key: field.name(), section: axis.path("bearing") };
     report.fault(field.span(), fault, None);
     true
@@ -219,7 +227,7 @@ pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
             (false, true) => Assumption::FlangeLoadsConstant,
             (false, false) => Assumption::NoFlangeLoads,
         });
-        found.extend(loads_flange(axis).then_some(Assumption::FlangeLoadsIgnored));
+        found.extend(adds_to_stated(axis).then_some(Assumption::FlangeLoadsIgnored));
         return;
     };
     found.push(Assumption::FlangeLoadsOfMechanism);

@@ -21,6 +21,7 @@ mod errata_everywhere;
 mod errata_in_documents;
 mod errata_marked;
 mod first_instant;
+mod flange_behind_coupling;
 mod flat_peak;
 mod handed_catalogue;
 mod identify;
