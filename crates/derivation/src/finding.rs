@@ -48,6 +48,7 @@ findings! {
     CentreOfBodies "abs(sum(m_i*r_i))/m" ["m"];
     AngleOfBodies "arctan2(sum(m_i*y_i), sum(m_i*x_i))" [];
     SpeedAt ["t"];
+    AngularVelocityAt ["t"];
     DirectionAt ["t"];
     PeakSpeed "max(abs(n))" ["n"];
     AngleTravelled "int(abs(omega))" [];

@@ -119,7 +119,7 @@ impl<'w> Steps<'w> {
         let alpha = output.acceleration_rad_s2;
         self.found("alpha", &RADIAN_PER_SECOND_SQUARED, alpha, Finding::AccelerationAt);
         if has_speed {
-            self.found("omega", &RADIAN_PER_SECOND, output.speed_rad_s, Finding::SpeedAt);
+            self.found("omega", &RADIAN_PER_SECOND, output.speed_rad_s, Finding::AngularVelocityAt);
         }
         if has_direction {
             self.found("sigma", &ONE, output.direction, Finding::DirectionAt);
@@ -221,7 +221,7 @@ impl Mechanism {
         }
         let (coulomb, viscous) = (self.friction.coulomb.si() != 0.0, self.friction.viscous.si() != 0.0);
         if viscous || reduced.slope != 0.0 {
-            steps.found("omega", &RADIAN_PER_SECOND, at.output.speed_rad_s, Finding::SpeedAt);
+            steps.found("omega", &RADIAN_PER_SECOND, at.output.speed_rad_s, Finding::AngularVelocityAt);
             if is_staged {
                 steps.work.formula("omega_2", &RADIAN_PER_SECOND, output.speed_rad_s, "omega/i_s", &STAGE);
             }

@@ -248,6 +248,7 @@ fn check(steps: &[Step], expected: f64, scale: f64, place: &dyn Fn() -> String) 
                         what,
                         Finding::AccelerationAt
                             | Finding::SpeedAt
+                            | Finding::AngularVelocityAt
                             | Finding::DirectionAt
                             | Finding::PositionAt
                             | Finding::RecordedTorqueAt

@@ -107,6 +107,7 @@ pub fn found_condition(what: Finding, language: Language) -> String {
             ("over the bodies", "über die Körper")
         }
         Finding::SpeedAt => ("speed at t", "Drehzahl bei t"),
+        Finding::AngularVelocityAt => ("angular velocity at t", "Winkelgeschwindigkeit bei t"),
         Finding::DirectionAt => ("direction at t", "Richtung bei t"),
         Finding::SpeedNearResonance => (
             "constant speed from t on that is nearest to a resonance",

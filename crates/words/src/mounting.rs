@@ -33,7 +33,7 @@ pub fn fit_word(kind: FitKind, language: Language) -> String {
 #[must_use]
 pub fn load_case_title(case: LoadCase, language: Language) -> String {
     let (en, de) = match case {
-        LoadCase::Peak => ("peak torque in the joint", "Spitzenmoment in der Verbindung"),
+        LoadCase::Peak => ("peak torque in the joint", "Spitzendrehmoment in der Verbindung"),
         LoadCase::Collision => ("collision", "Kollision"),
         LoadCase::Brake => ("holding or emergency stop by the brake", "Halten oder Not-Halt durch die Bremse"),
         LoadCase::StaticMoment => ("tilting moment at standstill", "Kippmoment im Stillstand"),

@@ -351,7 +351,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("T_L", "load torque", "Lastmoment"),
     ("T_L_rms", "rms load torque", "effektives Lastmoment"),
     ("T_need", "holding torque required, with safety", "gefordertes Haltemoment mit Sicherheit"),
-    ("T_peak", "peak torque", "Spitzenmoment"),
+    ("T_peak", "peak torque", "Spitzendrehmoment"),
     ("T_s", "largest load torque at the output of the actuator", "größtes Lastmoment am Abtrieb des Antriebs"),
     ("T_rms", "rms torque", "effektives Drehmoment"),
     ("T_short", "short-time torque", "Kurzzeitdrehmoment"),

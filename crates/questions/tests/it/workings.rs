@@ -137,6 +137,7 @@ const SENTENCES: [(&str, &[Finding]); 9] = [
         &[
             Finding::AccelerationAt,
             Finding::SpeedAt,
+            Finding::AngularVelocityAt,
             Finding::DirectionAt,
             Finding::PositionAt,
             Finding::RecordedTorqueAt,
