@@ -15,7 +15,7 @@ pub(crate) struct AxisSource {
 }
 
 impl AxisSource {
-    /// Reads the recordings of an axis.
+    /// Reads the recordings of an axis, and refuses bodies that are impossible.
     pub(crate) fn read(mut section: AxisSection, recordings: &mut Recordings<'_>, report: &mut AxisReport<'_>) -> Self {
         check_texts(&mut section.parts, report);
         let found = match section.parts.motion.get_mut() {
