@@ -4,6 +4,7 @@ use crate::along::turned;
 use crate::choices;
 use crate::fault::{AxisFault, AxisReport};
 use crate::needs::needs;
+use crate::recorded::states_its_motion;
 use motion::{EndState, Ends, Points, PointsFault};
 use project::Fault;
 use project::choices::Spline;
@@ -38,7 +39,8 @@ pub(crate) fn through_points(
             )
         }
     });
-    let rows = segment.points.get()?.0.as_slice();
+    let rows = segment.points.get()?;
+    let (rows, is_whole) = (rows.rows.as_slice(), rows.is_whole);
     let measures = rows.first().map(|(point, _)| point.measures());
     for (_, span) in rows.iter().filter(|(point, _)| Some(point.measures()) != measures) {
         report.fault(span.clone(), Fault::UnlikeFirstPoint, None);
@@ -68,12 +70,14 @@ pub(crate) fn through_points(
         .collect();
     // Requirements of the spline on the points are reported without its keys too.
     match Points::new(&points, choices::spline(spline.unwrap_or(Spline::Cubic)), ends.unwrap_or(Ends::Rest)) {
-        Ok(found) if spline.is_some() && ends.is_some() && report.fault_count() == before => Some(found.into()),
+        // A refused value has been reported; without it the motion would be another one.
+        Ok(found) if is_whole && states_its_motion(segment) && report.fault_count() == before => Some(found.into()),
         Ok(_) => None,
         Err(faults) => {
             for fault in faults {
                 let row = match fault {
                     PointsFault::NotFinite { index } | PointsFault::NotIncreasing { index } => rows.get(index),
+                    PointsFault::TooFew { .. } | PointsFault::Uneven if !is_whole => continue,
                     PointsFault::TooFew { .. } | PointsFault::Uneven => None,
                 };
                 let span = row.map_or_else(|| segment.points.span(), |(_, span)| span.clone());

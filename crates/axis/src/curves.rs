@@ -2,7 +2,7 @@
 
 use crate::catalogue::Catalogue;
 use crate::fault::{AxisFault, AxisReport};
-use actuator::{Battery, Curve, CurvePoint, Parameters};
+use actuator::{Battery, Curve, CurveFault, CurvePoint, Parameters};
 use configurator::{Product, ProductId};
 use order_code::{OrderCode, Pattern};
 use project::Fault;
@@ -126,8 +126,11 @@ pub(crate) fn read(
 
 /// Builds a curve from its corner points.
 pub(crate) fn curve(points: &Stated<Rows<CurveRow>>, report: &mut AxisReport<'_>) -> Option<Curve> {
-    match Curve::new(points.get()?.values().iter().map(corner).collect()) {
-        Ok(curve) => Some(curve),
+    let rows = points.get()?;
+    match Curve::new(rows.values().iter().map(corner).collect()) {
+        Ok(curve) => rows.is_whole.then_some(curve),
+        // A faulty row is one of the points, and may be the first.
+        Err(CurveFault::TooFewPoints | CurveFault::DoesNotStartAtZero) if !rows.is_whole => None,
         Err(fault) => {
             report.fault(points.span(), AxisFault::Curve(fault), None);
             None

@@ -112,13 +112,20 @@ fn undecided(axis: &AxisSection, report: &mut AxisReport<'_>) -> bool {
     true
 }
 
+/// Returns `true` if the statement of the use, or the stage, is faulty: which keys have an effect is open then.
+fn is_refused(axis: &AxisSection, mechanism: &Mechanism) -> bool {
+    let section = axis.parts.bearing.get().map(|section| &section.mechanism);
+    let of_stage = axis.parts.stage.is_written() && mechanism.stage.is_none();
+    of_stage || section.is_some_and(|field| field.is_written() && !field.is_given())
+}
+
 /// Returns the loads on the flange and the requirements on the bearing.
 pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, report: &mut AxisReport<'_>) -> BearingDuty {
     let absent = Bearing::absent(axis.head());
     let section = axis.parts.bearing.get().unwrap_or(&absent);
     let own: Vec<Option<&FlangeLoads>> = axis.segments().iter().map(|segment| segment.bearing.get()).collect();
-    let undecided = undecided(axis, report);
-    let how = how(axis);
+    let undecided = undecided(axis, report) || is_refused(axis, mechanism);
+    let how = how(axis).filter(|_| !is_refused(axis, mechanism));
     let derived = how.and_then(|how| {
         let mounting = mounting(axis, section, (mechanism, how), report)?;
         let acts = own.iter().map(|own| how == Derived::Add || own.is_none()).collect();

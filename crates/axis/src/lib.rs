@@ -28,6 +28,8 @@ mod measured;
 mod mechanism;
 mod motion;
 mod needs;
+#[cfg(test)]
+mod one_fault_tests;
 mod order;
 mod own;
 mod recorded;

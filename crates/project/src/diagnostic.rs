@@ -18,12 +18,20 @@ pub struct Diagnostic<F = Fault> {
     pub hint: Option<Hint>,
 }
 
-/// Returns line and column of a byte offset, both from one; the column counts characters.
+/// Returns line and column of a byte offset, both from one; the column counts characters. A carriage return alone ends a
+/// line too.
 #[must_use]
 pub fn place(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..text.floor_char_boundary(offset)).unwrap_or_default();
-    let line_start = before.rfind('\n').map_or(0, |at| at + 1);
-    (before.matches('\n').count() + 1, before.get(line_start..).unwrap_or_default().chars().count() + 1)
+    let bytes = text.as_bytes();
+    let ends_line = |at: usize| match bytes.get(at) {
+        Some(b'\n') => true,
+        Some(b'\r') => bytes.get(at + 1).is_some_and(|next| *next != b'\n'),
+        _ => false,
+    };
+    let line_start = (0..before.len()).rev().find(|at| ends_line(*at)).map_or(0, |at| at + 1);
+    let lines = (0..before.len()).filter(|at| ends_line(*at)).count();
+    (lines + 1, before.get(line_start..).unwrap_or_default().chars().count() + 1)
 }
 
 impl<F> Diagnostic<F> {
@@ -53,5 +61,8 @@ mod tests {
         assert_eq!(place("äö\nü", 5), (2, 1));
         assert_eq!(place("äö", 1), (1, 1), "inside a character");
         assert_eq!(place("", 9), (1, 1));
+        assert_eq!(place("ab\r\ncd", 5), (2, 2));
+        assert_eq!(place("ab\rcd", 4), (2, 2));
+        assert_eq!(place("ab\r", 3), (1, 4), "at the end of the text");
     }
 }

@@ -14,6 +14,11 @@ pub enum Fault {
         /// Largest size that is read.
         most: usize,
     },
+    /// The file is no UTF-8.
+    NotUtf8 {
+        /// First faulty byte; `None` for a file in UTF-16.
+        byte: Option<u8>,
+    },
     /// The text is no TOML.
     Syntax {
         /// Message of the parser, in English.
@@ -64,6 +69,16 @@ pub enum Fault {
     More {
         /// Number of further faults.
         count: usize,
+    },
+    /// Reading stopped because of too many faults of the syntax.
+    ReadingStopped {
+        /// First line that is not read.
+        line: usize,
+    },
+    /// A character outside of texts, or in a key, that is not seen or only looks like a space.
+    InvisibleCharacter {
+        /// Character.
+        sign: char,
     },
     /// A number without a unit where a quantity belongs.
     BareNumber {
@@ -362,6 +377,7 @@ impl Fault {
     pub fn id(&self) -> &'static str {
         match self {
             Self::FileTooLarge { .. } => "file_too_large",
+            Self::NotUtf8 { .. } => "not_utf_8",
             Self::Syntax { .. } => "syntax",
             Self::MissingKey { .. } => "missing_key",
             Self::UnknownKey { .. } => "unknown_key",
@@ -370,6 +386,8 @@ impl Fault {
             Self::AxisNamedTwice { .. } => "axis_named_twice",
             Self::OneAxisOnly => "one_axis_only",
             Self::More { .. } => "more_faults",
+            Self::ReadingStopped { .. } => "reading_stopped",
+            Self::InvisibleCharacter { .. } => "invisible_character",
             Self::BareNumber { .. } => "bare_number",
             Self::Quantity { error, .. } => ids::quantity(error),
             Self::NumberOutOfRange { .. } => "number_out_of_range",

@@ -2,6 +2,7 @@
 //! the form of the page.
 
 use crate::about::About;
+use crate::recovery::{KeyName, TableKind};
 use crate::{Expected, KeyDefault, Range};
 use quantities::Dimension;
 
@@ -194,6 +195,24 @@ impl Key {
     pub(crate) const fn stretches(self, time: i32, way: i32) -> Self {
         Self { stretches: Some((time, way)), ..self }
     }
+}
+
+/// Returns the keys of the table at a path for the recovery from faults of the syntax; none if there is no such table.
+pub(crate) fn keys_at(keys: &'static [Key], path: &[String]) -> Vec<KeyName> {
+    let mut found = vec![keys];
+    for name in path {
+        let inner = found.iter().flat_map(|keys| keys.iter()).filter(|key| key.name == name);
+        let tables = inner.flat_map(|key| [key.kind.keys(false), key.kind.keys(true)]);
+        found = tables.filter(|keys| !keys.is_empty()).collect();
+    }
+    let table = |kind: &Kind| match kind {
+        Kind::Table(_) => Some(TableKind::One),
+        Kind::OneOrMany(..) => Some(TableKind::OneOrMany),
+        Kind::Variants(_) => Some(TableKind::Many),
+        _ => None,
+    };
+    let keys = found.into_iter().flat_map(|keys| keys.iter());
+    keys.map(|key| KeyName { name: key.name, table: table(&key.kind) }).collect()
 }
 
 /// Returns a valid line for a key; `None` for an empty set of words.

@@ -2,16 +2,17 @@
 
 use crate::bodies::BodyText;
 use crate::inputs::Input;
-use crate::key::{Key, Kind, Variants, example};
+use crate::key::{Key, Kind, Variants, example, keys_at};
 use crate::nearest::{in_another_table, meant, nearest, of_the_quantity};
-use crate::recovery::Recovery;
+use crate::recovery::{Recovery, SyntaxFault, is_invisible};
 use crate::report::FaultReport;
 use crate::section::{Fields, Section};
 use crate::stated::SectionHead;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
-use crate::value::{BodyLines, QuantityRow, ValueCell, WordChoice};
+use crate::value::{BodyLines, QuantityRow, Rows, ValueCell, WordChoice};
 use crate::{Diagnostic, Expected, Fault, Hint, PROJECT_MAX_BYTES, Range};
 use quantities::{Dimension, HalfWidth, QuantityError, Reading, is_unseen};
+use std::borrow::Cow;
 use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -65,17 +66,21 @@ impl<'t> Reader<'t> {
 
     /// Reads a whole file; faults are collected in `self.report`.
     pub(crate) fn read<S: Section>(&mut self) -> S {
-        let Recovery { text, faults, replaced, hiding } = Recovery::of(self.text());
-        self.torn = hiding.is_some();
+        let mut recovery = Recovery::of(self.text(), &|path: &[String]| keys_at(S::KEYS, path));
+        self.torn = recovery.is_torn;
+        let faults = std::mem::take(&mut recovery.faults);
         let is_damaged = !faults.is_empty();
-        for (index, (span, message)) in faults.into_iter().enumerate() {
-            self.fault(span, Fault::Syntax { message, hides: hiding == Some(index) }, None);
+        for (span, fault) in faults {
+            let fault = match fault {
+                SyntaxFault::Message { message, hides } => Fault::Syntax { message, hides },
+                SyntaxFault::Invisible(sign) => Fault::InvisibleCharacter { sign },
+            };
+            self.fault(span, fault, None);
         }
         if is_damaged {
-            self.report.damage(replaced);
+            self.report.damage(std::mem::take(&mut recovery.damage), recovery.stopped);
         }
-        let (root, _) = DeTable::parse_recoverable(text.as_deref().unwrap_or(self.text()));
-        self.section(root.get_ref(), 0..0, "")
+        self.section(&recovery.table(), 0..0, "")
     }
 
     pub(crate) const fn text(&self) -> &'t str {
@@ -95,32 +100,60 @@ impl<'t> Reader<'t> {
 
     /// Reads every key of a table into its field.
     fn fill(&mut self, section: &mut dyn Fields, table: &DeTable<'_>, keys: &'static [Key], path: &str) {
+        let mut unknown = Vec::new();
         for (name, value) in table {
-            let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
-                section.head_mut().has_strays = true;
-                // The key may belong to a heading that could not be read.
-                if !self.torn {
-                    self.unknown_key(name, value.get_ref(), keys, path);
-                }
+            let Some(key) = keys.iter().find(|key| is_name(name.get_ref(), key, table)) else {
+                unknown.push((name, value));
                 continue;
             };
+            self.invisible(name);
             let path = joined(path, key.name);
-            if let Some(field) = section.field_mut(key.name) {
-                field.read(&FoundValue { value: value.get_ref(), span: value.span(), key, path: &path }, self);
+            let Some(field) = section.field_mut(key.name) else { continue };
+            if self.report.is_unread(&value.span()) {
+                field.refuse_value();
+                continue;
+            }
+            field.read(&FoundValue { value: value.get_ref(), span: value.span(), key, path: &path }, self);
+            // A list is not that of the file without the rows that cannot be read.
+            if self.report.is_partial(&value.span()) {
+                field.refuse_value();
             }
         }
+        section.head_mut().has_strays |= !unknown.is_empty();
+        // Only the first faults of the file are listed, with their hints.
+        unknown.sort_by_key(|(name, _)| name.span().start);
+        for (name, value) in unknown {
+            let is_reported = self.report.is_unread(&name.span()) || self.report.is_of_damaged_heading(&name.span());
+            // The key may belong to a heading that could not be read.
+            if !self.torn && !is_reported {
+                self.unknown_key(name, value.get_ref(), keys, path);
+            }
+        }
+    }
+
+    /// Reports an invisible character in a key with quotation marks.
+    fn invisible(&mut self, name: &Spanned<Cow<'_, str>>) {
+        if let Some(sign) = name.get_ref().chars().find(|sign| is_invisible(*sign)) {
+            self.fault(name.span(), Fault::InvisibleCharacter { sign }, None);
+        }
+    }
+
+    /// Returns `true` if a table has an entry that could not be read and whose key is not known: it may be any key.
+    fn has_nameless(&self, table: &DeTable<'_>, keys: &'static [Key]) -> bool {
+        let is_nameless = |name: &Spanned<Cow<'_, str>>| {
+            self.report.is_unread(&name.span()) && !keys.iter().any(|key| key.name == name.get_ref())
+        };
+        self.report.is_damaged() && table.iter().any(|(name, _)| is_nameless(name))
     }
 
     /// Reports the missing required keys of a table.
     fn missing(&mut self, table: &DeTable<'_>, span: &Span<usize>, keys: &'static [Key], path: &str) {
         // A missing key may be in a part that could not be read.
-        if self.torn {
+        if self.torn || self.has_nameless(table, keys) {
             return;
         }
-        let is_unread = |key: &Key| self.report.is_unread(key.name, span);
-        let required: Vec<&Key> = keys.iter().filter(|key| key.required && !is_unread(key)).collect();
-        for key in required {
-            if !table.iter().any(|(name, _)| name.get_ref().as_ref() == key.name) {
+        for key in keys.iter().filter(|key| key.required) {
+            if !table.iter().any(|(name, _)| is_name(name.get_ref(), key, table)) {
                 let list = matches!(key.kind, Kind::Variants(_));
                 let path = if list { key.name.to_owned() } else { joined(path, key.name) };
                 let place = span.start..span.start + usize::from(!span.is_empty());
@@ -133,16 +166,10 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn unknown_key(
-        &mut self,
-        name: &Spanned<std::borrow::Cow<'_, str>>,
-        value: &DeValue<'_>,
-        keys: &'static [Key],
-        path: &str,
-    ) {
+    fn unknown_key(&mut self, name: &Spanned<Cow<'_, str>>, value: &DeValue<'_>, keys: &'static [Key], path: &str) {
         let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
         let fault = Fault::UnknownKey { path: joined(path, &shortened(name.get_ref(), WORD_SHOWN)) };
-        let hint = self.nearest(name.get_ref(), &names).map(|near| match near {
+        let hint = self.nearest(&name.span(), name.get_ref(), &names).map(|near| match near {
             Hint::ValidAre(_) => {
                 let quantity = || value.as_str().and_then(|text| of_the_quantity(text, keys));
                 let elsewhere = || in_another_table(name.get_ref());
@@ -156,8 +183,8 @@ impl<'t> Reader<'t> {
         self.fault(name.span(), fault, hint);
     }
 
-    fn nearest(&self, written: &str, valid: &[&str]) -> Option<Hint> {
-        (!self.report.is_full()).then(|| nearest(written, valid))
+    fn nearest(&self, span: &Span<usize>, written: &str, valid: &[&str]) -> Option<Hint> {
+        self.report.is_listed(span.start).then(|| nearest(written, valid))
     }
 
     /// Reports a value of another type than its key has.
@@ -239,7 +266,7 @@ impl<'t> Reader<'t> {
     fn word<W: WordChoice>(&mut self, text: &str, span: Span<usize>, path: &str) -> Option<W> {
         let choice = W::of_word(text);
         if choice.is_none() {
-            let hint = self.nearest(text, W::WORDS);
+            let hint = self.nearest(&span, text, W::WORDS);
             let fault = Fault::NotAChoice { path: path.to_owned(), written: shortened(text, WORD_SHOWN) };
             self.fault(span, fault, hint);
         }
@@ -442,17 +469,16 @@ impl<'t> Reader<'t> {
 
     /// Checks that the keys of a table are those of its kind.
     fn variant(&mut self, table: &DeTable<'_>, span: Span<usize>, variants: &Variants, path: &str) {
-        let find = |name: &str| table.iter().find(|(key, _)| key.get_ref().as_ref() == name);
+        let is = |written: &str, name: &str| written == name || written.replace(is_invisible, "") == name;
+        let find = |name: &str| table.iter().find(|(key, _)| is(key.get_ref(), name));
         let Some(kind) = find(variants.by).and_then(|(_, value)| value.get_ref().as_str()) else { return };
         // A misspelt kind is reported elsewhere; its missing keys are those of the kind that was probably meant.
         let near = |name: &str| strsim::damerau_levenshtein(name, &shortened(kind, WORD_SHOWN));
         let nearest = variants.kinds.iter().min_by_key(|(name, ..)| near(name));
         let Some((_, needed, allowed)) = nearest.filter(|(name, ..)| near(name) * 2 <= name.len()) else { return };
-        let is_silent = self.torn || self.report.is_full();
+        let is_silent = self.torn || !self.report.is_listed(span.start) || self.has_nameless(table, variants.keys);
         if !is_silent {
-            let is_unread = |sought: &str| self.report.is_unread(sought, &span);
-            let missing: Vec<&str> =
-                needed.iter().filter(|name| find(name).is_none() && !is_unread(name)).copied().collect();
+            let missing: Vec<&str> = needed.iter().filter(|name| find(name).is_none()).copied().collect();
             for name in missing {
                 let hint = variants.keys.iter().find(|key| key.name == name).and_then(example);
                 let fault = Fault::MissingKey { path: joined(path, name), list: false };
@@ -466,10 +492,11 @@ impl<'t> Reader<'t> {
             name == variants.by || [*needed, *allowed, variants.shared].iter().any(|names| names.contains(&name))
         };
         for (name, _) in table {
-            let known = variants.keys.iter().any(|key| key.name == name.get_ref().as_ref());
-            if known && !belongs(name.get_ref()) {
+            let written = name.get_ref().replace(is_invisible, "");
+            let known = variants.keys.iter().any(|key| key.name == written);
+            if known && !belongs(&written) {
                 let names: Vec<&str> = [*needed, *allowed].concat();
-                let path = joined(path, name.get_ref());
+                let path = joined(path, &written);
                 let fault = Fault::KeyOfAnotherKind { path, by: variants.by, kind: kind.to_owned() };
                 self.fault(name.span(), fault, Some(Hint::valid(&names)));
             }
@@ -477,7 +504,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads rows of quantities.
-    pub(crate) fn rows<P: QuantityRow>(&mut self, found: &FoundValue<'_, '_>) -> Option<Vec<(P, Span<usize>)>> {
+    pub(crate) fn rows<P: QuantityRow>(&mut self, found: &FoundValue<'_, '_>) -> Option<Rows<P>> {
         let (items, path, columns) = (self.items(found)?, found.path, P::COLUMNS);
         let mut rows = Vec::new();
         for (index, item) in items.iter().enumerate() {
@@ -501,7 +528,8 @@ impl<'t> Reader<'t> {
             let row = row.into_iter().collect::<Option<Vec<ValueCell>>>().and_then(|row| P::of(&row));
             rows.extend(row.map(|row| (row, item.span())));
         }
-        Some(rows)
+        let is_whole = rows.len() == items.len();
+        Some(Rows { rows, is_whole })
     }
 }
 
@@ -516,6 +544,12 @@ fn inside(file: &str, span: &Span<usize>, text: &str, part: Span<usize>) -> Span
         }
         _ => span.clone(),
     }
+}
+
+/// Returns `true` if a name is that of a key, apart from invisible characters if the table has no other one of the name.
+fn is_name(written: &str, key: &Key, table: &DeTable<'_>) -> bool {
+    let is_spoiled = || written.chars().any(is_invisible) && written.replace(is_invisible, "") == key.name;
+    written == key.name || (is_spoiled() && !table.iter().any(|(name, _)| name.get_ref() == key.name))
 }
 
 /// Returns `true` if a text has a colon between digits, as the time of a clock.

@@ -12,7 +12,7 @@ use crate::report::FaultReport;
 use crate::requirements::{DriveSection, RequirementsSection};
 use crate::section::{Fields, Section, section, set};
 use crate::stage::StageSection;
-use crate::stated::{SectionHead, StatedField};
+use crate::stated::{SectionHead, Stated, StatedField};
 use crate::tolerance::{self, Tolerance};
 use crate::twin::TwinSection;
 use crate::value::{OneOrMany, Tables};
@@ -129,20 +129,24 @@ pub fn read(text: &str) -> Result<ReadProject<'_>, Vec<Diagnostic>> {
     Ok(ReadProject { project: Project { axes, shared: Shared { curves } }, report: reader.report })
 }
 
+/// Returns `true` for a single move; a faulty statement counts as one, so that no cycle needs to close.
+fn is_single(stated: &Stated<bool>) -> bool {
+    stated.value().unwrap_or(stated.is_written())
+}
+
 impl AxisSection {
     /// Creates a single axis.
     fn single(root: Root, tolerances: &[Tolerance]) -> Self {
         let (name, single_move) = match root.axis.get() {
-            Some(OneOrMany::One(axis)) => (axis.name.get().cloned(), axis.single_move.value()),
-            Some(OneOrMany::Many(_)) | None => (None, None),
+            Some(OneOrMany::One(axis)) => (axis.name.get().cloned(), is_single(&axis.single_move)),
+            Some(OneOrMany::Many(_)) | None => (None, false),
         };
-        let single_move = single_move.unwrap_or(false);
         Self { name, single_move, parts: root.parts, tolerances: tolerances.to_vec() }
     }
 
     /// Creates one of several axes.
     fn of_several(axis: OneOfSeveral, tolerances: Vec<Tolerance>) -> Self {
-        let single_move = axis.single_move.value().unwrap_or(false);
+        let single_move = is_single(&axis.single_move);
         Self { name: axis.name.get().cloned(), single_move, parts: axis.parts, tolerances }
     }
 

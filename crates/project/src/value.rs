@@ -378,13 +378,18 @@ rows! {
 
 /// Rows of quantities, each with its place.
 #[derive(Clone, Debug)]
-pub struct Rows<P>(pub Vec<(P, Span<usize>)>);
+pub struct Rows<P> {
+    /// Rows without a fault.
+    pub rows: Vec<(P, Span<usize>)>,
+    /// No row is faulty; otherwise number and ends of the rows are not those of the file.
+    pub is_whole: bool,
+}
 
 impl<P: Copy> Rows<P> {
     /// Returns the rows without their places.
     #[must_use]
     pub fn values(&self) -> Vec<P> {
-        self.0.iter().map(|(row, _)| *row).collect()
+        self.rows.iter().map(|(row, _)| *row).collect()
     }
 }
 
@@ -392,12 +397,12 @@ impl<P: QuantityRow> KeyValue for Rows<P> {
     const KIND: Kind = Kind::Rows(P::COLUMNS);
 
     fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
-        reader.rows(found).map(Self)
+        reader.rows(found)
     }
 
     fn set(&mut self, index: &[usize], _: &str, si: f64) -> Option<()> {
         let [row, column] = *<&[usize; 2]>::try_from(index).ok()?;
-        let (row, _) = self.0.get_mut(row)?;
+        let (row, _) = self.rows.get_mut(row)?;
         let mut cells = row.cells();
         cells.get_mut(column)?.1 = si;
         *row = P::of(&cells)?;
@@ -405,7 +410,7 @@ impl<P: QuantityRow> KeyValue for Rows<P> {
     }
 
     fn is_of_a_line(&self) -> bool {
-        self.0.iter().any(|(row, _)| row.is_of_a_line())
+        self.rows.iter().any(|(row, _)| row.is_of_a_line())
     }
 }
 

@@ -97,6 +97,13 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
             "the project file has {bytes} bytes; the limit is {most}"
             | "die Projektdatei hat {bytes} Byte; zulässig sind höchstens {most}"
         ),
+        Fault::NotUtf8 { byte: Some(byte) } => said!(language =>
+            "byte {byte:02X} is not UTF-8: save the file as UTF-8"
+            | "Byte {byte:02X} ist kein UTF-8: Datei als UTF-8 speichern"
+        ),
+        Fault::NotUtf8 { byte: None } => said!(language =>
+            "the file is UTF-16: save it as UTF-8" | "die Datei liegt in UTF-16 vor: als UTF-8 speichern"
+        ),
         Fault::Syntax { message, hides } => {
             let message = if language == Language::De { toml_syntax::in_german(message) } else { message.clone() };
             if *hides {
@@ -138,6 +145,17 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
             | "erforderlich ist eine einzelne Achse, die Datei enthält mehrere"
         ),
         Fault::More { count } => more(*count, language),
+        Fault::ReadingStopped { line } => said!(language =>
+            "reading stopped at line {line} because of the number of faults"
+            | "das Lesen endete wegen der Anzahl der Fehler in Zeile {line}"
+        ),
+        Fault::InvisibleCharacter { sign } => {
+            let (code, name) = (*sign as u32, toml_syntax::invisible(*sign, language));
+            said!(language =>
+                "{name} (U+{code:04X}) in a key or beside it: delete it"
+                | "{name} (U+{code:04X}) in einem Schlüssel oder daneben: löschen"
+            )
+        }
         Fault::Code(error) => super::describe_code_error(error, language),
         Fault::NoSuchCode { written } => said!(language =>
             "no actuator in the catalogue has an ordering code matching `{written}`"

@@ -71,7 +71,6 @@ texts! {
     file_too_large(project_max_bytes) =
         "the file is larger than {project_max_bytes} bytes; a project file is text of a few kilobytes"
         | "die Datei ist größer als {project_max_bytes} Byte; eine Projektdatei ist Text von wenigen Kilobyte";
-    not_utf_8(line) = "line {line}: not UTF-8 text" | "Zeile {line}: kein UTF-8-Text";
     in_derivations = "in derivations" | "in Herleitungen";
     nothing_in_the_glossary(wanted) =
         "the glossary has no entry for `{wanted}`"

@@ -1,5 +1,8 @@
 //! Messages of the parser of project files in German; in English they are its own.
 
+use crate::texts::said;
+use quantities::Language;
+
 /// Messages of the parser, as it writes them, and in German.
 const MESSAGES: &[(&str, &str)] = &[
     ("duplicate key", "Schlüssel doppelt angegeben"),
@@ -27,7 +30,11 @@ const MESSAGES: &[(&str, &str)] = &[
     ("key with no value", "Schlüssel ohne Wert"),
     ("invalid value", "ungültiger Wert"),
     ("invalid boolean", "weder true noch false"),
-    ("invalid date-time", "ungültiges Datum"),
+    ("invalid date-time", "ungültige Angabe von Datum und Uhrzeit"),
+    ("invalid datetime", "ungültige Angabe von Datum und Uhrzeit"),
+    ("invalid date", "ungültiges Datum"),
+    ("invalid time", "ungültige Uhrzeit"),
+    ("invalid offset", "ungültige Abweichung von der koordinierten Weltzeit"),
     ("invalid string", "ungültiger Text"),
     ("invalid key", "ungültiger Schlüssel"),
     ("invalid table", "ungültige Tabelle"),
@@ -72,6 +79,19 @@ const MESSAGES: &[(&str, &str)] = &[
         "eine Tabelle in geschweiften Klammern lässt sich nicht ergänzen",
     ),
     ("cannot extend value of type array with a dotted key", "eine Liste lässt sich nicht durch Schlüssel ergänzen"),
+    ("cannot extend value of type string with a dotted key", "ein Text lässt sich nicht durch Schlüssel ergänzen"),
+    (
+        "cannot extend value of type integer with a dotted key",
+        "eine ganze Zahl lässt sich nicht durch Schlüssel ergänzen",
+    ),
+    ("cannot extend value of type float with a dotted key", "eine Zahl lässt sich nicht durch Schlüssel ergänzen"),
+    (
+        "cannot extend value of type boolean with a dotted key",
+        "ein Wahrheitswert lässt sich nicht durch Schlüssel ergänzen",
+    ),
+    ("cannot extend value of type datetime with a dotted key", "ein Datum lässt sich nicht durch Schlüssel ergänzen"),
+    ("cannot extend value of type table with a dotted key", "eine Tabelle lässt sich nicht ergänzen"),
+    ("could not allocate for string", "zu wenig Arbeitsspeicher für den Text"),
 ];
 
 /// Expected items that the parser describes in words.
@@ -92,6 +112,36 @@ const EXPECTED: &[(&str, &str)] = &[
     ("non-single-quote characters", "Zeichen außer dem einfachen Anführungszeichen"),
     ("non-double-quote visible characters", "sichtbare Zeichen außer dem Anführungszeichen"),
     ("nothing", "nichts"),
+    ("`-` (YYYY-MM) or `:` (HH:MM)", "`-` (JJJJ-MM) oder `:` (hh:mm)"),
+    ("`-` (MM-DD)", "`-` (MM-TT)"),
+    ("`:` (HH:MM)", "`:` (hh:mm)"),
+    ("`T` between date and time", "`T` zwischen Datum und Uhrzeit"),
+    ("+OFFSET", "`+hh:mm`"),
+    ("-OFFSET", "`-hh:mm`"),
+    ("a four-digit year (YYYY)", "Jahr mit vier Ziffern (JJJJ)"),
+    ("a two-digit month (MM)", "Monat mit zwei Ziffern (MM)"),
+    ("a two-digit day (DD)", "Tag mit zwei Ziffern (TT)"),
+    ("a two-digit hour (HH)", "Stunde mit zwei Ziffern (hh)"),
+    ("a two-digit minute (MM)", "Minute mit zwei Ziffern (mm)"),
+    ("a two-digit second (SS)", "Sekunde mit zwei Ziffern (ss)"),
+    ("month between 01 and 12", "Monat von 01 bis 12"),
+    ("day between 01 and 28", "Tag von 01 bis 28"),
+    ("day between 01 and 29", "Tag von 01 bis 29"),
+    ("day between 01 and 30", "Tag von 01 bis 30"),
+    ("day between 01 and 31", "Tag von 01 bis 31"),
+    ("hour between 00 and 23", "Stunde von 00 bis 23"),
+    ("hours between 00 and 23", "Stunden von 00 bis 23"),
+    ("minute between 00 and 59", "Minute von 00 bis 59"),
+    ("minutes between 00 and 59", "Minuten von 00 bis 59"),
+    ("second between 00 and 60", "Sekunde von 00 bis 60"),
+    ("year or hour", "Jahr oder Stunde"),
+    ("month", "Monat"),
+    ("day", "Tag"),
+    ("hour", "Stunde"),
+    ("minute", "Minute"),
+    ("second", "Sekunde"),
+    ("nanosecond", "Nanosekunde"),
+    ("nanoseconds overflowed", "höchstens neun Nachkommastellen"),
 ];
 
 fn german<'t>(table: &[(&str, &'t str)], text: &str) -> Option<&'t str> {
@@ -111,11 +161,107 @@ pub(crate) fn in_german(message: &str) -> String {
     format!("{what}, erwartet: {}", expected.join(", "))
 }
 
+/// Returns the name of an invisible character.
+pub(crate) fn invisible(sign: char, language: Language) -> String {
+    match sign {
+        '\u{feff}' => said!(language => "byte order mark" | "Byte-Reihenfolge-Markierung"),
+        '\u{200b}' => said!(language => "zero-width space" | "Leerzeichen ohne Breite"),
+        '\u{a0}' | '\u{202f}' | '\u{2007}' => said!(language => "no-break space" | "geschütztes Leerzeichen"),
+        '\u{ad}' => said!(language => "soft hyphen" | "bedingter Trennstrich"),
+        '\u{c}' => said!(language => "form feed" | "Seitenvorschub"),
+        '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' => said!(language => "control character" | "Steuerzeichen"),
+        sign if sign.is_whitespace() => said!(language => "special space" | "besonderes Leerzeichen"),
+        _ => said!(language => "invisible character" | "unsichtbares Zeichen"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use axis::{AxisFault, AxisProject, NoCatalogue, NoFiles};
     use project::Fault;
+
+    /// Returns the messages of the parser about a text.
+    fn messages(text: &str) -> Vec<String> {
+        let faults = AxisProject::read_all(text, &NoFiles, &NoCatalogue::shared(), &|_, _| None).unwrap_err();
+        let message = |fault: AxisFault| match fault {
+            AxisFault::Stated(Fault::Syntax { message, .. }) => Some(message),
+            _ => None,
+        };
+        faults.into_iter().filter_map(|found| message(found.fault)).collect()
+    }
+
+    /// Requires German words for every part of a message; words in code spans are signs of the file.
+    fn assert_german(message: &str) {
+        let german = in_german(message);
+        let english: Vec<String> = message
+            .split(", expected ")
+            .flat_map(|part| part.split(", "))
+            .filter(|part| !part.starts_with('`') && part.chars().filter(char::is_ascii_lowercase).count() > 3)
+            .map(str::to_owned)
+            .collect();
+        assert!(!german.contains("Meldung"), "{message}: {german}");
+        for part in english {
+            assert!(!german.contains(&part), "{message}: {german}");
+        }
+    }
+
+    /// Every message about a date, a time, an offset or a number that one changed, missing or additional character causes is in
+    /// German.
+    #[test]
+    fn every_message_about_a_date_is_german() {
+        let mut kinds = std::collections::BTreeSet::new();
+        let values = [
+            "1979-02-28T07:32:00.999-07:30",
+            "07:32:00.5",
+            "1979-12-31 23:59:59Z",
+            "2024-02-29",
+            "1e3",
+            "0x1F",
+            "-1_0.5",
+        ];
+        for value in values {
+            for at in 0..=value.len() {
+                let (before, behind) = value.split_at(at);
+                let mut all = vec![before.to_owned()];
+                for sign in "09-:+.TZ_ ".chars() {
+                    all.push(format!("{before}{sign}{behind}"));
+                    all.push(format!("{before}{sign}{}", behind.get(1..).unwrap_or_default()));
+                    all.push(format!("{before}{}", behind.get(1..).unwrap_or_default()));
+                    all.push(format!("{before}{sign}"));
+                }
+                for each in all {
+                    kinds.extend(messages(&format!("a = {each}\n")));
+                }
+            }
+        }
+        kinds.extend(
+            ["1979-02-30", "2024-02-30", "1979-04-31", "1979-01-32", "1979-13-01"]
+                .iter()
+                .flat_map(|day| messages(&format!("a = {day}"))),
+        );
+        assert!(kinds.len() > 25, "{kinds:#?}");
+        kinds.iter().for_each(|message| assert_german(message));
+    }
+
+    /// A key within a value of every type is reported in German.
+    #[test]
+    fn a_key_within_a_value_is_german() {
+        let mut tried = 0;
+        for value in ["1", "1.5", "true", "\"x\"", "1979-02-28", "[1]", "{ b = 1 }"] {
+            for text in [
+                format!("a = {value}\na.c = 1\n"),
+                format!("a = {value}\n[a.c]\nd = 1\n"),
+                format!("a = {value}\n[[a.c]]\n"),
+            ] {
+                for message in messages(&text) {
+                    tried += 1;
+                    assert_german(&message);
+                }
+            }
+        }
+        assert!(tried >= 20, "{tried}");
+    }
 
     /// The faults that occur when a project file is typed are in German, with what the parser expected.
     #[test]

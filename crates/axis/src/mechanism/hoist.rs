@@ -2,7 +2,7 @@
 
 use crate::fault::AxisReport;
 use crate::driven::{Driven, OnFlange, sound};
-use mechanism::MechanismKind;
+use mechanism::{Geometry, MechanismKind};
 use project::KeyDefault;
 use project::sections::{Hoist, StatedField};
 
@@ -18,7 +18,9 @@ impl Driven for Hoist {
             hanging: self.hanging.or_zero(),
             reeving: mechanism::reeving_efficiency(self.falls(), self.sheave_efficiency()),
         };
-        sound(self, hoist.faults(), report)?;
+        // A length that is stated but faulty is none that is missing.
+        let is_missing = |fault: &Geometry| *fault != Geometry::RopeWithoutLength || !self.hanging.is_written();
+        sound(self, hoist.faults().into_iter().filter(is_missing).collect(), report)?;
         Some(MechanismKind::Hoist(hoist))
     }
 

@@ -2,15 +2,18 @@
 
 use crate::fault::{AxisFault, AxisReport};
 use crate::driven::Driven;
-use mechanism::{MechanismKind, TablePoint};
+use mechanism::{MechanismKind, TableFault, TablePoint};
 use project::sections::{StatedField, Table, TableRow};
 
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
 
 impl Driven for Table {
     fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
-        match mechanism::Table::new(self.points.get()?.values().iter().map(point).collect()) {
-            Ok(table) => Some(MechanismKind::Table(table)),
+        let rows = self.points.get()?;
+        match mechanism::Table::new(rows.values().iter().map(point).collect()) {
+            Ok(table) => rows.is_whole.then_some(MechanismKind::Table(table)),
+            // A faulty row is one of the points.
+            Err(TableFault::TooFewPoints) if !rows.is_whole => None,
             Err(fault) => {
                 report.fault(self.points.span(), AxisFault::Table(fault), None);
                 None

@@ -70,6 +70,7 @@ fn cases() -> Vec<(&'static str, String, At)> {
     let bend = "[[curve]]\nkind = \"continuous\"\ncode = \"CHA-25A-50-*\"\nsource = \"own\"\npoints = ";
     vec![
         ("syntax", "format = = 1".to_owned(), Text),
+        ("invisible_character", inertia("\"1.3 kg m^2\"").replace("inertia", "\u{200b}inertia"), Text),
         ("missing_key", with("[load]\n", MOVE), Field("load.inertia")),
         ("missing_key", with(LOAD, ""), Table("motion")),
         ("unknown_key", more("[requirements]\nsuply = \"560 V\"\n"), Table("requirements")),

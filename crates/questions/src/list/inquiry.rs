@@ -5,11 +5,11 @@ use super::given::Given;
 use super::unanswered::Unanswered;
 use crate::answer::written;
 use crate::progress::Progress;
-use crate::reading::read_all_watched;
+use crate::reading::{Unread, read_all_watched};
 use crate::subject::{names, picked};
 use answers::{Answered, Fit};
 use axis::{AxisProject, Catalogue, Files};
-use project::PROJECT_MAX_BYTES;
+use project::{Diagnostic, PROJECT_MAX_BYTES};
 use quantities::Language;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -30,20 +30,27 @@ pub struct ReferencedText<'a> {
 }
 
 impl ReferencedText<'_> {
+    fn within_size(&self, language: Language) -> Result<(), Unanswered> {
+        if self.bytes.len() > PROJECT_MAX_BYTES {
+            let message = terminal::file_too_large(&PROJECT_MAX_BYTES, language);
+            return Err(Unanswered::File { name: self.name.clone(), message, is_too_large: true });
+        }
+        Ok(())
+    }
+
     /// Returns the text.
     ///
     /// # Errors
     /// If the text is too large or not UTF-8.
     pub fn text(&self, language: Language) -> Result<&str, Unanswered> {
-        let refused = |message, is_too_large| Unanswered::File { name: self.name.clone(), message, is_too_large };
-        if self.bytes.len() > PROJECT_MAX_BYTES {
-            return Err(refused(terminal::file_too_large(&PROJECT_MAX_BYTES, language), true));
+        self.within_size(language)?;
+        match (std::str::from_utf8(&self.bytes), project::decoded(&self.bytes)) {
+            (Ok(text), (_, None)) => Ok(text),
+            (_, (text, fault)) => {
+                let faults = fault.map(Diagnostic::into_other).into_iter().collect();
+                Err(Unanswered::unread(Unread::Faults(faults), &self.name, &text, language))
+            }
         }
-        std::str::from_utf8(&self.bytes).map_err(|error| {
-            let before = self.bytes.get(..error.valid_up_to()).unwrap_or_default();
-            let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
-            refused(terminal::not_utf_8(&line, language), false)
-        })
     }
 
     /// Reads every axis of a project file.
@@ -56,9 +63,20 @@ impl ReferencedText<'_> {
         progress: &Progress,
         language: Language,
     ) -> Result<Vec<AxisProject>, Unanswered> {
-        let text = self.text(language)?;
-        read_all_watched(text, self.files, catalogue, progress)
-            .map_err(|unread| Unanswered::unread(unread, &self.name, text, language))
+        self.within_size(language)?;
+        let (text, encoding) = project::decoded(&self.bytes);
+        let read = read_all_watched(&text, self.files, catalogue, progress);
+        let read = match (read, encoding.map(Diagnostic::into_other)) {
+            (read, None) => read,
+            (Ok(_), Some(fault)) => Err(Unread::Faults(vec![fault])),
+            (Err(Unread::Faults(mut faults)), Some(fault)) => {
+                let before = faults.partition_point(|each| each.span.start <= fault.span.start);
+                faults.insert(before, fault);
+                Err(Unread::Faults(faults))
+            }
+            (refused, Some(_)) => refused,
+        };
+        read.map_err(|unread| Unanswered::unread(unread, &self.name, &text, language))
     }
 }
 

@@ -177,7 +177,7 @@ fn a_file_full_of_faults_is_answered_at_once() {
         let text = piece.repeat(((PROJECT_MAX_BYTES - 1) / piece.len()).min(most));
         let found = faults(&text);
         assert!(found.len() <= 52, "{piece:?}: {}", found.len());
-        assert!(found.last().unwrap().message.contains("more faults"), "{piece:?}: {:?}", found.last());
+        assert!(found.iter().any(|fault| fault.message.contains("more faults")), "{piece:?}: {:?}", found.last());
     }
 }
 

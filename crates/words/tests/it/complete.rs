@@ -426,6 +426,8 @@ fn other_faults() -> Vec<Fault> {
         trouble(None, Some(24)),
         trouble(None, Some(40)),
         trouble(None, Some(9999)),
+        Fault::NotUtf8 { byte: None },
+        Fault::NotUtf8 { byte: Some(0xe4) },
         Fault::Syntax { message: word(), hides: false },
         Fault::Syntax { message: word(), hides: true },
         Fault::MissingKey { path: path(), list: false },
@@ -439,6 +441,8 @@ fn other_faults() -> Vec<Fault> {
         Fault::OneAxisOnly,
         Fault::More { count: 1 },
         Fault::More { count: 2 },
+        Fault::ReadingStopped { line: 101 },
+        Fault::InvisibleCharacter { sign: '\u{200b}' },
         Fault::BareNumber { path: path(), dimension: Dimension::Torque },
         Fault::Quantity {
             path: path(),
