@@ -65,8 +65,11 @@ fn read(text: &str, catalogue: &Arc<dyn Catalogue>) -> AxisProject {
     questions::read_all_with(text, &NoFiles as &dyn Files, catalogue).unwrap().swap_remove(0)
 }
 
+/// Verdict, value and limit of a check.
+type Said = (CheckId, Verdict, Option<Amount>, Option<Amount>);
+
 /// Statements about a candidate.
-fn said(candidate: &Candidate<'_>) -> (Fit, Vec<(CheckId, Verdict, Option<Amount>, Option<Amount>)>) {
+fn said(candidate: &Candidate<'_>) -> (Fit, Vec<Said>) {
     let of = |check: &Arc<questions::Check>| (check.id, check.verdict, check.value, check.limit);
     (candidate.fit(), candidate.judgement.checks.iter().map(of).collect())
 }
