@@ -56,6 +56,12 @@ impl AxisProject {
         })
     }
 
+    /// Returns `true` if one of several keys of the file, separated by commas, is stated.
+    #[must_use]
+    pub fn states(&self, keys: &str) -> bool {
+        self.root.states(keys)
+    }
+
     fn segment(&self, within: Within) -> Option<&Segment> {
         self.root.segments().get(self.index(within)?)
     }

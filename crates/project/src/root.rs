@@ -10,7 +10,7 @@ use crate::own::ActuatorSection;
 use crate::read::{Reader, joined};
 use crate::report::FaultReport;
 use crate::requirements::{DriveSection, RequirementsSection};
-use crate::section::{Fields, Section, section, set};
+use crate::section::{Fields, Section, section, set, states};
 use crate::stage::StageSection;
 use crate::stated::{SectionHead, Stated, StatedField};
 use crate::tolerance::{self, Tolerance};
@@ -177,6 +177,16 @@ impl AxisSection {
     /// Replaces the value of a quantity, in SI; its path is the one within the axis.
     pub fn set(&mut self, path: &str, si: f64) -> Option<()> {
         set(&mut self.parts, path, si)
+    }
+
+    /// Returns `true` if one of several keys, separated by commas, is stated. Names that are no keys count as stated.
+    #[must_use]
+    pub fn states(&self, keys: &str) -> bool {
+        let own = &self.head().path;
+        keys.split(", ").any(|key| {
+            let within = key.strip_prefix(&**own).map_or(key, |rest| rest.trim_start_matches('.'));
+            states(&self.parts, within)
+        })
     }
 
     /// Replaces several ratios by one.

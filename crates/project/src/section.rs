@@ -60,6 +60,16 @@ pub(crate) fn set(section: &mut dyn Fields, path: &str, si: f64) -> Option<()> {
     section.field_mut(name)?.set(&index?, rest, si)
 }
 
+/// Returns `false` if a path leads to a key that is not stated: `load.inertia`, `motion[2].speed`. A path that leads to a section
+/// or to no key of it counts as stated.
+pub(crate) fn states(section: &dyn Fields, path: &str) -> bool {
+    let (head, rest) = path.split_once('.').unwrap_or((path, ""));
+    let mut parts = head.split('[').map(|part| part.trim_end_matches(']'));
+    let field = parts.next().and_then(|name| section.field(name));
+    let index: Vec<usize> = parts.filter_map(|part| part.parse::<usize>().ok()?.checked_sub(1)).collect();
+    field.is_none_or(|field| field.states(&index, rest))
+}
+
 /// Declares a section: its struct, the names of its keys, and their description.
 ///
 /// ```text
@@ -205,6 +215,10 @@ macro_rules! section {
 
             fn set(&mut self, _: &[usize], rest: &str, si: f64) -> Option<()> {
                 $crate::section::set(self, rest, si)
+            }
+
+            fn states(&self, _: &[usize], rest: &str) -> bool {
+                $crate::section::states(self, rest)
             }
         }
     };

@@ -130,6 +130,8 @@ pub trait StatedField {
     /// Replaces the value of a quantity, in SI; `index` and `rest` lead to it within a list. `None` if there is no
     /// quantity.
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()>;
+    /// Returns `true` if it is stated, as is the key to which `index` and `rest` lead within it.
+    fn states(&self, index: &[usize], rest: &str) -> bool;
 }
 
 impl<T: KeyValue> StatedField for Stated<T> {
@@ -189,5 +191,9 @@ impl<T: KeyValue> StatedField for Stated<T> {
 
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
         self.get_mut()?.set(index, rest, si)
+    }
+
+    fn states(&self, index: &[usize], rest: &str) -> bool {
+        self.get().map_or_else(|| self.is_written(), |value| value.states(index, rest))
     }
 }

@@ -4,7 +4,7 @@ use crate::Range;
 use crate::bodies::BodySection;
 use crate::key::{ColumnDimensions, Kind};
 use crate::read::{FoundValue, Reader};
-use crate::section::{Fields, OfKinds, Section, set};
+use crate::section::{Fields, OfKinds, Section, set, states};
 use quantities::unit::ONE;
 use quantities::{
     Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, CurrentGain, Dimension, EffectiveVoltage,
@@ -42,6 +42,11 @@ pub trait KeyValue: Sized {
     fn set(&mut self, _index: &[usize], _rest: &str, si: f64) -> Option<()> {
         *self = Self::of_si(si)?;
         Some(())
+    }
+
+    /// Returns `true` if the key to which `index` and `rest` lead within it is stated.
+    fn states(&self, _index: &[usize], _rest: &str) -> bool {
+        true
     }
 
     /// Returns `true` if it is stated along the line of a mechanism.
@@ -433,6 +438,10 @@ impl KeyValue for BodyLines {
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
         set_in(&mut self.bodies, index, rest, si)
     }
+
+    fn states(&self, index: &[usize], rest: &str) -> bool {
+        states_in(&self.bodies, index, rest)
+    }
 }
 
 /// An array of tables, each of one of several kinds.
@@ -448,6 +457,10 @@ impl<S: OfKinds> KeyValue for Tables<S> {
 
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
         set_in(&mut self.0, index, rest, si)
+    }
+
+    fn states(&self, index: &[usize], rest: &str) -> bool {
+        states_in(&self.0, index, rest)
     }
 }
 
@@ -476,6 +489,18 @@ impl<A: Section, B: Section> KeyValue for OneOrMany<A, B> {
             Self::Many(sections) => set_in(sections, index, rest, si),
         }
     }
+
+    fn states(&self, index: &[usize], rest: &str) -> bool {
+        match self {
+            Self::One(section) => states(section, rest),
+            Self::Many(sections) => states_in(sections, index, rest),
+        }
+    }
+}
+
+fn states_in<S: Fields>(sections: &[S], index: &[usize], rest: &str) -> bool {
+    let section = index.first().and_then(|place| sections.get(*place));
+    section.is_none_or(|section| states(section, rest))
 }
 
 fn set_in<S: Fields>(sections: &mut [S], index: &[usize], rest: &str, si: f64) -> Option<()> {

@@ -205,6 +205,11 @@ pub enum Source {
         /// Dotted path of the key, e.g. `actuator.torque_max`.
         key: Key,
     },
+    /// A value that the project file leaves open: the default of a key.
+    NotStated {
+        /// Dotted path of the key, e.g. `mechanism.belt.inclination`.
+        key: Arc<str>,
+    },
 }
 
 impl Source {
@@ -214,7 +219,9 @@ impl Source {
         let number = match self {
             Self::Cell(cell) if cell.document == MANUAL => cell.table,
             Self::Equation { number } => number,
-            Self::Cell(_) | Self::Published(_) | Self::Model { .. } | Self::Project { .. } => return None,
+            Self::Cell(_) | Self::Published(_) | Self::Model { .. } | Self::Project { .. } | Self::NotStated { .. } => {
+                return None;
+            }
         };
         number.split_once('.')?.0.parse().ok()
     }
@@ -224,7 +231,11 @@ impl Source {
     pub const fn model(&self) -> Option<&'static str> {
         match self {
             Self::Model { name } => Some(name),
-            Self::Cell(_) | Self::Published(_) | Self::Equation { .. } | Self::Project { .. } => None,
+            Self::Cell(_)
+            | Self::Published(_)
+            | Self::Equation { .. }
+            | Self::Project { .. }
+            | Self::NotStated { .. } => None,
         }
     }
 }
@@ -237,6 +248,7 @@ impl PartialEq for Source {
             (Self::Equation { number: a }, Self::Equation { number: b })
             | (Self::Model { name: a }, Self::Model { name: b }) => a == b,
             (Self::Project { key: a }, Self::Project { key: b }) => a == b,
+            (Self::NotStated { key: a }, Self::NotStated { key: b }) => a == b,
             _ => false,
         }
     }
@@ -250,6 +262,7 @@ impl fmt::Display for Source {
             Self::Published(cell) => write!(f, "{} ({cell})", cell.document),
             Self::Model { name } => write!(f, "model {name}"),
             Self::Project { key } => write!(f, "project {key}"),
+            Self::NotStated { key } => write!(f, "{key} not stated"),
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Replacement of the engine's names for inputs by the keys of the project file.
 
 use axis::{AxisProject, Within};
-use provenance::{Key, Source};
+use provenance::{Grade, Key, Source};
 use sizing::{Check, CheckId};
+use std::sync::Arc;
 
 /// Cached keys of a project: every candidate requires the same few.
 #[derive(Debug)]
@@ -20,6 +21,8 @@ struct Known {
     within: Within,
     /// `None` if the role is already the key.
     key: Option<Key>,
+    /// The key is stated in the file.
+    is_stated: bool,
 }
 
 impl<'p> InputKeys<'p> {
@@ -36,37 +39,49 @@ impl<'p> InputKeys<'p> {
         }
         let within = within(check, governing);
         let (value, limit) = (check.value.map(|figure| figure.si), check.limit.map(|figure| figure.si));
-        check.value_source.iter_mut().for_each(|source| self.rename(source, value, within));
-        check.limit_source.iter_mut().for_each(|source| self.rename(source, limit, within));
+        check.value_source.iter_mut().for_each(|source| {
+            self.rename(source, value, within);
+        });
+        check.limit_source.iter_mut().for_each(|source| {
+            self.rename(source, limit, within);
+        });
         for step in &mut check.workings {
-            self.rename(&mut step.source, Some(step.si), within);
+            let is_stated = self.rename(&mut step.source, Some(step.si), within);
+            if !is_stated && let Source::Project { key } = &step.source {
+                step.source = Source::NotStated { key: Arc::from(&**key) };
+                step.grade = Grade::Assumed;
+            }
         }
     }
 
-    fn rename(&mut self, source: &mut Source, si: Option<f64>, within: Within) {
-        let Source::Project { key } = source else { return };
+    /// Replaces a name of the engine by the keys of the file; returns `true` if one of them is stated.
+    fn rename(&mut self, source: &mut Source, si: Option<f64>, within: Within) -> bool {
+        let Source::Project { key } = source else { return true };
         let fits = |known: &&Known| known.within == within && known.si.is_none_or(|known| known == si);
         // Most names of the engine are the same few texts at the same address.
         let is_same = |known: &&Known| std::ptr::eq(&*known.role, &**key) && fits(known);
         let is_equal = |known: &&Known| known.role == *key && fits(known);
         let known = self.known.iter();
         let stated = match known.clone().find(is_same).or_else(|| known.clone().find(is_equal)) {
-            Some(known) => known.key.clone(),
-            None if is_final(key) => return,
+            Some(known) => (known.key.clone(), known.is_stated),
+            None if is_final(key) => return true,
             None => {
                 // Only loads on the flange are distinguished by their value.
                 let by_value = key.starts_with("bearing.");
                 let stated = self.project.stated_at(key, si.filter(|_| by_value), within).map(Key::from);
+                let is_stated = self.project.states(stated.as_deref().unwrap_or(key));
                 if self.known.len() < KNOWN_MOST {
                     let si = by_value.then_some(si);
-                    self.known.push(Known { role: key.clone(), si, within, key: stated.clone() });
+                    self.known.push(Known { role: key.clone(), si, within, key: stated.clone(), is_stated });
                 }
-                stated
+                (stated, is_stated)
             }
         };
+        let (stated, is_stated) = stated;
         if let Some(stated) = stated {
             *key = stated;
         }
+        is_stated
     }
 }
 

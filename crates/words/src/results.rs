@@ -472,6 +472,7 @@ pub fn source_text(source: &Source, language: Language) -> String {
             said!(language => "model {name}" | "Modell {name}")
         }
         Source::Project { key } => said!(language => "project: {key}" | "Projekt: {key}"),
+        Source::NotStated { key } => said!(language => "{key} not stated" | "{key} nicht angegeben"),
     }
 }
 

@@ -31,6 +31,7 @@ mod list;
 mod mains;
 mod manual_glossary;
 mod neighbours;
+mod not_stated;
 mod own_actuator;
 mod payload_in_dwell;
 mod physics;
