@@ -98,6 +98,7 @@ pub use label::input_label;
 pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured_lines, read_measured};
 pub use motion::SegmentLaw;
 pub use read::shortened;
+pub use recovery::with_newlines;
 pub use report::FaultReport;
 pub use root::{KEYS, Project, ReadProject, Shared, read};
 pub use schema::{SchemaText, schema};

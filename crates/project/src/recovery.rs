@@ -115,10 +115,9 @@ impl<'t> Recovery<'t> {
         if DeTable::parse_recoverable(text).1.is_empty() {
             return recovery;
         }
-        let mut lines = Cow::Borrowed(text);
+        let lines = with_newlines(text);
         if let Some(at) = lone_return(text) {
             recovery.faults.push((at..at + 1, syntax("carriage return must be followed by newline".to_owned(), false)));
-            lines = Cow::Owned(with_newlines(text));
         }
         let mut statements = Statements { text: &lines, keys, path: Vec::new(), changed: String::new(), recovery };
         let mut at = 0;
@@ -192,14 +191,18 @@ fn lone_return(text: &str) -> Option<usize> {
 }
 
 /// Returns the text with every lone carriage return as a newline, of the same length.
-fn with_newlines(text: &str) -> String {
+#[must_use]
+pub fn with_newlines(text: &str) -> Cow<'_, str> {
+    if lone_return(text).is_none() {
+        return Cow::Borrowed(text);
+    }
     let mut rest = text.chars().peekable();
     let mut changed = String::with_capacity(text.len());
     while let Some(sign) = rest.next() {
         let is_lone = sign == '\r' && rest.peek() != Some(&'\n');
         changed.push(if is_lone { '\n' } else { sign });
     }
-    changed
+    Cow::Owned(changed)
 }
 
 /// Statements of a text, read one after another.

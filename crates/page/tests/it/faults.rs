@@ -367,7 +367,7 @@ fn no_kind_of_fault_is_forgotten() {
 
 /// Faults that stand where another stands that is tried, by the same lines of the reader, or that only other questions have.
 #[rustfmt::skip] // one line per place
-const ELSEWHERE: [&str; 36] = [
+const ELSEWHERE: [&str; 37] = [
     // At the segment or its file.
     "end_speed_above_limit", "move_acceleration_too_low", "move_out_of_range", "move_speed_too_high", "rest_to_rest_only",
     "speed_not_closed", "position_not_closed", "motion_empty", "beyond_range", "position_and_speed_contradict", "joint_without_torque",
@@ -381,7 +381,7 @@ const ELSEWHERE: [&str; 36] = [
     // At the key of the loads on the flange.
     "replaces_everything", "tooth_angle", "flange_loads_undecided",
     // At a quantity with a tolerance, or in the text.
-    "impossible_within_tolerance", "no_tolerance", "too_many_tolerances", "too_many_entries", "more_faults", "file_too_large",
+    "impossible_within_tolerance", "no_tolerance", "too_many_tolerances", "too_many_entries", "more_faults", "reading_stopped", "file_too_large",
     // At the points of a cam table; a number that is not finite is refused where it is read.
     "points_not_finite", "points_uneven",
     // Faults that no project file on the page can have.

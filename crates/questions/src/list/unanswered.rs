@@ -100,7 +100,9 @@ impl Unanswered {
     pub fn unread(unread: Unread, name: &str, text: &str, language: Language) -> Self {
         match unread {
             Unread::Faults(found) => {
-                Self::Text { name: name.to_owned(), text: text.to_owned(), faults: worded(&found, language) }
+                // The places are those of a text whose lines end with a newline.
+                let text = project::with_newlines(text).into_owned();
+                Self::Text { name: name.to_owned(), text, faults: worded(&found, language) }
             }
             Unread::Refused(refusal) => refusal.into(),
         }
