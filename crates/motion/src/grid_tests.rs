@@ -84,7 +84,7 @@ fn largest(found: &Recorded) -> f64 {
     pairs.map(|(w, t)| ((w[1] - w[0]) / (t[1] - t[0])).abs()).fold(0.0, f64::max)
 }
 
-/// Where the rounding of counts and print raises the largest acceleration by a tenth, it is named as steps with the size of
+/// A rounding of counts and print that raises the largest acceleration by a tenth is named as steps with the size of
 /// the artefact within a factor of about two and the acceleration of the motion within a quarter; held values are not named.
 #[test]
 fn the_artefact_of_printed_counts_is_named_with_its_size() {
