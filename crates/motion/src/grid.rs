@@ -1,7 +1,5 @@
 //! Grid of recorded values: the step of an encoder or a converter behind the rounding of the file.
 
-use numeric::nth_smallest;
-
 /// Rounding error of a value, relative to the largest: 64 units in the last place.
 pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -23,17 +21,29 @@ const RATIO_LEAST: f64 = 1.25;
 /// Ratio of two steps above which the larger one is another step.
 const CLEARLY: f64 = 1.01;
 
+/// Number of changes of the values that show whether they have a grid.
+const LEVELS_FEW: usize = 256;
+
+/// Smallest divisor of values that are rounded to it, relative to the largest value.
+const FINEST: f64 = 1e-10;
+
+/// Smallest number of levels on which a step is sought.
+const LEVELS_LEAST: usize = 8;
+
 /// Largest number of levels that are compared.
-const LEVELS_MOST: usize = 100_000;
+const LEVELS_MOST: usize = 20_000;
 
 /// Number of levels on which a step is sought; further ones confirm it.
 const SOUGHT_ON: usize = 24;
+
+/// Mean distance of levels in units of the rounding above which a step below twice the rounding is not sought.
+const SPARSE: f64 = 8.0;
 
 /// Largest number of steps between the two levels with the smallest distance.
 const APART_MOST: f64 = 32.0;
 
 /// Largest number of steps that are tried.
-const TRIED_MOST: f64 = 60_000.0;
+const TRIED_MOST: f64 = 20_000.0;
 
 /// Largest deviation of a level from the fitted grid in units of the rounding while the stretch grows.
 const OFF_WHILE_GROWING: f64 = 0.9;
@@ -61,14 +71,25 @@ impl Grid {
     /// differences of adjacent values are multiples.
     pub(crate) fn of(values: &[f64]) -> Self {
         let most = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-        let levels = Levels::of(values, ROUNDING * most);
-        let exact = levels.divisor(DIFFERENCE * most).filter(|exact| *exact >= STEP_LEAST * ROUNDING * most);
+        let common = || Self { step: common_step(values, most), rounded: 0.0 };
+        let (least, single) = (ROUNDING * most, SINGLE * most);
+        let divisor = |levels: &Levels| levels.divisor(DIFFERENCE * most).filter(|exact| *exact >= FINEST * most);
+        let pairs = values.iter().zip(values.iter().skip(1));
+        let changes = pairs.filter(|(one, other)| one != other).map(|(_, other)| *other);
+        // Values of noise and of smooth courses have no grid, which a few of them show.
+        let spread = changes.clone().count().div_ceil(LEVELS_FEW).max(1);
+        let few = Levels::of(changes.clone().step_by(spread), least);
+        if divisor(&few).is_none() && few.step(least).or_else(|| few.step(single)).is_none() {
+            return common();
+        }
+        let levels = Levels::of(values.first().copied().into_iter().chain(changes).take(LEVELS_MOST), least);
+        let exact = divisor(&levels);
         let found = exact.map(|step| Self { step, rounded: 0.0 });
-        let found = [exact.unwrap_or(ROUNDING * most), SINGLE * most].into_iter().fold(found, |found, rounded| {
+        let found = [exact.unwrap_or(least), single].into_iter().fold(found, |found, rounded| {
             let step = levels.step(rounded).filter(|step| found.is_none_or(|found| *step > CLEARLY * found.step));
             step.map(|step| Self { step, rounded }).or(found)
         });
-        found.unwrap_or_else(|| Self { step: common_step(values, most), rounded: 0.0 })
+        found.unwrap_or_else(common)
     }
 
     /// Returns twice the largest error of a value.
@@ -131,10 +152,8 @@ struct Levels(Vec<f64>);
 
 impl Levels {
     /// Collects the values that differ by more than a rounding error.
-    fn of(values: &[f64], least: f64) -> Self {
-        let pairs = values.iter().zip(values.iter().skip(1));
-        let changed = pairs.filter(|(one, other)| one != other).map(|(_, other)| *other);
-        let mut levels: Vec<f64> = values.first().copied().into_iter().chain(changed).take(LEVELS_MOST).collect();
+    fn of(values: impl Iterator<Item = f64>, least: f64) -> Self {
+        let mut levels: Vec<f64> = values.collect();
         levels.sort_unstable_by(f64::total_cmp);
         levels.dedup_by(|later, kept| *later - *kept <= least);
         Self(levels)
@@ -187,7 +206,10 @@ impl Levels {
     /// docs/theory/recorded-motion.md
     fn step(&self, rounded: f64) -> Option<f64> {
         let levels = &self.0;
-        let smallest = nth_smallest(self.gaps(), 0)?;
+        if levels.len() < LEVELS_LEAST || rounded <= 0.0 {
+            return None;
+        }
+        let smallest = self.gaps().fold(f64::INFINITY, f64::min);
         let densest = |count: usize| {
             let spans = levels.windows(count).enumerate().filter_map(|(index, window)| {
                 let (first, last) = window.first().zip(window.last())?;
@@ -200,11 +222,15 @@ impl Levels {
             .filter_map(|count| Some((densest(count)?.1 + rounded) / (count.checked_sub(1).filter(|n| *n > 0)? as f64)))
             .fold(f64::INFINITY, f64::min);
         let least = RATIO_LEAST * rounded;
-        if rounded <= 0.0 || most < least || levels.len() < 8 {
+        if most < least {
             return None;
         }
         let (start, span) = densest(SOUGHT_ON.min(levels.len()))?;
         let window = start..start + SOUGHT_ON.min(levels.len());
+        let gaps: Vec<f64> = self.gaps().skip(start).take(window.len().saturating_sub(1)).collect();
+        // Of a step below twice the rounding only levels next to each other are evidence.
+        let is_dense = span <= SPARSE * rounded * window.len() as f64;
+        let least = if is_dense { least } else { least.max(2.0 * rounded) };
         let mut tried = 0.0;
         let mut times = 1.0;
         while times <= APART_MOST && (smallest + rounded) / times >= least {
@@ -224,7 +250,7 @@ impl Levels {
             while index <= count {
                 let step = high - (high - low) * index / count;
                 index += 1.0;
-                if self.is_near(window.clone(), step, rounded)
+                if is_near(&gaps, step, rounded)
                     && let Some(step) = self.confirmed(window.clone(), step, rounded)
                 {
                     return Some(step);
@@ -232,20 +258,6 @@ impl Levels {
             }
         }
         None
-    }
-
-    /// Returns `true` if the levels of a stretch lie near a grid.
-    fn is_near(&self, window: std::ops::Range<usize>, step: f64, rounded: f64) -> bool {
-        let (mut low, mut high) = (0.0_f64, 0.0_f64);
-        let most = rounded / step + 0.15;
-        let mut at = 0.0_f64;
-        let window = self.0.get(window).unwrap_or_default();
-        window.windows(2).all(|pair| {
-            let gap = pair.last().zip(pair.first()).map_or(0.0, |(one, other)| one - other) / step;
-            at += gap - gap.round().max(1.0);
-            (low, high) = (low.min(at), high.max(at));
-            high - low <= most
-        })
     }
 
     /// Returns the step by least squares through all levels if they lie on its grid and not by chance; the stretch grows by
@@ -297,6 +309,21 @@ impl Levels {
             is_first = false;
         }
     }
+}
+
+/// Returns `true` if levels at these distances lie near a grid.
+fn is_near(gaps: &[f64], step: f64, rounded: f64) -> bool {
+    let (mut low, mut high, mut at) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let most = rounded / step + 0.15;
+    for gap in gaps {
+        let steps = gap / step;
+        at += steps - steps.round().max(1.0);
+        (low, high) = (low.min(at), high.max(at));
+        if high - low > most {
+            return false;
+        }
+    }
+    true
 }
 
 #[cfg(test)]
