@@ -45,7 +45,7 @@ impl CamPoint {
         self.0.map(|(dimension, _)| dimension)
     }
 
-    /// Returns time or angle of the master, and the position [SI].
+    /// Returns time or angle of the master, and the position \[SI\].
     #[must_use]
     pub fn values(&self) -> [f64; 2] {
         self.0.map(|(_, value)| value)

@@ -38,7 +38,7 @@ pub trait KeyValue: Sized {
         None
     }
 
-    /// Replaces the value like [`Field::set`](crate::stated::Field::set).
+    /// Replaces the value like [`StatedField::set`](crate::stated::StatedField::set).
     fn set(&mut self, _index: &[usize], _rest: &str, si: f64) -> Option<()> {
         *self = Self::of_si(si)?;
         Some(())
