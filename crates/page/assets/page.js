@@ -107,6 +107,8 @@ function buttons() {
 const known = () => ($('#state [name=known]')?.value ?? '').trim() !== '';
 const titled = () => [$('#verdict strong.code')?.textContent, $('#file')?.value, 'antrieb'].filter(Boolean).join(' – ');
 
+// The address of the page itself: the folder of the server, also behind the path of an example, or the first file of the folder without one.
+const root = () => (location.pathname.endsWith('.html') ? location.pathname : location.pathname.replace(/[^/]*$/, ''));
 // What is not saved is kept by the browser until it is saved: of a file of the folder by its name; of an axis that has never been saved by a
 // name of its own, which its entry in the history holds, so that reloading finds it and no other tab does.
 const DRAFT = 'antrieb-draft ';
@@ -176,7 +178,7 @@ function unsaved() {
     const of = each.key.slice(DRAFT.length);
     const name = /^\s*name\s*=\s*"([^"]*)"/m.exec(each.text)?.[1];
     const go = () => {
-      if (!of.startsWith('/')) { location.href = `/?${new URLSearchParams({ open: of, lang: document.documentElement.lang })}`; return; }
+      if (!of.startsWith('/')) { location.href = `${root()}?${new URLSearchParams({ open: of, lang: document.documentElement.lang })}`; return; }
       try { sessionStorage.setItem(CONTINUED, each.key); } catch { /* a browser that keeps nothing */ }
       begin(each.text, each.file || 'axis.toml');
     };
@@ -443,7 +445,7 @@ async function save() {
     $('#state [name=known]').value = `${reply.headers.get('x-version') ?? ''} ${$('#file').value}`;
     saved = last;
     // Reloading and a bookmark lead to the saved file, not to what it was begun with.
-    history.replaceState(history.state, '', `/?${new URLSearchParams({ open: $('#file').value, lang: document.documentElement.lang })}`);
+    try { history.replaceState(history.state, '', `${root()}?${new URLSearchParams({ open: $('#file').value, lang: document.documentElement.lang })}`); } catch { /* a page opened as a file keeps its address */ }
     buttons();
     tell(words);
   } else if (reply.status === 404) {
