@@ -233,7 +233,8 @@ impl Check {
     }
 
     /// Returns the rank of the check in a list, the most important first: failed, advised, not checked, passed, shown
-    /// without a limit; within each, checks with a margin first, then the larger utilisation.
+    /// without a limit; within each, checks with a margin first, then the larger utilisation. Utilisations that are equal
+    /// up to the rounding of the machine are equal, so that the order of a list is the same on every machine.
     #[must_use]
     pub fn importance(&self) -> impl Ord + use<> {
         let class = match self.verdict {
@@ -244,7 +245,7 @@ impl Check {
             Verdict::NotChecked => 4,
         };
         let has_no_margin = !(self.verdict == Verdict::Fail || self.id.has_margin() && self.utilisation.is_some());
-        (class, has_no_margin, std::cmp::Reverse(crate::rank::in_order(self.severity())))
+        (class, has_no_margin, std::cmp::Reverse(crate::rank::up_to_rounding(self.severity())))
     }
 
     /// Returns the true relation between value and limit: ≤, >, ≥ or <; `None` if one of them is missing.

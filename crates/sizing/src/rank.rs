@@ -85,9 +85,33 @@ pub(crate) const fn in_order(value: f64) -> u64 {
     if negative { !bits } else { bits | 1 << 63 }
 }
 
+/// Returns an integer whose order is that of the values rounded to 31 binary digits (4.7 · 10⁻¹⁰), so that values that
+/// differ only by the rounding of their computation are equal.
+pub(crate) const fn up_to_rounding(value: f64) -> u64 {
+    const DROPPED: u32 = f64::MANTISSA_DIGITS - 31;
+    (in_order(value) >> (DROPPED - 1)).div_ceil(2)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn values_that_differ_by_rounding_are_equal_and_keep_their_order_otherwise() {
+        let mut random = numeric::Random::new(7);
+        for _ in 0..10_000 {
+            let value = 2.0_f64.powf(40.0 * random.uniform() - 20.0);
+            // Half of a step may lie between two neighbours; they differ by one step then.
+            let next = up_to_rounding(value.next_up()).abs_diff(up_to_rounding(value));
+            assert!(next <= 1, "{value}");
+            assert!(up_to_rounding(value * (1.0 + 1e-8)) > up_to_rounding(value), "{value}");
+            assert!(up_to_rounding(-value) < up_to_rounding(-value * (1.0 - 1e-8)), "{value}");
+        }
+        let share = 5.0_f64 / 14.0;
+        assert_eq!(up_to_rounding(share), up_to_rounding(share.next_up().next_up()));
+        assert!(up_to_rounding(f64::INFINITY) > up_to_rounding(f64::MAX / 2.0));
+        assert!(up_to_rounding(0.0) > up_to_rounding(-1e-300));
+    }
 
     fn standing(fits: bool, size: u16, utilisation: f64, mass_kg: f64) -> Standing {
         let fit = match (fits, utilisation > 1.0) {
