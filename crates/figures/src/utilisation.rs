@@ -38,7 +38,11 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     let rows = checks.len() + candidate.objections.len();
     #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
     let height = 6.0f64.mul_add(rows as f64, 30.0);
-    let texts = (pictures::utilisation_caption(language).to_owned(), description(candidate, &checks, language));
+    let mut caption = pictures::utilisation_caption(language).to_owned();
+    if checks.iter().any(|check| margin_share(check).is_some() && check.utilisation_band().is_some()) {
+        caption = format!("{caption} {}", pictures::estimated_band(language));
+    }
+    let texts = (caption, description(candidate, &checks, language));
     let of = candidate.id.to_string();
     Drawing::new(Figure::Utilisation, &of, (165.0, height), texts, Chart::Bars(chart), language)
 }
@@ -89,6 +93,9 @@ fn bar(check: &Check, language: Language) -> Bar {
     // A recommendation or a class that is met has no utilisation to compare with others.
     let Some(share) = margin_share(check) else { return bar.text(numbers) };
     bar = bar.percent(share * 100.0).data("utilisation", &format!("{share}"));
+    if let Some([low, _]) = check.utilisation_band() {
+        bar = bar.uncertain_from(low * 100.0);
+    }
     bar.text(if numbers.is_empty() {
         percent(share, language)
     } else {

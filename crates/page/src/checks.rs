@@ -64,12 +64,19 @@ pub(crate) fn of(candidate: &Candidate<'_>, prefix: &str, language: Language) ->
     }
 }
 
-/// Returns a utilisation as a bar with a line at one. A hundredth of a percent is at most a tenth of a pixel; further
+/// Returns the utilisation of a check as a bar with a line at one; where the limit is an estimate, the part between the
+/// utilisations by the edges of its band is hatched. A hundredth of a percent is at most a tenth of a pixel; further
 /// digits of a sum differ between machines.
-pub(crate) fn bar(share: f64) -> Markup {
-    let width = format!("{:.2}", (share * 100.0).clamp(0.0, 150.0));
+pub(crate) fn bar(share: f64, band: Option<[f64; 2]>) -> Markup {
+    let place = |share: f64| (share * 100.0).clamp(0.0, 150.0);
+    let (to, from) = (place(share), band.map(|[low, _]| place(low)));
+    let solid = format!("{:.2}", from.unwrap_or(to));
     html! {
-        svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=(width) height="8" {} path d="M100 0V8" {} }
+        svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" {
+            rect x="0" y="0" width=(solid) height="8" {}
+            @if let Some(from) = from { rect.estimate x=(solid) y="0" width=(format!("{:.2}", to - from)) height="8" {} }
+            path d="M100 0V8" {}
+        }
     }
 }
 
@@ -94,7 +101,7 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
                         (overlay::number(worst, check).map_or_else(String::new, |number| number.to_string()))
                     }
                 }
-                @if let Some(share) = share { @if check.is_of_another_gear() { span.another title=(page::another_gear(l)) { (bar(share)) } } @else { (bar(share)) } }
+                @if let Some(share) = share { @if check.is_of_another_gear() { span.another title=(page::another_gear(l)) { (bar(share, None)) } } @else { (bar(share, check.utilisation_band())) } }
             }
         }
         tr class={ "about " (class) } { td colspan="5" { (about(check, prefix, l)) } }

@@ -279,7 +279,7 @@ fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked
                 }
                 td.number title=(tightest) {
                     (percent(Some(share), l))
-                    (checks::bar(share))
+                    (checks::bar(share, candidate.governing().and_then(questions::Check::utilisation_band)))
                 }
                 td.number title=[(!doubted.is_empty()).then_some(&doubted)] { (marked(number(mass, 1), errata)) } td.number.length { (number(length, 0)) } td.number.bore { (number(bore, 0)) }
                 td.number.advice { @if advice > 0 { (advice) } }

@@ -100,7 +100,7 @@ fn table(language: Language) -> Markup {
                 tr class=(checks::verdict_class(verdict)) {
                     th scope="row" { span.verdict {} (verdict_word(verdict, language)) }
                     td.number { "12" } td.number { "18" } td { "Nm" }
-                    td.number { "66" (checks::bar(0.66)) }
+                    td.number { "66" (checks::bar(0.66, None)) }
                 }
             } }
         }

@@ -44,6 +44,8 @@ pub struct Bar {
     label: Label,
     verdict: Verdict,
     percent: Option<f64>,
+    /// Percentage by the other edge of an estimated limit, at most that of the bar.
+    from: Option<f64>,
     text: Label,
     tags: Tags,
 }
@@ -53,13 +55,21 @@ impl Bar {
     /// Creates a row without a bar.
     #[must_use]
     pub fn new(label: impl Into<Label>, verdict: Verdict) -> Self {
-        Self { label: label.into(), verdict, percent: None, text: Label::default(), tags: Tags::default() }
+        Self { label: label.into(), verdict, percent: None, from: None, text: Label::default(), tags: Tags::default() }
     }
 
     /// Sets the length of the bar in percent of the limit.
     #[must_use]
     pub const fn percent(mut self, percent: f64) -> Self {
         self.percent = Some(percent);
+        self
+    }
+
+    /// Draws the part of the bar from this percentage on as uncertain: the limit is an estimate, and this is the
+    /// percentage by its upper edge.
+    #[must_use]
+    pub const fn uncertain_from(mut self, percent: f64) -> Self {
+        self.from = Some(percent);
         self
     }
 
@@ -342,6 +352,9 @@ fn draw_bar(canvas: &mut Canvas<'_>, bar: &Bar, laid: &Laid, columns: &Columns, 
                     canvas.rect(&drawn, 0.0, &Fill::Flat(colour, 0.85), Some(&Stroke::solid(colour, RULE)));
                 }
             }
+            if let Some(from) = bar.from {
+                draw_band(canvas, (x_at(&lane, from.clamp(0.0, hi), hi), drawn.right), middle);
+            }
             if percent > hi {
                 draw_break(canvas, &drawn);
             }
@@ -392,6 +405,17 @@ fn draw_sign(canvas: &mut Canvas<'_>, verdict: Verdict, (x, y): Point) {
             let d = format!("M{} {}a3.6 3.6 0 1 0 7.2 0a3.6 3.6 0 1 0 -7.2 0Z", number(x - 3.6), number(y));
             let pen = Stroke { colour, width: 1.3, dash: "2 1.4" };
             canvas.path(&d, &Fill::None, Some(&pen));
+        }
+    }
+}
+
+/// Draws the band of an estimate along the middle of a bar: a line with a stop at either end, on a lighter ground.
+fn draw_band(canvas: &mut Canvas<'_>, (left, right): (f64, f64), middle: f64) {
+    for (colour, width) in [(Colour::Paper, 3.2), (Colour::Ink, 1.2)] {
+        let pen = Stroke::solid(colour, width);
+        canvas.line((left, middle), (right, middle), &pen);
+        for x in [left, right] {
+            canvas.line((x, middle - 3.0), (x, middle + 3.0), &pen);
         }
     }
 }

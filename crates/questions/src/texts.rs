@@ -43,13 +43,17 @@ pub fn provisos(candidate: &Candidate<'_>, named: impl Fn(&Check) -> String) -> 
     Provisos { estimates: listed(estimates), ratings: listed(ratings) }
 }
 
-/// Returns the title of a check with its utilisation.
+/// Returns the title of a check with its utilisation; inside the band of an estimate, with those by both edges.
 #[must_use]
 pub fn named_text(check: &Check, language: Language) -> String {
     let title = title_of_check(check, language);
-    match check.utilisation {
-        Some(share) => format!("{title} {} %", percent(Some(share), language)),
-        None => title,
+    match (check.utilisation, check.utilisation_band().filter(|_| check.is_inside_band())) {
+        (_, Some([low, high])) => {
+            let [low, high] = [low, high].map(|share| percent(Some(share), language));
+            format!("{title} {low} {} {high} %", terminal::to(language))
+        }
+        (Some(share), None) => format!("{title} {} %", percent(Some(share), language)),
+        (None, None) => title,
     }
 }
 

@@ -223,13 +223,20 @@ impl Check {
         if self.is_of_another_gear() {
             return None;
         }
+        self.utilisation_band().map(|[by_upper_edge, _]| by_upper_edge).or(self.utilisation)
+    }
+
+    /// Returns the utilisations by the upper and by the lower edge of an estimated limit, the smaller one first; the second
+    /// is [`Check::utilisation`]. `None` for a limit without a band.
+    #[must_use]
+    pub fn utilisation_band(&self) -> Option<[f64; 2]> {
         let (share, limit) = (self.utilisation?, self.limit?.si);
         let noted = |of: fn(&Note) -> Option<f64>| self.notes.iter().find_map(of);
-        let upper = noted(|note| if let Note::EstimatedUpTo(upper) = note { Some(upper.si) } else { None });
+        let upper = noted(|note| if let Note::EstimatedUpTo(upper) = note { Some(upper.si) } else { None })?;
         // The utilisation of a temperature is that of its rise.
         let zero = noted(|note| if let Note::RiseAbove(zero) = note { Some(zero.si()) } else { None }).unwrap_or(0.0);
-        let widened = upper.map(|upper| (limit - zero) / (upper - zero)).filter(|ratio| *ratio > 0.0);
-        Some(share * widened.unwrap_or(1.0))
+        let ratio = (limit - zero) / (upper - zero);
+        (ratio > 0.0).then_some([share * ratio, share])
     }
 
     /// Returns the rank of the check in a list, the most important first: failed, advised, not checked, passed, shown

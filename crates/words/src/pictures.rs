@@ -123,6 +123,9 @@ texts! {
     utilisation_caption =
         "The line at 100 % is the limit. A broken bar extends beyond the picture. Checks that were not performed are listed below with the missing value; they do not count as passed."
         | "Die Linie bei 100 % ist die Grenze. Ein unterbrochener Balken reicht über das Bild hinaus. Nicht geprüfte Nachweise stehen unten mit der fehlenden Angabe; sie gelten nicht als erfüllt.";
+    estimated_band =
+        "The line with stops in a bar spans the utilisations by the upper and the lower edge of an estimated limit."
+        | "Die Linie mit Endstrichen in einem Balken reicht von der Auslastung am oberen bis zu der am unteren Rand einer geschätzten Grenze.";
     checks_counted(checks, id, listed) =
         "{checks} checks of {id}: {listed}."
         | "{checks} Nachweise von {id}: {listed}.";
