@@ -5,7 +5,7 @@ use crate::call::Shell;
 use crate::checks;
 use crate::markup::vals;
 use crate::parts::part;
-use crate::remedies;
+use crate::{rejected, remedies};
 use crate::shown::Outcome;
 use crate::state::{Filter, List, MARKED_MOST, PageState, Sort};
 use figures::{By, Size, Style, candidate_map};
@@ -13,7 +13,7 @@ use maud::{Markup, PreEscaped, html};
 use order_code::{Brake, Feedback};
 use quantities::unit::{KILOGRAM, MILLIMETRE};
 use quantities::{Language, Measure, format_number};
-use questions::texts::{fitting_text, percent, reason, standing_text};
+use questions::texts::{fitting_text, percent, standing_text};
 use questions::{Candidate, Fit, ProductId, Sizing};
 use std::collections::BTreeSet;
 use words::{capitalised, marked, page, ranking_rule, terminal, terms, title_of_check};
@@ -23,9 +23,6 @@ const BEST_SHOWN: usize = 12;
 
 /// Identifier of the fold with the other fitting actuators; its content is sent when it is opened.
 const REST: &str = "ranking-rest";
-
-/// Number of rejected actuators listed by name; the others are counted.
-const REJECTED_SHOWN: usize = 40;
 
 /// Returns the pane.
 pub(crate) fn column(state: &PageState, found: &Outcome<'_, '_>, is_old: bool, shell: &dyn Shell) -> Markup {
@@ -37,7 +34,7 @@ pub(crate) fn column(state: &PageState, found: &Outcome<'_, '_>, is_old: bool, s
                 (lists(state, sizing))
                 div id="list" role="tabpanel" aria-labelledby={ "list-" (state.list.id()) } { @match state.list {
                     List::Ranking => { @if sizing.answer().is_none() { (remedies::place(&shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()), l)) } (ranking(state, sizing, found.candidate)) },
-                    List::Rejected => (rejected(state, sizing, found.candidate)),
+                    List::Rejected => (rejected::list(state, sizing, found, &shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()))),
                     List::Map => (map(state, sizing, found.candidate.map(|candidate| &candidate.id))),
                 } }
             } @else { p { (page::no_result_yet(l)) } }
@@ -64,7 +61,7 @@ fn lists(state: &PageState, sizing: &Sizing<'_>) -> Markup {
     }
 }
 
-fn filters(state: &PageState, sizing: &Sizing<'_>) -> Markup {
+pub(crate) fn filters(state: &PageState, sizing: &Sizing<'_>) -> Markup {
     let l = state.language;
     let (mut sizes, mut feedbacks) = (BTreeSet::new(), BTreeSet::new());
     for each in &sizing.candidates {
@@ -116,7 +113,7 @@ impl Filter {
     }
 
     /// Returns `true` if a candidate passes the filters; an unknown value passes.
-    fn holds(&self, candidate: &Candidate<'_>) -> bool {
+    pub(crate) fn holds(&self, candidate: &Candidate<'_>) -> bool {
         let product = candidate.product;
         let named = |typed: &str, of: Option<&str>| typed.is_empty() || of.is_none_or(|of| typed == of);
         let with_brake = product.brake.map(|brake| if brake == Brake::With { "with" } else { "without" });
@@ -211,7 +208,7 @@ fn look_at(name: &str, language: Language) -> Markup {
 }
 
 /// Returns the button that shows and hides the checks of an actuator.
-fn fold(name: &str, unfolded: bool, language: Language) -> Markup {
+pub(crate) fn fold(name: &str, unfolded: bool, language: Language) -> Markup {
     html! {
         button.fold type="button" aria-expanded=(unfolded) aria-label=(page::checks_of(&name, language)) hx-post="/work"
             hx-vals=(vals(&[("code", name), ("unfolded", if unfolded { "false" } else { "true" })])) { @if unfolded { "▾" } @else { "▸" } }
@@ -286,39 +283,6 @@ fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked
                 td.number.unchecked { @if open > 0 { (open) } }
             }
             @if let Some(it) = it.filter(|_| unfolded) { tr.unfolded { td colspan="8" { (checks::of(it, &state.prefix, l)) } } }
-        }
-    }
-}
-
-/// Returns the rejected actuators by rising excess, each with its failed check; the checks of the selected one below
-/// it.
-fn rejected(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&Candidate<'_>>) -> Markup {
-    let l = state.language;
-    let all = sizing.rejected();
-    let found: Vec<&Candidate<'_>> = all.iter().filter(|each| state.filter.holds(each)).collect();
-    let is_it = |each: &Candidate<'_>| looked_at.filter(|it| it.id == each.id);
-    let (first, rest) = found.split_at(found.len().min(REJECTED_SHOWN));
-    let below = rest.iter().filter(|each| is_it(each).is_some());
-    html! {
-        (part(filters(state, sizing)))
-        p.small { (page::shown_of(&first.len(), &all.len(), l)) }
-        table.rejected {
-            thead { tr { th scope="col" { (capitalised(terms::ordering_code(l))) } th scope="col" { (capitalised(terms::reason(l))) } } }
-            @for candidate in first.iter().chain(below) {
-                @let name = candidate.id.to_string();
-                @let it = is_it(candidate);
-                @let unfolded = it.is_some() && state.unfolded;
-                tbody id={ "r-" (name) } aria-current=[it.map(|_| "true")] {
-                    tr {
-                        td.code {
-                            (fold(&name, unfolded, l))
-                            button.plain type="button" title=(page::what_would_let_it_in(l)) hx-post="/work" hx-vals=(vals(&[("code", &name)])) { (name) }
-                        }
-                        td.fail { (reason(candidate, l)) }
-                    }
-                    @if let Some(it) = it.filter(|_| unfolded) { tr.unfolded { td colspan="2" { (checks::of(it, &state.prefix, l)) } } }
-                }
-            }
         }
     }
 }

@@ -29,6 +29,7 @@ mod names;
 mod overlay;
 mod parts;
 mod recorded;
+mod rejected;
 mod remedies;
 mod shown;
 mod simulated;
@@ -98,6 +99,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply
         (Method::Post, "/versions") => html(versions::listed(call)),
         (Method::Post, "/recorded") => html(recorded::brought(call, shell)),
         (Method::Post, "/picture") => frame::picture(call, shell, progress),
+        (Method::Post, "/let-in") => html(rejected::changes(call, shell, progress)),
         (Method::Post, "/would-fit") => html(remedies::cards(call, shell, progress)),
         (Method::Post, "/curves") => frame::curves(call, shell, progress),
         (Method::Get, "/example") => html(start::example_verdict(call, shell, progress)),

@@ -89,6 +89,8 @@ texts! {
     compare_about = "Select two to five actuators for comparison." | "Zwei bis fünf Antriebe zum Vergleich auswählen.";
     mark(code) = "Select {code}" | "{code} auswählen";
     look_at(code) = "Show {code}" | "{code} anzeigen";
+    change_when_selected = "The cycle is long: select an actuator to see what would make it fit" | "Der Zyklus ist lang: Antrieb auswählen, um die notwendige Änderung zu sehen";
+    no_single_change = "no single change of load, cycle time or ambient temperature" | "keine einzelne Änderung von Last, Zykluszeit oder Umgebungstemperatur";
     what_would_let_it_in = "What would make it fit" | "Notwendige Änderung";
     close = "Close" | "Schließen";
     tools = "Tools" | "Werkzeuge";

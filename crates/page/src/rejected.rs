@@ -1,0 +1,106 @@
+//! The actuators that do not fit, each with its reason and the change that would let it fit.
+
+use crate::call::{Call, Shell};
+use crate::checks;
+use crate::fits::{filters, fold};
+use crate::markup::vals;
+use crate::parts::part;
+use crate::shown::Outcome;
+use crate::state::PageState;
+use axis::AxisProject;
+use maud::{Markup, html};
+use questions::list::check::reserve_unasked;
+use questions::texts::{reason, reserve_lines};
+use questions::{Candidate, ProductId, Progress, Sizing, check, read_code};
+use words::{capitalised, page, terms};
+
+/// Number of actuators whose changes are searched at once.
+const BLOCK: usize = 20;
+
+/// Longest cycle, in instants and samples, for which the changes are searched unasked: some hundred thousand judged
+/// instants for each block. Of a longer one only the selected actuator states its changes.
+const INSTANTS_MOST: f64 = 1_000.0;
+
+/// Field with the actuators of a block.
+const NAMES: &str = "names";
+
+/// Returns the rejected actuators by rising excess, each with its failed check, and the checks of the selected one below
+/// it. The changes are requested block by block as they come into sight. `version` identifies the project.
+pub(crate) fn list(state: &PageState, sizing: &Sizing<'_>, found: &Outcome<'_, '_>, version: &str) -> Markup {
+    let l = state.language;
+    let all = sizing.rejected();
+    let listed: Vec<&Candidate<'_>> = all.iter().filter(|each| state.filter.holds(each)).collect();
+    let is_searched = found.project.is_some_and(is_short);
+    html! {
+        (part(filters(state, sizing)))
+        p.small { (page::shown_of(&listed.len(), &all.len(), l)) @if !is_searched { ". " (page::change_when_selected(l)) } }
+        table.rejected {
+            thead { tr {
+                th scope="col" { (capitalised(terms::ordering_code(l))) }
+                th scope="col" { (capitalised(terms::reason(l))) }
+                @if is_searched { th scope="col" { (page::what_would_let_it_in(l)) } }
+            } }
+            @for block in listed.chunks(BLOCK) {
+                @for (place, candidate) in block.iter().enumerate() {
+                    @let name = candidate.id.to_string();
+                    @let it = found.candidate.filter(|it| it.id == candidate.id);
+                    tbody id={ "r-" (name) } aria-current=[it.map(|_| "true")] {
+                        tr {
+                            td.code {
+                                (fold(&name, it.is_some() && state.unfolded, l))
+                                button.plain type="button" title=(page::what_would_let_it_in(l)) hx-post="/work" hx-vals=(vals(&[("code", &name)])) { (name) }
+                            }
+                            td.fail { (reason(candidate, l)) }
+                            @if is_searched { td.small id=(cell(version, &name)) hx-morph-skip="" { @if place == 0 {
+                                span hx-post="/let-in" hx-trigger="intersect once" hx-swap="none" hx-sync="this" hx-vals=(vals(&[(NAMES, &names(block)), ("version", version)])) { "…" }
+                            } @else { "…" } } }
+                        }
+                        @if let Some(it) = it.filter(|_| state.unfolded) { tr.unfolded { td colspan="3" { (checks::of(it, &state.prefix, l)) } } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Returns `true` if judging the axis some thousand times takes well below a second.
+fn is_short(project: &AxisProject) -> bool {
+    let [on_flange, recorded] = project.axis.flange_instants();
+    #[expect(clippy::cast_precision_loss, reason = "a count of instants")]
+    let instants = project.axis.instants() as f64;
+    instants + on_flange + recorded <= INSTANTS_MOST
+}
+
+/// Returns the identifier of the cell with the change of an actuator.
+fn cell(version: &str, name: &str) -> String {
+    format!("w-{version}-{name}")
+}
+
+fn names(block: &[&Candidate<'_>]) -> String {
+    block.iter().map(|candidate| candidate.id.to_string()).collect::<Vec<_>>().join(" ")
+}
+
+/// Returns the changes with which the requested actuators would fit, each for its cell.
+pub(crate) fn changes(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
+    let mut state = PageState::of(call);
+    let l = state.language;
+    let held = state.hold(shell, progress);
+    let Some(project) = held.projects.get(state.axis).filter(|project| is_short(project)) else { return html! {} };
+    let version = call.field("version").unwrap_or_default();
+    let named = call.field(NAMES).unwrap_or_default();
+    let ids = named.split_whitespace().take(BLOCK).filter_map(|name| Some(ProductId::from(read_code(name, l).ok()?.parsed.code)));
+    let of = |id: &ProductId| {
+        let candidate = check(project, id).ok()?;
+        let reserve = reserve_unasked(project, &candidate, progress).ok()?;
+        let lines = reserve_lines(&reserve, &candidate, l).into_iter().flat_map(|(_, parts)| parts);
+        let text = lines.collect::<Vec<_>>().join(&format!(" {} ", words::pages::or(l)));
+        Some(if text.is_empty() { page::no_single_change(l).to_owned() } else { text })
+    };
+    html! {
+        @for id in ids {
+            @if let Some(text) = of(&id) {
+                template hx type="partial" hx-target={ "#" (cell(&version, &id.to_string())) } hx-swap="innerHTML" { (text) }
+            }
+        }
+    }
+}
