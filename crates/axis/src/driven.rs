@@ -7,7 +7,7 @@ use project::sections::{
     Bearing, BodySection, Fields, Friction, Losses, ProcessForce, StartAngle, Stated, StatedField, group,
 };
 
-use quantities::{Angle, Force};
+use quantities::{Angle, Dimension, Force};
 
 /// Part that loads the flange.
 pub(crate) enum OnFlange<'s> {
@@ -18,6 +18,10 @@ pub(crate) enum OnFlange<'s> {
     /// The shaft of a mechanism with bearings of its own, whose share of the forces must be stated.
     Shaft,
 }
+
+/// Dimensions of the quantities of a load that turns with the output, of which each of several actuators carries a share.
+pub(crate) const TURNED: &[Dimension] =
+    &[Dimension::Mass, Dimension::MomentOfInertia, Dimension::Torque, Dimension::ViscousFriction, Dimension::Force];
 
 /// A load, or a mechanism with its load, as the file states it.
 pub(crate) trait Driven: Fields {
@@ -67,6 +71,13 @@ pub(crate) trait Driven: Fields {
     /// Returns the key from which the travel of the load per turn follows, if it is a single one.
     fn gearing(&self) -> Option<&dyn StatedField> {
         self.travel()
+    }
+
+    /// Returns the dimensions of its quantities of which each of several actuators that drive it together carries a share;
+    /// empty if it has a single drive. Along a line each actuator has its own screw, pulley or drum, whose inertia and
+    /// friction it drives alone.
+    fn shared(&self) -> &'static [Dimension] {
+        if self.travel().is_some() { &[Dimension::Mass, Dimension::Force] } else { &[] }
     }
 
     /// Returns its solid bodies; `None` for other loads.

@@ -3,13 +3,13 @@
 mod parts;
 
 use crate::assumption::{Assumption, unstated};
-use crate::driven::Driven;
+use crate::driven::{Driven, TURNED};
 use crate::fault::AxisReport;
 use mechanism::{Mechanism, MechanismKind, Rotor};
 use parts::friction;
 use project::sections::{DirectLoad, Fields, Guide, Losses, Mechanisms, Parts, Stated, StatedField, group};
 use project::{Fault, Hint, KeyDefault};
-use quantities::{Angle, Force, Measure};
+use quantities::{Angle, Dimension, Force, Measure};
 
 /// Defines the modules of the mechanisms and the list of those that a file states.
 macro_rules! mechanisms {
@@ -45,6 +45,10 @@ pub(crate) fn driven(parts: &Parts) -> Option<&dyn Driven> {
 impl Driven for DirectLoad {
     fn kind(&self, _: &mut AxisReport<'_>) -> Option<MechanismKind> {
         Some(MechanismKind::Rotor(Rotor::balanced(self.inertia.value()?)))
+    }
+
+    fn shared(&self) -> &'static [Dimension] {
+        TURNED
     }
 }
 

@@ -10,13 +10,16 @@ use maud::{Markup, html};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::reserve_unasked;
-use questions::list::size::{GearingProposal, gearing_proposals};
+use questions::list::size::{GearingProposal, SharedLoad, gearing_proposals, shared_load};
 use questions::texts::reason;
 use questions::{Candidate, Progress, Reserve};
 use words::{capitalised, page, proviso_text, terminal, terms, unpadded};
 
 /// Number of cards above the fold.
 const FIRST: usize = 3;
+
+/// Key of the name of an axis.
+const NAME: &str = "axis.name";
 
 /// A change with which an actuator fits.
 struct Remedy {
@@ -53,6 +56,7 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     let gearings = gearing_proposals(project, progress).unwrap_or_default();
     let mut found = by_reserve(project, &nearest, &reserve, &state.prefix, l);
     found.extend(gearings.iter().map(|proposal| by_gearing(proposal, &held, &state.prefix, l)));
+    found.extend(shared_load(project, progress).ok().flatten().map(|shared| by_sharing(&shared, &held, &state.prefix, l)));
     let (first, rest) = found.split_at(found.len().min(FIRST));
     html! {
         @if first.is_empty() {
@@ -137,6 +141,25 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
+/// Returns the division of the load among several actuators as a card. It states the share of one actuator, and says so in
+/// the name of the axis.
+fn by_sharing(shared: &SharedLoad, held: &ReadProject, prefix: &str, language: Language) -> Remedy {
+    let l = language;
+    let named = held.written.iter().find(|key| key.path == format!("{prefix}{NAME}")).and_then(|key| key.value.clone());
+    let name = page::one_of_several(&named.unwrap_or_default(), &shared.actuators, l);
+    let shares = shared.shares.iter().map(|share| {
+        format!("value {prefix}{}={} {}\n", share.path, rounded(share.unit.from_si(share.si)), share.unit.ascii)
+    });
+    Remedy {
+        title: page::several_actuators(&shared.actuators, l),
+        before: String::new(),
+        after: page::each_with_its_share(&shared.actuators, l),
+        code: shared.code.clone(),
+        proviso: proviso_text(shared.proviso.estimate, shared.proviso.rating, l),
+        apply: Some(vals(&[("do", &format!("{}value {prefix}{NAME}={}", shares.collect::<String>(), name.trim()))])),
+    }
+}
+
 /// Returns the change of a gearing as a card.
 fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, language: Language) -> Remedy {
     let l = language;
@@ -151,19 +174,13 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
         if proposal.unit.symbol == "1" { "" } else { proposal.unit.ascii }
     );
     let value = value.trim();
-    let apply = if proposal.is_stated {
-        vals(&[("do", &format!("value {path}={value}"))])
-    } else {
-        vals(&[("do", &format!("value {prefix}stage.kind=gear\nvalue {path}={value}"))])
-    };
+    let stage = proposal.adds_stage();
+    let kind = if stage { format!("value {prefix}stage.kind=gear\n") } else { String::new() };
+    let apply = vals(&[("do", &format!("{kind}value {path}={value}"))]);
     Remedy {
-        title: if proposal.is_stated {
-            label_of(&proposal.path, l).unwrap_or_default()
-        } else {
-            page::an_intermediate_stage(l).to_owned()
-        },
+        title: if stage { page::an_intermediate_stage(l).to_owned() } else { label_of(&proposal.path, l).unwrap_or_default() },
         before: stated.map(|stated| crate::value::with_mark(&stated, l)).unwrap_or_default(),
-        after: if proposal.is_stated { shown(proposal.si) } else { terminal::a_stage(&shown(proposal.si), l) },
+        after: if stage { terminal::a_stage(&shown(proposal.si), l) } else { shown(proposal.si) },
         code: proposal.code.clone(),
         proviso: proviso_text(proposal.proviso.estimate, proposal.proviso.rating, l),
         apply: Some(apply),

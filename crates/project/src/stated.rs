@@ -127,8 +127,8 @@ pub trait StatedField {
     fn refuse_value(&mut self);
     /// States a quantity by its value in SI.
     fn state(&mut self, si: f64, span: Span<usize>);
-    /// Replaces the value of a quantity, in SI; `index` and `rest` lead to it within a list. `None` if there is no
-    /// quantity.
+    /// Replaces the value of a quantity, in SI; `index` and `rest` lead to it within a list. A quantity that is not stated
+    /// is stated. `None` if there is no quantity.
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()>;
     /// Returns `true` if it is stated, as is the key to which `index` and `rest` lead within it.
     fn states(&self, index: &[usize], rest: &str) -> bool;
@@ -190,6 +190,10 @@ impl<T: KeyValue> StatedField for Stated<T> {
     }
 
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
+        if let State::Absent = self.state && index.is_empty() && rest.is_empty() {
+            self.state = State::Given(T::of_si(si)?);
+            return Some(());
+        }
         self.get_mut()?.set(index, rest, si)
     }
 

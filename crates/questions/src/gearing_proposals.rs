@@ -1,4 +1,4 @@
-//! Changes with which an actuator fits where none does: another gearing of the load.
+//! Changes with which an actuator fits where none does: another gearing of the load, a counterweight, several actuators.
 
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, size_watched};
@@ -8,12 +8,12 @@ use quantities::unit::ONE;
 use sizing::{Check, CheckId, Fit, Proviso, Verdict};
 use std::sync::Arc;
 
-/// A value of the gearing with which an actuator fits, judged as displayed.
+/// A value of the gearing, or of a counterweight, with which an actuator fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearingProposal {
-    /// Key of the value: `mechanism.screw.lead`, `stage.ratio`.
+    /// Key of the value: `mechanism.screw.lead`, `stage.ratio`, `mechanism.hoist.counterweight`.
     pub path: String,
-    /// `true` if the project states the value; a missing stage would be added.
+    /// `true` if the project states the value; a missing stage or counterweight would be added.
     pub is_stated: bool,
     /// The value in SI, with three digits in its unit; with the neighbouring value closer to the stated one no actuator
     /// fits.
@@ -27,6 +27,17 @@ pub struct GearingProposal {
     /// Conditions of this verdict.
     pub proviso: Proviso,
 }
+
+impl GearingProposal {
+    /// Returns `true` if the proposal is an added stage.
+    #[must_use]
+    pub fn adds_stage(&self) -> bool {
+        !self.is_stated && self.path == STAGE
+    }
+}
+
+/// Key of the ratio of a stage.
+const STAGE: &str = "stage.ratio";
 
 /// Number of digits of a value.
 const DIGITS: i32 = 3;
@@ -65,16 +76,61 @@ const FLANGE_SHARE: f64 = 0.05;
 /// Longest cycle in instants: some hundred rankings of a longer one would take more than a second.
 pub const GEARING_INSTANTS_MOST: usize = 10_000;
 
-/// Returns the nearest values of each key of the gearing with which an actuator of the catalogue fits, one change at a
-/// time. Empty if an actuator fits already, or if the cycle has more than [`GEARING_INSTANTS_MOST`] instants and
+/// Number of equal actuators among which the load is divided.
+const ACTUATORS: [u32; 5] = [2, 3, 4, 6, 8];
+
+/// Number of masses of a counterweight that are tried, up to the balance and half as much again.
+const COUNTERWEIGHTS: u32 = 24;
+
+/// Several equal actuators that move the load together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SharedLoad {
+    /// Number of actuators, the smallest one that fits.
+    pub actuators: u32,
+    /// Quantities of the load and of the segments with the share of one actuator.
+    pub shares: Vec<Gearing>,
+    /// Best actuator.
+    pub code: String,
+    /// Conditions of the verdict.
+    pub proviso: Proviso,
+}
+
+/// Returns the smallest number of equal actuators that move the load together, each with its share; `None` if an actuator
+/// fits alone, if the load cannot be divided, or if eight do not suffice.
+///
+/// Each actuator carries the same share of masses, forces and payloads. An uneven division, as by tolerances of two belts,
+/// must be allowed for in the load.
+///
+/// [`Refusal::Stopped`] if the search was cancelled.
+pub fn shared_load(project: &AxisProject, progress: &Progress) -> Result<Option<SharedLoad>, Refusal> {
+    if is_long(project) || Ranked::of(project, progress)?.best.is_some() {
+        return Ok(None);
+    }
+    for actuators in ACTUATORS {
+        let Some((shares, each)) = project.shared_by(actuators) else { return Ok(None) };
+        if let Some((code, _, proviso)) = Ranked::of(&each, progress)?.best {
+            return Ok(Some(SharedLoad { actuators, shares, code, proviso }));
+        }
+    }
+    Ok(None)
+}
+
+/// Returns `true` if the cycle is too long for some hundred rankings.
+fn is_long(project: &AxisProject) -> bool {
+    let instants = project.axis.instants();
+    let [on_flange, recorded] = project.axis.flange_instants();
+    #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
+    let weighted = instants as f64 + FLANGE_SHARE * (on_flange + recorded);
+    weighted > GEARING_INSTANTS_MOST as f64
+}
+
+/// Returns the nearest values of each key of the gearing, and of a counterweight, with which an actuator of the catalogue
+/// fits, one change at a time. Empty if an actuator fits already, or if the cycle has more than [`GEARING_INSTANTS_MOST`] instants and
 /// samples.
 ///
 /// [`Refusal::Stopped`] if the search was cancelled.
 pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<Vec<GearingProposal>, Refusal> {
-    let instants = project.axis.instants();
-    let [on_flange, recorded] = project.axis.flange_instants();
-    #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
-    if instants as f64 + FLANGE_SHARE * (on_flange + recorded) > GEARING_INSTANTS_MOST as f64 {
+    if is_long(project) {
         return Ok(Vec::new());
     }
     let here = Ranked::of(project, progress)?;
@@ -82,7 +138,7 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
         return Ok(Vec::new());
     }
     let [least, most] = STEPS;
-    let fine = (EFFORT / instants.max(1)).clamp(least, most);
+    let fine = (EFFORT / project.axis.instants().max(1)).clamp(least, most);
     let mut found = Vec::new();
     let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<AxisProject>| {
         let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, progress));
@@ -95,9 +151,37 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
         seek(&path, true, si, unit, &|value| project.with_value(&path, value))?;
     }
     if project.axis.mechanism.stage.is_none() {
-        seek("stage.ratio", false, 1.0, &ONE, &|ratio| project.with_stage(ratio))?;
+        seek(STAGE, false, 1.0, &ONE, &|ratio| project.with_stage(ratio))?;
+    }
+    if let Some((Gearing { path, si, unit }, balanced)) = project.counterweight() {
+        let ranked = |mass: f64| {
+            project.with_value(&path, mass).map_or_else(|| Ok(Ranked::default()), |other| Ranked::of(&other, progress))
+        };
+        if let Some((mass, (code, fit, proviso))) = nearest_mass(&ranked, si, 1.5 * balanced, unit)? {
+            found.push(GearingProposal { path, is_stated: si > 0.0, si: mass, unit, code, fit, proviso });
+        }
     }
     Ok(found)
+}
+
+/// Searches the mass nearest to a stated one, up to a largest one, with which an actuator fits.
+fn nearest_mass(
+    ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
+    stated: f64,
+    most: f64,
+    unit: &Unit,
+) -> Result<Option<(f64, Best)>, Refusal> {
+    let step = most / f64::from(COUNTERWEIGHTS);
+    let mut masses: Vec<f64> = (0..=COUNTERWEIGHTS).map(|place| f64::from(place) * step).collect();
+    masses.sort_by(|a, b| (a - stated).abs().total_cmp(&(b - stated).abs()));
+    for mass in masses.into_iter().filter(|mass| (mass - stated).abs() > 1e-6 * most) {
+        if let Some(best) = ranked(mass)?.best {
+            // The neighbour nearer to the stated mass does not fit; a mass of zero has no digits.
+            let misses = if mass > stated { (mass - step).max(stated) } else { (mass + step).min(stated) };
+            return if mass > 0.0 { edge(ranked, misses, (mass, best), unit).map(Some) } else { Ok(Some((mass, best))) };
+        }
+    }
+    Ok(None)
 }
 
 /// The best actuator with its verdict.
@@ -253,6 +337,45 @@ mod tests {
         assert_eq!(varied[1].code, found[1].code);
         let fitting = LIFT.replace("20 mm", "100 mm");
         assert!(gearing_proposals(&crate::read(&fitting).unwrap(), &Progress::endless()).unwrap().is_empty());
+    }
+
+    /// A lift that no actuator moves: half of its load, or a counterweight, lets one fit; the answer with the proposed
+    /// values, read anew from a file, is the proposed one.
+    #[test]
+    fn several_actuators_and_a_counterweight_are_proposed_as_they_would_be_judged() {
+        let hoist = |mass: &str, more: &str| {
+            format!(
+                "format = 1\n[mechanism.hoist]\ndrum_diameter = \"200 mm\"\nmass = \"{mass}\"\n{more}[[motion]]\n\
+                law = \"polynomial_5\"\ndistance = \"1 m\"\ntime = \"6 s\"\n[[motion]]\nlaw = \"polynomial_5\"\n\
+                distance = \"-1 m\"\ntime = \"6 s\"\n"
+            )
+        };
+        let project = crate::read(&hoist("900 kg", "")).unwrap();
+        let progress = Progress::endless();
+        let shared = shared_load(&project, &progress).unwrap().unwrap();
+        let fits = |text: &str| Ranked::of(&crate::read(text).unwrap(), &progress).unwrap().best;
+        for (count, is_enough) in [(shared.actuators, true), (shared.actuators - 1, false)] {
+            let text = hoist(&format!("{} kg", 900.0 / f64::from(count)), "");
+            assert_eq!(fits(&text).map(|(code, ..)| code == shared.code), is_enough.then_some(true), "{shared:?}");
+        }
+        let paths: Vec<&str> = shared.shares.iter().map(|share| share.path.as_str()).collect();
+        assert_eq!(paths, ["mechanism.hoist.mass"]);
+        let found = gearing_proposals(&project, &progress).unwrap();
+        let balance = found.iter().find(|mend| mend.path.ends_with("counterweight")).unwrap();
+        assert!(!balance.is_stated && balance.si > 100.0 && balance.si < 900.0, "{balance:?}");
+        let with = |mass: f64| fits(&hoist("900 kg", &format!("counterweight = \"{mass} kg\"\n")));
+        assert_eq!(with(balance.si).map(|(code, ..)| code), Some(balance.code.clone()));
+        // Of three digits, the next smaller mass is not enough.
+        assert_eq!(with(balance.si - 1.0), None);
+        // An actuator of a file with several axes gets the same proposals.
+        let of_two = hoist("900 kg", "").replace("[mechanism", "[axis.mechanism").replace("[[motion", "[[axis.motion");
+        let of_two = of_two.replace("format = 1\n", "format = 1\n[[axis]]\nname = \"z\"\n");
+        let axes = format!("{of_two}[[axis]]\nname = \"b\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n");
+        let axes = crate::read_all(&axes, &axis::NoFiles).unwrap();
+        assert_eq!(gearing_proposals(&axes[0], &progress).unwrap(), found);
+        assert_eq!(shared_load(&axes[0], &progress).unwrap(), Some(shared));
+        // A recorded or an endless load is not divided.
+        assert_eq!(crate::read(LIFT).unwrap().shared_by(2).map(|(shares, _)| shares.len()), Some(1));
     }
 
     /// Two moves of 160 instants each, and a stated stage: a longer lead or a stage that gears up would make an

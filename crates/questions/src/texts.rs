@@ -380,14 +380,14 @@ pub fn reserve_lines(
     lines
 }
 
-/// Describes another gearing with which an actuator fits: the key with its value, or a stage to add, and the code.
+/// Describes a value with which an actuator fits: the key with its value, or a stage to add, and the code.
 #[must_use]
 pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
     let value = unpadded(mend.unit.from_si(mend.si), 5, language);
-    let what = if mend.is_stated {
-        format!("{} {value} {}", mend.path, mend.unit.symbol_in(language)).trim_end_matches(" 1").to_owned()
-    } else {
+    let what = if mend.adds_stage() {
         terminal::a_stage(&value, language)
+    } else {
+        format!("{} {value} {}", mend.path, mend.unit.symbol_in(language)).trim_end_matches(" 1").to_owned()
     };
     match proviso_text(mend.proviso.estimate, mend.proviso.rating, language) {
         Some(proviso) => format!("{what} ({}, {proviso})", mend.code),

@@ -186,8 +186,8 @@ texts! {
     what_would_fit = "What would fit" | "Was geeignet wäre";
     searching_remedies = "Searching for changes with which an actuator fits …" | "Änderungen werden gesucht, mit denen ein Antrieb geeignet ist …";
     no_remedy_found =
-        "No single change was found: not of the cycle time, of payload or masses, of a ratio up to 16 times larger or smaller, nor with an intermediate stage. Change several, or share the load between several actuators."
-        | "Keine einzelne Änderung gefunden: weder der Zykluszeit, der Nutzlast oder der Massen, einer Übersetzung bis zum 16-Fachen nach oben oder unten noch mit einer Zwischenstufe. Mehrere ändern oder die Last auf mehrere Antriebe verteilen.";
+        "No single change was found: not of the cycle time, of payload or masses, of a ratio up to 16 times larger or smaller, nor with an intermediate stage, a counterweight or up to eight equal actuators. Change several values."
+        | "Keine einzelne Änderung gefunden: weder der Zykluszeit, der Nutzlast oder der Massen, einer Übersetzung bis zum 16-Fachen nach oben oder unten noch mit einer Zwischenstufe, einem Gegengewicht oder bis zu acht gleichen Antrieben. Mehrere Angaben ändern.";
     remedies_about =
         "Each change alone is sufficient; ↶ reverts it."
         | "Jede Änderung genügt für sich; ↶ macht sie rückgängig.";
@@ -198,6 +198,11 @@ texts! {
     longer_cycle = "Longer cycle" | "Längerer Zyklus";
     smaller_payload = "Smaller payload" | "Kleinere Nutzlast";
     smaller_load = "Smaller load" | "Kleinere Last";
+    several_actuators(count) = "{count} equal actuators" | "{count} gleiche Antriebe";
+    each_with_its_share(count) =
+        "each carries 1/{count} of masses, forces and payloads; allow for an uneven division"
+        | "jeder trägt 1/{count} der Massen, Kräfte und Nutzlasten; ungleiche Aufteilung berücksichtigen";
+    one_of_several(name, count) = "{name} (one of {count} actuators)" | "{name} (einer von {count} Antrieben)";
     an_intermediate_stage = "Intermediate stage" | "Zwischenstufe";
     cancel = "Cancel" | "Abbrechen";
     was_cancelled = "Cancelled" | "Abgebrochen";

@@ -1,10 +1,10 @@
 //! An unbalanced arm.
 
 use crate::fault::AxisReport;
-use crate::driven::{Driven, OnFlange};
+use crate::driven::{Driven, OnFlange, TURNED};
 use mechanism::{MechanismKind, Rotor, RotorKind};
 use project::sections::{Arm, StatedField};
-use quantities::{Angle, Measure};
+use quantities::{Angle, Dimension, Measure};
 
 impl Driven for Arm {
     fn kind(&self, _: &mut AxisReport<'_>) -> Option<MechanismKind> {
@@ -21,6 +21,10 @@ impl Driven for Arm {
 
     fn carries(&self) -> bool {
         self.payload_distance.is_written() && self.payload_distance.value().is_none_or(|distance| distance.si() > 0.0)
+    }
+
+    fn shared(&self) -> &'static [Dimension] {
+        TURNED
     }
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {

@@ -260,7 +260,7 @@ fn a_proposed_gearing_fits_as_it_is_printed() {
             let scale = 10_f64.powf(2.0 - value.abs().log10().floor());
             let digits = value * scale;
             let has_three = (digits - digits.round()).abs() < 1e-6;
-            let stated = if mend.is_stated { stated_si(&project, &mend.path) } else { 1.0 };
+            let stated = if mend.adds_stage() { 1.0 } else { stated_si(&project, &mend.path) };
             let towards = if mend.si > stated { -1.0 } else { 1.0 };
             let sized_with = |number: f64| {
                 let written = if mend.unit.ascii == "1" {
@@ -268,12 +268,12 @@ fn a_proposed_gearing_fits_as_it_is_printed() {
                 } else {
                     format!("{} [{}]", mend.path, mend.unit.ascii)
                 };
-                let project = if mend.is_stated {
-                    let heading = Heading::read(&written, Counted::FromOne, None).unwrap();
-                    questions::read(&edit(text, &mend.path, Edit::Value(&heading.written(number))).unwrap()).ok()?
-                } else {
+                let project = if mend.adds_stage() {
                     // A stage without losses and inertia; what it weighs on the flange is not known.
                     project.with_stage(number)?
+                } else {
+                    let heading = Heading::read(&written, Counted::FromOne, None).unwrap();
+                    questions::read(&edit(text, &mend.path, Edit::Value(&heading.written(number))).unwrap()).ok()?
                 };
                 questions::size(&project).answer().map(|best| (best.id.to_string(), best.fit()))
             };
@@ -291,7 +291,9 @@ fn a_proposed_gearing_fits_as_it_is_printed() {
 }
 
 fn stated_si(project: &AxisProject, path: &str) -> f64 {
-    project.gearings().into_iter().find(|gearing| gearing.path == path).map(|gearing| gearing.si).unwrap()
+    let counterweight = project.counterweight().map(|(stated, _)| stated);
+    let mut all = project.gearings().into_iter().chain(counterweight);
+    all.find(|gearing| gearing.path == path).map(|gearing| gearing.si).unwrap()
 }
 
 /// Masses and inertias times the printed factor, and all times of the motion times that of the cycle, typed into the project: the code
