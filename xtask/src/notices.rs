@@ -41,8 +41,9 @@ const LISTED: [(&str, &str, &str, &str); 1] = [(
 )];
 
 /// Third-party files in this repository: licence, description.
-const HERE: [(&str, &str); 2] = [
+const HERE: [(&str, &str); 3] = [
     ("crates/plot/fonts/OFL.txt", "Inter, the font of the pictures"),
+    ("crates/page/fonts/GUST-FONT-LICENSE.txt", "Antrieb Math, the font of the formulas in the web workbench"),
     ("crates/page/assets/htmx-LICENSE.txt", "htmx 4.0.1, a script of the web workbench"),
 ];
 

@@ -11,20 +11,22 @@ pub const ASSETS: [(&str, &str); 10] = files![
     "page.css" "enter.js" "page.js" "panes.js" "plots.js" "sketch.js" "waiting.js" "folder.js" "tools.js" "htmx.min.js"
 ];
 
-/// Typeface of the page, that of report and pictures, by the names of its files below `/assets/`. The engine in the browser does not hold it:
-/// there it is a file beside the engine.
+/// Typefaces of the page, those of report and pictures, by the names of their files below `/assets/`: one for text, one for formulas. The engine
+/// in the browser does not hold them: there they are files beside the engine.
 #[cfg(not(target_arch = "wasm32"))]
-pub const FONTS: [(&str, &[u8]); 3] = [
+pub const FONTS: [(&str, &[u8]); 4] = [
     ("inter-regular.ttf", include_bytes!("../../plot/fonts/Inter-Regular.ttf")),
     ("inter-italic.ttf", include_bytes!("../../plot/fonts/Inter-Italic.ttf")),
     ("inter-semibold.ttf", include_bytes!("../../plot/fonts/Inter-SemiBold.ttf")),
+    ("antrieb-math.woff2", include_bytes!("../fonts/antrieb-math.woff2")),
 ];
 
 /// Returns a file of the page.
 pub(crate) fn asset(name: &str) -> Reply {
     #[cfg(not(target_arch = "wasm32"))]
     if let Some((_, font)) = FONTS.iter().find(|(of, _)| *of == name) {
-        return Reply::of(200, "font/ttf", *font);
+        let media = if name.ends_with(".woff2") { "font/woff2" } else { "font/ttf" };
+        return Reply::of(200, media, *font);
     }
     let Some((_, text)) = ASSETS.iter().find(|(of, _)| *of == name) else { return Reply::text(404, "") };
     let media = if name.ends_with(".css") { "text/css; charset=utf-8" } else { "text/javascript; charset=utf-8" };
@@ -48,7 +50,8 @@ mod tests {
         let style = asset("page.css");
         let style = String::from_utf8_lossy(&style.body);
         for (name, _) in FONTS {
-            assert_eq!((asset(name).status, asset(name).media), (200, "font/ttf"));
+            let ending = name.rsplit_once('.').map_or(name, |(_, ending)| ending);
+            assert_eq!((asset(name).status, asset(name).media), (200, format!("font/{ending}").as_str()));
             assert!(style.contains(&format!("url(\"{name}\")")), "{name}");
         }
     }

@@ -8,16 +8,29 @@ use crate::state::{ALL_AXES, List, PageState, ReadProject};
 use crate::verdict;
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
 use figures::Theme;
-use maud::{DOCTYPE, Markup, html};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quantities::Language;
 use questions::list::compare::compare;
 use questions::list::new::{Template, template, template_kinds};
 use questions::list::size::sized;
-use questions::{CheckId, Progress, Refusal, Rejected, Sizing, explain, explain_own};
+use questions::{Candidate, CheckId, Progress, Refusal, Rejected, Sizing, explain, explain_own};
+use std::sync::LazyLock;
 use words::{check_title, page};
 
-/// Icon of the page.
-const ICON: &str = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Ccircle cx='8' cy='8' r='6' fill='none' stroke='%231d5fa8' stroke-width='3'/%3E%3C/svg%3E";
+/// Sign of the program, that of the report.
+const LOGO: &str = include_str!("../../plot/logo.svg");
+
+/// Icon of the page: the sign as an address.
+static ICON: LazyLock<String> = LazyLock::new(|| {
+    let kept = LOGO.trim_end().replace('#', "%23").replace('<', "%3C").replace('>', "%3E").replace('"', "'");
+    format!("data:image/svg+xml,{kept}")
+});
+
+/// Returns the sign of the program as a drawing in the colours of the theme.
+pub(crate) fn logo() -> Markup {
+    let inside = LOGO.find('>').and_then(|end| LOGO.get(end + 1..)).and_then(|rest| rest.rsplit_once('<'));
+    html! { svg.logo viewBox="0 0 100 100" aria-hidden="true" { (PreEscaped(inside.map_or("", |(inside, _)| inside))) } }
+}
 
 /// Returns the head of a page: settings that apply to all following elements, title, icon, style sheet and scripts.
 #[must_use]
@@ -28,7 +41,7 @@ pub fn head(first: &Markup, title: &str, style: &str, scripts: &Markup) -> Marku
             meta name="viewport" content="width=device-width, initial-scale=1";
             (first)
             title { (title) }
-            link rel="icon" href=(ICON);
+            link rel="icon" href=(*ICON);
             link rel="stylesheet" href=(style);
             (scripts)
         }
@@ -107,7 +120,7 @@ fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result
     }
     if state.all_axes && held.projects.len() > 1 {
         return match axes::summary(state, &held, progress) {
-            Ok(summary) => Ok(page_of(state, &held, shell, &html! {}, &html! { main.together { (summary) } })),
+            Ok(summary) => Ok(page_of(state, &held, shell, (&html! {}, false), &html! { main.together { (summary) } })),
             Err(refusal) => Err((Box::new(held), refusal)),
         };
     }
@@ -131,7 +144,8 @@ fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result
         None => demand::nothing(state.language),
     };
     let panes = panes(&moves, &demands, &fits::column(state, &found, held.is_old, shell), state.language);
-    Ok(page_of(state, &held, shell, &bar, &panes))
+    let is_done = !held.is_old && looked_at.as_ref().is_some_and(Candidate::fits);
+    Ok(page_of(state, &held, shell, (&bar, is_done), &panes))
 }
 
 /// Returns the three panes with the dividers between them.
@@ -156,10 +170,17 @@ fn panes(moves: &Markup, demands: &Markup, fits: &Markup, language: Language) ->
     }
 }
 
-fn page_of(state: &PageState, held: &ReadProject, shell: &dyn Shell, bar: &Markup, main: &Markup) -> Markup {
+/// Returns the page of a project. With a result that fits (`is_done`) its main action is the export.
+fn page_of(
+    state: &PageState,
+    held: &ReadProject,
+    shell: &dyn Shell,
+    (bar, is_done): (&Markup, bool),
+    main: &Markup,
+) -> Markup {
     html! {
         div id="work" {
-            (head::of_project(state, held, shell))
+            (head::of_project(state, held, is_done, shell))
             (head::messages(state.language))
             (state_of(state))
             (bar)
@@ -175,7 +196,7 @@ fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Ma
     let bar = verdict::bar(state, held, &none, &moves.0, progress);
     let panes =
         panes(&moves, &demand::nothing(state.language), &fits::column(state, &none, true, shell), state.language);
-    page_of(state, held, shell, &html! { (bar) (crate::markup::stopped(why)) }, &panes)
+    page_of(state, held, shell, (&html! { (bar) (crate::markup::stopped(why)) }, false), &panes)
 }
 
 /// Returns the form with the state that every request carries.

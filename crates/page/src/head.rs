@@ -12,8 +12,8 @@ use words::{capitalised, page, terms};
 /// Default name of a project file.
 pub(crate) const USUAL_NAME: &str = "axis.toml";
 
-/// Returns the row of a project.
-pub(crate) fn of_project(state: &PageState, held: &ReadProject, shell: &dyn Shell) -> Markup {
+/// Returns the row of a project. With a result that fits (`is_done`) the export is the main action.
+pub(crate) fn of_project(state: &PageState, held: &ReadProject, is_done: bool, shell: &dyn Shell) -> Markup {
     let l = state.language;
     let file = if state.file.is_empty() { USUAL_NAME } else { &state.file };
     html! {
@@ -27,8 +27,8 @@ pub(crate) fn of_project(state: &PageState, held: &ReadProject, shell: &dyn Shel
             nav.bar aria-label=(page::title(l)) {
                 button.icon type="button" id="undo" data-undo="" aria-disabled="true" aria-label=(page::undo(l)) title={ (page::undo(l)) " (Ctrl+Z)" } { "↶" }
                 button.icon type="button" id="redo" data-redo="" aria-disabled="true" aria-label=(page::redo(l)) title={ (page::redo(l)) " (Ctrl+Y)" } { "↷" }
-                (menu("menu-file", page::file(l), &file_items(file, shell, l)))
-                (menu("menu-export", page::export(l), &export_items(shell, l)))
+                (menu("menu-file", page::file(l), false, &file_items(file, shell, l)))
+                (menu("menu-export", page::export(l), is_done, &export_items(shell, l)))
                 (tools(l))
                 button.icon type="button" id="find" data-find="" aria-label=(page::find(l)) title={ (page::find(l)) " (/)" } { "⌕" }
                 (language(state))
@@ -70,7 +70,7 @@ pub(crate) fn messages(language: Language) -> Markup {
 }
 
 fn brand(language: Language) -> Markup {
-    html! { h1 { a.brand href={ "/?lang=" (language.id()) } data-leaves="" title=(page::new_project(language)) { "antrieb" } } }
+    html! { h1 { a.brand href={ "/?lang=" (language.id()) } data-leaves="" title=(page::new_project(language)) { (crate::frame::logo()) "antrieb" } } }
 }
 
 fn tools(language: Language) -> Markup {
@@ -93,8 +93,8 @@ fn theme(state: &PageState) -> Markup {
     }
 }
 
-fn menu(id: &str, title: &str, items: &Markup) -> Markup {
-    html! { details.menu id=(id) { summary { (title) } div.items { (items) } } }
+fn menu(id: &str, title: &str, is_main: bool, items: &Markup) -> Markup {
+    html! { details.menu id=(id) { summary class=[is_main.then_some("primary")] { (title) } div.items { (items) } } }
 }
 
 fn file_items(file: &str, shell: &dyn Shell, language: Language) -> Markup {

@@ -57,6 +57,8 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     let mut found = by_reserve(project, &nearest, &reserve, &state.prefix, l);
     found.extend(gearings.iter().map(|proposal| by_gearing(proposal, &held, &state.prefix, l)));
     found.extend(shared_load(project, progress).ok().flatten().map(|shared| by_sharing(&shared, &held, &state.prefix, l)));
+    // The first change that a button applies is the main action of the page.
+    let main = found.iter().position(|remedy| remedy.apply.is_some());
     let (first, rest) = found.split_at(found.len().min(FIRST));
     html! {
         @if first.is_empty() {
@@ -65,16 +67,16 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
             p { (capitalised(terminal::nearest_miss(l))) ": " strong.code { (nearest.id) } ", " (reason(&nearest, l)) }
         } @else {
             h3 { (page::what_would_fit(l)) }
-            div.remedy-cards { @for remedy in first { (card(remedy, l)) } }
+            div.remedy-cards { @for (place, remedy) in first.iter().enumerate() { (card(remedy, main == Some(place), l)) } }
             @if !rest.is_empty() {
-                details id="more-remedies" { summary { (page::more_remedies(&rest.len(), l)) } div.remedy-cards { @for remedy in rest { (card(remedy, l)) } } }
+                details id="more-remedies" { summary { (page::more_remedies(&rest.len(), l)) } div.remedy-cards { @for remedy in rest { (card(remedy, false, l)) } } }
             }
             p.small { (page::remedies_about(l)) }
         }
     }
 }
 
-fn card(remedy: &Remedy, language: Language) -> Markup {
+fn card(remedy: &Remedy, is_main: bool, language: Language) -> Markup {
     let l = language;
     html! {
         article.remedy {
@@ -82,7 +84,7 @@ fn card(remedy: &Remedy, language: Language) -> Markup {
             p { @if !remedy.before.is_empty() { s { (remedy.before) } " → " } strong { (remedy.after) } }
             p.small { span.code { (remedy.code) } ": " @match remedy.proviso { Some(proviso) => { (page::fits_with_proviso(&proviso, l)) }, None => { (terms::fits(l)) } } }
             @match &remedy.apply {
-                Some(fields) => button.primary type="button" hx-post="/work" hx-vals=(fields) { (page::apply(l)) },
+                Some(fields) => button class=[is_main.then_some("primary")] type="button" hx-post="/work" hx-vals=(fields) { (page::apply(l)) },
                 None => p.small { (page::by_your_own_change(l)) },
             }
         }

@@ -32,5 +32,5 @@ pub use label::Label;
 pub use picture::{Picture, TextBox};
 pub use plane::PlaneAxis;
 pub use stacked::{Panel, StackedChart};
-pub use style::{Hatch, Size, Style, Theme, Tone};
+pub use style::{Hatch, LOGO, Size, Style, Theme, Tone};
 pub use xy::XyChart;

@@ -3,6 +3,9 @@
 use crate::number::number;
 use quantities::Language;
 
+/// Sign of the program as SVG, in the colours of light paper: the section of a hollow shaft with the ellipse that turns in it.
+pub const LOGO: &str = include_str!("../logo.svg");
+
 /// Style of a chart: size, theme and language.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {

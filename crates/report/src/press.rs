@@ -239,6 +239,7 @@ fn pressed(content: &Content, settings: &Settings) -> Result<Press, Fault> {
     let document = fonts.glyphs.printable(crate::document(content, settings)?);
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
     files.insert("data.json".to_owned(), document.to_string().into_bytes());
+    files.insert("logo.svg".to_owned(), plot::LOGO.as_bytes().to_vec());
     for (axis, of_axis) in content.axes.iter().enumerate() {
         for (index, figure) in of_axis.figures.iter().enumerate() {
             for (size, svg) in figure.svgs.iter().enumerate() {

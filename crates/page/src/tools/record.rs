@@ -58,8 +58,9 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
         input type="hidden" id="record-known" name={ (MARK) (KNOWN) } value=(known);
         p.downloads {
             label.inline { span { (page::save_as(l)) } input id="record-file" name={ (MARK) (FILE) } type="text" size="26" value=(file); }
-            @if scene.shell.folder().is_some() { button type="button" data-record="save" { (page::save(l)) } " " }
-            button type="button" data-record="download" { (page::record_file(l)) } " "
+            @let is_kept = scene.shell.folder().is_some();
+            @if is_kept { button.primary type="button" data-record="save" { (page::save(l)) } " " }
+            button class=[(!is_kept).then_some("primary")] type="button" data-record="download" { (page::record_file(l)) } " "
             button type="button" data-record="open" { (page::open(l)) }
         }
         p id="record-status" role="status" hx-morph-skip="" {}
