@@ -34,21 +34,39 @@ pub(crate) fn two_tabs(stage: &OpenPage<'_>) -> Worded {
     tab.fill("#file", "shared.toml")?;
     tab.click("#save")?;
     tab.says("#status", "shared.toml")?;
-    let first = tab.another()?;
-    tab.open(&stage.shell.at("open=shared.toml&lang=en"))?;
-    stage.ready()?;
-    stage.change("#f-mechanism-belt-mass", "31 kg")?;
-    tab.click("#save")?;
-    tab.until("!document.title.startsWith('•')")?;
-    tab.back_to(first)?;
+    let elsewhere = |path: &str, value: &str| {
+        let first = tab.another()?;
+        tab.open(&stage.shell.at("open=shared.toml&lang=en"))?;
+        stage.ready()?;
+        stage.change(path, value)?;
+        tab.click("#save")?;
+        tab.until("!document.title.startsWith('•')")?;
+        tab.back_to(first)
+    };
     stage.change("#f-mechanism-belt-mass", "32 kg")?;
-    tab.click("#save")?;
-    tab.says("#status", "not overwritten")?;
+    elsewhere("#f-mechanism-belt-mass", "31 kg")?;
+    // Both changed the same value: the difference is asked in words.
+    tab.says("#disk", "here 32 kg, there 31 kg")?;
     tab.until("document.title.startsWith('•')")?;
+    tab.click("#disk [data-prefer=theirs]")?;
+    tab.holds("#f-mechanism-belt-mass", "31")?;
+    tab.until("!document.title.startsWith('•')")?;
+    // Of different values both are kept, and saved together.
+    stage.change("#f-mechanism-belt-mass", "33 kg")?;
+    elsewhere("#f-mechanism-belt-pulley_diameter", "81 mm")?;
+    tab.click("#save")?;
+    tab.holds("#f-mechanism-belt-pulley_diameter", "81")?;
+    tab.holds("#f-mechanism-belt-mass", "33")?;
+    tab.until("!document.title.startsWith('•')")?;
+    // A tab without changes of its own follows.
+    elsewhere("#f-mechanism-belt-pulley_diameter", "82 mm")?;
+    tab.holds("#f-mechanism-belt-pulley_diameter", "82")?;
+    tab.until("!document.title.startsWith('•')")?;
     tab.another()?;
     tab.open(&stage.shell.at("open=shared.toml&lang=en"))?;
     stage.ready()?;
-    tab.holds("#f-mechanism-belt-mass", "31")
+    tab.holds("#f-mechanism-belt-mass", "33")?;
+    tab.holds("#f-mechanism-belt-pulley_diameter", "82")
 }
 
 /// Returns a recording with the columns time and angle, as written by a logger.

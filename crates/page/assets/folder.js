@@ -1,7 +1,9 @@
-// The folder: a file that another has changed since it was opened is noticed, and whose is kept is asked.
-import { loaded, tell } from './page.js';
+// The folder: a file that another has changed since it was opened is merged with what is not saved here; where both changed the same
+// value, the user is asked.
+import { loaded, save, savedText, tell } from './page.js';
 const $ = (selector) => document.querySelector(selector);
 const known = () => $('#state [name=known]');
+const lang = () => document.documentElement.lang;
 
 // Of a file of another name than the one that was opened no version is known.
 function opened(name) {
@@ -10,40 +12,69 @@ function opened(name) {
   return name === undefined || name === of ? value : ` ${name}`;
 }
 let shown = '';
-async function look(asked) {
+// The verdict takes the focus of a question that is answered.
+function cleared() {
   const notice = $('#disk');
-  if (!notice || !asked || document.hidden) return;
-  const query = new URLSearchParams({ known: asked, lang: document.documentElement.lang });
-  const reply = await fetch(`/watch?${query}`).catch(() => undefined);
-  if (reply?.status !== 200) { if (reply?.status === 204) { notice.replaceChildren(); shown = ''; } return; }
-  const version = reply.headers.get('x-version') ?? '';
-  const words = await reply.text();
-  if (shown === asked + version + words && notice.firstChild) return;
-  shown = asked + version + words;
-  notice.innerHTML = words;
+  const had = notice?.contains(document.activeElement);
+  notice?.replaceChildren();
+  if (had) $('#standing')?.focus({ preventScroll: true });
+}
+let isLooking = false;
+async function look(asked, isSaving = false) {
+  const notice = $('#disk');
+  if (!notice || !asked || document.hidden || isLooking) return;
+  isLooking = true;
+  try {
+    const reply = await fetch(`/watch?${new URLSearchParams({ known: asked, lang: lang() })}`).catch(() => undefined);
+    if (reply?.status !== 200) { if (reply?.status === 204) { cleared(); shown = ''; } return; }
+    const version = reply.headers.get('x-version') ?? '';
+    const words = await reply.text();
+    const of = asked + version + words;
+    if (shown === of && notice.firstChild) return;
+    shown = of;
+    if (version === '') notice.innerHTML = words; else await merge(asked, undefined, isSaving);
+  } finally { isLooking = false; }
+}
+async function merge(asked, prefer, isSaving) {
+  const body = new URLSearchParams(new FormData($('#state')));
+  body.set('known', asked);
+  body.set('base', savedText());
+  if (prefer) body.set('prefer', prefer);
+  const before = body.get('text');
+  const reply = await fetch('/merge', { method: 'POST', body }).catch(() => undefined);
+  if (!reply?.ok) { if (reply) tell(await reply.text()); return; }
+  const found = new URLSearchParams(await reply.text());
+  if (found.has('notice')) { $('#disk').innerHTML = found.get('notice'); return; }
+  // What was typed meanwhile is merged with the next look.
+  if ($('#text').value !== before) { shown = ''; return; }
+  known().value = found.get('known');
+  loaded(found.get('text'), found.get('base'));
+  cleared();
+  tell(found.get('said'));
+  if (isSaving) save();
 }
 async function load(name) {
-  const query = new URLSearchParams({ file: name, lang: document.documentElement.lang });
-  const reply = await fetch(`/text?${query}`);
+  const reply = await fetch(`/text?${new URLSearchParams({ file: name, lang: lang() })}`);
   const text = await reply.text();
   if (!reply.ok) { tell(text); return; }
   known().value = `${reply.headers.get('x-version') ?? ''} ${name}`;
   $('#file').value = name;
   loaded(text);
-  $('#disk').replaceChildren();
+  cleared();
   tell('');
 }
 document.addEventListener('click', (event) => {
   const button = event.target.closest?.('[data-disk]');
   if (button?.dataset.disk === 'load') load(button.dataset.name);
+  else if (button?.dataset.disk === 'merge') merge(opened(), button.dataset.prefer, false);
   else if (button?.dataset.disk === 'mine') {
     known().value = button.dataset.known;
-    $('#disk').replaceChildren();
+    cleared();
     tell('');
     $('#save')?.focus();
   }
 });
-addEventListener('antrieb:conflict', () => look(opened($('#file')?.value)));
+addEventListener('antrieb:conflict', () => look(opened($('#file')?.value), true));
 addEventListener('focus', () => look(opened()));
 document.addEventListener('visibilitychange', () => look(opened()));
 setInterval(() => look(opened()), 4000);

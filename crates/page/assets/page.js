@@ -434,7 +434,7 @@ addEventListener('paste', (event) => {
   event.preventDefault();
   record(new Blob([pasted], { type: 'text/csv' }), 'pasted.csv');
 });
-async function save() {
+export async function save() {
   const reply = await send('/save');
   if (!reply) return;
   const words = await reply.text();
@@ -457,12 +457,14 @@ async function save() {
     if (reply.status === 409) dispatchEvent(new Event('antrieb:conflict'));
   }
 }
-// What was loaded from the folder: undo leads back.
-export function loaded(value) {
+// What was loaded from the folder, or merged with what is there: undo leads back.
+export function loaded(value, base = value) {
   put(value);
-  saved = value;
+  saved = base;
   buttons();
 }
+// The text that the unsaved changes are made from.
+export const savedText = () => saved;
 function open() { choose('.toml', async (file) => begin(await file.text(), file.name)); }
 // The whole page about a text.
 function begin(value, name) {

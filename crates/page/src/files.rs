@@ -4,9 +4,12 @@ use crate::call::{Call, FileEntry, Reply, SaveFault, Shell, Storage, query};
 use crate::frame;
 use crate::head::USUAL_NAME;
 use crate::names::project_name;
+use crate::markup::label_of;
 use crate::start::BEGINS;
 use crate::state::PageState;
+use crate::value::with_mark;
 use maud::{Markup, html};
+use project::{Clash, Prefer, Unmerged, merged};
 use quantities::Language;
 use questions::Progress;
 use questions::list::new::template;
@@ -146,25 +149,78 @@ pub(crate) fn in_folder(shell: &dyn Shell, language: Language) -> Markup {
     } }
 }
 
-/// Compares the opened file with the one in the folder and, if they differ, returns the choices of the user.
+/// Compares the opened file with the one in the folder and, if they differ, returns the version there and the choices of
+/// the user for a file that cannot be read.
 pub(crate) fn watched(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let l = call.language();
     let known = call.field("known").unwrap_or_default();
     let Some((version, name)) = known.split_once(' ') else { return Reply::text(204, "") };
     let Some(folder) = shell.folder() else { return Reply::text(204, "") };
-    let (now, message) = match folder.read(name) {
+    let (now, notice) = match folder.read(name) {
         Ok(bytes) if shell.version(&bytes) == version => return Reply::text(204, ""),
-        Ok(bytes) => (shell.version(&bytes), page::other_version(&name, l)),
-        Err(error) if error.kind() == ErrorKind::NotFound => (String::new(), page::no_version(&name, l)),
-        Err(error) => (String::new(), file_trouble(&error, l)),
-    };
-    let notice = html! {
-        span { (message) } " "
-        @if !now.is_empty() { button type="button" data-disk="load" data-name=(name) { (page::load_it(l)) } " " }
-        @let kept = if now.is_empty() { String::new() } else { self::known(&now, name) };
-        button type="button" data-disk="mine" data-known=(kept) { (page::keep_mine(l)) }
+        Ok(bytes) => (shell.version(&bytes), html! {}),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            (String::new(), html! { span { (page::no_version(&name, l)) } " " (keep_mine("", l)) })
+        }
+        Err(error) => (String::new(), html! { span { (file_trouble(&error, l)) } " " (keep_mine("", l)) }),
     };
     Reply::of(200, crate::HTML, notice.into_string()).with("x-version", now)
+}
+
+fn keep_mine(known: &str, language: Language) -> Markup {
+    html! { button type="button" data-disk="mine" data-known=(known) { (page::keep_mine(language)) } }
+}
+
+/// Merges the text of the page with the file of the folder, which another has changed since it was opened (`base`). Returns
+/// form fields: `text` and `base` for the page, `known` for the next save, `said` for the user; or `notice`, the question
+/// which of two values holds.
+pub(crate) fn merge(call: &Call<'_>, shell: &dyn Shell) -> Reply {
+    let state = PageState::of(call);
+    let l = state.language;
+    let name = state.known.split_once(' ').map_or(&*state.known, |(_, name)| name);
+    let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
+    let bytes = match folder.read(name) {
+        Ok(bytes) => bytes,
+        Err(error) => return Reply::text(404, &file_trouble(&error, l)),
+    };
+    let version = known(&shell.version(&bytes), name);
+    let fields = |fields: &[(&str, &str)]| Reply::text(200, &query(fields.iter().copied()));
+    let ask = |notice: Markup| fields(&[("notice", &notice.into_string())]);
+    let whole = || html! {
+        span { (page::other_version(&name, l)) } " "
+        button type="button" data-disk="load" data-name=(name) { (page::load_it(l)) } " " (keep_mine(&version, l))
+    };
+    let Ok(theirs) = String::from_utf8(bytes) else { return ask(whole()) };
+    let base = call.field("base").unwrap_or_default().replace("\r\n", "\n");
+    let prefer = match call.field("prefer").as_deref() {
+        Some("ours") => Some(Prefer::Ours),
+        Some("theirs") => Some(Prefer::Theirs),
+        _ => None,
+    };
+    match merged(&base, &state.text, &theirs, prefer) {
+        Ok(text) => {
+            let said = if text == theirs { page::taken_over(&name, l) } else { page::joined(&name, l) };
+            fields(&[("text", &text), ("base", &theirs), ("known", &version), ("said", &said)])
+        }
+        // An entry of a list has no value to choose.
+        Err(Unmerged::Clashes(clashes)) if clashes.iter().all(|clash| clash.ours != clash.theirs) => ask(html! {
+            span { (page::both_changed(&name, l)) " " @for (place, clash) in clashes.iter().enumerate() {
+                @if place > 0 { "; " } (clash_text(clash, l))
+            } "." } " "
+            button type="button" data-disk="merge" data-prefer="ours" { (page::keep_these(l)) } " "
+            button type="button" data-disk="merge" data-prefer="theirs" { (page::take_theirs(l)) }
+        }),
+        Err(Unmerged::Clashes(_) | Unmerged::Text) => ask(whole()),
+    }
+}
+
+/// Describes both values of a key.
+fn clash_text(clash: &Clash, language: Language) -> String {
+    let label = label_of(&clash.path, language).unwrap_or_else(|| clash.path.clone());
+    let shown = |value: &Option<String>| {
+        value.as_ref().map_or_else(|| page::nothing_stated(language).to_owned(), |value| with_mark(value, language))
+    };
+    page::here_and_there(&label, &shown(&clash.ours), &shown(&clash.theirs), language)
 }
 
 /// Returns the text of a project file of the folder.

@@ -104,6 +104,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply
         (Method::Post, "/curves") => frame::curves(call, shell, progress),
         (Method::Get, "/example") => html(start::example_verdict(call, shell, progress)),
         (Method::Get, "/files") => html(files::listed(call, shell)),
+        (Method::Post, "/merge") => files::merge(call, shell),
         (Method::Get, "/watch") => files::watched(call, shell),
         (Method::Get, "/text") => files::text(call, shell),
         (Method::Post, "/example") => files::example(call, shell, progress),

@@ -458,8 +458,10 @@ fn typed(value: &Value) -> String {
     }
 }
 
+mod merged;
 mod scaled;
 
+pub use merged::{Clash, Prefer, Unmerged, merged};
 pub use scaled::stretch;
 
 #[cfg(test)]

@@ -86,7 +86,10 @@ pub mod sections {
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use diagnostic::{Diagnostic, place};
-pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
+pub use edit::{
+    Clash, Edit, EditFault, Prefer, Unmerged, Written, edit, edit_measured, key_at, measured_key_at, merged, stretch,
+    written,
+};
 pub use encoding::decoded;
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
 pub use heading::{Counted, Heading, Objection, nearest_heading};

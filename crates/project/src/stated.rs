@@ -190,7 +190,10 @@ impl<T: KeyValue> StatedField for Stated<T> {
     }
 
     fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
-        if let State::Absent = self.state && index.is_empty() && rest.is_empty() {
+        if let State::Absent = self.state
+            && index.is_empty()
+            && rest.is_empty()
+        {
             self.state = State::Given(T::of_si(si)?);
             return Some(());
         }

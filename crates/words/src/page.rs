@@ -155,6 +155,15 @@ texts! {
     no_version(name) =
         "{name} is no longer in the folder; the next save creates it again."
         | "{name} ist nicht mehr im Ordner; das nächste Speichern legt die Datei neu an.";
+    taken_over(name) = "{name} was changed elsewhere and has been read again; ↶ reverts it." | "{name} wurde an anderer Stelle geändert und neu eingelesen; ↶ macht es rückgängig.";
+    joined(name) =
+        "{name} was changed elsewhere; the changes there and the unsaved ones here are joined."
+        | "{name} wurde an anderer Stelle geändert; die Änderungen dort und die hier noch nicht gespeicherten sind zusammengeführt.";
+    both_changed(name) = "{name} was changed elsewhere, and these values differ:" | "{name} wurde an anderer Stelle geändert, und diese Angaben unterscheiden sich:";
+    here_and_there(label, here, there) = "{label}: here {here}, there {there}" | "{label}: hier {here}, dort {there}";
+    nothing_stated = "not stated" | "ohne Angabe";
+    keep_these = "Keep the values here" | "Angaben von hier behalten";
+    take_theirs = "Take those of the file" | "Angaben der Datei übernehmen";
     load_it = "Load" | "Laden";
     keep_mine = "Keep my version" | "Eigene Fassung behalten";
     from_elsewhere = "Open another file" | "Andere Datei öffnen";
