@@ -536,9 +536,9 @@ with_stiffnesses! {
     }
     {
         ViscousFriction [] {
-            NEWTON_METRE_SECOND_PER_RADIAN: "N m s/rad", "Nms/rad", "Nms/rad", ["N m/(rad/s)"], (si);
+            NEWTON_METRE_SECOND_PER_RADIAN: "N m s/rad", "Nms/rad", "Nms/rad", ["N m/(rad/s)", "N m s"], (si);
             NEWTON_METRE_PER_REVOLUTION_PER_MINUTE: "N m/(1/min)", "Nm/min⁻¹", "Nm/min^-1",
-                ["N m/(min^-1)", "N m/rpm"],
+                ["N m/(min^-1)", "N m/rpm", "N m min"],
                 (over per_minute());
             NEWTON_METRE_PER_THOUSAND_REVOLUTIONS: "N m/krpm", "Nm/krpm", "Nm/krpm",
                 ["N m/1000 rpm", "N m/1000 1/min", "N m/1000 min^-1"],
@@ -588,7 +588,7 @@ with_stiffnesses! {
             PER_SECOND: "1/s", "s⁻¹", "1/s", ["s^-1"], (si);
         }
         SpeedGain [] {
-            SPEED_GAIN_NEWTON_METRE_SECOND_PER_RADIAN: "N m s/rad", "Nms/rad", "Nms/rad", ["N m/(rad/s)"], (si);
+            SPEED_GAIN_NEWTON_METRE_SECOND_PER_RADIAN: "N m s/rad", "Nms/rad", "Nms/rad", ["N m/(rad/s)", "N m s"], (si);
         }
         CurrentGain [] {
             VOLT_PER_AMPERE: "V/A", "V/A", "V/A", [], (si);
