@@ -33,6 +33,97 @@ pub(crate) fn an_end_is_pulled_by_keys(stage: &OpenPage<'_>) -> Worded {
     tab.until("document.activeElement.id === 'grip-1'")
 }
 
+/// Holds when the values at the cursor belong to the shown project.
+pub(crate) const CURRENT: &str = "document.querySelector('#instant-values')?.dataset.old === undefined";
+
+/// Script that compares the values at the cursor with rows of the exported course, and returns the texts of the rows and
+/// the values that differ by more than half of their last digit.
+const EXPORTED: &str = "const reply = await fetch('/api/v1/export?table=course&lang=en&format=csv', { method: 'POST', headers: { 'content-type': 'application/toml' }, body: document.querySelector('#text').value }); \
+    const rows = (await reply.text()).trim().split('\\n').slice(1).map((row) => row.split(',').map(Number)); \
+    const shown = () => [...document.querySelectorAll('#instant-values > span')].map((cell) => cell.children[1].textContent.replace('\\u2212', '-').replaceAll(',', '')); \
+    const [mark, texts, off] = [document.querySelector('.mark-number'), [], []]; \
+    const at = mark.dataset.instant; \
+    for (let row = 0; row < rows.length; row += 7) { \
+      const [time, ...values] = rows[row]; \
+      if (rows.filter((each) => each[0] === time).length > 1) continue; \
+      mark.dataset.instant = String(time); \
+      mark.click(); \
+      const found = shown(); \
+      texts.push(found.join(' ')); \
+      [time, ...values.slice(0, 4)].forEach((value, column) => { \
+        const last = 10 ** -(found[column].split('.')[1]?.length ?? 0); \
+        if (!(Math.abs(Number(found[column]) - value) <= 0.5000001 * last)) off.push(`${found[column]} for ${value} at ${time} s`); \
+      }); \
+    } \
+    mark.dataset.instant = at; \
+    return { texts, off };";
+
+/// The values at the cursor are those of the exported course, in windows of any width, whole and narrowed.
+pub(crate) fn values_at_the_cursor(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    for example in ["arm", "turntable"] {
+        let mut before = None;
+        for (width, height) in [(900, 900), (1440, 900), (1920, 1080)] {
+            tab.sized(width, height, 1.0)?;
+            stage.example(example, "en")?;
+            tab.until(CURRENT)?;
+            let found = tab.run(EXPORTED, Vec::new())?;
+            expect(found["off"].as_array().is_some_and(Vec::is_empty), || {
+                format!("{example} at {width}: {}", found["off"])
+            })?;
+            let texts = found["texts"].as_array().cloned().unwrap_or_default();
+            expect(texts.len() > 10, || format!("{example}: {} rows", texts.len()))?;
+            expect(before.as_ref().is_none_or(|before| *before == texts), || {
+                format!("{example}: other values at {width}")
+            })?;
+            before = Some(texts);
+        }
+    }
+    // A window of time shows the same numbers.
+    let row = "document.querySelector('#instant-values').textContent";
+    tab.run("const range = document.querySelector('#instant'); range.value = 300; range.dispatchEvent(new Event('input', { bubbles: true }));", Vec::new())?;
+    tab.until(CURRENT)?;
+    let numbers = "[...document.querySelectorAll('#instant-values b')].slice(1).map((each) => each.textContent).join()";
+    let before = tab.eval(numbers)?;
+    tab.click("#zoom-in")?;
+    tab.until("document.querySelector('#zoom-out').ariaDisabled !== 'true'")?;
+    tab.until(CURRENT)?;
+    let (after, whole) = (tab.eval(numbers)?, tab.eval(row)?);
+    expect(before == after, || format!("{before} in the whole, {after} in the window: {whole}"))?;
+    tab.sized(1440, 900, 1.0)
+}
+
+/// A plane that is not over time has a cursor, by pointer and by keys, with the value of each curve.
+pub(crate) fn across_a_plane(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("arm", "en")?;
+    tab.click("#view-torque_speed")?;
+    tab.there("#across-torque-speed")?;
+    tab.tab_to("#across-torque-speed")?;
+    tab.keys(&key::RIGHT.to_string())?;
+    tab.says("#across-torque-speed-values", "continuous limit")?;
+    tab.says("#across-torque-speed-values", "39.00")?;
+    // The instant moves a point along the cycle.
+    tab.until(CURRENT)?;
+    let point = "document.querySelector('#plot-torque-speed .cursor-point')?.getAttribute('cy') ?? ''";
+    let before = tab.eval(point)?;
+    tab.tab_to("#instant")?;
+    tab.keys(&key::RIGHT.to_string().repeat(30))?;
+    let after = tab.eval(point)?;
+    expect(before != after, || format!("the point stays at {before}"))?;
+    tab.click("#list-map")?;
+    tab.there("#across-map")?;
+    tab.tab_to("#across-map")?;
+    tab.keys(&key::RIGHT.to_string())?;
+    tab.says("#across-map-values", "CHA-")?;
+    tab.click("#view-error_budget")?;
+    tab.there("#across-torsion")?;
+    tab.tab_to("#across-torsion")?;
+    tab.keys(&key::RIGHT.to_string())?;
+    tab.says("#across-torsion-values", "arcmin")?;
+    stage.accessible("cursor in a plane")
+}
+
 /// The pictures over time are zoomed in and back to the whole.
 pub(crate) fn the_time_is_narrowed(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;

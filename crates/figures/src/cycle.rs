@@ -17,8 +17,9 @@ const WIDTH_MM: f64 = 165.0;
 /// Height of title, segments and time axis.
 const FRAME_MM: f64 = 26.0;
 const PANEL_MM: f64 = 25.5;
-/// Relative height of the position panel if its points can be dragged.
-const POSITION_HIGH: f64 = 2.5;
+/// Relative heights of the panels of the motion: the torque decides, and points of the position can be dragged.
+const TORQUE_HIGH: f64 = 2.2;
+const POSITION_HIGH: f64 = 1.7;
 
 /// Distance of the course from a limit, as a share of the limit, within which the limit is drawn; a distant one would
 /// flatten the course.
@@ -44,7 +45,7 @@ pub enum CyclePanels {
 /// window.
 ///
 /// Position, speed and acceleration are linear ones if the axis has a linear mechanism. In the selection `Motion` the
-/// position is high enough for dragging.
+/// torque is the highest panel and the position is high enough for dragging.
 #[must_use]
 pub fn cycle(
     project: &AxisProject,
@@ -147,15 +148,17 @@ pub fn cycle(
         language,
     );
     let mut panels: Vec<Panel> = signals.into_iter().flatten().flatten().map(Signal::panel).collect();
-    let position = if shown == Motion { POSITION_HIGH } else { 1.0 };
-    if let Some(first) = panels.first_mut() {
-        *first = first.clone().weight(position);
+    let mut height = FRAME_MM;
+    if shown == Motion {
+        // Position first, torque last.
+        let high = [POSITION_HIGH, TORQUE_HIGH];
+        panels = ends(panels, high);
+        height += high.map(|high| (high - 1.0) * PANEL_MM).iter().sum::<f64>();
     }
     if is_in(&[Heat]) {
         panels.extend(temperatures(&course, candidate, language));
         panels.extend(overload.map(Signal::panel));
     }
-    let mut height = FRAME_MM + (position - 1.0) * PANEL_MM;
     let mut chart = StackedChart::new(time_axis(window, language));
     for (from, to, name) in segments(project, language) {
         chart = chart.segment(from, to, name);
@@ -167,6 +170,17 @@ pub fn cycle(
     let texts = (pictures::cycle_caption(language).to_owned(), description(&course, project, language));
     let of = subject(candidate, &project.name);
     Drawing::new(Figure::Cycle, &of, (WIDTH_MM, height), texts, Chart::Stacked(chart), language)
+}
+
+/// Returns the panels with these heights of the first and the last one.
+fn ends(panels: Vec<Panel>, [first, last]: [f64; 2]) -> Vec<Panel> {
+    let count = panels.len();
+    let high = |(place, panel): (usize, Panel)| match place {
+        0 => panel.weight(first),
+        place if place + 1 == count => panel.weight(last),
+        _ => panel,
+    };
+    panels.into_iter().enumerate().map(high).collect()
 }
 
 /// Returns the part of a time window within the cycle.

@@ -153,11 +153,7 @@ impl Drawing {
     /// curves.
     #[must_use]
     pub fn curves(&self, language: Language) -> String {
-        let (x, lines) = match &self.chart {
-            Chart::Xy(chart) => chart.lines(),
-            Chart::Stacked(chart) => chart.lines(),
-            Chart::Bars(_) | Chart::Face(_) => return String::new(),
-        };
+        let (Some(x), blocks) = self.blocks() else { return String::new() };
         let head = |axis: &plot::PlaneAxis, label: &str| {
             let (symbol, unit) = axis.sign();
             let name = if label.is_empty() { symbol.to_owned() } else { format!("{symbol} {label}") };
@@ -165,13 +161,8 @@ impl Drawing {
         };
         // Every digit of a number, with the decimal mark of the language.
         let number = |value: f64| value.to_string().replace('.', &language.decimal_mark().to_string());
-        let Some((_, first)) = lines.first() else { return String::new() };
-        let places = |line: &plot::Line| line.points().iter().map(|point| point.0.to_bits()).collect::<Vec<_>>();
-        let shared = lines.iter().all(|(_, line)| places(line) == places(first));
         let mut out = String::new();
-        let blocks: Vec<&[(&plot::PlaneAxis, &plot::Line)]> =
-            if shared { vec![&lines] } else { lines.chunks(1).collect() };
-        for block in blocks {
+        for block in &blocks {
             let heads = block.iter().map(|(y, line)| head(y, &line.label_text()));
             out += &[head(x, "")].into_iter().chain(heads).collect::<Vec<_>>().join("\t");
             out.push('\n');

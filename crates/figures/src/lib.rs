@@ -15,6 +15,7 @@ mod thin;
 mod torsion;
 mod tracks;
 mod utilisation;
+mod values;
 
 pub use bearing::bearing_load;
 pub use cycle::{CyclePanels, cycle};
@@ -28,6 +29,7 @@ pub use simulation::{control_loops, of_a_run, simulation};
 pub use torsion::{torsion, torsion_curve};
 pub use tracks::encoder_tracks;
 pub use utilisation::utilisation;
+pub use values::{CurveName, CurveValues};
 
 use axis::AxisProject;
 use quantities::Language;

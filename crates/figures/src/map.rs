@@ -100,7 +100,7 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&ProductId>, la
         let found = all.iter().filter(|candidate| of(candidate)).filter_map(|candidate| {
             let (x, y) = place(candidate)?;
             let name = if named.contains(&&candidate.id) { short(candidate, shared) } else { String::new() };
-            Some((x, y, name))
+            Some(((x, y, name), candidate.id.to_string()))
         });
         found.collect::<Vec<_>>()
     };
@@ -127,7 +127,8 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&ProductId>, la
         ),
     ] {
         // A class without a point keeps its marker and is not in the legend.
-        chart = chart.class(if points.is_empty() { "" } else { name }, tone, points);
+        let (points, subjects): (Vec<_>, Vec<String>) = points.into_iter().unzip();
+        chart = chart.class(if points.is_empty() { "" } else { name }, tone, points).subjects(subjects);
     }
     let marked = marked.and_then(|id| all.iter().find(|candidate| candidate.id == *id));
     if let Some(candidate) = marked

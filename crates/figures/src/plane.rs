@@ -148,21 +148,22 @@ fn curve_name(curve: &PerformanceCurve, language: Language) -> String {
 }
 
 fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart {
-    let band = pictures::band_of_an_estimate(language);
+    let band = |of: &str| pictures::band_of_an_estimate(&of, language);
     let braking = plane.braking.map(|(end, torque)| {
         let (end, torque) = at(end.si(), torque.si());
         [(0.0, torque), (end, torque), (end, 0.0)]
     });
     for curve in &plane.curves {
         let points = points_of(&curve.points);
-        let upper = curve.upper.as_deref().map(points_of);
+        // Equal edges leave no band to see, and none to explain.
+        let upper = curve.upper.as_deref().map(points_of).filter(|upper| *upper != points);
         let name = curve_name(curve, language);
         let line = |points: Vec<Point>| Line::new(points).label(name.as_str());
         match curve.kind {
             CurveKind::Continuous => {
                 if let Some(upper) = upper {
                     let area = Area::between(mirrored(&points), mirrored(&upper)).tone(Tone::Continuous);
-                    chart = chart.with(area.hatch(Hatch::Rising).label(band).class("band"));
+                    chart = chart.with(area.hatch(Hatch::Rising).label(band(&name)).class("band"));
                 }
                 let line = line(mirrored(&points)).closed().tone(Tone::Continuous).width(Width::Strong);
                 chart = chart.with(line.class("continuous"));
@@ -176,7 +177,7 @@ fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart
                 if let Some(upper) = upper {
                     for (lower, upper) in driving(&points).into_iter().zip(driving(&upper)) {
                         let area = Area::between(lower, upper).tone(Tone::ShortTime).hatch(Hatch::Falling);
-                        chart = chart.with(area.label(band).class("band"));
+                        chart = chart.with(area.label(band(&name)).class("band"));
                     }
                 }
                 let whole = braking.map_or_else(|| mirrored(&points), |braking| around(&points, &braking));
@@ -336,7 +337,7 @@ fn caption(plane: &Plane, language: Language) -> String {
     });
     let intermittent = cycle.map(|cycle| pictures::s3_explained(&minutes(cycle, language), language));
     parts.extend(intermittent.as_deref());
-    if plane.curves.iter().any(|curve| curve.upper.is_some()) {
+    if plane.curves.iter().any(|curve| curve.upper.as_ref().is_some_and(|upper| *upper != curve.points)) {
         parts.push(pictures::hatching_explained(language));
     }
     if plane.braking.is_some() {

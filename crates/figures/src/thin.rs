@@ -34,23 +34,31 @@ pub(crate) fn thinned(course: Course) -> Course {
 
 /// Returns the samples of a column that a picture needs, in their order.
 fn extremes(samples: &[Sample]) -> Vec<Sample> {
-    let mut kept = vec![0, samples.len().saturating_sub(1)];
-    for of in QUANTITIES {
+    let of = |quantity: usize, row: usize| QUANTITIES.get(quantity)?(samples.get(row)?);
+    let rows = outstanding(samples.len(), QUANTITIES.len(), of);
+    rows.into_iter().filter_map(|row| samples.get(row).copied()).collect()
+}
+
+/// Returns the first and the last of several rows, and those with the least or the largest value of a quantity, in
+/// order; `of`: value of a quantity in a row.
+pub(crate) fn outstanding(rows: usize, quantities: usize, of: impl Fn(usize, usize) -> Option<f64>) -> Vec<usize> {
+    let mut kept = vec![0, rows.saturating_sub(1)];
+    for quantity in 0..quantities {
         let mut found: Option<((usize, f64), (usize, f64))> = None;
-        for (index, value) in samples.iter().enumerate().filter_map(|(index, sample)| Some((index, of(sample)?))) {
-            let (low, high) = found.get_or_insert(((index, value), (index, value)));
+        for (row, value) in (0..rows).filter_map(|row| Some((row, of(quantity, row)?))) {
+            let (low, high) = found.get_or_insert(((row, value), (row, value)));
             if value < low.1 {
-                *low = (index, value);
+                *low = (row, value);
             }
             if value > high.1 {
-                *high = (index, value);
+                *high = (row, value);
             }
         }
         kept.extend(found.map(|(low, high)| [low.0, high.0]).into_iter().flatten());
     }
     kept.sort_unstable();
     kept.dedup();
-    kept.into_iter().filter_map(|index| samples.get(index).copied()).collect()
+    kept
 }
 
 #[cfg(test)]

@@ -312,3 +312,45 @@ fn a_simulation_and_its_control_loops_have_letters_to_read() {
         }
     }
 }
+
+/// Compares the hatchings of the legend with those of the bands that have an area, for every example.
+#[test]
+fn the_legend_of_the_plane_explains_the_bands_that_are_drawn() {
+    let mut bands = 0;
+    for project in examples() {
+        for candidate in candidates(&project) {
+            let drawing = figures::torque_speed(&project, &candidate, Language::En);
+            let svg = picture(&drawing, Language::En).into_svg();
+            let document = Document::parse(&svg).unwrap();
+            let of_class = |name: &'static str| {
+                document.descendants().filter(move |node| node.attribute("class").is_some_and(|class| class == name))
+            };
+            let hatch = |node: Node<'_, '_>| {
+                let mut fills = node.descendants().filter_map(|inside| inside.attribute("fill")?.strip_prefix("url("));
+                fills.next().map(str::to_owned)
+            };
+            let drawn: std::collections::BTreeSet<String> = of_class("area band").filter_map(hatch).collect();
+            let legend = of_class("legend").flat_map(|legend| legend.descendants().collect::<Vec<_>>());
+            let explained: std::collections::BTreeSet<String> =
+                legend.filter_map(|node| Some(node.attribute("fill")?.strip_prefix("url(")?.to_owned())).collect();
+            assert_eq!(drawn, explained, "{} {}", project.name, candidate.id);
+            bands += drawn.len();
+            for area in of_class("area band") {
+                let path = area.descendants().find_map(|node| node.attribute("d")).unwrap_or_default();
+                let (mut ys, mut xs) = (Vec::new(), Vec::new());
+                for pair in path.split(['M', 'L', 'Z']).filter(|pair| !pair.trim().is_empty()) {
+                    let (x, y) = pair.trim().split_once(' ').unwrap();
+                    xs.push(x.parse::<f64>().unwrap());
+                    ys.push(y.parse::<f64>().unwrap());
+                }
+                let mut twice = 0.0;
+                for place in 0..xs.len() {
+                    let next = (place + 1) % xs.len();
+                    twice += xs[place] * ys[next] - xs[next] * ys[place];
+                }
+                assert!(twice.abs() > 1.0, "{} {}: an empty band, {path}", project.name, candidate.id);
+            }
+        }
+    }
+    assert!(bands > 5, "{bands}");
+}

@@ -1,175 +1,7 @@
-// What moves in the pictures: the instant, the window of time, marks, and the ends of segments that are pulled.
-const $ = (selector) => document.querySelector(selector);
-const all = (selector) => [...document.querySelectorAll(selector)];
-const SVG = 'http://www.w3.org/2000/svg';
-const OVER_TIME = ['#plot-cycle', '#plot-heat', '#plot-energy', '#plot-bearing-load', '#plot-simulation'];
-const panels = (figure) => [...figure.querySelectorAll('g.plane[data-x-min]')];
-const overTime = () => OVER_TIME.map($).filter((figure) => figure && panels(figure).length > 0);
-const numbers = (panel) => Object.fromEntries(['left', 'right', 'top', 'bottom', 'xMin', 'xMax', 'yMin', 'yMax'].map((key) => [key, Number(panel.dataset[key])]));
-const xOf = (p, value) => p.left + (value - p.xMin) / (p.xMax - p.xMin) * (p.right - p.left);
-const yOf = (p, value) => p.bottom - (value - p.yMin) / (p.yMax - p.yMin) * (p.bottom - p.top);
-const atX = (p, x) => p.xMin + (x - p.left) / (p.right - p.left) * (p.xMax - p.xMin);
-const atY = (p, y) => p.yMin + (p.bottom - y) / (p.bottom - p.top) * (p.yMax - p.yMin);
+// What is moved in the pictures over time: the window of time, marks, and the ends of segments that are pulled.
+import { $, all, atX, atY, cursor, inside, isOverTime, keep, marked, now, numbers, overTime, panels, stand, xOf, yOf } from './cursor.js';
+export { cursor } from './cursor.js';
 const first = () => { const figure = overTime()[0]; return figure && numbers(panels(figure)[0]); };
-
-// One range moves the instant of every picture over time, and the point in the plane.
-let instant = 0;
-export function cursor() {
-  const range = $('#instant');
-  const p = first();
-  if (!range || !p) return;
-  const time = p.xMin + (p.xMax - p.xMin) * Number(range.value) / 1000;
-  instant = time;
-  for (const figure of overTime()) for (const panel of panels(figure)) line(panel, time);
-  const values = read(overTime()[0], time);
-  soonExact();
-  const shown = (value, digits, drawn) => (drawn ? '≈\u202f' : '') + format(digits).format(value).replace('-', '\u2212');
-  const all = [{ symbol: 't', value: time, unit: 's', digits: 4 }, ...values];
-  const place = $('#instant-values');
-  while (place.childElementCount < all.length) place.append(cell());
-  while (place.childElementCount > all.length) place.lastChild.remove();
-  all.forEach(({ symbol, label, value, unit, digits, drawn }, number) => {
-    const [name, amount, of] = place.children[number].children;
-    named(name, symbol, label);
-    amount.textContent = shown(value, digits, drawn);
-    of.textContent = unit;
-  });
-  range.setAttribute('aria-valuetext', [...place.children].map((cell) => [...cell.children].map((part) => part.textContent).join(' ')).join(', '));
-  point(values);
-  // The drawing of the mechanism goes along: by the angle of the output, or by the way along the line in millimetres.
-  const [angle, way] = ['φ', 'x'].map((symbol) => values.find((each) => each.symbol === symbol)?.exact);
-  const position_rad = angle !== undefined ? angle * Math.PI / 180 : way / 1000 / Number($('svg.drawn')?.dataset.perOutput);
-  dispatchEvent(new CustomEvent('antrieb:instant', { detail: { time, position_rad } }));
-}
-// How numbers are written, made once for each language and number of digits.
-const formats = new Map();
-function format(digits) {
-  const name = document.documentElement.lang + digits;
-  if (!formats.has(name)) formats.set(name, new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, maximumFractionDigits: digits, roundingPriority: 'lessPrecision', signDisplay: 'negative' }));
-  return formats.get(name);
-}
-// A symbol with what stands below its line, and the name of the curve where its picture has several.
-function named(place, symbol, label = '') {
-  if (place.dataset.of === symbol + label) return;
-  place.dataset.of = symbol + label;
-  const [stem, below] = symbol.split('_');
-  place.replaceChildren(stem);
-  if (below) place.append(Object.assign(document.createElement('sub'), { textContent: below }));
-  if (label) place.append(` ${label}`);
-}
-function cell() {
-  const span = document.createElement('span');
-  span.append(document.createElement('i'), document.createElement('b'), document.createElement('i'));
-  return span;
-}
-// What is drawn over a panel, once of each kind.
-function marked(panel, kind, name) {
-  let mark = panel.querySelector(`.${name}`);
-  if (!mark) {
-    mark = document.createElementNS(SVG, kind);
-    mark.setAttribute('class', name);
-    panel.append(mark);
-  }
-  return mark;
-}
-function line(panel, time) {
-  const p = numbers(panel);
-  const mark = marked(panel, 'line', 'cursor-line');
-  const x = xOf(p, time);
-  for (const [key, value] of [['x1', x], ['x2', x], ['y1', p.top], ['y2', p.bottom]]) mark.setAttribute(key, value);
-}
-// The value of each curve at an instant, read from its line: the numbers of a path stand in the order of time, read once.
-const lines = new WeakMap();
-function points(path) {
-  const written = path.getAttribute('d');
-  let known = lines.get(path);
-  if (known?.written !== written) {
-    const found = (written.match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
-    known = { written, x: found.filter((_, place) => place % 2 === 0), y: found.filter((_, place) => place % 2 === 1) };
-    lines.set(path, known);
-  }
-  return known;
-}
-// The curves as they were computed are fetched for each picture that stays, at once if the cursor is used: a line tells only what
-// a pixel can tell. Until then what is read from the line has a sign for it.
-let exact = null;
-let soon = null;
-// An answer may change the lines of a picture and keep its element. While one is on its way, nothing else is asked.
-let answers = 0;
-let asking = null;
-document.addEventListener('htmx:before:request', () => { clearTimeout(soon); asking?.abort(); });
-document.addEventListener('htmx:after:swap', () => { answers += 1; });
-const isExact = () => exact?.answers === answers;
-function soonExact() {
-  clearTimeout(soon);
-  const figure = overTime()[0];
-  if (figure && !isExact()) soon = setTimeout(fetchCurves, 400);
-}
-async function fetchCurves() {
-  if (isExact()) return;
-  const fields = new URLSearchParams(new FormData($('#state')));
-  fields.set('lang', 'en');
-  const body = fields.toString();
-  // What is asked for the same state has the same curves.
-  if (exact?.body === body) { exact.answers = answers; if (exact.columns) cursor(); return; }
-  const own = exact = { answers, body, columns: null };
-  asking?.abort();
-  asking = new AbortController();
-  const reply = await fetch('/curves', { method: 'POST', body: fields, signal: asking.signal }).catch(() => null);
-  if (exact !== own) return;
-  const text = reply?.ok ? await reply.text().catch(() => null) : null;
-  if (text === null) { if (exact === own) exact = null; return; }
-  const columns = [];
-  for (const block of text.split('\n\n').filter((each) => each.trim())) {
-    const rows = block.trim().split('\n').slice(1).map((row) => row.split('\t').map(Number));
-    const x = rows.map((row) => row[0]);
-    for (let column = 1; column < (rows[0]?.length ?? 0); column++) columns.push({ x, y: rows.map((row) => row[column]) });
-  }
-  own.columns = columns;
-  cursor();
-}
-for (const kind of ['input', 'focusin', 'pointerdown']) document.addEventListener(kind, (event) => {
-  const figure = overTime()[0];
-  if (figure && (event.target.id === 'instant' || event.target.closest?.('figure.plot, [data-play], [data-instant]'))) fetchCurves();
-});
-function at(x, y, place) {
-  let low = 0, high = x.length - 1;
-  while (high - low > 1) { const middle = (low + high) >> 1; if (x[middle] <= place) low = middle; else high = middle; }
-  const share = x[high] > x[low] ? Math.min(1, Math.max(0, (place - x[low]) / (x[high] - x[low]))) : 0;
-  return y[low] + share * (y[high] - y[low]);
-}
-function read(figure, time) {
-  const found = [];
-  let number = 0;
-  const columns = isExact() ? exact.columns : null;
-  for (const panel of panels(figure)) {
-    const p = numbers(panel);
-    const { symbol, unit } = panel.dataset;
-    const curves = panel.querySelectorAll('g.line');
-    for (const curve of curves) {
-      const path = curve.querySelector('path');
-      if (!path) continue;
-      const column = columns?.[number++];
-      const { x, y } = column ?? points(path);
-      const value = column ? at(x, y, time) : atY(p, at(x, y, xOf(p, time)));
-      // A line is drawn to a hundredth of a pixel, a curve thinned to a fine part of its range: no more digits than that.
-      const step = (p.yMax - p.yMin) / (column ? 2e4 : (p.bottom - p.top) * 20);
-      found.push({ drawn: !column, symbol, label: curves.length > 1 ? curve.dataset.label ?? '' : '', unit, exact: value, value: Math.round(value / step) * step + 0, digits: Math.max(0, Math.min(6, 1 - Math.ceil(Math.log10(step)))) });
-    }
-  }
-  return found;
-}
-function point(values) {
-  const figure = $('#plot-torque-speed');
-  const panel = figure && panels(figure)[0];
-  const speed = values.find((each) => each.symbol === 'n');
-  const torque = values.find((each) => each.symbol === 'T');
-  if (!panel || !speed || !torque) return;
-  const p = numbers(panel);
-  const mark = marked(panel, 'circle', 'cursor-point');
-  for (const [key, value] of [['r', 5], ['cx', xOf(p, speed.value)], ['cy', yOf(p, torque.value)]]) mark.setAttribute(key, value);
-}
-document.addEventListener('input', (event) => { if (event.target.id === 'instant') cursor(); });
 
 // To an instant; where it lies outside of what is shown, the whole cycle is shown again.
 let wanted = null;
@@ -177,9 +9,8 @@ export function jump(time) {
   const range = $('#instant');
   const p = first();
   if (!range || !p) return;
+  stand(time);
   if (time < p.xMin || time > p.xMax) { wanted = time; show(null); return; }
-  range.value = 1000 * (time - p.xMin) / (p.xMax - p.xMin);
-  cursor();
   range.focus();
 }
 
@@ -215,12 +46,6 @@ export function overlay() {
   if (wanted !== null) { const time = wanted; wanted = null; const p = first(); if (p && time >= p.xMin && time <= p.xMax) jump(time); }
   else keep();
 }
-// The instant stays the same when another window is shown.
-function keep() {
-  const range = $('#instant');
-  const p = first();
-  if (range && p && instant > p.xMin && instant <= p.xMax) range.value = 1000 * (instant - p.xMin) / (p.xMax - p.xMin);
-}
 function put(grip, time, way) {
   const p = first();
   const frame = grip.closest('.frame');
@@ -240,7 +65,7 @@ function show(window) {
   state('until').value = held[1];
   htmx.ajax('POST', '/work', { source: $('#instant') });
 }
-function zoom(what, at = instant) {
+function zoom(what, at = now()) {
   const p = first();
   if (!p) return;
   const [length, end] = [p.xMax - p.xMin, Number($('#instant').dataset.until)];
@@ -261,23 +86,15 @@ document.addEventListener('keydown', (event) => {
   const what = { '+': 'in', '-': 'out', 0: 'whole' }[event.key];
   if (what) { event.preventDefault(); zoom(what); }
 });
-function inside(event) {
-  const svg = event.target.closest?.('figure.plot .frame')?.querySelector('svg');
-  const figure = svg?.closest('figure');
-  if (!svg || !panels(figure).length) return null;
-  const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-  const panel = panels(figure).find((each) => { const p = numbers(each); return place.x >= p.left && place.x <= p.right && place.y >= p.top && place.y <= p.bottom; });
-  return panel ? { figure, panel, p: numbers(panel), x: place.x, y: place.y } : null;
-}
-const isOverTime = (found) => found && OVER_TIME.includes('#' + found.figure.id);
 document.addEventListener('wheel', (event) => {
-  if (!event.ctrlKey) return;
   const found = inside(event);
-  if (!isOverTime(found)) return;
+  // Where the pane itself scrolls, the wheel alone is for that.
+  const pane = $('#view');
+  if (!found || !isOverTime(found.figure) || !event.ctrlKey && pane.scrollHeight > pane.clientHeight + 1) return;
   event.preventDefault();
   zoom(event.deltaY < 0 ? 'in' : 'out', atX(found.p, found.x));
 }, { passive: false });
-document.addEventListener('dblclick', (event) => { if (isOverTime(inside(event))) zoom('whole'); });
+document.addEventListener('dblclick', (event) => { const found = inside(event); if (found && isOverTime(found.figure)) zoom('whole'); });
 
 // A drag over a picture chooses a window; a click sets the instant, or in the map of candidates looks at one.
 let band = null;
@@ -285,7 +102,7 @@ document.addEventListener('pointerdown', (event) => {
   if (event.button !== 0 || event.target.closest?.('.grip')) return;
   const found = inside(event);
   if (!found) return;
-  if (isOverTime(found) && event.pointerType !== 'touch') { band = { ...found, from: found.x }; event.preventDefault(); }
+  if (isOverTime(found.figure) && event.pointerType !== 'touch') { band = { ...found, from: found.x }; event.preventDefault(); }
   else band = { ...found, from: null };
 });
 document.addEventListener('pointermove', (event) => {
@@ -305,7 +122,7 @@ document.addEventListener('pointerup', (event) => {
   band = null;
   for (const mark of figure.querySelectorAll('.chosen')) mark.remove();
   if (from !== null && Math.abs(x - from) > 6) show([atX(p, Math.min(x, from)), atX(p, Math.max(x, from))]);
-  else if (OVER_TIME.includes('#' + figure.id)) { if (event.detail < 2) jump(atX(p, x)); }
+  else if (isOverTime(figure)) { if (event.detail < 2) jump(atX(p, x)); }
   else if (figure.id === 'plot-map') {
     const found = inside(event);
     if (found) htmx.ajax('POST', '/work', { source: $('#state'), values: { code: '', near: [atX(p, found.x), atY(p, found.y), p.xMax - p.xMin, p.yMax - p.yMin].join(' ') } });

@@ -1,6 +1,6 @@
 // What moves in the drawing of the mechanism: it stands where the instant of the pictures over time puts it.
-const $ = (selector) => document.querySelector(selector);
-const all = (selector) => [...document.querySelectorAll(selector)];
+import { $, all, now, span, stand } from './cursor.js';
+
 const SPEEDS = [1, 0.5, 0.25, 0.1];
 const numbers = (text) => text.trim().split(/\s+/).map(Number);
 
@@ -72,30 +72,23 @@ addEventListener('antrieb:instant', ({ detail }) => {
   position = detail.position_rad;
   draw();
 });
-const panel = () => $('#demands g.plane[data-x-min]');
-const ends = () => { const { xMin, xMax } = panel()?.dataset ?? {}; return Number(xMax) > Number(xMin) ? [Number(xMin), Number(xMax)] : null; };
-
 // Played in the time of the machine, or slower; never by itself. The pictures go along, as if the instant were pulled.
 let playing = null;
 let speed = 0;
-function step(now) {
-  const span = ends();
-  const range = $('#instant');
-  if (!playing || !span || !range) { stop(); return; }
-  const long = span[1] - span[0];
-  playing.time += Math.min(0.1, (now - playing.now) / 1000) * SPEEDS[speed];
-  playing.now = now;
-  if (playing.time > span[1] || playing.time < span[0]) playing.time = span[0] + ((playing.time - span[0]) % long + long) % long;
-  range.value = 1000 * (playing.time - span[0]) / long;
-  range.dispatchEvent(new Event('input', { bubbles: true }));
+function step(at) {
+  const shown = span();
+  if (!playing || !shown || !$('#instant')) { stop(); return; }
+  const [from, until] = shown;
+  const long = until - from;
+  playing.time += Math.min(0.1, (at - playing.now) / 1000) * SPEEDS[speed];
+  playing.now = at;
+  if (playing.time > until || playing.time < from) playing.time = from + ((playing.time - from) % long + long) % long;
+  stand(playing.time);
   playing.frame = requestAnimationFrame(step);
 }
 function play() {
-  const span = ends();
-  const range = $('#instant');
-  if (!span || !range) return;
-  const time = span[0] + (span[1] - span[0]) * Number(range.value) / 1000;
-  playing = { time, now: performance.now(), frame: requestAnimationFrame(step) };
+  if (!span() || !$('#instant')) return;
+  playing = { time: now(), now: performance.now(), frame: requestAnimationFrame(step) };
   label();
 }
 function stop() {
@@ -110,7 +103,7 @@ function label() {
     button.setAttribute('aria-label', text);
     button.title = text;
     button.textContent = playing ? '⏸' : '▶';
-    button.disabled = !panel();
+    button.disabled = !span();
   }
   for (const place of all('[data-speed]')) {
     const number = new Intl.NumberFormat(document.documentElement.lang).format(SPEEDS[speed]);

@@ -13,6 +13,16 @@ pub(crate) fn symbol(symbol: &str) -> Markup {
     } }
 }
 
+/// Returns a sentence as HTML, its symbols such as `T_max` with their subscripts.
+pub(crate) fn with_symbols(text: &str) -> Markup {
+    let is_of_a_symbol = |sign: char| sign.is_alphanumeric() || sign == '_';
+    html! { @for piece in text.split_inclusive(|sign| !is_of_a_symbol(sign)) {
+        @let (word, rest) = piece.split_at(piece.trim_end_matches(|sign| !is_of_a_symbol(sign)).len());
+        @if word.contains('_') { i { (symbol(word)) } } @else { (word) }
+        (rest)
+    } }
+}
+
 /// Returns a chapter as HTML.
 pub(crate) fn laid_out(chapter: &Chapter) -> Markup {
     html! {
@@ -29,7 +39,7 @@ fn block_of(block: &Block) -> Markup {
         Block::Steps { items } => ol { @for item in items { li { (item) } } },
         Block::Grid(grid) => (table(grid)),
         Block::Hazards { items } => div.hazards { @for item in items { (hazard(item)) } },
-        Block::Picture(picture) => figure.plot { (PreEscaped(&picture.svg)) figcaption { (picture.caption) } },
+        Block::Picture(picture) => figure.plot { (PreEscaped(&picture.svg)) figcaption { (with_symbols(&picture.caption)) } },
         Block::Tasks { items } => ul.tasks { @for item in items { li {
             (hazard(&item.what))
             @if !item.expected.is_empty() { " " span.expected { (item.expected) } }

@@ -1,6 +1,7 @@
 //! The middle pane: the demand of the axis on the selected actuator, one view at a time.
 
 use crate::call::Shell;
+use crate::chapters::with_symbols;
 use crate::markup::vals;
 use crate::parts::part;
 use crate::state::{PageState, View};
@@ -139,13 +140,18 @@ fn later(state: &PageState, candidate: &Candidate<'_>, shell: &dyn Shell) -> Mar
         state.window,
         state.room
     );
-    // The request names the actuator, so that it is not searched again.
-    let code = if candidate.product.is_of_project() { String::new() } else { candidate.id.to_string() };
+    let code = code_of(candidate);
     html! {
         div id="view" data-same="" {}
         span hidden id={ "later-" (shell.version(about.as_bytes())) } hx-post="/picture" hx-trigger="load, antrieb:again"
             hx-vals=(vals(&[("code", &code)])) hx-sync="#demands:replace" hx-target="#view" hx-swap="outerMorph" {}
     }
+}
+
+/// Returns the code by which a request names the actuator, so that it is not searched again; empty for that of the
+/// project.
+fn code_of(candidate: &Candidate<'_>) -> String {
+    if candidate.product.is_of_project() { String::new() } else { candidate.id.to_string() }
 }
 
 /// Returns the content below the tabs.
@@ -166,11 +172,17 @@ pub(crate) fn view(
     };
     let is_over_time = matches!(state.view, View::Cycle | View::Heat | View::Energy | View::Bearing);
     html! {
-        div id="view" role="tabpanel" aria-labelledby={ "view-" (state.view.id()) } {
-            @if is_over_time { (overlay::controls(project.axis.motion.duration().si(), state.window.is_some(), l)) }
+        div id="view" role="tabpanel" aria-labelledby={ "view-" (state.view.id()) } data-code=(code_of(candidate)) {
+            @if is_over_time { (overlay::controls(project.axis.motion.duration().si(), overlay::ShownTime::of(state.window), l)) }
             @match state.view {
                 View::Cycle => (drawn("cycle", &marks, &if is_old { html! {} } else { overlay::segment_handles(state, project) })),
-                View::TorqueSpeed => (drawn("torque-speed", &none, &none)),
+                View::TorqueSpeed => {
+                    div.plane-cursors {
+                        (overlay::controls(project.axis.motion.duration().si(), overlay::ShownTime::None, l))
+                        (overlay::across("torque-speed", state.view.id(), l))
+                    }
+                    (drawn("torque-speed", &none, &none))
+                }
                 View::Heat => (drawn("heat", &marks, &none)),
                 View::Energy => { (power(project, candidate, l)) (drawn("energy", &marks, &none)) }
                 View::Bearing => (drawn("bearing-load", &marks, &none)),
@@ -178,6 +190,7 @@ pub(crate) fn view(
                 View::Simulation => (crate::simulated::view(state, project, candidate, progress)),
                 View::ErrorBudget => {
                     (tolerances::place(state, project, candidate, shell))
+                    (overlay::across("torsion", state.view.id(), l))
                     (drawn("torsion", &none, &none))
                 }
             }
@@ -242,7 +255,7 @@ pub(crate) fn picture(
             (above)
             div.frame { (PreEscaped(drawing.render(&style).into_svg())) (over) }
             figcaption {
-                span.caption { (drawing.caption) }
+                span.caption { (with_symbols(&drawing.caption)) }
                 span.plot-tools {
                     button.small type="button" data-full="" aria-pressed="false" title=(page::full_window(l)) aria-label=(page::full_window(l)) { svg.icon viewBox="0 0 14 14" width="14" height="14" aria-hidden="true" { path d="M1 5V1H5M9 1H13V5M13 9V13H9M5 13H1V9" {} } }
                     button.small type="button" data-copy="svg" { (page::copy_svg(l)) }

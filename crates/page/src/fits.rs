@@ -293,6 +293,7 @@ fn map(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&ProductId>) ->
     let size = Size::pixels(460.0, 460.0 * height / width);
     let style = Style::new(size).theme(state.theme).language(state.language).id("map");
     html! {
+        (crate::overlay::through_candidates(state.language))
         figure.plot id="plot-map" { div.frame { (PreEscaped(drawing.render(&style).into_svg())) } figcaption { (drawing.caption) " " (page::map_about(state.language)) } }
     }
 }

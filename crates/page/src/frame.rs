@@ -7,7 +7,7 @@ use crate::shown::{Outcome, looked_at, looked_at_alone};
 use crate::state::{ALL_AXES, List, PageState, ReadProject};
 use crate::verdict;
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
-use figures::Theme;
+use figures::{CurveName, CurveValues, Drawing, Theme};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quantities::Language;
 use questions::list::compare::compare;
@@ -55,7 +55,7 @@ fn scripts() -> Markup {
         // First: it adds the token to the requests of the others.
         script src="/assets/enter.js" {}
         script src="/assets/htmx.min.js" defer {}
-        @for name in ["page.js", "panes.js", "folder.js", "tools.js", "sketch.js"] { script type="module" src={ "/assets/" (name) } {} }
+        @for name in ["page.js", "panes.js", "folder.js", "tools.js", "sketch.js", "across.js"] { script type="module" src={ "/assets/" (name) } {} }
     }
 }
 
@@ -304,18 +304,39 @@ fn partial(target: &str, inside: Markup) -> Markup {
 
 /// Returns the curves of the picture as a table.
 pub(crate) fn curves(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
+    match shown_drawing(call, shell, progress) {
+        Ok(drawing) => Reply::text(200, &drawing.curves(call.language())),
+        Err(why) => Reply::text(404, &why),
+    }
+}
+
+/// Returns the values of the curves of the picture for its cursor: groups of curves with the same places.
+pub(crate) fn values(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
+    let drawing = match shown_drawing(call, shell, progress) {
+        Ok(drawing) => drawing,
+        Err(why) => return Reply::text(404, &why),
+    };
+    let name = |name: &CurveName| serde_json::json!([name.symbol, name.unit, name.label]);
+    let group = |group: &CurveValues| {
+        let names: Vec<_> = group.names.iter().map(name).collect();
+        serde_json::json!({ "names": names, "x": group.places, "y": group.values, "reduced": group.is_reduced })
+    };
+    let groups: Vec<_> = drawing.values().iter().map(group).collect();
+    let found = serde_json::json!({ "place": drawing.place_name().as_ref().map(name), "groups": groups });
+    Reply::of(200, "application/json", found.to_string())
+}
+
+/// Draws the picture in the middle pane.
+///
+/// # Errors
+/// The reason in one sentence, if there is none.
+fn shown_drawing(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Result<Drawing, String> {
     let mut state = PageState::of(call);
     let held = state.hold(shell, progress);
-    let Some(project) = held.projects.get(state.axis) else {
-        return Reply::text(404, page::no_result_yet(state.language));
-    };
-    let Some(candidate) = looked_at_alone(&state, project, progress) else {
-        return Reply::text(404, page::no_result_yet(state.language));
-    };
-    match demand::drawing(&state, project, &candidate, progress) {
-        Ok(drawing) => Reply::text(200, &drawing.curves(state.language)),
-        Err(why) => Reply::text(404, &why.message(None, state.language)),
-    }
+    let none = || page::no_result_yet(state.language).to_owned();
+    let project = held.projects.get(state.axis).ok_or_else(none)?;
+    let candidate = looked_at_alone(&state, project, progress).ok_or_else(none)?;
+    demand::drawing(&state, project, &candidate, progress).map_err(|why| why.message(None, state.language))
 }
 
 /// Returns the derivation of a check for the selected actuator.

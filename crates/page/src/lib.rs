@@ -102,6 +102,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply
         (Method::Post, "/let-in") => html(rejected::changes(call, shell, progress)),
         (Method::Post, "/would-fit") => html(remedies::cards(call, shell, progress)),
         (Method::Post, "/curves") => frame::curves(call, shell, progress),
+        (Method::Post, "/values") => frame::values(call, shell, progress),
         (Method::Get, "/example") => html(start::example_verdict(call, shell, progress)),
         (Method::Get, "/files") => html(files::listed(call, shell)),
         (Method::Post, "/merge") => files::merge(call, shell),

@@ -9,11 +9,29 @@ use quantities::unit::SECOND;
 use quantities::{Language, Measure, format_significant};
 use questions::texts::by_importance;
 use questions::{Candidate, Check, moves};
-use words::{capitalised, law_text, page, title_of_check};
+use words::{capitalised, law_text, page, title_of_check, views};
+
+/// Controls of a window of time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ShownTime {
+    /// Shows the whole time.
+    Whole,
+    /// Shows a part of it.
+    Narrowed,
+    /// The picture is not over time.
+    None,
+}
+
+impl ShownTime {
+    pub(crate) const fn of(window: Option<(f64, f64)>) -> Self {
+        if window.is_some() { Self::Narrowed } else { Self::Whole }
+    }
+}
 
 /// Returns the slider of the instant of all pictures, and the controls of their time window.
-pub(crate) fn controls(until_s: f64, is_narrowed: bool, language: Language) -> Markup {
+pub(crate) fn controls(until_s: f64, window: ShownTime, language: Language) -> Markup {
     let l = language;
+    let whole = (window == ShownTime::Whole).then_some("true");
     html! {
         div.cursor {
             div.cursor-line-of {
@@ -21,17 +39,44 @@ pub(crate) fn controls(until_s: f64, is_narrowed: bool, language: Language) -> M
                 button.small type="button" id="slower" data-slower="" aria-label=(page::slower(l)) title=(page::slower(l)) { "½×" }
                 span.small data-speed="" hx-morph-skip="" {}
                 label.unseen for="instant" { (page::instant_on_the_axis(l)) }
-                input id="instant" type="range" min="0" max="1000" value="0" step="1" title=(page::instant_on_the_axis(l)) data-until=(until_s) aria-describedby="instant-about" aria-keyshortcuts="+ - 0";
-                span.zoom role="group" aria-label=(page::time_shown(l)) {
-                    button type="button" id="zoom-in" data-zoom="in" aria-label=(page::zoom_in(l)) title=(page::zoom_in(l)) { "+" }
-                    button type="button" id="zoom-out" data-zoom="out" aria-label=(page::zoom_out(l)) title=(page::zoom_out(l)) aria-disabled=[(!is_narrowed).then_some("true")] { "−" }
-                    button type="button" id="zoom-back" data-zoom="back" aria-label=(page::window_back(l)) title=(page::window_back(l)) aria-disabled=[(!is_narrowed).then_some("true")] { "◂" }
-                    button type="button" id="zoom-on" data-zoom="on" aria-label=(page::window_on(l)) title=(page::window_on(l)) aria-disabled=[(!is_narrowed).then_some("true")] { "▸" }
-                    button type="button" id="zoom-whole" data-zoom="whole" aria-disabled=[(!is_narrowed).then_some("true")] { (page::whole_cycle(l)) }
+                input id="instant" type="range" min="0" max="1000" value="0" step="1" title=(page::instant_on_the_axis(l)) data-until=(until_s) aria-describedby="instant-about" aria-keyshortcuts=[(window != ShownTime::None).then_some("+ - 0")];
+                @if window != ShownTime::None {
+                    span.zoom role="group" aria-label=(page::time_shown(l)) title=(views::zoom_about(l)) {
+                        button type="button" id="zoom-in" data-zoom="in" aria-label=(page::zoom_in(l)) { "+" }
+                        button type="button" id="zoom-out" data-zoom="out" aria-label=(page::zoom_out(l)) aria-disabled=[whole] { "−" }
+                        button type="button" id="zoom-back" data-zoom="back" aria-label=(page::window_back(l)) title=(page::window_back(l)) aria-disabled=[whole] { "◂" }
+                        button type="button" id="zoom-on" data-zoom="on" aria-label=(page::window_on(l)) title=(page::window_on(l)) aria-disabled=[whole] { "▸" }
+                        button type="button" id="zoom-whole" data-zoom="whole" aria-disabled=[whole] { (page::whole_cycle(l)) }
+                    }
                 }
             }
-            output id="instant-values" for="instant" {}
+            output.values id="instant-values" for="instant" hx-morph-skip="" {}
             span.unseen id="instant-about" { (page::cursor_about(l)) }
+        }
+    }
+}
+
+/// Returns the slider of the place in a plane that is not over time, and the row of its values; `figure` is the
+/// identifier of the picture, `view` that of the view whose curves it has.
+pub(crate) fn across(figure: &str, view: &str, language: Language) -> Markup {
+    let l = language;
+    html! {
+        div.cursor {
+            label.unseen for={ "across-" (figure) } { (views::place_on_the_axis(l)) }
+            div.cursor-line-of { input.across id={ "across-" (figure) } type="range" min="0" max="1000" value="500" step="1" data-across={ "plot-" (figure) } data-view=(view) title=(views::across_about(l)); }
+            output.values id={ "across-" (figure) "-values" } for={ "across-" (figure) } hx-morph-skip="" {}
+        }
+    }
+}
+
+/// Returns the slider through the points of the map of candidates, and the row of their values.
+pub(crate) fn through_candidates(language: Language) -> Markup {
+    let l = language;
+    html! {
+        div.cursor {
+            label.unseen for="across-map" { (views::candidate_by_mass(l)) }
+            div.cursor-line-of { input.across id="across-map" type="range" min="0" max="1000" value="0" step="1" data-across="plot-map" data-place="m kg" data-other=(views::margin(l)) title=(views::candidate_by_mass(l)); }
+            output.values id="across-map-values" for="across-map" hx-morph-skip="" {}
         }
     }
 }

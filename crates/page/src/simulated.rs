@@ -45,7 +45,7 @@ pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candida
             Ok(run) => {
                 @let record = answer::simulation(run, l);
                 (exceeded(&record, l))
-                (overlay::controls(run.summary.time_s, state.window.is_some(), l))
+                (overlay::controls(run.summary.time_s, overlay::ShownTime::of(state.window), l))
                 (picture(state, "simulation", Ok(figures::simulation(run, state.window, l)), &none, &none))
                 (gains(state, &record, l))
                 (laid_out(&chapter::simulation(&record, l)))

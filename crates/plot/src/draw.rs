@@ -157,6 +157,9 @@ fn draw_markers(canvas: &mut Canvas<'_>, plane: &Plane, markers: &Markers) {
         let mut tags = Tags::default();
         tags.set("x", &format!("{}", point.0));
         tags.set("y", &format!("{}", point.1));
+        if let Some(subject) = markers.subjects.get(index) {
+            tags.set("of", subject);
+        }
         let name = markers.names.get(index).cloned().unwrap_or_default();
         canvas.open_item("marker", &tags, &name, 0);
         draw_marker(canvas, markers.shape, at, Colour::Tone(markers.tone), markers.hollow);

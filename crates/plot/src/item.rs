@@ -293,6 +293,7 @@ pub enum Shape {
 pub struct Markers {
     pub(crate) points: Vec<(f64, f64)>,
     pub(crate) names: Vec<Label>,
+    pub(crate) subjects: Vec<String>,
     pub(crate) label: Label,
     pub(crate) tone: Tone,
     pub(crate) shape: Shape,
@@ -308,6 +309,7 @@ impl Markers {
         Self {
             points: points.into_iter().collect(),
             names: Vec::new(),
+            subjects: Vec::new(),
             label: Label::default(),
             tone: Tone::Trace,
             shape: Shape::Circle,

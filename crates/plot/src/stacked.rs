@@ -48,7 +48,7 @@ impl Panel {
         Self { y, items: Vec::new(), weight: 1.0 }
     }
 
-    /// Sets the height of the panel as a multiple of the default.
+    /// Sets the height of the plane of the panel as a multiple of the default.
     #[must_use]
     pub const fn weight(mut self, weight: f64) -> Self {
         self.weight = weight.max(1.0);
@@ -68,7 +68,8 @@ impl Panel {
 const SEGMENTS: f64 = 18.0;
 /// Height of a line of title and legend above a panel.
 const HEADER: f64 = 26.0;
-const PANEL_MIN: f64 = 28.0;
+/// Least height of a plane in which a course can be read.
+const PANEL_MIN: f64 = 26.0;
 
 struct Laid<'a> {
     plane: Plane,
@@ -194,12 +195,16 @@ impl StackedChart {
         let mut style = style.clone();
         let scratch = style.clone();
         let mut canvas = Canvas::new(&scratch);
-        // Panels share the height, so that the highest head decides.
-        let head = self.panels.iter().map(|panel| Head::of(&mut canvas, panel).height(&scratch)).fold(0.0, f64::max);
-        let panels: f64 = self.panels.iter().map(|panel| (head + PANEL_MIN) * panel.weight).sum();
+        let heads: f64 = self.panels.iter().map(|panel| Head::of(&mut canvas, panel).height(&scratch)).sum();
+        let panels = heads + PANEL_MIN * self.weight();
         let least = 2.0 * EDGE + title_height(&canvas, &self.title) + self.segment_row() + panels + X_BELOW;
         style.size.height = style.size.height.max(least);
         style
+    }
+
+    /// Returns the height of all planes as a multiple of the default.
+    fn weight(&self) -> f64 {
+        self.panels.iter().map(|panel| panel.weight).sum()
     }
 
     const fn segment_row(&self) -> f64 {
@@ -210,15 +215,17 @@ impl StackedChart {
         let size = canvas.style.size;
         let top = EDGE + title_height(canvas, &self.title) + self.segment_row();
         let bottom = size.height - EDGE / 2.0 - X_BELOW;
-        let one = (bottom - top) / self.panels.iter().map(|panel| panel.weight).sum::<f64>().max(1.0);
         let mut xs: Vec<f64> = self.segments.iter().flat_map(|(from, to, _)| [*from, *to]).collect();
         let style = canvas.style;
+        let heads: Vec<Head> = self.panels.iter().map(|panel| Head::of(canvas, panel)).collect();
+        // Titles and legends take what they need; the planes share the rest.
+        let rest = bottom - top - heads.iter().map(|head| head.height(style)).sum::<f64>();
+        let one = rest / self.weight().max(1.0);
         let mut parts: Vec<(&Panel, Ticks, Head)> = Vec::new();
-        for panel in &self.panels {
+        for (panel, head) in self.panels.iter().zip(heads) {
             let (x, y): (Vec<Vec<f64>>, Vec<Vec<f64>>) = panel.items.iter().map(Item::reach).unzip();
             xs.extend(x.concat());
-            let head = Head::of(canvas, panel);
-            let ticks = y_ticks(panel.y.span(&y.concat(), false), one * panel.weight - head.height(style));
+            let ticks = y_ticks(panel.y.span(&y.concat(), false), one * panel.weight);
             parts.push((panel, ticks, head));
         }
         let left = parts.iter().map(|(_, ticks, _)| y_margin(canvas, ticks)).fold(0.0, f64::max).min(size.width / 2.0);
@@ -226,10 +233,10 @@ impl StackedChart {
         let mut y = top;
         let mut laid = Vec::new();
         for (panel, ticks, head) in parts {
-            let share = one * panel.weight;
-            let area = Rect { left, right, top: y + head.height(style), bottom: y + share };
+            let area =
+                Rect { left, right, top: y + head.height(style), bottom: y + head.height(style) + one * panel.weight };
+            y = area.bottom;
             laid.push(Laid { plane: Plane { area, x: x.clone(), y: ticks }, panel, head });
-            y += share;
         }
         laid
     }

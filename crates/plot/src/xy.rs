@@ -124,6 +124,15 @@ impl XyChart {
         self.with(if hollow { markers.hollow() } else { markers })
     }
 
+    /// Sets the subjects of the points of the class added last.
+    #[must_use]
+    pub fn subjects(mut self, subjects: impl IntoIterator<Item = String>) -> Self {
+        if let Some(Item::Markers(markers)) = self.items.last_mut() {
+            markers.subjects = subjects.into_iter().collect();
+        }
+        self
+    }
+
     /// Draws the chart, higher than its style states if title and legend leave no room for the plane.
     #[must_use]
     pub fn render(&self, style: &Style) -> Picture {
@@ -196,7 +205,9 @@ impl XyChart {
         let mut canvas = Canvas::new(style);
         let entries = legend::entries(&mut canvas, &self.items);
         let (above, below) = (self.above(&canvas), below(&canvas, &entries));
-        grown.size.height = grown.size.height.max(above + PLANE_MIN + below);
+        let [one, both] = PLANE_MIN;
+        let least = if self.four_quadrant { both } else { one };
+        grown.size.height = grown.size.height.max(above + least + below);
         grown
     }
 
@@ -242,8 +253,8 @@ fn below(canvas: &Canvas<'_>, entries: &[LegendEntry]) -> f64 {
     X_BELOW + EDGE / 2.0 + if legend > 0.0 { legend + 4.0 } else { 0.0 }
 }
 
-/// Smallest height of a plane.
-const PLANE_MIN: f64 = 60.0;
+/// Smallest height of a plane, and of one with both signs of both quantities.
+const PLANE_MIN: [f64; 2] = [60.0, 180.0];
 
 /// Returns a corner, or else the middle of the upper or lower edge, into which a legend fits without covering anything.
 fn legend_corner(field: &OccupiedPlane, area: &Rect, entries: &[LegendEntry]) -> Option<Rect> {

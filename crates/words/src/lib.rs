@@ -59,6 +59,7 @@ mod toml_syntax;
 mod twin_keys;
 pub mod upkeep;
 mod usage;
+pub mod views;
 pub mod wiring;
 
 pub use assumptions::assumption_text;
@@ -150,4 +151,5 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("terms", terms::TEXTS),
     ("wiring", wiring::TEXTS),
     ("upkeep", upkeep::TEXTS),
+    ("views", views::TEXTS),
 ];

@@ -57,7 +57,7 @@ texts! {
         | "Von der Kurzzeitgrenze sind nur maximales Drehmoment und maximale Drehzahl bekannt, soweit gezeichnet.";
     continuous_limit = "continuous limit" | "Dauergrenze";
     short_time_limit = "short-time limit" | "Kurzzeitgrenze";
-    band_of_an_estimate = "estimation band" | "Schätzband";
+    band_of_an_estimate(limit) = "{limit}, estimation band" | "{limit}, Schätzband";
     the_same_at_less_voltage = "short-time limit at reduced voltage" | "Kurzzeitgrenze bei verringerter Spannung";
     limits = "Limits" | "Grenzen";
     largest_torque_and_speed = "maximum torque and speed" | "maximales Drehmoment und maximale Drehzahl";
