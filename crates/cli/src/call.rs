@@ -26,6 +26,8 @@ pub(crate) struct Call<'m> {
     pub(crate) as_json: bool,
     pub(crate) language: Language,
     files: Vec<File>,
+    /// Remark on each value that the call states in place of a file.
+    changes: String,
 }
 
 /// Returns the days since 1 January 1970 by the clock of this machine.
@@ -60,6 +62,17 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
     names.iter().map(each).collect()
 }
 
+/// Changes the projects of a call as its options say; returns a remark on each change.
+fn change(files: &mut [File], matches: &ArgMatches, language: Language) -> Result<String, Unanswered> {
+    let mut remarks = String::new();
+    for file in files {
+        for made in file.change(matches, language)? {
+            remarks.push_str(&format!("{}\n", terminal::changed_for_this_call(&made, language)));
+        }
+    }
+    Ok(remarks)
+}
+
 /// Returns an answer of the list.
 fn record(answer: &questions::list::Answer) -> CommandAnswer {
     CommandAnswer { talk: answer.remarks.clone(), ..CommandAnswer::data(answer.text.clone()) }.fits(answer.fits)
@@ -73,7 +86,9 @@ impl<'m> Call<'m> {
         as_json: bool,
         language: Language,
     ) -> Result<Self, Unanswered> {
-        Ok(Self { entry, matches, as_json, language, files: read(entry, matches, language)? })
+        let mut files = read(entry, matches, language)?;
+        let changes = change(&mut files, matches, language)?;
+        Ok(Self { entry, matches, as_json, language, files, changes })
     }
 }
 
@@ -180,7 +195,8 @@ impl Call<'_> {
         self.files.first().map_or(questions::MEMORY_USUAL, |file| file.project_files().grant.memory)
     }
 
-    /// Returns a remark on each code that was not written canonically.
+    /// Returns a remark on each value that the call states in place of a file, and on each code that was not written
+    /// canonically.
     pub(crate) fn understood(&self, inquiry: &Inquiry<'_>) -> String {
         let codes = self.entry.arguments.iter().filter(|argument| matches!(argument.kind, ArgumentKind::Code));
         let read = codes.flat_map(|argument| inquiry.given.all(argument.name)).filter_map(|text| {
@@ -188,6 +204,6 @@ impl Call<'_> {
             (!reading.parsed.is_canonical())
                 .then(|| format!("{}\n", terminal::understood_as(&reading.parsed.code, self.language)))
         });
-        read.collect()
+        std::iter::once(self.changes.clone()).chain(read).collect()
     }
 }

@@ -16,6 +16,7 @@ mod argument;
 pub(crate) mod library;
 pub(crate) mod own;
 mod question;
+pub(crate) mod spoken;
 pub(crate) mod usage;
 
 /// Returns the requested language: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine
@@ -32,7 +33,7 @@ pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language
             wanted = Some(value.to_owned());
         }
     }
-    wanted.and_then(|wanted| Language::of_id(&wanted)).unwrap_or_default()
+    wanted.and_then(|wanted| spoken::language_of(&wanted)).unwrap_or_default()
 }
 
 /// Returns `true` if JSON is requested, even if the rest of the call is faulty.
@@ -79,7 +80,7 @@ fn built(language: Language, is_whole: &dyn Fn(&Entry) -> bool) -> Command {
 fn headed(command: Command, examples: &[(&str, String)], language: Language) -> Command {
     let reads_a_project =
         command.get_arguments().any(|argument| ["project", "old"].contains(&argument.get_id().as_str()));
-    let command = if reads_a_project { command.arg(deadline(language)).arg(own::memory(language)) } else { command };
+    let command = if reads_a_project { command.args(own::changes(language)).arg(deadline(language)).arg(own::memory(language)) } else { command };
     let mut command = command
         .disable_help_flag(true)
         .disable_help_subcommand(true)
@@ -140,7 +141,7 @@ pub(crate) fn examples() -> Vec<(&'static str, String)> {
 
 /// Returns the arguments with `help COMMAND` replaced by `COMMAND --help`, also behind options that all commands have.
 pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
-    let mut arguments = with_plain_flag(arguments);
+    let mut arguments = spoken::with_own_words(with_plain_flag(arguments));
     let mut index = 1;
     while let Some(argument) = arguments.get(index).and_then(|argument| argument.to_str()) {
         match argument {

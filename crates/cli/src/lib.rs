@@ -7,6 +7,7 @@
 mod answer;
 mod ask;
 mod call;
+mod changed;
 mod chapter;
 mod code;
 mod command;
@@ -64,11 +65,11 @@ pub fn run(call: Vec<OsString>) -> u8 {
     let arguments = command::with_help_asked(call.into_iter());
     let as_json = command::json_of(&arguments);
     let mut command = command::build_for(&arguments, language);
+    let arguments = command::spoken::with_options(arguments, &command, language);
     let matches = match command.try_get_matches_from_mut(&arguments) {
         Ok(matches) => matches,
         Err(error) if error.use_stderr() => {
-            let missing = command::usage::missing(&error, &command, &arguments);
-            return command::usage::refused(&error, &missing, as_json, language).write(language);
+            return command::usage::refused(&error, (&command, &arguments), as_json, language).write(language);
         }
         Err(help) => return CommandAnswer::data(help.render().ansi().to_string()).write(language),
     };

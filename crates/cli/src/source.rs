@@ -1,7 +1,9 @@
 //! A file that a question is about, with the files that it may name.
 
+use crate::changed::changed;
 use crate::fault::{path_text, read_bytes};
 use axis::{Grant, Reach};
+use clap::ArgMatches;
 use disk::{Links, ProjectFiles};
 use quantities::Language;
 use questions::list::{ReferencedText, Unanswered};
@@ -34,6 +36,18 @@ impl SourceFile {
         let path = if piped { Path::new("") } else { path };
         let folder = path.parent().unwrap_or(Path::new(""));
         Ok(Self { path: path.to_owned(), ..Self::of_text(name, bytes, folder, memory) })
+    }
+
+    /// Replaces its text by one with the changes of a call; returns them. A file that is no text keeps its bytes.
+    ///
+    /// # Errors
+    /// Every change that cannot be made.
+    pub(crate) fn change(&mut self, matches: &ArgMatches, language: Language) -> Result<Vec<String>, Unanswered> {
+        let Ok(text) = std::str::from_utf8(&self.bytes) else { return Ok(Vec::new()) };
+        let Some(changed) = changed(text, matches, language)? else { return Ok(Vec::new()) };
+        self.name = changed.named(&self.name);
+        self.bytes = changed.text.into_bytes();
+        Ok(changed.made)
     }
 
     /// Creates a file from a text, with a name for its faults, as if it lay in a folder.

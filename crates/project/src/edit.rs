@@ -462,7 +462,7 @@ mod merged;
 mod scaled;
 
 pub use merged::{Clash, Prefer, Unmerged, merged};
-pub use scaled::stretch;
+pub use scaled::{load_scaled, stretch};
 
 #[cfg(test)]
 mod tests;

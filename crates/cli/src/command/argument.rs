@@ -58,7 +58,8 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
         ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
         // A list, or a title, is no possible value for the library.
         ArgumentKind::Word(_) if argument.is_list() || argument.titles.is_some() => arg.value_parser(AnyOf(words)),
-        ArgumentKind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
+        // The question itself reads a word in another case.
+        ArgumentKind::Word(_) => arg.ignore_case(true).value_parser(PossibleValuesParser::new(words)),
         ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
     };
     if argument.repeated && argument.form == ArgumentForm::Option {

@@ -2,7 +2,7 @@
 
 use super::argument::{self, flag, text};
 use clap::builder::{PossibleValuesParser, ValueParser};
-use clap::{Arg, ArgGroup, Command, value_parser};
+use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
 use quantities::Language;
 use questions::SIGNALS;
 use questions::list::{plot, report, wiring};
@@ -132,6 +132,12 @@ pub(super) fn drive(language: Language) -> Command {
         .arg(text("seed", values::n(l), help::simulate_seed(l)).value_parser(value_parser!(u32)).default_value("0"))
         .arg(flag("eds", help::drive_eds(l)))
         .arg(memory(l))
+}
+
+/// Creates the options that state other values of a project for one call.
+pub(super) fn changes(language: Language) -> [Arg; 2] {
+    [("set", values::key_value(language), help::set(language)), ("scale", values::what_factor(language), help::scale(language))]
+        .map(|(name, value, help)| text(name, value, help).action(ArgAction::Append))
 }
 
 /// Creates the option that limits the memory of the recordings of a project.

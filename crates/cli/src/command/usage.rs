@@ -1,5 +1,6 @@
 //! Calls that the command-line library rejects, as faults like all others.
 
+use super::spoken::option_meant;
 use crate::answer::{CommandAnswer, written};
 use answers::{Fault, Faults};
 use clap::Command;
@@ -14,9 +15,22 @@ use words::{Usage, UsageHint, usage_hint, usage_text};
 
 /// Returns the answer to a call that cannot be parsed.
 ///
-/// `missing`: the valid values of a missing argument, see [`missing`].
-pub(crate) fn refused(error: &clap::Error, missing: &[String], as_json: bool, language: Language) -> CommandAnswer {
-    let (usage, hint) = (usage_of(error), hint_of(error, missing));
+/// `command` is the whole command line, `arguments` are those of the call.
+pub(crate) fn refused(
+    error: &clap::Error,
+    (command, arguments): (&Command, &[OsString]),
+    as_json: bool,
+    language: Language,
+) -> CommandAnswer {
+    let missing = &missing(error, command, arguments)[..];
+    let meant = match error.kind() {
+        ErrorKind::UnknownArgument => {
+            context(error, ContextKind::InvalidArg).and_then(|word| option_meant(&word, called(command, arguments)))
+        }
+        _ => None,
+    };
+    let hint = meant.map(|option| UsageHint::Words(Hint::DidYouMean(option))).or_else(|| hint_of(error, missing));
+    let usage = usage_of(error);
     let (message, hint) = (usage_text(&usage, language), hint.map(|hint| usage_hint(&hint, language)));
     let kinds = kinds(missing, language);
     let shown = match &hint {
@@ -38,16 +52,20 @@ pub(crate) fn refused(error: &clap::Error, missing: &[String], as_json: bool, la
     CommandAnswer { data, talk, code: 2 }
 }
 
+/// Returns the command that is called.
+fn called<'c>(command: &'c Command, arguments: &[OsString]) -> &'c Command {
+    arguments.iter().skip(1).fold(command, |of, word| of.find_subcommand(word).unwrap_or(of))
+}
+
 /// Returns the valid values of the argument that a call lacks; empty if it lacks none, several, or one whose values cannot
 /// be listed.
-pub(crate) fn missing(error: &clap::Error, command: &Command, arguments: &[OsString]) -> Vec<String> {
+fn missing(error: &clap::Error, command: &Command, arguments: &[OsString]) -> Vec<String> {
     let name = match (error.kind(), error.get(ContextKind::InvalidArg)) {
         (ErrorKind::MissingRequiredArgument, Some(ContextValue::Strings(names))) if names.len() == 1 => names.first(),
         _ => None,
     };
     let Some(name) = name else { return Vec::new() };
-    let called = arguments.iter().skip(1).fold(command, |of, word| of.find_subcommand(word).unwrap_or(of));
-    let argument = called.get_arguments().find(|argument| argument.to_string() == *name);
+    let argument = called(command, arguments).get_arguments().find(|argument| argument.to_string() == *name);
     let values = argument.map(clap::Arg::get_possible_values).unwrap_or_default();
     values.iter().map(|value| value.get_name().to_owned()).collect()
 }
@@ -124,7 +142,7 @@ mod tests {
         let arguments: Vec<OsString> = call.split(' ').map(OsString::from).collect();
         let mut command = build_for(&arguments, language);
         let error = command.try_get_matches_from_mut(&arguments).unwrap_err();
-        refused(&error, &missing(&error, &command, &arguments), as_json, language)
+        refused(&error, (&command, &arguments), as_json, language)
     }
 
     #[test]

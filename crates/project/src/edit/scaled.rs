@@ -1,14 +1,18 @@
-//! A segment of the motion stretched in time and distance: its stated values are scaled.
+//! Stated values that are scaled: a segment of the motion in time and distance, the load, its payloads.
 
 use crate::Range;
 use crate::choices::Law;
-use crate::edit::{Edit, EditFault, edit, written};
+use crate::edit::{Edit, EditFault, edit, key_at, written};
 use crate::key::{Key, Kind};
 use crate::motion::{Segment, SegmentLaw};
 use crate::section::{OfKinds, Section};
+use quantities::Dimension;
 
-/// Digits of a scaled value; more than a pointer in a picture resolves.
+/// Digits of a stretched segment; more than a pointer in a picture resolves.
 const DIGITS: i32 = 6;
+
+/// Digits of a scaled load: those of a stated value and of a factor.
+const DIGITS_OF_LOAD: i32 = 12;
 
 /// Returns the text with a segment scaled by `time` in its duration and by `way` in its distance.
 ///
@@ -45,14 +49,39 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
         if factor == 1.0 {
             continue;
         }
-        let Some(scaled) = scaled(stated, factor) else { continue };
+        let Some(scaled) = scaled(stated, factor, DIGITS) else { continue };
         changed = edit(&changed, &format!("{path}.{}", key.name), Edit::Value(&scaled))?;
     }
     Ok(changed)
 }
 
+/// Returns the text with the stated masses and moments of inertia of load and mechanism scaled by `load`, and those of the
+/// payloads by `payload`; `prefix` stands before the keys of the axis. `None` if the load has none, or solid bodies or
+/// recorded torques that a factor does not reach.
+#[must_use]
+pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<String> {
+    let all = written(text)?;
+    let mut changed = text.to_owned();
+    for key in &all {
+        let Some(inside) = key.path.strip_prefix(prefix) else { continue };
+        let is_of_load = inside.starts_with("load.") || inside.starts_with("mechanism.");
+        let is_body = inside.contains(".bodies") || inside.contains(".body[") || inside.starts_with("mechanism.joint");
+        if is_of_load && is_body && load != 1.0 {
+            return None;
+        }
+        let is_payload = inside.starts_with("motion[") && inside.contains("].payload");
+        let factor = if is_of_load { load } else { payload };
+        let Some(stated) = key.value.as_deref().filter(|_| (is_of_load || is_payload) && factor != 1.0) else { continue };
+        let kind = key_at(inside).map(|key| key.kind);
+        if matches!(kind, Some(Kind::Quantity(Dimension::Mass | Dimension::MomentOfInertia, _))) {
+            changed = edit(&changed, &key.path, Edit::Value(&scaled(stated, factor, DIGITS_OF_LOAD)?)).ok()?;
+        }
+    }
+    (changed != text || load == 1.0 && payload == 1.0).then_some(changed)
+}
+
 /// Scales a quantity as written; a tolerance in percent is kept, one in a unit is scaled too.
-fn scaled(stated: &str, factor: f64) -> Option<String> {
+fn scaled(stated: &str, factor: f64, digits: i32) -> Option<String> {
     let is_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | '+' | '-');
     let stated = stated.trim();
     let end = stated.char_indices().find(|(place, sign)| {
@@ -62,17 +91,17 @@ fn scaled(stated: &str, factor: f64) -> Option<String> {
     });
     let (number, rest) = stated.split_at_checked(end.map_or(stated.len(), |(place, _)| place))?;
     let number: f64 = number.parse().ok()?;
-    let new = shown(number * factor)?;
+    let new = shown(number * factor, digits)?;
     match ["±", "+-", "+/-"].iter().find_map(|sign| rest.split_once(sign).map(|parts| (sign, parts))) {
         Some((sign, (unit, band))) if !band.trim_end().ends_with('%') => {
-            Some(format!("{new}{unit}{sign} {}", self::scaled(band, factor.abs())?))
+            Some(format!("{new}{unit}{sign} {}", self::scaled(band, factor.abs(), digits)?))
         }
         _ => Some(format!("{new}{rest}")),
     }
 }
 
-/// Writes a number with [`DIGITS`] digits, without trailing zeros.
-fn shown(number: f64) -> Option<String> {
+/// Writes a number with some digits, without trailing zeros.
+fn shown(number: f64, digits: i32) -> Option<String> {
     if !number.is_finite() {
         return None;
     }
@@ -82,9 +111,9 @@ fn shown(number: f64) -> Option<String> {
     #[allow(clippy::cast_possible_truncation, reason = "the exponent of a number")]
     let exponent = number.abs().log10().floor() as i32;
     if !(-6..=9).contains(&exponent) {
-        return Some(format!("{number:.5e}"));
+        return Some(format!("{number:.*e}", usize::try_from(digits - 1).unwrap_or(0)));
     }
-    let places = usize::try_from(DIGITS - 1 - exponent).unwrap_or(0);
+    let places = usize::try_from(digits - 1 - exponent).unwrap_or(0);
     let text = format!("{number:.places$}");
     Some(if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text })
 }
@@ -103,6 +132,19 @@ mod tests {
         assert_eq!(doubled, expected);
         let turned = stretch(text, "motion[1]", 1.0, -1.0).unwrap();
         assert!(turned.contains("\"800 mm\"") && turned.contains("\"0.5 m/s\""), "{turned}");
+    }
+
+    #[test]
+    fn masses_and_inertias_of_the_load_are_scaled_and_those_of_its_payloads_apart() {
+        let text = "[mechanism.belt]\nmass = \"18 kg ± 1 kg\" # slide\npulley_diameter = \"120 mm\"\ninertia = \"0.004 kg m^2\"\n\
+            [[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\npayload = \"3 kg\"\n";
+        let heavier = load_scaled(text, "", 1.15, 1.15).unwrap();
+        for part in ["\"20.7 kg ± 1.15 kg\" # slide", "\"120 mm\"", "\"0.0046 kg m^2\"", "\"3.45 kg\""] {
+            assert!(heavier.contains(part), "{part}\n{heavier}");
+        }
+        assert_eq!(load_scaled(text, "", 1.0, 2.0).unwrap(), text.replace("3 kg", "6 kg"));
+        assert_eq!(load_scaled("[mechanism.turntable]\nbodies = [\"disc diameter=1m mass=2kg\"]\n", "", 2.0, 2.0), None);
+        assert_eq!(load_scaled("[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n", "", 2.0, 2.0), None);
     }
 
     #[test]

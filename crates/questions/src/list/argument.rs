@@ -174,6 +174,12 @@ impl Argument {
         self.repeated && matches!(self.kind, ArgumentKind::Word(_))
     }
 
+    /// Returns `true` if a text is one of the words of the argument, or a title of one.
+    #[must_use]
+    pub fn takes(&self, value: &str) -> bool {
+        matches!(self.kind, ArgumentKind::Word(_)) && self.checked(value).is_ok()
+    }
+
     /// Splits a text into the values that it names: the words of a list.
     pub(super) fn parts<'v>(&self, value: &'v str) -> Vec<&'v str> {
         // A title may contain commas.

@@ -15,6 +15,8 @@ texts! {
     command = "COMMAND" | "BEFEHL";
     date = "DATE" | "DATUM";
     drive = "DRIVE" | "SERVOREGLER";
+    key_value = "KEY=VALUE" | "SCHLÜSSEL=WERT";
+    what_factor = "WHAT=FACTOR" | "WAS=FAKTOR";
     figure = "FIGURE" | "BILD";
     file = "FILE" | "DATEI";
     folder = "FOLDER" | "ORDNER";

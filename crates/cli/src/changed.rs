@@ -1,0 +1,145 @@
+//! A project with other values for one call: `--set KEY=VALUE` and `--scale WHAT=FACTOR`.
+
+use clap::ArgMatches;
+use project::{Edit, edit, key_at, load_scaled, nearest_heading, stretch, written};
+use quantities::{Language, seen};
+use questions::list::Unanswered;
+use words::{Usage, UsageHint, terminal, usage_hint, usage_text};
+
+/// Quantities that a call may scale.
+pub(crate) const SCALED: [&str; 4] = ["load", "payload", "time", "distance"];
+
+/// Largest number of characters of a change in the name of the project.
+const NAMED_MOST: usize = 120;
+
+/// A text with the changes of a call.
+pub(crate) struct Changed {
+    pub(crate) text: String,
+    /// Each change as it was made: key, value before and after.
+    pub(crate) made: Vec<String>,
+}
+
+/// Applies the changes of a call to the text of a project; `None` without changes, or for a text that is no TOML, whose
+/// faults are reported when it is read.
+///
+/// # Errors
+/// Every change that cannot be made.
+pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> Result<Option<Changed>, Unanswered> {
+    let given = |name: &str| -> Vec<String> {
+        let all = matches.try_get_many::<String>(name).ok().flatten();
+        all.map(|all| all.cloned().collect()).unwrap_or_default()
+    };
+    let (sets, scales) = (given("set"), given("scale"));
+    if sets.is_empty() && scales.is_empty() {
+        return Ok(None);
+    }
+    let Some(prefix) = prefix(text, matches.try_get_one::<String>("axis").ok().flatten()) else { return Ok(None) };
+    let (mut changed, mut faults) = (Changed { text: text.to_owned(), made: Vec::new() }, Vec::new());
+    let steps = sets.iter().map(|change| ("set", change)).chain(scales.iter().map(|change| ("scale", change)));
+    for (option, change) in steps {
+        let made = match option {
+            "set" => set(&changed.text, change, &prefix, language),
+            _ => scale(&changed.text, change, &prefix, language),
+        };
+        match made {
+            Ok((text, made)) => {
+                changed.text = text;
+                changed.made.push(made);
+            }
+            Err(fault) => faults.push(Unanswered::option(option, fault)),
+        }
+    }
+    if faults.is_empty() { Ok(Some(changed)) } else { Err(Unanswered::combined(faults)) }
+}
+
+impl Changed {
+    /// Returns the name of a project with its changes, for faults, reports and records.
+    pub(crate) fn named(&self, name: &str) -> String {
+        let all: String = self.made.join("; ");
+        let short: String = all.chars().take(NAMED_MOST).collect();
+        let dots = if short.len() < all.len() { " …" } else { "" };
+        format!("{name} ({short}{dots})")
+    }
+}
+
+/// Returns the prefix of the keys of the wanted axis: empty for a project with one; `None` for a text that is no TOML.
+fn prefix(text: &str, wanted: Option<&String>) -> Option<String> {
+    let all = written(text)?;
+    let value = |path: &str| all.iter().find(|key| key.path == path).and_then(|key| key.value.clone());
+    let place = (1..).take_while(|place| all.iter().any(|key| key.path == format!("axis[{place}]")));
+    let named = place.into_iter().find(|place| wanted.is_some() && value(&format!("axis[{place}].name")).as_ref() == wanted);
+    Some(named.map(|place| format!("axis[{place}].")).unwrap_or_default())
+}
+
+type Fault = (String, Option<String>);
+
+fn bad(written: &str, option: &str, hint: UsageHint, language: Language) -> Fault {
+    let usage = Usage::BadValue { written: seen(written).into_owned(), name: format!("--{option}") };
+    (usage_text(&usage, language), Some(usage_hint(&hint, language)))
+}
+
+/// Sets one value; a key without its table is the one that the project states.
+fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(String, String), Fault> {
+    let Some((key, value)) = change.split_once('=').map(|(key, value)| (key.trim(), value.trim())) else {
+        return Err((terminal::set_form(language).to_owned(), None));
+    };
+    let all = written(text).unwrap_or_default();
+    let stated = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+    let own = |path: &&str| path.strip_prefix(prefix).is_some_and(|inside| inside.rsplit('.').next() == Some(key));
+    let mut named = all.iter().filter(|each| each.value.is_some()).map(|each| each.path.as_str()).filter(own);
+    let path = match key_at(key.strip_prefix(prefix).unwrap_or(key)) {
+        Some(_) if key.starts_with("axis[") || stated(key).is_some() => key.to_owned(),
+        Some(_) => format!("{prefix}{key}"),
+        None => match (named.next(), named.next()) {
+            (Some(path), None) => path.to_owned(),
+            (Some(one), Some(other)) => return Err((terminal::set_which(&key, &one, &other, language), None)),
+            (None, _) => {
+                let stated: Vec<&str> = all.iter().map(|each| each.path.as_str()).collect();
+                let hint = nearest_heading(key, &stated).map(|hint| usage_hint(&UsageHint::Words(hint), language));
+                return Err((terminal::set_no_key(&seen(key), language), hint));
+            }
+        },
+    };
+    // Without the prefix a key of a project with several axes belongs to none of them.
+    if prefix.is_empty() && !path.starts_with("axis[") && all.iter().any(|each| each.path.starts_with("axis[1]")) {
+        return Err((terminal::set_which_axis(&format!("axis[1].{path}"), language), None));
+    }
+    let before = stated(&path).unwrap_or("–").to_owned();
+    let done = edit(text, &path, Edit::Value(value)).map_err(|fault| (fault.to_string(), None))?;
+    Ok((done, format!("{path} {before} → {}", if value.is_empty() { "–" } else { value })))
+}
+
+/// Scales load, payloads, times or distances.
+fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(String, String), Fault> {
+    let (what, factor) = change.split_once('=').map_or((change, ""), |(what, factor)| (what.trim(), factor.trim()));
+    if !SCALED.contains(&what) {
+        let words: Vec<String> = SCALED.iter().map(|word| (*word).to_owned()).collect();
+        return Err(bad(change, "scale", UsageHint::Words(project::Hint::ValidAre(words)), language));
+    }
+    let number = factor.replace(',', ".").parse::<f64>().ok().filter(|number| (1e-3..=1e3).contains(number));
+    let Some(number) = number else {
+        return Err(bad(change, "scale", UsageHint::Range("0.001".to_owned(), "1000".to_owned()), language));
+    };
+    let all = written(text).unwrap_or_default();
+    let segments = || all.iter().filter(|key| key.path.strip_prefix(prefix).is_some_and(is_segment));
+    let moved = |time: f64, way: f64| {
+        // A recording has no value that a factor could change.
+        let is_recorded = |key: &&project::Written| all.iter().any(|each| each.path == format!("{}.file", key.path));
+        if segments().any(|key| is_recorded(&key)) {
+            return None;
+        }
+        segments().try_fold(text.to_owned(), |text, key| stretch(&text, &key.path, time, way).ok())
+    };
+    let done = match what {
+        "load" => load_scaled(text, prefix, number, number),
+        "payload" => load_scaled(text, prefix, 1.0, number),
+        "time" => moved(number, 1.0),
+        _ => moved(1.0, number),
+    };
+    let done = done.filter(|done| done != text || number == 1.0);
+    done.map(|done| (done, format!("{what} × {number}"))).ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
+}
+
+fn is_segment(path: &str) -> bool {
+    path.strip_prefix("motion[").and_then(|rest| rest.strip_suffix(']')).is_some_and(|place| place.parse::<u32>().is_ok())
+}
