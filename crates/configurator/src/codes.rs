@@ -80,7 +80,8 @@ pub fn complete(pattern: &Pattern) -> impl Iterator<Item = &'static (OrderCode, 
 /// broken by the code with the fewest broken rules of each size.
 #[must_use]
 pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
-    let plain = Pattern { special: Slot::Any, ..*pattern };
+    let mut plain = *pattern;
+    plain.special = Slot::Any;
     if complete(&plain).next().is_some() {
         return Vec::new();
     }

@@ -61,12 +61,17 @@ pub struct Pattern {
     pub option_2: Slot<Option<Option2>>,
     /// Special design.
     pub special: Slot<bool>,
+    /// Words left by the wildcards within fields.
+    worn: Worn,
 }
+
+/// Words of each field that a text with wildcards leaves, as bits in the order of the ordering tables; `None` for all.
+type Worn = [Option<u64>; Field::ALL.len()];
 
 impl Pattern {
     /// Parses a partial code with the tolerance of [`parse`](crate::parse()) for spelling.
     ///
-    /// `*` stands alone between hyphens; `20A*` and `1?0` are faults, because shell patterns are not supported.
+    /// `*` stands alone between hyphens; `20A*` and `1?0` are faults here, see [`Pattern::parse_worn`].
     ///
     /// # Errors
     /// Returns all faults with their positions, a final hyphen among them.
@@ -86,6 +91,52 @@ impl Pattern {
         Ok((Self::of(series, token), named.map(|found| (found.field, found.span.clone())).collect()))
     }
 
+    /// Parses a code of which letters are unreadable or missing: `?` is one letter, `*` and `…` (or `...`) are any letters
+    /// within a field, as in `CHA-25A-1?0-H-M…`. With `is_begun` the last field may end within its word. `None` if the text
+    /// allows no word of a field, or has no hyphen between two fields.
+    #[must_use]
+    pub fn parse_worn(text: &str, is_begun: bool) -> Option<Self> {
+        let series = Series::of_text(text);
+        let capitals = text.trim().to_ascii_uppercase().replace('…', "*").replace("...", "*");
+        let parts: Vec<&str> = capitals.split('-').map(str::trim).collect();
+        let mut pattern = Self::default();
+        let mut fields = series.words_of_fields().iter();
+        for (place, part) in parts.iter().enumerate() {
+            let begun = if is_begun && place + 1 == parts.len() { format!("{part}*") } else { (*part).to_owned() };
+            if part.is_empty() {
+                // A hyphen at the end begins the next field.
+                return (is_begun && place + 1 == parts.len()).then_some(pattern);
+            }
+            loop {
+                let known = fields.next()?;
+                if *part == "*" {
+                    break;
+                }
+                let bits = (0..).zip(known.words).filter(|(_, word)| is_like(word.as_bytes(), begun.as_bytes()));
+                let mask = bits.fold(0_u64, |mask, (bit, _)| mask | 1 << bit);
+                if mask != 0 {
+                    let slot = Field::ALL.iter().position(|field| *field == known.field)?;
+                    *pattern.worn.get_mut(slot)? = Some(mask);
+                    break;
+                }
+                if !known.is_optional {
+                    return None;
+                }
+            }
+        }
+        Some(pattern)
+    }
+
+    /// Returns `true` if the words left by wildcards allow `code`.
+    fn is_worn_like(&self, code: &OrderCode) -> bool {
+        let fields = Field::ALL.iter().zip(&self.worn).filter_map(|(field, mask)| Some((*field, (*mask)?)));
+        fields.into_iter().all(|(field, mask)| {
+            let words = code.series().words(field);
+            let place = code.token(field).and_then(|token| words.iter().position(|word| *word == token));
+            place.is_some_and(|place| mask >> place & 1 == 1)
+        })
+    }
+
     /// Creates a pattern from the words of some fields; fields for which `word` returns `None` stay open.
     #[must_use]
     pub fn of<'w>(series: Series, word: impl Fn(Field) -> Option<&'w str>) -> Self {
@@ -101,6 +152,7 @@ impl Pattern {
             option_1: word(Field::Option1).map_or(Slot::Any, |word| Slot::Exactly(Option1::of(series, word))),
             option_2: word(Field::Option2).map_or(Slot::Any, |word| Slot::Exactly(Option2::of(series, word))),
             special: word(Field::Special).map_or(Slot::Any, |_| Slot::Exactly(true)),
+            worn: Worn::default(),
         }
     }
 
@@ -116,5 +168,48 @@ impl Pattern {
             && self.option_1.allows(&code.option_1)
             && self.option_2.allows(&code.option_2)
             && self.special.allows(&code.special)
+            && self.is_worn_like(code)
+    }
+}
+
+/// Returns `true` if a word is like a text with wildcards: `?` for one letter, `*` for any number.
+fn is_like(word: &[u8], text: &[u8]) -> bool {
+    match (word, text) {
+        // Of stars one after the other a single one counts.
+        (_, [b'*', rest @ ..]) if rest.first() == Some(&b'*') => is_like(word, rest),
+        (_, [b'*', rest @ ..]) => (0..=word.len()).any(|from| word.get(from..).is_some_and(|word| is_like(word, rest))),
+        ([letter, word @ ..], [sign, rest @ ..]) => (*sign == b'?' || letter == sign) && is_like(word, rest),
+        (word, text) => word.is_empty() && text.is_empty(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+
+    use super::*;
+    use crate::parse;
+
+    #[test]
+    fn unreadable_letters_allow_every_code_that_could_be_meant() {
+        let allows = |text: &str, code: &str| Pattern::parse_worn(text, false).unwrap().matches(&parse(code).unwrap().code);
+        for (text, code, is_meant) in [
+            ("CHA-25A-1?0-H-M…", "CHA-25A-120-H-M512P-B", true),
+            ("CHA-25A-1?0-H-M...", "CHA-25A-100-H-M128S", true),
+            ("cha-25a-1?0-h-m*", "CHA-25A-50-H-M512P", false),
+            ("CHA-25A-1?0-H-M…", "CHA-25A-120-H-C1024", false),
+            ("CHA-*-100-?-C*-B", "CHA-20A-100-N-C1024-B", true),
+            ("CHA-*-100-?-C*-B", "CHA-20A-100-N-C1024", false),
+            ("CHA-2?A", "CHA-20A-100-N-C1024", true),
+        ] {
+            assert_eq!(allows(text, code), is_meant, "{text} {code}");
+        }
+        for text in ["CHA-25A-7?", "CHA-25A-1?0-H-Q*", "X?", "CHA--100", "CHA-25A-1?0H"] {
+            assert_eq!(Pattern::parse_worn(text, false), None, "{text}");
+        }
+        let begun = Pattern::parse_worn("CHA-25A-1", true).unwrap();
+        assert!(begun.matches(&parse("CHA-25A-160-H-M512P").unwrap().code));
+        assert!(!begun.matches(&parse("CHA-25A-50-H-M512P").unwrap().code));
+        assert!(Pattern::parse_worn("CHA-25A-", true).is_some() && Pattern::parse_worn("CHA-25A-", false).is_none());
     }
 }

@@ -67,13 +67,33 @@ pub fn read_code(text: &str, language: Language) -> Result<CodeReading, CodeRefu
     }
 }
 
+/// Length limit in bytes of a text with wildcards.
+const WORN_MOST: usize = 64;
+
 /// Reads a partial code that allows at least one code.
 ///
 /// # Errors
 /// Every fault of its spelling, or the rules that exclude every code with its words.
 pub fn read_pattern(text: &str, language: Language) -> Result<Pattern, CodeRefusal> {
-    let (pattern, spans) = Pattern::parse_with_spans(text)
-        .map_err(|errors| CodeRefusal { faults: spelling_faults(&errors, language), nearest: Vec::new() })?;
+    read_pattern_begun(text, false, language)
+}
+
+/// Reads a partial code as [`read_pattern`]; with `is_begun` its last word may be incomplete.
+///
+/// # Errors
+/// As [`read_pattern`].
+pub(crate) fn read_pattern_begun(text: &str, is_begun: bool, language: Language) -> Result<Pattern, CodeRefusal> {
+    let found = Pattern::parse_with_spans(text);
+    // Letters that cannot be read: every code that could be meant.
+    let is_worn = text.contains(['*', '?', '…']) || text.contains("...");
+    let worn = (found.is_err() && text.len() <= WORN_MOST && (is_worn || is_begun))
+        .then(|| Pattern::parse_worn(text, is_begun))
+        .flatten();
+    if let Some(worn) = worn.filter(|worn| configurator::complete(worn).next().is_some()) {
+        return Ok(worn);
+    }
+    let (pattern, spans) =
+        found.map_err(|errors| CodeRefusal { faults: spelling_faults(&errors, language), nearest: Vec::new() })?;
     let broken = configurator::broken_by_all(&pattern);
     if broken.is_empty() { Ok(pattern) } else { Err(rules_broken(text, &broken, &spans, language)) }
 }

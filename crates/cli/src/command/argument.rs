@@ -34,6 +34,25 @@ impl TypedValueParser for AnyOf {
     }
 }
 
+/// Words of which one is meant, in any spelling that the argument takes; the library reports others.
+#[derive(Clone)]
+struct OneOf(Argument, Vec<&'static str>);
+
+impl TypedValueParser for OneOf {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        match value.to_str() {
+            Some(text) if self.0.takes(text) => Ok(text.to_owned()),
+            _ => PossibleValuesParser::new(self.1.clone()).parse_ref(command, arg, value),
+        }
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.1.iter().map(PossibleValue::new)))
+    }
+}
+
 /// Converts an argument for the command-line library.
 pub(super) fn of(argument: &Argument, language: Language) -> Arg {
     let words = argument.words();
@@ -58,8 +77,7 @@ pub(super) fn of(argument: &Argument, language: Language) -> Arg {
         ArgumentKind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
         // A list, or a title, is no possible value for the library.
         ArgumentKind::Word(_) if argument.is_list() || argument.titles.is_some() => arg.value_parser(AnyOf(words)),
-        // The question itself reads a word in another case.
-        ArgumentKind::Word(_) => arg.ignore_case(true).value_parser(PossibleValuesParser::new(words)),
+        ArgumentKind::Word(_) => arg.value_parser(OneOf(*argument, words)),
         ArgumentKind::Text | ArgumentKind::Code | ArgumentKind::Date | ArgumentKind::File | ArgumentKind::Flag => arg,
     };
     if argument.repeated && argument.form == ArgumentForm::Option {

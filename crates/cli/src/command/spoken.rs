@@ -178,7 +178,14 @@ pub(crate) fn with_options(arguments: Vec<OsString>, whole: &Command, language: 
         let is_code = |argument: &&&Argument| matches!(argument.kind, ArgumentKind::Code) && questions::read_code(word, language).is_ok();
         let has_word = |argument: &&&Argument| matches!(argument.kind, ArgumentKind::Word(_)) && argument.takes(word);
         let mut found = options.iter().filter(is_code).chain(options.iter().filter(has_word));
-        let one = found.next().filter(|_| found.next().is_none())?;
+        // A code with a slip is none of the words; the question names the nearest ones.
+        let seems_code = word.contains('-') && !word.contains(['.', '/', '\\']);
+        let code = || options.iter().find(|argument| seems_code && matches!(argument.kind, ArgumentKind::Code));
+        let one = match (found.next(), found.next()) {
+            (Some(one), None) => one,
+            (None, _) => code()?,
+            _ => return None,
+        };
         (one.repeated || !taken(one.name)).then(|| format!("--{}", one.name))
     };
     let (mut out, mut bare, mut is_value) = (Vec::new(), 0, false);
@@ -234,6 +241,7 @@ mod tests {
             ("diff a.toml b.toml", "diff a.toml b.toml"),
             ("check a.toml --code X CHA-25A-50-H-C1024", "check a.toml --code X CHA-25A-50-H-C1024"),
             ("size a.toml b.toml", "size a.toml b.toml"),
+            ("check a.toml CHA-25A-5O-H-C1o24", "check a.toml --code CHA-25A-5O-H-C1o24"),
             ("hilfe bericht", "help report"),
         ] {
             assert_eq!(call(written).join(" "), meant, "{written}");

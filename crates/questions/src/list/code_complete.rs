@@ -1,6 +1,6 @@
 //! `code complete CODE`: completions of a partial code.
 
-use super::given::{arguments, pattern};
+use super::given::{arguments, begun};
 use super::{Answer, Argument, ArgumentKind, CODE, Entry, Gives, Reads, Record, Unanswered};
 use crate::answer;
 pub use crate::codes::completion;
@@ -13,7 +13,7 @@ arguments! {
     pub struct Args {
         /// The partial code.
         code: Option<Pattern> =
-            Argument { about: help::code_complete_pattern, ..CODE }.of(ArgumentKind::Text) => pattern,
+            Argument { about: help::code_complete_pattern, ..CODE }.of(ArgumentKind::Text) => begun,
     }
 }
 

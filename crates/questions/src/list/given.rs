@@ -2,7 +2,7 @@
 
 use super::argument::{Argument, FILE, LANG, TRUE, nearest_words};
 use super::unanswered::Unanswered;
-use crate::codes::{read_code, read_pattern};
+use crate::codes::{read_code, read_pattern, read_pattern_begun};
 use crate::upkeep::read_date;
 use answers::Fault;
 use chrono::NaiveDate;
@@ -221,6 +221,13 @@ pub(super) fn pattern(given: &Given, argument: &Argument) -> Result<Option<Patte
     let Some(text) = given.text(argument) else { return Ok(None) };
     let refused = |refusal| Unanswered::Code { text: text.to_owned(), refusal, among: false };
     read_pattern(text, given.language).map(Some).map_err(refused)
+}
+
+/// Returns an optional partial code whose last word may be incomplete.
+pub(super) fn begun(given: &Given, argument: &Argument) -> Result<Option<Pattern>, Unanswered> {
+    let Some(text) = given.text(argument) else { return Ok(None) };
+    let refused = |refusal| Unanswered::Code { text: text.to_owned(), refusal, among: false };
+    read_pattern_begun(text, true, given.language).map(Some).map_err(refused)
 }
 
 fn usage(option: &str, usage: &Usage, hint: Option<UsageHint>, language: Language) -> Fault {
