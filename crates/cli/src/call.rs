@@ -55,11 +55,15 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
         (Reads::Project | Reads::Pins | Reads::Measured, None) => &["project"],
     };
     let memory = memory::allowed(matches, language)?;
-    let each = |name: &&str| {
-        let path = matches.get_one::<PathBuf>(name).cloned().unwrap_or_default();
-        File::read(&path, memory, language)
-    };
-    names.iter().map(each).collect()
+    let paths = names.iter().flat_map(|name| matches.get_many::<PathBuf>(name).into_iter().flatten());
+    let (mut files, mut faults) = (Vec::new(), Vec::new());
+    for path in paths {
+        match File::read(path, memory, language) {
+            Ok(file) => files.push(file),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if faults.is_empty() { Ok(files) } else { Err(Unanswered::combined(faults)) }
 }
 
 /// Changes the projects of a call as its options say; returns a remark on each change.

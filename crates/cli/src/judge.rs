@@ -7,7 +7,7 @@ use crate::table::{Align, TextTable, labelled, paragraph, width};
 use crate::waiting::progress;
 use crate::{moves, report, tolerance};
 use anstyle::{AnsiColor, Style};
-use quantities::unit::{KILOGRAM, NEWTON_METRE};
+use quantities::unit::{KILOGRAM, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{Language, Measure, format_number};
 use questions::list::check::Verification;
 use questions::list::size::Ranking;
@@ -48,6 +48,9 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
     }
     let args = size::Args::read(&inquiry.given)?;
     let axes = inquiry.axes(args.axis.as_deref(), args.cost())?;
+    if inquiry.sources.len() > 1 {
+        return Ok(CommandAnswer { talk, ..side_by_side(inquiry, &args, language)? });
+    }
     let found = inquiry.each(&axes, |project| {
         let found = args.ranking(project, progress())?;
         // The changes with which the actuator with the smallest excess would fit; the long list does not show them.
@@ -57,6 +60,62 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
         Ok((sizing_text(&found, reserve.as_ref(), args.all, language), found.sizing.fits()))
     })?;
     Ok(CommandAnswer { talk, ..CommandAnswer::of_axes(found) })
+}
+
+/// Returns the best actuators of several projects, a row for each axis.
+fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) -> Result<CommandAnswer, Unanswered> {
+    let mut table = TextTable::new([
+        (terms::file(language), Align::Left),
+        (terms::axis(language), Align::Left),
+        (terms::ordering_code(language), Align::Left),
+        (terms::utilisation_short(language), Align::Right),
+        (terms::tightest_check(language), Align::Left),
+        ("T_rms Nm", Align::Right),
+        ("T_peak Nm", Align::Right),
+        ("n_peak min⁻¹", Align::Right),
+        ("m kg", Align::Right),
+    ]);
+    let mut all_fit = true;
+    for source in &inquiry.sources {
+        let axes = inquiry.axes_of(source, args.axis.as_deref())?;
+        let rows = inquiry.each(&axes, |project| {
+            let found = args.ranking(project, progress())?;
+            let Some(named) = found.sizing.named() else { return Ok((Vec::new(), false)) };
+            let demand = |of: fn(&Demand) -> f64, unit: &'static quantities::Unit| {
+                named.judgement.demand.map(|demand| shown(of(&demand), unit, language)).unwrap_or_default()
+            };
+            let mass = named.parameters.mass.known();
+            let fits = found.sizing.answer().is_some();
+            let verdict = if fits { verdict_of(named, language) } else { paint(terms::does_not_fit(language), Verdict::Fail) };
+            let row = vec![
+                source.name.clone(),
+                project.name.clone(),
+                format!("{} {verdict}", named.id),
+                percent(Some(named.standing.utilisation), language),
+                named.judgement.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
+                demand(|demand| demand.torque_rms.si(), &NEWTON_METRE),
+                demand(|demand| demand.torque_peak.si(), &NEWTON_METRE),
+                demand(|demand| demand.speed_peak.si(), &REVOLUTION_PER_MINUTE),
+                mass.map(|mass| format_number(KILOGRAM.from_si(mass.value.si()), 1, language)).unwrap_or_default(),
+            ];
+            Ok((row, fits))
+        })?;
+        for (row, fits) in rows {
+            all_fit &= fits;
+            if let Ok(row) = <[String; 9]>::try_from(row) {
+                table.row(row);
+            }
+        }
+    }
+    Ok(CommandAnswer::data(table.render()).fits(all_fit))
+}
+
+/// Returns the verdict on a fitting actuator.
+fn verdict_of(candidate: &Candidate<'_>, language: Language) -> String {
+    match candidate.fit() {
+        Fit::FitsIfEstimate => paint(terms::fits_if_estimate(language), Verdict::Advice),
+        Fit::Fits | Fit::DoesNotFit => paint(terms::fits(language), Verdict::Pass),
+    }
 }
 
 fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, language: Language) -> String {

@@ -9,6 +9,9 @@ texts! {
     ordering_code = "Ordering code" | "Bestellbezeichnung";
     not_in_this_build = "not in this build" | "in dieser Ausführung nicht enthalten";
     project = "Project file (TOML); - reads standard input" | "Projektdatei (TOML); - liest die Standardeingabe";
+    projects =
+        "Project file (TOML); - reads standard input. Several are compared, a line for each axis"
+        | "Projektdatei (TOML); - liest die Standardeingabe. Mehrere werden verglichen, je Achse eine Zeile";
     axis = "Only this axis of a project with several" | "Nur diese Achse eines Projekts mit mehreren";
     samples =
         "Samples within the tolerances of the project (10000, fewer for projects that are expensive to compute)"

@@ -23,6 +23,7 @@ texts! {
     does_not_fit = "does not fit" | "nicht geeignet";
     duration = "duration" | "Dauer";
     fail = "fail" | "nicht erfüllt";
+    file = "file" | "Datei";
     fits = "fits" | "geeignet";
     fits_if_estimate = "fits if the estimate holds" | "geeignet, sofern die Schätzung zutrifft";
     fits_unless_rating =

@@ -103,6 +103,10 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
         return vec![file(option, values::file(l), help).long(option)];
     }
     let words = match entry.reads {
+        // Several axes are compared by their best actuators.
+        Reads::Project if entry.command == "size" => {
+            vec![file("project", values::project(l), help::projects(l)).num_args(1..)]
+        }
         Reads::Project => vec![file("project", values::project(l), help::project(l))],
         Reads::TwoProjects => vec![
             file("old", values::old(l), help::diff_old(l)),

@@ -107,12 +107,22 @@ impl<'a> Inquiry<'a> {
         self.sources.first().ok_or(Unanswered::Refused(crate::Refusal::NoData, None))
     }
 
-    /// Returns the axes of the project, or the one with a name.
+    /// Returns the axes of the project, or of several projects, or those with a name.
     ///
     /// # Errors
-    /// Faults of the project, an unknown axis, a cost that is refused.
+    /// Faults of the projects, an unknown axis, a cost that is refused.
     pub fn axes(&self, wanted: Option<&str>, cost: Cost) -> Result<Vec<PlacedAxis>, Unanswered> {
-        let axes = self.axes_of(self.source()?, wanted)?;
+        self.source()?;
+        let (mut axes, mut faults) = (Vec::new(), Vec::new());
+        for source in &self.sources {
+            match self.axes_of(source, wanted) {
+                Ok(found) => axes.extend(found),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        if !faults.is_empty() {
+            return Err(Unanswered::combined(faults));
+        }
         self.within(cost, axes.iter())?;
         Ok(axes)
     }
