@@ -8,7 +8,7 @@ use words::symbol_shown;
 pub(crate) fn symbol(symbol: &str) -> Markup {
     let shown = symbol_shown(symbol);
     html! { @match shown.split_once('_') {
-        Some((head, tail)) => { (head) sub { (tail) } }
+        Some((head, tail)) => { (head) sub { (tail.replace('_', ",")) } }
         None => { (shown) }
     } }
 }

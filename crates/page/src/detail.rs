@@ -52,7 +52,7 @@ fn node(node: &Node, language: Language) -> Markup {
             @if !node.repeated {
                 @if let Some((text, typeset)) = node.formula.as_deref().zip(formula::symbols(node, language)) { (formula_line(text, &typeset)) }
                 @if let Some((text, typeset)) = node.figures.as_deref().zip(formula::values(node, language)) { (formula_line(text, &typeset)) }
-                @for erratum in &node.errata { div.advice { (erratum.id) ": " (erratum.evidence) } }
+                @for erratum in &node.errata { div.advice { code { (erratum.id) } ": " (erratum.evidence) } }
             }
             @if !node.operands.is_empty() { ul { @for operand in &node.operands { (self::node(operand, language)) } } }
         }
@@ -83,7 +83,7 @@ pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
                     @for row in found.demand.iter().chain(&found.data) { (datum_row(row, l)) }
                 }
             }
-            @for id in errata_of(&found.data) { p.small { (ERRATUM_MARK) " " (id) ": " (evidence_text(id, l)) } }
+            @for id in errata_of(&found.data) { p.small { (ERRATUM_MARK) " " code { (id) } ": " (evidence_text(id, l)) } }
         }
     };
     drawer(page::side_by_side(l), &inside, l)

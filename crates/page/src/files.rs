@@ -3,8 +3,8 @@
 use crate::call::{Call, FileEntry, Reply, SaveFault, Shell, Storage, query};
 use crate::frame;
 use crate::head::USUAL_NAME;
-use crate::names::project_name;
 use crate::markup::label_of;
+use crate::names::project_name;
 use crate::start::BEGINS;
 use crate::state::PageState;
 use crate::value::with_mark;
@@ -186,9 +186,11 @@ pub(crate) fn merge(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let version = known(&shell.version(&bytes), name);
     let fields = |fields: &[(&str, &str)]| Reply::text(200, &query(fields.iter().copied()));
     let ask = |notice: Markup| fields(&[("notice", &notice.into_string())]);
-    let whole = || html! {
-        span { (page::other_version(&name, l)) } " "
-        button type="button" data-disk="load" data-name=(name) { (page::load_it(l)) } " " (keep_mine(&version, l))
+    let whole = || {
+        html! {
+            span { (page::other_version(&name, l)) } " "
+            button type="button" data-disk="load" data-name=(name) { (page::load_it(l)) } " " (keep_mine(&version, l))
+        }
     };
     let Ok(theirs) = String::from_utf8(bytes) else { return ask(whole()) };
     let base = call.field("base").unwrap_or_default().replace("\r\n", "\n");

@@ -4,12 +4,15 @@
 use crate::call::Call;
 use crate::markup::id;
 use maud::{Markup, html};
-use project::{KEYS, Key, Kind};
+use project::{KEYS, Key, Kind, key_at};
 use quantities::Language;
 use questions::CheckId;
 use questions::list::code_list::list_codes;
 use questions::list::glossary::glossary;
-use words::{about_text, capitalised, check_title, own_and_foreign, page, part_title, short_label, terms};
+use words::{
+    about_text, capitalised, check_title, own_and_foreign, page, part_title, row_sign, short_label, table_of_project,
+    terms,
+};
 
 /// Largest number of hits of one kind.
 const SHOWN: usize = 8;
@@ -51,10 +54,26 @@ fn keys(typed: &str, language: Language) -> Vec<Found> {
         let about = about_text(key.about, language);
         if found.len() < SHOWN && holds(typed, &[path, about]) {
             let title = capitalised(&short_label(about));
-            found.push(Found { kind: "key", value: id(path), title, about: path.to_owned() });
+            found.push(Found { kind: "key", value: id(path), title, about: table_of(path, language) });
         }
     });
     found
+}
+
+/// Returns the title of the table that a key stands in, as the left pane shows it.
+fn table_of(path: &str, language: Language) -> String {
+    let mut above = path;
+    while let Some((table, _)) = above.rsplit_once('.') {
+        let name = table.rsplit('.').next().unwrap_or(table).trim_end_matches("[1]");
+        if let Some(title) = table_of_project(name, language) {
+            return title.to_owned();
+        }
+        if let Some(key) = key_at(table) {
+            return capitalised(&short_label(about_text(key.about, language)));
+        }
+        above = table;
+    }
+    table_of_project("", language).unwrap_or_default().to_owned()
 }
 
 /// Visits every value below these keys with its path; the first entry of a list stands for all of its entries.
@@ -97,7 +116,12 @@ fn glossary_terms(typed: &str, language: Language) -> Vec<Found> {
     let Ok(found) = glossary(Some(typed), language) else { return Vec::new() };
     let words =
         found.words.into_iter().map(|word| (own_and_foreign(&word.en, &word.de, language)[0].to_owned(), word.meaning));
-    let terms = found.terms.into_iter().map(|term| (term.symbol.clone(), words::symbol_term(&term.symbol, language)));
+    // A row that the tables name in words has no symbol.
+    let terms = found.terms.into_iter().map(|term| {
+        let (name, table) =
+            (words::symbol_term(&term.symbol, language), capitalised(words::terminal::symbol(language)));
+        row_sign(&term.symbol).map_or_else(|| (name.clone(), table), |sign| (sign, name.clone()))
+    });
     let of = |(title, about): (String, String)| Found {
         kind: "term",
         value: title.clone(),

@@ -118,7 +118,7 @@ fn export_items(shell: &dyn Shell, language: Language) -> Markup {
         @if shell.report().is_some() {
             button type="button" id="report" data-api=(report::ENTRY.path) data-name="antrieb.pdf" { (page::report_pdf(l)) }
             (title_page(l))
-        } @else { p.small { (page::report_elsewhere(l)) } }
+        } @else { p.small { (crate::markup::quoted(page::report_elsewhere(l), l)) } }
         button type="button" id="workbook" data-api=(export::ENTRY.path) data-name="antrieb.xlsx" { (page::workbook(l)) }
         button type="button" id="data" data-api=(size::ENTRY.path) data-name="antrieb.json" { (page::data_json(l)) }
         button type="button" id="picture" data-picture="" { (page::picture_shown(l)) }

@@ -41,6 +41,7 @@ mod theory;
 mod tip;
 mod tolerances;
 mod tools;
+mod typeset;
 mod value;
 mod verdict;
 mod versions;
@@ -67,6 +68,17 @@ use questions::Progress;
 /// Answers a request.
 #[must_use]
 pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
+    let mut reply = answer(call, shell, progress);
+    if reply.media == HTML {
+        let page = String::from_utf8(std::mem::take(&mut reply.body));
+        reply.body = page.map_or_else(std::string::FromUtf8Error::into_bytes, |page| {
+            typeset::typeset(&page, call.language()).into_bytes()
+        });
+    }
+    reply
+}
+
+fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     if let Some(name) = call.path.strip_prefix("/assets/").filter(|_| WHOLE) {
         return assets::asset(name);
     }

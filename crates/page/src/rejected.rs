@@ -88,7 +88,10 @@ pub(crate) fn changes(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -
     let Some(project) = held.projects.get(state.axis).filter(|project| is_short(project)) else { return html! {} };
     let version = call.field("version").unwrap_or_default();
     let named = call.field(NAMES).unwrap_or_default();
-    let ids = named.split_whitespace().take(BLOCK).filter_map(|name| Some(ProductId::from(read_code(name, l).ok()?.parsed.code)));
+    let ids = named
+        .split_whitespace()
+        .take(BLOCK)
+        .filter_map(|name| Some(ProductId::from(read_code(name, l).ok()?.parsed.code)));
     let of = |id: &ProductId| {
         let candidate = check(project, id).ok()?;
         let reserve = reserve_unasked(project, &candidate, progress).ok()?;

@@ -56,7 +56,9 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     let gearings = gearing_proposals(project, progress).unwrap_or_default();
     let mut found = by_reserve(project, &nearest, &reserve, &state.prefix, l);
     found.extend(gearings.iter().map(|proposal| by_gearing(proposal, &held, &state.prefix, l)));
-    found.extend(shared_load(project, progress).ok().flatten().map(|shared| by_sharing(&shared, &held, &state.prefix, l)));
+    found.extend(
+        shared_load(project, progress).ok().flatten().map(|shared| by_sharing(&shared, &held, &state.prefix, l)),
+    );
     // The first change that a button applies is the main action of the page.
     let main = found.iter().position(|remedy| remedy.apply.is_some());
     let (first, rest) = found.split_at(found.len().min(FIRST));
@@ -180,7 +182,11 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
     let kind = if stage { format!("value {prefix}stage.kind=gear\n") } else { String::new() };
     let apply = vals(&[("do", &format!("{kind}value {path}={value}"))]);
     Remedy {
-        title: if stage { page::an_intermediate_stage(l).to_owned() } else { label_of(&proposal.path, l).unwrap_or_default() },
+        title: if stage {
+            page::an_intermediate_stage(l).to_owned()
+        } else {
+            label_of(&proposal.path, l).unwrap_or_default()
+        },
         before: stated.map(|stated| crate::value::with_mark(&stated, l)).unwrap_or_default(),
         after: if stage { terminal::a_stage(&shown(proposal.si), l) } else { shown(proposal.si) },
         code: proposal.code.clone(),

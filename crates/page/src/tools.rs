@@ -277,7 +277,7 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
     html! {
         input type="hidden" name={ (MARK) (GOOD) } value=(good);
         (fields_of(&fields, l))
-        @for trouble in &loose { (trouble.shown()) }
+        @for trouble in &loose { (trouble.shown(l)) }
         div id="tool-answer" aria-live="polite" class=[old.is_some().then_some("old")] {
             @match (&answer, &old) {
                 (Ok(answer), _) => (answer),

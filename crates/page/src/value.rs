@@ -160,16 +160,14 @@ pub(crate) fn field(
     let unit = held.as_ref().or(ghost.as_ref()).map_or("", |shown| shown.unit.ascii);
     let (nominal, _) = tolerance_of(value);
     let number = held.map_or_else(|| nominal.to_owned(), |shown| shown.number);
-    let number_of = |text: &str| ghost.as_ref().map_or_else(|| text.to_owned(), |shown| shown.number.clone());
-    let placeholder = match follows {
-        Some(follows) => format!("= {}", number_of(follows)),
-        None => page::for_example(&number_of(&sample), l),
-    };
+    // The value that follows from others; an empty field has no other number in it that could be taken for one.
+    let placeholder =
+        follows.map(|follows| format!("= {}", ghost.as_ref().map_or(follows, |shown| shown.number.as_str())));
     let title = follows.filter(|_| value.is_empty()).map(|follows| page::follows(&follows, l));
     let (_, band) = tolerance_of(value);
     html! {
         span.quantity {
-            input id=(id) name="value" type="text" value=(number) placeholder=(placeholder) title=[title] autocomplete="off" spellcheck="false" inputmode="decimal"
+            input id=(id) name="value" type="text" value=(number) placeholder=[placeholder] title=[title] autocomplete="off" spellcheck="false" inputmode="decimal"
                 aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(described)]
                 hx-post="/work" hx-trigger=(trigger) hx-vals=(vals(&[("path", path), ("unit", unit), ("kept", band)]));
             @if units.len() > 1 {

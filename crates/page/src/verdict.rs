@@ -85,7 +85,7 @@ fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, progress: &Progress
         @if !keys.is_empty() {
             p.below.open { (page::to_be_checked_state(l)) " " @for (place, (key, _)) in keys.iter().enumerate() {
                 @if place > 0 { ", " }
-                a href={ "#" (id(key)) } title=(key) { (key_at(key).map_or_else(|| html! { (key) }, |known| label(&short_label(about_text(known.about, l))))) }
+                a href={ "#" (id(key)) } { (key_at(key).map_or_else(|| html! { (key) }, |known| label(&short_label(about_text(known.about, l))))) }
             } }
         }
     }

@@ -178,7 +178,11 @@ fn nearest_mass(
         if let Some(best) = ranked(mass)?.best {
             // The neighbour nearer to the stated mass does not fit; a mass of zero has no digits.
             let misses = if mass > stated { (mass - step).max(stated) } else { (mass + step).min(stated) };
-            return if mass > 0.0 { edge(ranked, misses, (mass, best), unit).map(Some) } else { Ok(Some((mass, best))) };
+            return if mass > 0.0 {
+                edge(ranked, misses, (mass, best), unit).map(Some)
+            } else {
+                Ok(Some((mass, best)))
+            };
         }
     }
     Ok(None)
@@ -370,7 +374,9 @@ mod tests {
         // An actuator of a file with several axes gets the same proposals.
         let of_two = hoist("900 kg", "").replace("[mechanism", "[axis.mechanism").replace("[[motion", "[[axis.motion");
         let of_two = of_two.replace("format = 1\n", "format = 1\n[[axis]]\nname = \"z\"\n");
-        let axes = format!("{of_two}[[axis]]\nname = \"b\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n");
+        let axes = format!(
+            "{of_two}[[axis]]\nname = \"b\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n"
+        );
         let axes = crate::read_all(&axes, &axis::NoFiles).unwrap();
         assert_eq!(gearing_proposals(&axes[0], &progress).unwrap(), found);
         assert_eq!(shared_load(&axes[0], &progress).unwrap(), Some(shared));

@@ -7,6 +7,7 @@ pub mod parquet;
 pub mod projects;
 pub mod readers;
 pub mod series;
+pub mod visible;
 
 /// Returns `true` if a computed value agrees with a printed one within half of the last printed digit.
 ///

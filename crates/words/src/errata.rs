@@ -44,7 +44,10 @@ pub fn erratum_status(corrected: bool, language: Language) -> &'static str {
 pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     let mut parts = Vec::new();
     if !erratum.table.is_empty() {
-        parts.push(said!(language => "table {}" | "Tabelle {}", erratum.table));
+        parts.push(match erratum.table.strip_prefix("glossary-") {
+            Some(symbol) => said!(language => "glossary, {symbol}" | "Glossar, {symbol}"),
+            None => said!(language => "table {}" | "Tabelle {}", erratum.table),
+        });
     }
     match erratum.cell() {
         Some(cell) => {

@@ -286,8 +286,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "zusätzliches Massenträgheitsmoment am Abtrieb in diesem Abschnitt; wird zu dem der Mechanik addiert",
         ),
         About::Segment(SegmentName::process_force) => (
-            "additional process force in this segment; along the guide, against the positive direction, added to process_force of the mechanism",
-            "zusätzliche Prozesskraft in diesem Abschnitt; längs der Führung entgegen der positiven Richtung, wird zu process_force der Mechanik addiert",
+            "additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism",
+            "zusätzliche Prozesskraft in diesem Abschnitt; längs der Führung entgegen der positiven Richtung, wird zur Prozesskraft der Mechanik addiert",
         ),
         About::Segment(SegmentName::process_torque) => (
             "additional process torque in this segment; at the output, against the positive direction, added to external_torque",

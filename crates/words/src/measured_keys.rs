@@ -120,8 +120,8 @@ pub const fn measured_key_text(key: MeasuredKey, language: Language) -> &'static
             ("frequency of the motor current", "Frequenz des Motorstroms")
         }
         MeasuredKey::Root(MeasuredRootName::no_load) => (
-            "no-load current at constant speed; several [[no_load]] for several speeds",
-            "Leerlaufstrom bei konstanter Drehzahl; mehrere [[no_load]] für mehrere Drehzahlen",
+            "no-load current at constant speed; one entry per speed",
+            "Leerlaufstrom bei konstanter Drehzahl; je Drehzahl ein Eintrag",
         ),
         MeasuredKey::NoLoad(NoLoadName::speed_out) => {
             ("speed of the output flange, not of the motor", "Drehzahl des Abtriebsflansches, nicht des Motors")

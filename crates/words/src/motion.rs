@@ -163,8 +163,8 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
                 | "die Punkte beginnen mit {}, die Achse hat dort {}", speed(first.si()), speed(before.si())
             ),
             Some(said!(language =>
-                "state the speed of the axis with ends = \"stated\" and start_speed"
-                | "die Drehzahl der Achse mit ends = \"stated\" und start_speed angeben"
+                "state the speed of the axis with `ends = \"stated\"` and `start_speed`"
+                | "die Drehzahl der Achse mit `ends = \"stated\"` und `start_speed` angeben"
             )),
         ),
         MoveFault::RecordingSpeedJumps { first, before } => (

@@ -55,7 +55,7 @@ texts! {
     move_down(name) = "Move {name} down" | "{name} nach unten";
     segment(number) = "Segment {number}" | "Abschnitt {number}";
     follows(value) = "derived: {value}" | "berechnet: {value}";
-    for_example(value) = "e.g. {value}" | "z. B. {value}";
+    for_example(value) = "example: {value}" | "Beispiel: {value}";
     not_stated = "not stated" | "ohne Angabe";
     faults(count) = "1 fault in the project" | "1 Fehler im Projekt", "{count} faults in the project" | "{count} Fehler im Projekt";
     result_is_old =

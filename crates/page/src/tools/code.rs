@@ -75,7 +75,7 @@ pub(super) fn data(typed: &str, language: Language) -> Markup {
         @for each in &sections { (each) }
         @if !errata.is_empty() {
             h4 { (page::tool_errata(l)) }
-            dl { @for id in &errata { dt id={ "erratum-" (id) } { (id) } dd { (evidence_text(id, l)) } } }
+            dl { @for id in &errata { dt id={ "erratum-" (id) } { code { (id) } } dd { (evidence_text(id, l)) } } }
         }
     }
 }
@@ -99,7 +99,7 @@ fn section(section: &SheetSection, errata: &mut Vec<&'static str>, language: Lan
             td.number {
                 (sheet_value_text(row, l))
                 @for mark in &notes { " [" (mark) "]" }
-                @for id in cell.errata { " " a.advice href={ "#erratum-" (id) } { (id) } }
+                @for id in cell.errata { " " a.advice href={ "#erratum-" (id) } { code { (id) } } }
             }
             td { (Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol)) }
         } }
@@ -116,7 +116,7 @@ fn section(section: &SheetSection, errata: &mut Vec<&'static str>, language: Lan
         @for (mark, note) in marks.sorted() { p.small { "[" (mark) "] " (by(&note)) (answer::sheet_note_text(&note, l)) } }
         @for note in &section.notices { p.small { (by(note)) (answer::sheet_note_text(note, l)) } }
         @if !section.errata.is_empty() {
-            p.small { (capitalised(terminal::errata_of_this_table(l))) ": " @for id in &section.errata { a.advice href={ "#erratum-" (id) } { (id) } " " } }
+            p.small { (capitalised(terminal::errata_of_this_table(l))) ": " @for id in &section.errata { a.advice href={ "#erratum-" (id) } { code { (id) } } " " } }
         }
     }
 }
@@ -129,14 +129,14 @@ pub(super) fn errata(typed: &str, language: Language) -> Markup {
         Err(ErrataRefusal::Code(fault)) => return incomplete(typed, &fault, l),
         Err(ErrataRefusal::NoData) => return html! { p.unchecked { (terminal::no_data(l)) } },
         Err(ErrataRefusal::Unknown { message, hint }) => {
-            return html! { p.fault { (message) @if let Some(hint) = hint { " – " (hint) } } };
+            return html! { p.fault { (crate::markup::worded(&message, hint.as_deref(), l)) } };
         }
     };
     let record = answer::errata(&found, l);
     html! {
         @if record.errata.is_empty() { p { (capitalised(terminal::no_erratum(l))) } }
         dl { @for each in &record.errata {
-            dt { (each.id) ": " (each.place) }
+            dt { code { (each.id) } ": " (each.place) }
             dd { (each.printed) " → " (each.corrected) " " (Unit::of(each.unit).map_or(each.unit, |unit| unit.symbol)) br; span.small { (each.evidence) } }
         } }
     }
@@ -149,7 +149,10 @@ pub(super) fn words(typed: &str, language: Language) -> Markup {
         Ok(found) => html! { dl {
             @for word in &found.words { dt { (word.en) " · " (word.de) } dd { (word.meaning) } }
             @for term in &found.terms { dt { (symbol(&term.symbol)) } dd { (term.en) " · " (term.de) @if !term.unit.is_empty() { " [" (term.unit) "]" } @if !term.remark.is_empty() { br; span.small { (term.remark) } } } }
-            @for sign in &found.symbols { dt { (symbol(&sign.symbol)) } dd { (sign.en) " · " (sign.de) } }
+            @for sign in &found.symbols {
+                // A row that the tables name in words has no symbol.
+                @if let Some(shown) = row_sign(&sign.symbol) { dt { (symbol(&shown)) } dd { (sign.en) " · " (sign.de) } } @else { dt { (sign.en) } dd { (sign.de) } }
+            }
         } },
         Err(nearest) => {
             html! { p { (terminal::nothing_in_the_glossary(&typed, language)) @if !nearest.is_empty() { ": " (nearest.join(", ")) } } }

@@ -47,8 +47,8 @@ pub(super) struct Trouble {
 }
 
 impl Trouble {
-    pub(super) fn shown(&self) -> Markup {
-        html! { p.fault { (self.message) @if let Some(hint) = &self.hint { " – " (hint) } } }
+    pub(super) fn shown(&self, language: Language) -> Markup {
+        html! { p.fault { (crate::markup::worded(&self.message, self.hint.as_deref(), language)) } }
     }
 }
 
@@ -143,7 +143,7 @@ impl ToolField {
                     FieldEntry::Line => input id=(id) name=(name) type="text" value=(self.value) placeholder=[self.ghost.as_ref()] autocomplete="off" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by];,
                 }
                 @if let Some(remark) = &self.remark { p.small id=(about) { (remark) } }
-                @if wrong { div.fault id=(fault) { @for trouble in &self.troubles { (trouble.shown()) } } }
+                @if wrong { div.fault id=(fault) { @for trouble in &self.troubles { (trouble.shown(language)) } } }
             }
         }
     }

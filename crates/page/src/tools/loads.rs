@@ -56,7 +56,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     html! {
         input type="hidden" name={ (MARK) (GOOD) } value=(good);
         (fields_of(&fields, l))
-        @for trouble in &loose { (trouble.shown()) }
+        @for trouble in &loose { (trouble.shown(l)) }
         div id="tool-answer" aria-live="polite" class=[is_old.then_some("old")] {
             @if let Some(project) = projects.first() {
                 @if is_old { p.advice { (page::answer_is_old(l)) } }

@@ -66,7 +66,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
         p id="record-status" role="status" hx-morph-skip="" {}
         (records(scene))
         @for (path, fault) in &faults { @if !form.has_field(path.as_deref()) {
-            p.fault { (page::at_line(&fault.line, &fault.column, l)) ": " (fault.message) @if let Some(hint) = &fault.hint { " – " (hint) } }
+            p.fault { (page::at_line(&fault.line, &fault.column, l)) ": " (crate::markup::worded(&fault.message, fault.hint.as_deref(), l)) }
         } }
         fieldset id="record-fields" disabled[keys.is_none()] {
             @for key in MEASURED_KEYS { (form.table(key)) }
@@ -204,7 +204,7 @@ impl Form<'_> {
                 legend { (capitalised(measured_label(purpose, l))) }
                 p.small { (measured_key_text(purpose, l)) }
                 @for path in &paths {
-                    @for (_, fault) in self.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) { (trouble(fault).shown()) }
+                    @for (_, fault) in self.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) { (trouble(fault).shown(self.language)) }
                     div.rows { @for key in keys { (self.row(key, path)) } }
                     @if key.name == SEVERAL {
                         button.small type="button" aria-label=(page::remove(&path, l)) hx-post="/tools" hx-target="#tool" hx-select="#tool" hx-swap="outerMorph"

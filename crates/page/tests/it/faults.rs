@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 /// Place at which a fault is shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum At {
+pub(crate) enum At {
     /// Field, named by its path.
     Field(&'static str),
     /// Table or list of this path.
@@ -63,7 +63,7 @@ fn recorded(more: &str) -> String {
 }
 
 #[rustfmt::skip] // one line per fault
-fn cases() -> Vec<(&'static str, String, At)> {
+pub(crate) fn cases() -> Vec<(&'static str, String, At)> {
     let pattern = |code: &str| {
         format!("[[curve]]\nkind = \"continuous\"\ncode = \"{code}\"\nsource = \"own\"\npoints = [[\"0 1/min\", \"10 N m\"], [\"9 1/min\", \"5 N m\"]]\n")
     };
@@ -184,10 +184,10 @@ fn element(path: &str) -> String {
 }
 
 /// Returns the text of HTML for readers; quotations of the file stand between grave accents in a message, and a key is shown by its
-/// label, with the key as its title.
+/// label, which names the key.
 fn plain(html: &str) -> String {
     let mut text = String::new();
-    for (place, part) in html.split("<em title=\"").enumerate() {
+    for (place, part) in html.split("<em data-key=\"").enumerate() {
         match part.split_once("</em>").filter(|_| place > 0) {
             Some((label, rest)) => {
                 text.push_str(&format!("`{}`{rest}", label.split_once('"').map_or("", |(key, _)| key)));

@@ -8,3 +8,4 @@ mod parts;
 mod readers;
 mod shell;
 mod tools;
+mod visible;

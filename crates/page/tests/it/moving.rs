@@ -139,7 +139,7 @@ fn tolerances_are_offered_and_judged() {
     assert!(html.contains("id=\"tolerances\"") && html.contains("data-at-once"), "few samples are judged at once");
     let found = page("/tolerances", &[("text", &text), ("samples", "40")]);
     assert!(found.contains("40 samples"), "{found}");
-    assert!(found.contains("mechanism.belt.mass") && found.contains("16.2") && found.contains("19.8"), "{found}");
+    assert!(found.contains("<td>Moved mass</td>") && found.contains("16.2") && found.contains("19.8"), "{found}");
     assert!(found.contains("% of the samples"), "{found}");
 }
 

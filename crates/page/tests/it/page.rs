@@ -83,7 +83,10 @@ fn numbers_are_explained_and_actuators_compared() {
     let text = template("belt", "axis.toml", Language::En).unwrap().text;
     let html = page(&post("/explain", &[("text", &text), ("check", "peak_torque")]));
     assert!(html.contains("<mi>T</mi><mtext>peak</mtext>") && html.contains("class=\"formula\""), "{html}");
-    assert!(html.contains("alttext=\"J_out · α + T_L\"") && html.contains("page 18 of the manual"), "{html}");
+    assert!(
+        html.contains("alttext=\"J\u{202f}out · α + T\u{202f}L\"") && html.contains("page 18 of the manual"),
+        "{html}"
+    );
     let fields = [("text", text.as_str()), ("mark", "CHA-25A-50-H-C1024"), ("mark", "CHA-32A-50-H-C1024")];
     let compared = page(&post("/compare", &fields));
     assert!(compared.contains("CHA-25A-50-H-C1024") && compared.contains("CHA-32A-50-H-C1024"));

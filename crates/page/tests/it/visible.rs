@@ -1,0 +1,207 @@
+//! Every state of the page in both languages shows words: no key of the project file, no identifier of the program.
+//!
+//! Exceptions: program text and the text of the file (`code`, `textarea`), names of files, and the citation keys of the errata, by which
+//! the report and `antrieb errata` name them too.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use crate::faults::cases;
+use crate::shell;
+
+use page::theory_files;
+use quantities::Language;
+use questions::CheckId;
+use questions::list::errata::errata_about;
+use questions::list::new::{template, template_kinds};
+use shell::{InMemory, form};
+use std::collections::{BTreeMap, BTreeSet};
+use testkit::visible::{VisibleText, visible_texts};
+
+const VIEWS: [&str; 6] = ["torque_speed", "heat", "energy", "bearing", "error_budget", "simulation"];
+
+const TOOLS: [&str; 15] = [
+    "code",
+    "data",
+    "curve",
+    "torsion",
+    "bearing",
+    "inertia",
+    "battery",
+    "encoder",
+    "wiring",
+    "mount",
+    "commission",
+    "record",
+    "upkeep",
+    "errata",
+    "glossary",
+];
+
+/// A state of the page: path, query, fields of its form.
+type Request = (&'static str, String, Vec<(&'static str, String)>);
+
+/// Returns the states of a project. All checks and lists are visited for one kind of mechanism, the other kinds where they differ: form,
+/// cycle, loads on the flange, derivation of the torque, proposals.
+fn of_project(text: &str, language: Language, is_first: bool) -> Vec<Request> {
+    let of = |path: &'static str, more: &[(&'static str, &str)]| {
+        let mut fields = vec![("text", text.to_owned()), ("lang", language.id().to_owned())];
+        fields.extend(more.iter().map(|(name, value)| (*name, (*value).to_owned())));
+        (path, String::new(), fields)
+    };
+    let explained = |check: &CheckId| of("/explain", &[("check", check.id()), ("code", "CHA-25A-100-H-C1024")]);
+    let mut found = vec![
+        of("/work", &[("unfolded", "true")]),
+        of("/work", &[("view", "bearing"), ("list", "rejected")]),
+        of("/explain", &[("check", "torque_speed_trace"), ("code", "CHA-25A-100-H-C1024")]),
+        of("/explain", &[("check", "bearing_tilting_moment"), ("code", "CHA-25A-100-H-C1024")]),
+        of("/would-fit", &[]),
+    ];
+    if is_first {
+        found.extend(VIEWS.map(|view| of("/work", &[("view", view)])));
+        found.extend(CheckId::ALL.iter().map(explained));
+        found.push(of("/work", &[("list", "map")]));
+        found.push(of("/compare", &[("mark", "CHA-25A-100-H-C1024"), ("mark", "CHA-20A-50-H-M128S-B")]));
+        found.push(of("/tolerances", &[("samples", "8")]));
+        found.push(of("/versions", &[]));
+    }
+    found
+}
+
+/// Returns the states without a project.
+fn others(language: Language) -> Vec<Request> {
+    let l = language.id();
+    let get = |path: &'static str, query: &str| (path, format!("lang={l}{query}"), Vec::new());
+    let tool = |name: &str, about: &str| {
+        let fields = [("tool", name), ("asked", name), ("about", about), ("lang", l)];
+        ("/tools", String::new(), fields.map(|(field, value)| (field, value.to_owned())).to_vec())
+    };
+    let mut found: Vec<Request> = ["/", "/gallery", "/keys", "/files"].map(|path| get(path, "")).to_vec();
+    found.extend((0..11).map(|place| get("/begin", &format!("&kind={place}"))));
+    // Each letter, and the words of which the keys consist.
+    let words = ('a'..='z')
+        .map(String::from)
+        .chain(["kenn", "curve", "reib", "torque", "mass", "twin", "stage", "t_"].map(String::from));
+    found.extend(words.map(|word| get("/find", &format!("&q={word}"))));
+    for name in TOOLS {
+        found.extend(
+            ["CHA-25A-100-H-M512P-B", "CHA-14A-50-N-D2048", "CHA-25A-100-H-X9", ""].map(|about| tool(name, about)),
+        );
+    }
+    found
+}
+
+fn is_part(sign: char) -> bool {
+    sign.is_alphanumeric() || matches!(sign, '_' | '.' | '-' | '/' | ':' | '[' | ']')
+}
+
+/// Words of developers: the opening of an example, an option of the command line, a quotation mark of Markdown.
+const DEVELOPERS: [&str; 8] = ["e.g.", "z. B. ", "z.B.", "zd-shf", "`", " --", "::", "NaN"];
+
+/// Returns the identifiers in a text.
+fn identifiers(text: &VisibleText, known: &BTreeSet<String>) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    for word in text.words.split(|sign: char| !is_part(sign)) {
+        let word = word.trim_matches(|sign: char| !sign.is_alphanumeric());
+        let letters: Vec<char> = word.chars().collect();
+        let is_joined = letters.windows(3).any(|at| at[1] == '_' && at[0].is_alphanumeric() && at[2].is_alphanumeric());
+        let is_path =
+            letters.windows(4).any(|at| at[1] == '.' && [0, 2, 3].iter().all(|place| at[*place].is_ascii_lowercase()));
+        let is_file = [".toml", ".csv", ".parquet", ".pdf"].iter().any(|ending| word.ends_with(ending));
+        if (is_joined || is_path) && !is_file && !known.contains(word) {
+            found.push(word.to_owned());
+        }
+    }
+    let quotes = DEVELOPERS.iter().filter(|sign| text.words.contains(**sign));
+    found.extend(quotes.map(|sign| (*sign).to_owned()));
+    found
+}
+
+/// Returns the identifiers on pages with a place of each; `html` reads the page of a request.
+fn found_in(requests: &[Request]) -> BTreeMap<(String, String), String> {
+    let errata: BTreeSet<String> = errata_about(None, Language::En)
+        .map_or_else(|_| Vec::new(), |found| found.errata)
+        .iter()
+        .map(|erratum| erratum.id.to_owned())
+        .collect();
+    let mut found = BTreeMap::new();
+    for (path, query, fields) in requests {
+        let folder = InMemory::default();
+        let fields: Vec<(&str, &str)> = fields.iter().map(|(name, value)| (*name, value.as_str())).collect();
+        let reply = if fields.is_empty() { folder.get(path, query) } else { folder.post(path, &fields) };
+        let html = String::from_utf8_lossy(&reply.body).into_owned();
+        assert_eq!(reply.status, 200, "{path} {query}: {html}");
+        for text in visible_texts(&html, &["file"]) {
+            for word in identifiers(&text, &errata) {
+                let cut: String = text.words.chars().take(160).collect();
+                let state: String =
+                    form(&fields.iter().copied().filter(|(name, _)| *name != "text").collect::<Vec<_>>());
+                let _ = found.entry((word, text.place.clone())).or_insert(format!("{path} {query} {state}: {cut}"));
+            }
+        }
+    }
+    found
+}
+
+fn expect_none(requests: &[Request]) {
+    let found = found_in(requests);
+    let lines: Vec<String> = found.iter().map(|((word, place), at)| format!("@{word} | {place} | {at}")).collect();
+    assert!(lines.is_empty(), "{} identifiers\n{}", lines.len(), lines.join("\n"));
+}
+
+fn projects(language: Language, is_first: bool) -> Vec<Request> {
+    let kinds = template_kinds().enumerate();
+    let texts = kinds.filter_map(|(place, kind)| {
+        let found = template(kind, "axis.toml", language).filter(|found| found.recording.is_none())?;
+        Some((place, found.text))
+    });
+    texts
+        .filter(|(place, _)| (*place == 0) == is_first)
+        .flat_map(|(_, text)| of_project(&text, language, is_first))
+        .collect()
+}
+
+#[test]
+fn a_project_shows_words_in_english() {
+    expect_none(&projects(Language::En, true));
+}
+
+#[test]
+fn a_project_shows_words_in_german() {
+    expect_none(&projects(Language::De, true));
+}
+
+#[test]
+fn every_mechanism_shows_words_in_english() {
+    expect_none(&projects(Language::En, false));
+}
+
+#[test]
+fn every_mechanism_shows_words_in_german() {
+    expect_none(&projects(Language::De, false));
+}
+
+#[test]
+fn start_palette_and_tools_show_words() {
+    for language in Language::ALL {
+        expect_none(&others(language));
+    }
+}
+
+#[test]
+fn faults_show_words() {
+    for language in Language::ALL {
+        let of = |(_, text, _): &(&str, String, _)| -> Request {
+            ("/work", String::new(), vec![("text", text.clone()), ("lang", language.id().to_owned())])
+        };
+        expect_none(&cases().iter().map(of).collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn chapters_of_the_theory_show_words() {
+    let chapters: Vec<String> =
+        theory_files().filter(|file| file.ends_with(".html")).map(|file| format!("/theory/{file}")).collect();
+    let chapters = chapters
+        .iter()
+        .map(|path| -> Request { (Box::leak(path.clone().into_boxed_str()), String::new(), Vec::new()) });
+    expect_none(&chapters.collect::<Vec<_>>());
+}
