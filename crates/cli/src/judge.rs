@@ -88,7 +88,7 @@ fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) ->
             let fits = found.sizing.answer().is_some();
             let verdict = if fits { verdict_of(named, language) } else { paint(terms::does_not_fit(language), Verdict::Fail) };
             let row = vec![
-                source.name.clone(),
+                file_name(&source.name).to_owned(),
                 project.name.clone(),
                 format!("{} {verdict}", named.id),
                 percent(Some(named.standing.utilisation), language),
@@ -108,6 +108,12 @@ fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) ->
         }
     }
     Ok(CommandAnswer::data(table.render()).fits(all_fit))
+}
+
+/// Returns the last part of a path, with the changes of the call behind it.
+fn file_name(name: &str) -> &str {
+    let path = name.split_once(" (").map_or(name, |(path, _)| path);
+    name.get(path.rfind(['/', '\\']).map_or(0, |at| at + 1)..).unwrap_or(name)
 }
 
 /// Returns the verdict on a fitting actuator.

@@ -15,6 +15,7 @@ mod run;
 mod saving;
 mod serve;
 mod sigrok;
+mod spoken;
 mod sweep;
 mod sweep_parts;
 mod vocabulary;

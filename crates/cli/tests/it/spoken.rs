@@ -1,0 +1,92 @@
+//! Calls as people write them: other values for one call, other words, several projects.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
+
+use crate::run::{examples, root, run};
+use serde_json::Value;
+
+fn json(arguments: &[&str]) -> Value {
+    let run = run(&[arguments, &["--json"]].concat());
+    serde_json::from_str(&run.out).unwrap_or_else(|fault| panic!("{arguments:?}: {fault}\n{}\n{}", run.out, run.err))
+}
+
+/// Each key of an example, set to the value that the file states: the answer is that of the file.
+#[test]
+fn a_key_that_is_set_to_its_own_value_changes_nothing() {
+    for (place, example) in examples().iter().enumerate() {
+        let text = std::fs::read_to_string(root().join(example)).unwrap();
+        let keys: Vec<project::Written> = project::written(&text).unwrap();
+        let values = keys.iter().filter_map(|key| Some((key.path.as_str(), key.value.as_deref()?)));
+        // Some keys of each example, others in each.
+        let some: Vec<(&str, &str)> = values.filter(|(path, _)| *path != "format").skip(place % 3).step_by(7).collect();
+        let changes: Vec<String> = some.iter().map(|(path, value)| format!("{path}={value}")).collect();
+        let arguments: Vec<&str> = changes.iter().flat_map(|change| ["--set", change.as_str()]).collect();
+        let changed = json(&[&["size", example.as_str()], &arguments[..]].concat());
+        assert_eq!(changed, json(&["size", example]), "{example} {changes:?}");
+    }
+}
+
+#[test]
+fn a_value_for_one_call_is_that_of_a_file_which_states_it() {
+    let example = "examples/belt-axis.toml";
+    let text = std::fs::read_to_string(root().join(example)).unwrap();
+    for (change, from, to) in [
+        (["--set", "mechanism.belt.mass=31 kg"], "mass = \"18 kg\"", "mass = \"31 kg\""),
+        // A key that is stated once needs no table.
+        (["--set", "pulley_diameter=90 mm"], "pulley_diameter = \"120 mm\"", "pulley_diameter = \"90 mm\""),
+        (["--set", "requirements.bore_min=20 mm"], "[requirements]\n", "[requirements]\nbore_min = \"20 mm\"\n"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let stated = crate::run::run_with(&["size", "-", "--json"], text.replace(from, to).as_bytes());
+        let set = run(&["size", example, change[0], change[1], "--json"]);
+        assert_eq!(set.out, stated.out, "{change:?}");
+        assert!(set.err.starts_with("for this call: "), "{}", set.err);
+    }
+    let scaled = json(&["check", example, "CHA-14A-50-N-D2048", "--scale", "load=2"]);
+    let plain = json(&["check", example, "CHA-14A-50-N-D2048"]);
+    let factor = |value: &Value| value["reserve"]["load_factor"].as_f64().unwrap();
+    assert!((factor(&plain) / factor(&scaled) - 2.0).abs() < 2e-3, "{} {}", factor(&plain), factor(&scaled));
+}
+
+#[test]
+fn every_change_that_cannot_be_made_is_named_at_once() {
+    let faulty = ["--set", "mss=3 kg", "--set", "nothing", "--scale", "load=0", "--scale", "mass=2"];
+    let run = run(&[&["size", "examples/belt-axis.toml"], &faulty[..]].concat());
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert_eq!(run.err.matches("error:").count(), 4, "{}", run.err);
+    for part in ["no key \"mss\"", "KEY=VALUE", "0.001 to 1000", "load, payload, time, distance"] {
+        assert!(run.err.contains(part), "{part}\n{}", run.err);
+    }
+    let several = crate::run::run(&["size", "examples/two-axes.toml", "--set", "load.inertia=2 kg m^2"]);
+    assert!(several.code == 2 && several.err.contains("axis[1].load.inertia"), "{}", several.err);
+}
+
+#[test]
+fn several_projects_have_a_line_each_with_the_answer_of_each() {
+    let files = ["examples/belt-axis.toml", "examples/hoist.toml", "examples/two-axes.toml"];
+    let table = run(&["size", files[0], files[1], files[2]]);
+    assert_eq!((table.code, table.err.as_str()), (0, ""));
+    let together = json(&["size", files[0], files[1], files[2]]);
+    let axes = together["axes"].as_array().unwrap();
+    assert_eq!(axes.len(), 4);
+    for (axis, file) in axes.iter().zip([files[0], files[1], files[2], files[2]]) {
+        let code = axis["answer"].as_str().unwrap();
+        let name = file.trim_start_matches("examples/");
+        assert!(table.out.lines().any(|line| line.starts_with(name) && line.contains(code)), "{code}\n{}", table.out);
+    }
+    let missing = run(&["size", files[0], "no-such-file.toml", "nor-this.toml"]);
+    assert!(missing.code == 2 && missing.err.contains("no-such-file") && missing.err.contains("nor-this"), "{}", missing.err);
+}
+
+#[test]
+fn words_of_both_languages_and_any_case_lead_to_the_same_bytes() {
+    let plain = run(&["check", "examples/belt-axis.toml", "--code", "CHA-14A-50-N-D2048", "--lang", "de"]);
+    for call in [
+        ["PRÜFEN", "examples/belt-axis.toml", "CHA-14A-50-N-D2048", "--lang", "DE"],
+        ["Nachweis", "CHA-14A-50-N-D2048", "examples/belt-axis.toml", "--lang", "Deutsch"],
+    ] {
+        let other = run(&call);
+        assert_eq!((other.code, other.out), (plain.code, plain.out.clone()), "{call:?}\n{}", other.err);
+    }
+    let figure = run(&["plot", "examples/belt-axis.toml", "--figure", "torque_speed"]);
+    assert_eq!(run(&["Diagramm", "examples/belt-axis.toml", "Torque-Speed"]).out, figure.out);
+}
