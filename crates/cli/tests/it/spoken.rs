@@ -33,7 +33,7 @@ fn a_value_for_one_call_is_that_of_a_file_which_states_it() {
         (["--set", "mechanism.belt.mass=31 kg"], "mass = \"18 kg\"", "mass = \"31 kg\""),
         // A key that is stated once needs no table.
         (["--set", "pulley_diameter=90 mm"], "pulley_diameter = \"120 mm\"", "pulley_diameter = \"90 mm\""),
-        (["--set", "requirements.bore_min=20 mm"], "[requirements]\n", "[requirements]\nbore_min = \"20 mm\"\n"),
+        (["--set", "requirements.brake=true"], "[requirements]\n", "[requirements]\nbrake = true\n"),
     ] {
         assert!(text.contains(from), "{from}");
         let stated = crate::run::run_with(&["size", "-", "--json"], text.replace(from, to).as_bytes());
