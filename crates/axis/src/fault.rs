@@ -5,8 +5,24 @@ use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, PointsFault, RecordedFault};
 use project::{Diagnostic, Fault, FaultReport};
-use quantities::Unit;
+use quantities::{Time, Unit};
 use sizing::TooManyInstants;
+
+/// Reason why a dwell cannot fill the cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CycleFault {
+    /// The other segments take longer than the cycle.
+    TooShort {
+        /// Duration of the other segments.
+        others: Time,
+        /// Stated cycle.
+        cycle: Time,
+    },
+    /// The dwell states its own duration too.
+    WithTime,
+    /// Another dwell fills the cycle already.
+    Twice,
+}
 
 /// A fault of an axis, with its place and a hint.
 pub type AxisDiagnostic = Diagnostic<AxisFault>;
@@ -41,6 +57,8 @@ pub enum AxisFault {
         /// Travel per angle \[m/rad\] for a segment stated along a line.
         travel_m_per_rad: Option<f64>,
     },
+    /// A dwell that cannot fill the cycle.
+    Cycle(CycleFault),
     /// Points of a cam table that do not form a motion.
     Points(PointsFault),
     /// A motion over too many revolutions under a load that depends on the position.
@@ -100,6 +118,11 @@ impl AxisFault {
             },
             Self::Geometry(fault) => fault.id(),
             Self::Move { fault, .. } => ids::motion(fault),
+            Self::Cycle(fault) => match fault {
+                CycleFault::TooShort { .. } => "cycle_too_short",
+                CycleFault::WithTime => "cycle_and_time",
+                CycleFault::Twice => "cycle_filled_twice",
+            },
             Self::Points(fault) => match fault {
                 PointsFault::TooFew { .. } => "points_too_few",
                 PointsFault::NotFinite { .. } => "points_not_finite",

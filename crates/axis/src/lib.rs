@@ -52,7 +52,7 @@ pub use axis_project::{AxisProject, Choose};
 pub use bodies::{BodyAnswer, InertiaAnswer, inertia};
 pub use catalogue::{Catalogue, NoCatalogue};
 pub use drawn::drawn_figures;
-pub use fault::{AxisDiagnostic, AxisFault};
+pub use fault::{AxisDiagnostic, AxisFault, CycleFault};
 pub use files::{Files, Grant, NoFiles, Reach};
 pub use gearing::Gearing;
 pub use law_sample::law_sample;

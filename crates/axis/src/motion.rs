@@ -5,7 +5,7 @@ use crate::assumption::{Assumption, unstated};
 use crate::cam::through_points;
 use crate::choices;
 use crate::driven::Driven;
-use crate::fault::{AxisFault, AxisReport};
+use crate::fault::{AxisFault, AxisReport, CycleFault};
 use crate::mechanism::{Load, driven};
 use crate::recorded::{RecordedMotions, motion as recorded_motion, states_its_motion};
 use crate::side;
@@ -16,7 +16,7 @@ use motion::{Closing, Given, ManualMove, Motion, MotionFault, MoveFault, Segment
 use project::choices::{Law, Spline};
 use project::sections::{Fields, Stated, StatedField};
 use project::{Fault, Hint, SegmentLaw};
-use quantities::Measure;
+use quantities::{Measure, Time};
 use sizing::Axis;
 use std::ops::Range as Span;
 
@@ -115,6 +115,10 @@ impl SegmentSource<'_> {
                 pause: self.pause.value()?,
             })),
             SegmentLaw::Points | SegmentLaw::Recorded => read,
+            // A dwell that fills the cycle gets its duration when those of the others are known.
+            SegmentLaw::Dwell if self.cycle.is_written() && !self.time.is_written() => {
+                self.cycle.value().map(|_| SegmentSpec::Dwell(Time::from_si(0.0), choices::hold(self.hold())))
+            }
             SegmentLaw::Dwell => Some(SegmentSpec::Dwell(given.time?, choices::hold(self.hold()))),
             // A refused value has been reported; without it the move would only appear undetermined.
             SegmentLaw::Law(law) => states_its_motion(self).then_some(SegmentSpec::Move(choices::law(law), given)),
@@ -133,13 +137,21 @@ pub(crate) fn motion(axis: &AxisSource, load: &Load, report: &mut AxisReport<'_>
         return None;
     }
     let specs = specs(axis, travel, report);
-    let Some(whole) = specs.iter().cloned().collect::<Option<Vec<SegmentSpec>>>() else {
+    let Some(mut whole) = specs.iter().cloned().collect::<Option<Vec<SegmentSpec>>>() else {
         report_readable(axis, specs, travel, report);
         return None;
     };
     let closing = if axis.single_move { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
-    let motion =
-        Motion::new(&whole, load.start, closing).map_err(|faults| report_chain(axis, faults, travel, report)).ok()?;
+    let chained = |whole: &[SegmentSpec], report: &mut AxisReport<'_>| {
+        Motion::new(whole, load.start, closing).map_err(|faults| report_chain(axis, faults, travel, report)).ok()
+    };
+    let mut motion = chained(&whole, report)?;
+    if let Some((place, rest)) = rest_of_cycle(&segments, motion.duration(), report)? {
+        if let Some(SegmentSpec::Dwell(time, _)) = whole.get_mut(place) {
+            *time = rest;
+        }
+        motion = chained(&whole, report)?;
+    }
     let place_of_all = || axis.parts.motion.span();
     let place = |index: usize| segments.get(index).map_or_else(place_of_all, |segment| segment.law.span());
     if let Some(found) = Axis::too_many_instants(&load.mechanism, &motion) {
@@ -151,6 +163,39 @@ pub(crate) fn motion(axis: &AxisSource, load: &Load, report: &mut AxisReport<'_>
         report.fault(place(*segment), fault.clone(), None);
     }
     beyond.is_empty().then(|| (motion, segments.iter().map(|segment| segment.extra(load)).collect()))
+}
+
+/// Returns the dwell that fills the cycle with its duration, if there is one; `others`: duration of all other segments.
+/// `None` after a fault.
+fn rest_of_cycle(
+    segments: &[SegmentSource<'_>],
+    others: Time,
+    report: &mut AxisReport<'_>,
+) -> Option<Option<(usize, Time)>> {
+    let mut filling = segments.iter().enumerate().filter(|(_, segment)| segment.cycle.is_given());
+    let Some((place, segment)) = filling.next() else { return Some(None) };
+    let cycle = segment.cycle.value()?;
+    if others.si() > cycle.si() {
+        report.fault(segment.cycle.span(), AxisFault::Cycle(CycleFault::TooShort { others, cycle }), None);
+        return None;
+    }
+    Some(Some((place, cycle - others)))
+}
+
+/// Reports the dwells that state neither a duration nor the cycle, or both, or fill the cycle a second time.
+fn report_dwells(segments: &[SegmentSource<'_>], report: &mut AxisReport<'_>) {
+    let mut is_filled = false;
+    for segment in segments.iter().filter(|segment| segment.law.value() == Some(SegmentLaw::Dwell)) {
+        match (segment.time.is_written(), segment.cycle.is_written()) {
+            (false, false) => {
+                report.fault(segment.law.span(), Fault::MissingKey { path: segment.time.path(), list: false }, None);
+            }
+            (true, true) => report.fault(segment.cycle.span(), AxisFault::Cycle(CycleFault::WithTime), None),
+            (false, true) if is_filled => report.fault(segment.cycle.span(), AxisFault::Cycle(CycleFault::Twice), None),
+            (false, true) => is_filled = true,
+            (true, false) => {}
+        }
+    }
 }
 
 /// Reports the faults of a motion whose load is faulty: those that depend on the kind of the load alone, neither on its
@@ -194,6 +239,7 @@ fn report_readable(
 fn specs(axis: &AxisSource, travel: Option<f64>, report: &mut AxisReport<'_>) -> Vec<Option<SegmentSpec>> {
     let segments = axis.sources();
     let mut recorded = RecordedMotions::default();
+    report_dwells(&segments, report);
     let specs: Vec<Option<SegmentSpec>> =
         segments.iter().map(|segment| segment.spec(travel, &mut recorded, report)).collect();
     if let Some(driven) = driven(&axis.parts) {

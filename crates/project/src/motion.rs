@@ -24,6 +24,7 @@ section! {
         pause: Time => not_negative, stretches(1, 0);
         distance: Along<Angle> => stretches(0, 1);
         time: Time => not_negative, stretches(1, 0);
+        cycle: Time => positive, example("2 s");
         acceleration: Along<AngularAcceleration> => positive, stretches(-2, 1);
         jerk: Along<AngularJerk> => positive, stretches(-3, 1);
         end_speed: Along<AngularVelocity> => stretches(-1, 1);
@@ -76,7 +77,7 @@ const LAWS: [LawLine; 14] = [
     // VDI 2143 uses this name for the triangle.
     ("parabola", SegmentLaw::Law(Law::Triangle), &[], MOVE),
     ("constant", SegmentLaw::Law(Law::Constant), names!(Segment: speed), names!(Segment: time distance)),
-    ("dwell", SegmentLaw::Dwell, names!(Segment: time), names!(Segment: hold)),
+    ("dwell", SegmentLaw::Dwell, &[], names!(Segment: time cycle hold)),
     ("recorded", SegmentLaw::Recorded, names!(Segment: file), names!(Segment: columns units recorded_ratio from to smoothing standstill gaps held_values time_stamps)),
     ("points", SegmentLaw::Points, names!(Segment: points spline ends), names!(Segment: master_speed start_speed end_speed start_acceleration end_acceleration)),
 ];

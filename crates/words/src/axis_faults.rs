@@ -4,12 +4,14 @@ use super::{bodies, motion, recording};
 use crate::faults::{FaultWords, file_fault_text, file_own_hint, hint_text, shown};
 use crate::geometry::geometry;
 use crate::pick;
+use crate::results::with_unit;
 use crate::texts::said;
 use actuator::{BatteryFault, CurveFault};
-use axis::AxisFault;
+use axis::{AxisFault, CycleFault};
 use mechanism::{BodyError, TableFault};
 use project::Hint;
-use quantities::{Language, Unit};
+use quantities::unit::SECOND;
+use quantities::{Language, Measure, Unit};
 
 impl FaultWords for AxisFault {
     fn id(&self) -> &'static str {
@@ -36,6 +38,21 @@ fn axis_fault_text(fault: &AxisFault, language: Language) -> String {
         AxisFault::Recording { name, fault } => format!("{name}: {}", recording::fault(fault, language).0),
         AxisFault::Recorded { name, fault } => format!("{name}: {}", motion::recorded_fault(fault, language).0),
         AxisFault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).0,
+        AxisFault::Cycle(CycleFault::TooShort { others, cycle }) => {
+            let [others, cycle] = [others, cycle].map(|time| with_unit(time.si(), &SECOND, 4, language));
+            said!(language =>
+                "the other segments take {others}, longer than the cycle of {cycle}"
+                | "die übrigen Abschnitte dauern {others}, länger als der Zyklus von {cycle}"
+            )
+        }
+        AxisFault::Cycle(CycleFault::WithTime) => said!(language =>
+            "a dwell states its time or the cycle that it fills, not both"
+            | "eine Rast nennt ihre Dauer oder den Zyklus, den sie auffüllt, nicht beides"
+        ),
+        AxisFault::Cycle(CycleFault::Twice) => said!(language =>
+            "another dwell fills the cycle already"
+            | "eine andere Rast füllt den Zyklus bereits auf"
+        ),
         AxisFault::Instants(found) => {
             let [found, most] = [found.instants, found.most].map(|count| format!("{count:.0}"));
             said!(language =>
@@ -71,6 +88,7 @@ fn axis_own_hint(fault: &AxisFault, language: Language) -> Option<String> {
         | AxisFault::Battery(_)
         | AxisFault::Geometry(_)
         | AxisFault::Points(_)
+        | AxisFault::Cycle(_)
         | AxisFault::Body(_) => None,
     }
 }

@@ -233,6 +233,10 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "speed at the end of the segment; default: standstill",
             "Drehzahl oder Geschwindigkeit am Ende des Abschnitts; ohne Angabe Stillstand",
         ),
+        About::Segment(SegmentName::cycle) => (
+            "cycle time up to which this dwell lasts, in place of its duration",
+            "Zykluszeit, bis zu der diese Rast dauert, anstelle ihrer Dauer",
+        ),
         About::Segment(SegmentName::hold) => (
             "means of holding the load at standstill",
             "Halten der Last im Stillstand",

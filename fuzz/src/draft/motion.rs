@@ -103,7 +103,12 @@ fn one(page: &mut Page<'_, '_>, way: &Way, written: &str, distance: f64) -> Resu
 fn dwell(page: &mut Page<'_, '_>) -> Result<()> {
     page.row("motion");
     page.word("law", "dwell");
-    page.key("time", 0.05, 20.0, TIME)?;
+    // A cycle that the other segments leave room for.
+    if !page.text.contains("\ncycle = ") && page.seldom()? {
+        page.key("cycle", 2_000.0, 9_000.0, TIME)?;
+    } else {
+        page.key("time", 0.05, 20.0, TIME)?;
+    }
     page.may_word("hold", &["motor", "brake", "free"])
 }
 

@@ -76,6 +76,9 @@ pub(crate) fn cases() -> Vec<(&'static str, String, At)> {
         ("unknown_key", more("[requirements]\nsuply = \"560 V\"\n"), Table("requirements")),
         ("unknown_key", more("[loads]\n"), Text),
         ("key_of_another_kind", segments(&["law = \"dwell\"\ntime = \"1 s\"\nspeed = \"1 1/min\""]), Field("motion[1].speed")),
+        ("missing_key", segments(&["law = \"dwell\""]), Field("motion[1].time")),
+        ("cycle_and_time", segments(&["law = \"dwell\"\ntime = \"1 s\"\ncycle = \"2 s\""]), Field("motion[1].cycle")),
+        ("cycle_filled_twice", segments(&["law = \"dwell\"\ncycle = \"2 s\"", "law = \"dwell\"\ncycle = \"2 s\""]), Field("motion[2].cycle")),
         ("outside_the_axes", format!("{HEAD}{LOAD}[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n"), Text),
         ("axis_named_twice", HEAD.to_owned() + &"[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n".repeat(2), Text),
         ("bare_number", inertia("1.3"), Field("load.inertia")),
@@ -367,11 +370,11 @@ fn no_kind_of_fault_is_forgotten() {
 
 /// Faults that stand where another stands that is tried, by the same lines of the reader, or that only other questions have.
 #[rustfmt::skip] // one line per place
-const ELSEWHERE: [&str; 37] = [
+const ELSEWHERE: [&str; 38] = [
     // At the segment or its file.
     "end_speed_above_limit", "move_acceleration_too_low", "move_out_of_range", "move_speed_too_high", "rest_to_rest_only",
     "speed_not_closed", "position_not_closed", "motion_empty", "beyond_range", "position_and_speed_contradict", "joint_without_torque",
-    "too_many_instants",
+    "too_many_instants", "cycle_too_short",
     // At the bodies.
     "bodies_twice", "body_angle_not_finite", "body_beyond_numbers",
     // At the pattern of codes.

@@ -520,3 +520,33 @@ fn what_is_stated_along_a_line_is_reported_along_it() {
     let weak = one(&text("distance = \"100 mm\"\ntime = \"1 s\"\nacceleration = \"0.1 m/s^2\""));
     assert_eq!(weak.hint.as_deref(), Some("at least 0.40000 m/s²"));
 }
+
+/// A dwell that fills the cycle is one with the time that is left, at any place and in any unit.
+#[test]
+fn a_dwell_fills_the_cycle_that_it_states() {
+    let moves = |dwell: &str| {
+        format!(
+            "{HEAD}[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"90 deg\"\ntime = \"0.6 s\"\n\
+            [[motion]]\nlaw = \"dwell\"\n{dwell}\nhold = \"brake\"\n[[motion]]\nlaw = \"modified_sine\"\ndistance = \"-90 deg\"\n\
+            time = \"0.55 s\"\n"
+        )
+    };
+    let read = |dwell: &str| crate::read(&moves(dwell)).unwrap().axis;
+    let stated = read("time = \"0.85 s\"");
+    for cycle in ["2 s", "2000 ms"] {
+        let filled = read(&format!("cycle = \"{cycle}\""));
+        assert!((filled.motion.duration().si() - 2.0).abs() < 1e-12);
+        let code = order_code::parse("CHA-25A-50-H-C1024-B").unwrap().code;
+        let checked = |dwell: &str| {
+            let project = crate::read(&moves(dwell)).unwrap();
+            let checks = crate::check(&project, &code).unwrap().judgement.checks;
+            checks.iter().map(|check| (check.id, check.value.map(|value| value.si))).collect::<Vec<_>>()
+        };
+        for ((id, filled), (_, stated)) in checked(&format!("cycle = \"{cycle}\"")).into_iter().zip(checked("time = \"0.85 s\"")) {
+            let (Some(filled), Some(stated)) = (filled, stated) else { continue };
+            assert!((filled - stated).abs() <= 1e-9 * stated.abs(), "{id:?}");
+        }
+    }
+    let short = one(&moves("cycle = \"1 s\""));
+    assert!(short.message.contains("1.150 s") && short.message.contains("1.000 s"), "{}", short.message);
+}

@@ -2,7 +2,7 @@
 
 use crate::marks::{FACTOR, WRONG, has_own_marks, x};
 use actuator::{BatteryFault, CurveFault, CurveKind};
-use axis::{Assumption, AxisFault};
+use axis::{Assumption, AxisFault, CycleFault};
 use configurator::{BrokenRule, Rule, Unmet};
 use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, Needed, PointsFault, RecordedFault};
@@ -518,6 +518,9 @@ fn built_faults() -> Vec<AxisFault> {
             values: vec![(path(), x(1.0), &MILLIMETRE)],
             why: Some(Box::new(Fault::RodTooShort.into())),
         },
+        AxisFault::Cycle(CycleFault::TooShort { others: q(3.0), cycle: q(2.0) }),
+        AxisFault::Cycle(CycleFault::WithTime),
+        AxisFault::Cycle(CycleFault::Twice),
         AxisFault::Points(PointsFault::TooFew { points: 1, least: 2 }),
         AxisFault::Points(PointsFault::NotFinite { index: 1 }),
         AxisFault::Points(PointsFault::NotIncreasing { index: 1 }),
