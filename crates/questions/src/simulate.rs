@@ -146,8 +146,9 @@ pub(crate) fn simulate<'p>(
     let mut setup = Setup { scenario: wanted.scenario, seed: wanted.seed, encoder: encoder.as_ref(), ..ready.setup() };
     let (gains, gains_stated) = ready.controlled(&mut setup)?;
     let loops = LoopResponse::of(&setup)?;
-    if gains_stated && loops.iter().any(|each| !each.margins.stable) {
-        return Err(Fault::Unstable.into());
+    // An unstable inner loop makes the outer ones unstable.
+    if let Some(LoopResponse { of, margins, .. }) = loops.iter().find(|each| gains_stated && !each.margins.stable) {
+        return Err(Fault::Unstable { of: *of, limit: margins.gain }.into());
     }
     let twin = Twin::new(&setup)?;
     let is_warm = wanted.scenario.starts_warm();

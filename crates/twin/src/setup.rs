@@ -1,5 +1,6 @@
 //! Setup of a simulation, and reasons for which it is impossible.
 
+use crate::bode::Loop;
 use crate::control::Gains;
 use crate::drive::Limits;
 use crate::parameters::Parameters;
@@ -183,7 +184,12 @@ pub enum Fault {
     /// The load is at rest at the instant at which it should hit a stop.
     AtRest,
     /// The gains make a loop unstable.
-    Unstable,
+    Unstable {
+        /// The innermost unstable loop.
+        of: Loop,
+        /// Factor on its gain at the limit of stability, if the loop has one.
+        limit: Option<f64>,
+    },
     /// A value, by its key, is not finite or out of range.
     OutOfRange(&'static str),
 }

@@ -156,7 +156,12 @@ texts! {
     refused_late(end) = "the scenario occurs after the end of the run, {end} s" | "das Szenario liegt nach dem Ende des Laufs, {end} s";
     refused_moving = "the scenario must begin at standstill; the axis is in motion at this time" | "das Szenario muss im Stillstand beginnen; die Achse bewegt sich zu diesem Zeitpunkt";
     refused_resting = "the scenario requires a moving axis; the axis is at standstill at this time" | "das Szenario erfordert eine bewegte Achse; die Achse steht zu diesem Zeitpunkt";
-    refused_unstable = "with these gains a control loop is unstable" | "mit diesen Reglerparametern schwingt ein Regelkreis auf";
+    refused_unstable(name, key) =
+        "with these gains the {name} is unstable: reduce {key}"
+        | "mit diesen Reglerparametern schwingt die {name} auf: {key} verringern";
+    refused_unstable_beyond(name, key, limit) =
+        "with these gains the {name} is unstable: reduce {key}; the limit of stability is at {limit} % of it"
+        | "mit diesen Reglerparametern schwingt die {name} auf: {key} verringern; die Stabilitätsgrenze liegt bei {limit} % davon";
     refused_range(key) = "{key} is out of range" | "{key} liegt außerhalb seines Bereichs";
     too_many_steps(steps, most) =
         "{steps} steps exceed the limit of {most}" | "{steps} Schritte überschreiten die Grenze von {most}";
@@ -393,7 +398,21 @@ pub fn simulation_fault(fault: &Fault, language: Language) -> String {
         }
         Fault::NotAtRest => crate::simulation::refused_moving(language).to_owned(),
         Fault::AtRest => crate::simulation::refused_resting(language).to_owned(),
-        Fault::Unstable => crate::simulation::refused_unstable(language).to_owned(),
+        Fault::Unstable { of, limit } => {
+            let (en, de) = match of {
+                Loop::Current => ("current control", "Stromregelung"),
+                Loop::Speed => ("speed control", "Drehzahlregelung"),
+                Loop::Position => ("position control", "Lageregelung"),
+            };
+            let (name, key) = (pick(language, en, de), format!("twin.{}_gain", of.id()));
+            match limit.filter(|limit| *limit < 1.0) {
+                Some(limit) => {
+                    let limit = quantities::format_significant(100.0 * limit, 3, language);
+                    crate::simulation::refused_unstable_beyond(&name, &key, &limit, language)
+                }
+                None => crate::simulation::refused_unstable(&name, &key, language),
+            }
+        }
         Fault::OutOfRange(key) => crate::simulation::refused_range(key, language),
     }
 }
