@@ -279,6 +279,16 @@ impl Tab {
         Ok(())
     }
 
+    /// Drops a file onto the page.
+    pub(crate) fn drop_file(&self, name: &str, text: &str) -> Worded {
+        self.run(
+            "const held = new DataTransfer(); held.items.add(new File([arguments_[1]], arguments_[0])); \
+             document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: held, bubbles: true, cancelable: true }));",
+            vec![json!(name), json!(text)],
+        )?;
+        Ok(())
+    }
+
     /// Provides the file for the next file dialog that the page opens.
     pub(crate) fn will_choose(&self, name: &str, text: &str) -> Worded {
         self.run(

@@ -1,6 +1,7 @@
 //! The test scenarios.
 
 mod begin;
+mod door;
 mod files;
 mod form;
 mod frame;
@@ -98,6 +99,8 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("save-and-open", files::save_and_open),
     Way::both("two-tabs", files::two_tabs),
     Way::both("paste-a-recording", files::paste_a_recording),
+    Way::both("recording-through-the-door", door::recording_through_the_door),
+    Way::both("hostile-recordings", door::hostile_recordings),
     Way::both("download", files::download),
     Way::server("report", files::report),
     Way::site("no-report", files::no_report),

@@ -81,9 +81,9 @@ pub(crate) fn paste_a_recording(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("table", "en")?;
     tab.paste(&recording())?;
-    // The first rows are shown before the project is changed.
-    tab.says("#detail table", "phi in deg")?;
-    tab.click("#recording-replaces")?;
+    // The columns are shown before the project is changed.
+    tab.says("#incoming-columns", "phi in deg")?;
+    tab.click("#incoming-use")?;
     tab.says("#text", "file = \"pasted.csv\"")?;
     tab.until("document.querySelector('#text').value.split('[[motion]]').length === 2")?;
     tab.until("document.querySelector('#text').value.includes('law = \"recorded\"')")?;

@@ -317,7 +317,7 @@ pub(crate) fn actions_to_an_answer(stage: &OpenPage<'_>) -> Worded {
         .collect();
     tab.there("[data-recording]")?;
     tab.paste(&format!("t in s;phi in deg\n{rows}"))?;
-    tab.click("#recording-replaces")?;
+    tab.click("#incoming-use")?;
     tab.until("document.querySelector('#text').value.includes('law = \"recorded\"') && !document.querySelector('#verdict.old')")?;
     let recording = load + 2;
     println!(

@@ -17,6 +17,7 @@ use configurator::{Product, Requirements};
 use order_code::{Option1, Option2};
 use project::sections::{AxisSection, StageSection};
 use project::{Diagnostic, Fault, ReadProject, SegmentLaw, Tolerance};
+use quantities::Time;
 use sizing::Axis;
 use std::sync::Arc;
 
@@ -131,6 +132,18 @@ impl AxisProject {
     #[must_use]
     pub fn law(&self, segment: usize) -> Option<SegmentLaw> {
         self.root.segments().get(segment)?.law.value()
+    }
+
+    /// Returns the project with another smoothing of a recorded segment, counted from zero; `None` if that axis is
+    /// impossible.
+    #[must_use]
+    pub fn smoothed(&self, segment: usize, window: Option<Time>) -> Option<Self> {
+        let mut root = self.root.clone();
+        root.set_smoothing(segment, window);
+        let draft = prepare(&root, &*self.catalogue, &mut AxisReport::new(""))?;
+        let axis = finish(&root, draft);
+        let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
+        Some(Self { axis, root, assumptions, ..self.clone() })
     }
 
     /// Builds one axis; `None` after a fault.

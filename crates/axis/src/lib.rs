@@ -58,7 +58,7 @@ pub use gearing::Gearing;
 pub use law_sample::law_sample;
 pub use measured::{measurand, measured};
 pub use recording_name::{RECORDINGS, is_recording_name};
-pub use recordings::RecordingRead;
+pub use recordings::{RecordingRead, read_recording};
 pub use roles::Within;
 pub use segment_load::SegmentLoadKey;
 pub use stage::RatioAnswer;

@@ -163,6 +163,14 @@ impl<'f> Recordings<'f> {
     }
 }
 
+/// Reads a recording that no project names yet, with the memory that a project may use.
+///
+/// # Errors
+/// Every fault of the file.
+pub fn read_recording(name: &str, layout: &Layout, files: &dyn Files) -> Result<Recording, Vec<AxisFault>> {
+    Recordings::new(files).read_file(name, layout)
+}
+
 /// Returns the faults of a file that is no recording.
 fn unreadable(name: &str, faults: Vec<recording::Fault>) -> Vec<AxisFault> {
     faults.into_iter().map(|fault| AxisFault::Recording { name: name.to_owned(), fault }).collect()

@@ -17,7 +17,7 @@ export function tell(words) {
   if (words) quiet = setTimeout(() => { if (status.textContent === words) tell(''); }, 4000 + 60 * words.length);
 }
 // The faults of an answer as sentences: an interface for programs writes them as JSON.
-function sentences(words) {
+export function sentences(words) {
   try { return JSON.parse(words).errors.map((each) => each.message).join('; '); } catch { return words; }
 }
 
@@ -189,7 +189,7 @@ function unsaved() {
   place.querySelector('ul').replaceChildren(...rows);
   place.hidden = rows.length === 0;
 }
-function put(value) {
+export function put(value) {
   const field = text();
   if (!field) return;
   field.value = value;
@@ -248,6 +248,7 @@ document.addEventListener('htmx:after:swap', () => {
 });
 // The drawer gives the focus back to where it was opened.
 let opener = null;
+export const openedBy = (element) => { if (!$('#detail').contains(element)) opener = element === document.body ? null : element.id || element; };
 document.addEventListener('htmx:before:request', (event) => {
   const { ctx } = event.detail;
   if (ctx.target?.id === 'detail' && !$('#detail').contains(ctx.sourceElement)) opener = ctx.sourceElement.id || ctx.sourceElement;
@@ -371,7 +372,7 @@ document.addEventListener('change', (event) => {
   plain.dispatchEvent(new Event('change', { bubbles: true }));
 });
 
-const fields = () => new URLSearchParams(new FormData($('#state')));
+export const fields = () => new URLSearchParams(new FormData($('#state')));
 async function send(path) {
   try { return await fetch(path, { method: 'POST', body: fields() }); } catch { away(); return undefined; }
 }
@@ -409,14 +410,6 @@ async function download(what, usual) {
   tell('');
 }
 function project() { keep(new Blob([text().value], { type: 'application/toml' }), $('#file')?.value || 'axis.toml'); }
-// A recording is kept beside the projects, and a segment says so.
-async function record(blob, name) {
-  const reply = await fetch(`/recording?name=${encodeURIComponent(name)}&lang=${document.documentElement.lang}`, { method: 'POST', headers: { 'content-type': 'application/octet-stream' }, body: blob });
-  const words = await reply.text();
-  if (!reply.ok) { tell(sentences(words)); return; }
-  const button = $('[data-recording]');
-  htmx.ajax('POST', '/recorded', { source: button, target: '#detail', swap: 'innerHTML', values: { recording: words, add: button.dataset.recording, count: button.dataset.count } });
-}
 export function choose(accept, then) {
   const chooser = document.createElement('input');
   chooser.type = 'file';
@@ -424,16 +417,6 @@ export function choose(accept, then) {
   chooser.addEventListener('change', () => { if (chooser.files[0]) then(chooser.files[0]); });
   chooser.click();
 }
-addEventListener('paste', (event) => {
-  if (event.target.closest?.('input, textarea') || !$('[data-recording]')) return;
-  const pasted = event.clipboardData?.getData('text') ?? '';
-  // Several lines, each with several columns, and numbers in most of them.
-  const rows = pasted.split(/\r?\n/).filter((row) => row.trim());
-  const numbers = rows.filter((row) => row.split(/[;\t]|,(?=\s|-?\d*\.)/).filter((cell) => /^\s*-?[\d.,]+(e[-+]?\d+)?\s*$/i.test(cell)).length > 1);
-  if (rows.length < 3 || numbers.length < rows.length / 2) return;
-  event.preventDefault();
-  record(new Blob([pasted], { type: 'text/csv' }), 'pasted.csv');
-});
 export async function save() {
   const reply = await send('/save');
   if (!reply) return;
@@ -465,9 +448,8 @@ export function loaded(value, base = value) {
 }
 // The text that the unsaved changes are made from.
 export const savedText = () => saved;
-function open() { choose('.toml', async (file) => begin(await file.text(), file.name)); }
 // The whole page about a text.
-function begin(value, name) {
+export function begin(value, name) {
   const form = document.createElement('form');
   form.method = 'post';
   form.action = '/';
@@ -509,11 +491,9 @@ document.addEventListener('click', (event) => {
   if (of('undo')) stepped(past, future);
   else if (of('redo')) stepped(future, past);
   else if (of('save')) save();
-  else if (of('open')) open();
   else if (of('link')) link();
   else if (of('api')) download(of('api').dataset.api, of('api').dataset.name);
   else if (of('project')) project();
-  else if (of('recording')) choose('.csv,.txt,.parquet', (file) => record(file, file.name));
   else if (of('close')) shut();
   else if (of('shuts')) shuts = of('shuts');
   else if (of('instant')) { lead(of('instant')); jump(Number(of('instant').dataset.instant)); }

@@ -7,8 +7,9 @@ macro_rules! files {
 }
 
 /// Files of the page by their names below `/assets/`.
-pub const ASSETS: [(&str, &str); 12] = files![
-    "page.css" "enter.js" "page.js" "panes.js" "cursor.js" "across.js" "plots.js" "sketch.js" "waiting.js" "folder.js" "tools.js" "htmx.min.js"
+pub const ASSETS: [(&str, &str); 13] = files![
+    "page.css" "enter.js" "page.js" "panes.js" "cursor.js" "across.js" "plots.js" "sketch.js" "waiting.js" "folder.js" "tools.js" "door.js"
+    "htmx.min.js"
 ];
 
 /// Typefaces of the page, those of report and pictures, by the names of their files below `/assets/`: one for text, one for formulas. The engine

@@ -240,19 +240,8 @@ pub(crate) fn text(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     }
 }
 
-/// Keeps a recording next to the projects and returns its name there.
-pub(crate) fn recorded(call: &Call<'_>, shell: &dyn Shell) -> Reply {
-    let l = call.language();
-    let name = call.field("name").unwrap_or_default();
-    let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
-    match folder.keep(&name, call.body) {
-        Ok(name) => Reply::text(200, &name),
-        Err(fault) => not_kept(&fault, &name, l),
-    }
-}
-
 /// Returns the reply for a recording that could not be kept.
-fn not_kept(fault: &SaveFault, name: &str, language: Language) -> Reply {
+pub(crate) fn not_kept(fault: &SaveFault, name: &str, language: Language) -> Reply {
     match fault {
         SaveFault::Disk(error) => Reply::text(409, &file_trouble(error, language)),
         SaveFault::Name | SaveFault::Changed => Reply::text(422, &page::no_recording_name(&name, language)),

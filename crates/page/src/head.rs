@@ -7,7 +7,7 @@ use figures::Theme;
 use maud::{Markup, html};
 use quantities::Language;
 use questions::list::{Argument, ArgumentKind, export, report, size};
-use words::{capitalised, page, terms};
+use words::{capitalised, incoming, page, terms};
 
 /// Default name of a project file.
 pub(crate) const USUAL_NAME: &str = "axis.toml";
@@ -65,7 +65,10 @@ pub(crate) fn messages(language: Language) -> Markup {
         // Apart from the places that keep their content, so that another language reaches them.
         span id="messages" hidden data-no-answer=(page::no_answer(language)) data-answers=(page::answers_again(language))
             data-draft=(page::draft_found(language)) data-restore=(page::restore_draft(language)) data-discard=(page::discard_draft(language))
-            data-restored=(page::draft_restored(language)) data-full=(page::draft_too_large(language)) {}
+            data-restored=(page::draft_restored(language)) data-full=(page::draft_too_large(language))
+            data-most=(crate::RECORDING_BYTES_MAX) data-too-large=(incoming::too_large(&(crate::RECORDING_BYTES_MAX >> 20), language))
+            data-one-file=(incoming::one_file(language)) {}
+        div id="drop" aria-hidden="true" { (incoming::drop_here(language)) }
     }
 }
 

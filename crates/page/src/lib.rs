@@ -22,6 +22,7 @@ mod formula;
 mod frame;
 mod gallery;
 mod head;
+mod incoming;
 mod laws;
 mod locked;
 mod markup;
@@ -109,7 +110,6 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         (Method::Get, "/gallery") => html(gallery::shown(call)),
         (Method::Get, "/keys") => html(find::keyboard(call)),
         (Method::Post, "/versions") => html(versions::listed(call)),
-        (Method::Post, "/recorded") => html(recorded::brought(call, shell)),
         (Method::Post, "/picture") => frame::picture(call, shell, progress),
         (Method::Post, "/let-in") => html(rejected::changes(call, shell, progress)),
         (Method::Post, "/would-fit") => html(remedies::cards(call, shell, progress)),
@@ -122,7 +122,8 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         (Method::Get, "/text") => files::text(call, shell),
         (Method::Post, "/example") => files::example(call, shell, progress),
         (Method::Post, "/save") => files::saved(call, shell),
-        (Method::Post, RECORDING) => files::recorded(call, shell),
+        (Method::Post, RECORDING) => incoming::used(call, shell),
+        (Method::Post, PREVIEW) => incoming::preview(call, shell, progress),
         _ => Reply::text(404, words::page::no_such_page(call.language())),
     }
 }
@@ -131,8 +132,15 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
 /// below `/api/`, nor the additional files; requests for them go to the larger engine (`larger` in `site.js`).
 const WHOLE: bool = cfg!(feature = "interface");
 
-/// Path that receives a recording; its body may be larger than others.
+/// Path that keeps a recording and returns the project that uses it; its body is a line of fields and the file.
 pub const RECORDING: &str = "/recording";
+
+/// Path that shows a recording before it is used; its body is that of [`RECORDING`].
+pub const PREVIEW: &str = "/recording/preview";
+
+/// Largest number of bytes of a recording that a page accepts: a million samples of three quantities, as loggers write
+/// them.
+pub const RECORDING_BYTES_MAX: usize = 64 << 20;
 
 /// Path of the progress of a work; a shell answers it while the work runs.
 pub const PROGRESS: &str = "/progress";

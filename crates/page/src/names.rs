@@ -1,6 +1,6 @@
 //! Names of files in a working folder, independent of its storage.
 
-use axis::RECORDINGS;
+use axis::{RECORDINGS, is_recording_name};
 use quantities::is_unseen;
 
 /// Largest number of bytes of a name; the limit of most file systems.
@@ -25,12 +25,38 @@ pub(crate) fn project_name(typed: &str) -> String {
 /// recording.
 #[must_use]
 pub fn recording_names(name: &str) -> Option<impl Iterator<Item = String> + use<'_>> {
-    let (stem, ending) = name.rsplit_once('.')?;
-    if !RECORDINGS.contains(&ending.to_ascii_lowercase().as_str()) || !is_plain(stem) || name.len() > NAME_MOST - 4 {
+    let (stem, ending) = parted(name)?;
+    if !is_plain(stem) || name.len() > NAME_MOST - 4 {
         return None;
     }
     let like = move |turn| if turn == 1 { name.to_owned() } else { format!("{stem}-{turn}.{ending}") };
     Some((1..=LIKE_MOST).map(like))
+}
+
+/// Splits the name of a recording before its extension, that of a packed one included: `run` and `csv.gz`.
+fn parted(name: &str) -> Option<(&str, &str)> {
+    is_recording_name(name).then_some(())?;
+    let lower = name.to_ascii_lowercase();
+    let dots = || lower.match_indices('.').map(|(place, _)| place);
+    let is_ending = |place: &usize| {
+        let ending = lower.get(place + 1..).unwrap_or_default().split('.').next().unwrap_or_default();
+        RECORDINGS.contains(&ending)
+    };
+    let place = dots().rfind(is_ending)?;
+    Some((name.get(..place)?, name.get(place + 1..)?))
+}
+
+/// Returns the name under which a file of any name is kept as a recording: without its folders and characters that no
+/// folder takes, and with an extension, by its content if it has none.
+pub(crate) fn kept_name(name: &str, bytes: &[u8]) -> String {
+    let own = name.rsplit(['/', '\\']).next().unwrap_or_default().trim().trim_start_matches('.');
+    let own: String = own.chars().map(|sign| if sign == ':' || is_unseen(sign) { '-' } else { sign }).collect();
+    let own = if own.is_empty() { "recording".to_owned() } else { own };
+    if is_recording_name(&own) {
+        return own;
+    }
+    let ending = if bytes.starts_with(b"PAR1") { "parquet" } else { "csv" };
+    format!("{own}.{ending}")
 }
 
 /// Returns `true` if a name stays in the folder.

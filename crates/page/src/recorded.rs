@@ -1,6 +1,5 @@
 //! A recording in the form: role and unit of each column, and the first rows of the file.
 
-use crate::call::{Call, Shell};
 use crate::form::{Followed, RowContent};
 use crate::markup::{id, vals};
 use maud::{Markup, html};
@@ -14,42 +13,12 @@ pub(crate) const KEYS: [&str; 2] = ["columns", "units"];
 /// The word of the project file for a role that no column has.
 const NO_COLUMN: &str = "none";
 
-/// Returns the first rows of a new recording, and the choice to replace the motion or to add to it.
-pub(crate) fn brought(call: &Call<'_>, shell: &dyn Shell) -> Markup {
-    let l = call.language();
-    let field = |name: &str| call.field(name).map(std::borrow::Cow::into_owned).unwrap_or_default();
-    let (file, add) = (field("recording"), field("add"));
-    let count: usize = field("count").parse().unwrap_or(0).min(SEGMENTS_MOST);
-    let list = add.rsplit_once('[').map_or(add.as_str(), |(list, _)| list);
-    let segment = |path: &str| {
-        [format!("table {path}"), format!("value {path}.law=recorded"), format!("value {path}.file={file}")].join("\n")
-    };
-    let gone = vec![format!("gone {list}[1]"); count];
-    let first = format!("{list}[1]");
-    let replaced = gone.into_iter().chain([segment(&first)]).collect::<Vec<_>>().join("\n");
-    let button = |id: &str, change: &str, title: &str| {
-        html! { button type="button" id=(id) data-shuts="" hx-post="/work" hx-target="#work" hx-swap="outerMorph" hx-vals=(vals(&[("do", change)])) { (title) } }
-    };
-    let inside = html! {
-        p { (page::recording_is_there(&file, l)) }
-        @if let Some(preview) = recording_preview(&file, shell.files()) { (rows(&preview, l)) }
-        div.downloads {
-            @if count > 0 { (button("recording-replaces", &replaced, page::replace_motion(l))) }
-            (button("recording-added", &segment(&add), page::add_recording(l)))
-        }
-    };
-    crate::markup::drawer(&file, &inside, l)
-}
-
-/// Largest number of segments that are replaced.
-const SEGMENTS_MOST: usize = 10_000;
-
 /// Returns the first rows of a recording as a table.
-fn rows(preview: &Preview, language: Language) -> Markup {
+pub(crate) fn rows(preview: &Preview, language: Language) -> Markup {
     html! {
         div.wide tabindex="0" role="region" aria-label=(page::first_rows(language)) {
             table {
-                thead { tr { @for heading in &preview.headings { th scope="col" { (heading) } } } }
+                thead { tr { @for column in &preview.columns { th scope="col" { (column.heading) } } } }
                 tbody { @for row in &preview.rows { tr { @for cell in row { td { (cell) } } } } }
             }
         }
@@ -60,13 +29,14 @@ fn rows(preview: &Preview, language: Language) -> Markup {
 pub(crate) fn columns(form: &RowContent<'_>, path: &str, solved: Option<&Followed>) -> Markup {
     let file = form.value(&format!("{path}.file")).unwrap_or_default();
     let preview = recording_preview(file, form.files);
-    let headings = preview.as_ref().map(|found| found.headings.as_slice()).unwrap_or_default();
+    let columns = preview.as_ref().map(|found| found.columns.as_slice()).unwrap_or_default();
+    let headings: Vec<String> = columns.iter().map(|column| column.heading.clone()).collect();
     html! {
         @if let Some(read) = solved.and_then(|solved| solved.recording.as_ref()) { p.small { (read) } }
         div.recorded id={ (id(path)) "-columns" } {
             @for (name, role, units) in recording_roles() {
                 @let read = solved.and_then(|solved| solved.columns.iter().find(|(of, ..)| *of == role));
-                (role_row(form, path, (name, role), headings, &units, read))
+                (role_row(form, path, (name, role), &headings, &units, read))
             }
         }
         @if let Some(preview) = &preview { (first_rows(path, preview, form)) }

@@ -89,6 +89,32 @@ fn movable(drawing: &Drawing, ratio: f64) -> String {
     }
     drawn
 }
+/// Returns the drawing of a recording on its tile: samples over time.
+pub(crate) fn recording() -> Markup {
+    let samples = [
+        (14, 78),
+        (26, 77),
+        (38, 68),
+        (50, 47),
+        (62, 26),
+        (74, 17),
+        (86, 18),
+        (98, 27),
+        (110, 49),
+        (122, 66),
+        (134, 77),
+        (146, 78),
+    ];
+    let path = samples.iter().map(|(x, y)| format!("{x} {y}")).collect::<Vec<_>>().join("L");
+    html! {
+        svg viewBox="0 0 160 100" {
+            path.l-thin d="M10 8V90H154" {}
+            path.l-line d={ "M" (path) } {}
+            @for (x, y) in samples { circle.l-mark cx=(x) cy=(y) r="2.4" {} }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

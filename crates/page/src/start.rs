@@ -9,7 +9,7 @@ use questions::list::new::template;
 use questions::list::size::sized;
 use questions::{MechanismId, Progress, Rejected, read_all_watched};
 use std::sync::LazyLock;
-use words::{about_text, capitalised, page, short_label, terminal};
+use words::{about_text, capitalised, incoming, page, short_label, terminal};
 
 /// A way to begin: the values of the example of a mechanism, and the keys to fill in.
 pub(crate) struct Begin {
@@ -123,7 +123,12 @@ pub(crate) fn tiles(language: Language) -> Markup {
                 span.sketch aria-hidden="true" { (sketch::still(begin.mechanism)) }
                 span { (title) }
             } }
-        } }
+        }
+            li { button.tile type="button" id="tile-recording" data-recording="" title=(incoming::tile_about(language)) {
+                span.sketch aria-hidden="true" { (sketch::recording()) }
+                span { (incoming::tile(language)) }
+            } }
+        }
     }
 }
 

@@ -112,10 +112,13 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
     let steps = steps(path).ok_or(EditFault::Path)?;
     let key = key_of(root, path).ok_or(EditFault::Path)?;
     let (last, above) = steps.split_last().ok_or(EditFault::Path)?;
-    let wants_table = matches!(change, Edit::Value(value) if !value.trim().is_empty()) || change == Edit::Table;
     let mut reported = false;
-    let Some(parent) = down(document.as_table_mut(), above, wants_table || change == Edit::Instead, &mut reported)
-    else {
+    let make = match change {
+        Edit::Table | Edit::Instead => Make::ForTable,
+        Edit::Value(value) if !value.trim().is_empty() => Make::ForValue,
+        Edit::Value(_) | Edit::Gone | Edit::Down | Edit::Twice => Make::Nothing,
+    };
+    let Some(parent) = down(document.as_table_mut(), above, make, &mut reported) else {
         // A missing value need not be removed.
         return if matches!(change, Edit::Down | Edit::Twice) { Err(EditFault::Path) } else { Ok(text.to_owned()) };
     };
@@ -150,22 +153,32 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
     Ok(document.to_string())
 }
 
-/// Returns the table at a path; with `make` missing tables on the way are created, and `made` is set.
+/// Tables that are created on the way to a place.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Make {
+    Nothing,
+    /// Tables above a value.
+    ForValue,
+    /// Tables above a table, without a heading of their own.
+    ForTable,
+}
+
+/// Returns the table at a path; missing tables on the way are created as `make` requires, and `made` is set.
 fn down<'t>(
     root: &'t mut dyn TableLike,
     path: &[Step<'_>],
-    make: bool,
+    make: Make,
     made: &mut bool,
 ) -> Option<&'t mut dyn TableLike> {
     let Some(((name, place), rest)) = path.split_first() else { return Some(root) };
     if !root.contains_key(name) {
-        if !make || place.is_some_and(|place| place > 0) {
+        if make == Make::Nothing || place.is_some_and(|place| place > 0) {
             return None;
         }
         *made = true;
         let mut table = Table::new();
         // A table that contains only tables needs no heading.
-        table.set_implicit(!rest.is_empty() && place.is_none());
+        table.set_implicit(place.is_none() && (!rest.is_empty() || make == Make::ForTable));
         let item = match place {
             Some(_) => Item::ArrayOfTables(ArrayOfTables::from_iter([table])),
             None => Item::Table(table),

@@ -17,6 +17,7 @@ use crate::tolerance::{self, Tolerance};
 use crate::twin::TwinSection;
 use crate::value::{OneOrMany, Tables};
 use crate::{Diagnostic, Fault};
+use quantities::Time;
 
 /// Format version of the project file.
 const FORMAT: i64 = 1;
@@ -187,6 +188,18 @@ impl AxisSection {
             let within = key.strip_prefix(&**own).map_or(key, |rest| rest.trim_start_matches('.'));
             states(&self.parts, within)
         })
+    }
+
+    /// Replaces the smoothing of a recorded segment, counted from zero; without a window the segment is not smoothed.
+    pub fn set_smoothing(&mut self, segment: usize, window: Option<Time>) {
+        let segments = self.parts.motion.get_mut();
+        if let Some(segment) = segments.and_then(|segments| segments.0.get_mut(segment)) {
+            let span = segment.smoothing.span();
+            segment.smoothing.clear();
+            if let Some(window) = window {
+                segment.smoothing.give(window, span);
+            }
+        }
     }
 
     /// Replaces several ratios by one.

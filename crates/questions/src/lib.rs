@@ -20,6 +20,7 @@ mod fingerprint;
 mod flange;
 mod gearing_proposals;
 mod glossary;
+mod incoming;
 mod input_keys;
 mod law_shape;
 mod limits;
@@ -69,13 +70,19 @@ pub use tolerance::{Assessment, Draw, SAMPLES_MOST, SAMPLES_USUAL, Sampling, ass
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use flange::flange_course;
 pub use gearing_proposals::{GEARING_INSTANTS_MOST, GearingProposal};
+pub use incoming::{
+    ExaminedRecording, FilesWithIncoming, IncomingFile, SmoothingEffect, smoothing_effects, window_text,
+};
 pub use law_shape::law_shape;
 pub use mechanism::MechanismId;
 pub use mechanism::drawing::{Drawing, MechanismValues};
+pub use motion::Spurious;
 pub use moves::{Move, Moves, moves};
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use preview::{recording_preview, recording_roles};
-pub use recording::{MEMORY_USUAL, Preview, Role as ColumnRole};
+pub use recording::{
+    Along, ColumnSpec, Layout, MEMORY_USUAL, PREVIEW_COLUMNS_MAX, Preview, PreviewColumn, Role as ColumnRole,
+};
 pub use segment_handles::segment_handles;
 pub use sizing::{Course, FlangeSample, Sample};
 pub use sizing_use::{course, course_rows, course_seen};

@@ -281,7 +281,7 @@ fn nearest(headings: &[Heading], name: &str) -> Option<String> {
 
 /// Returns the name of a column as it can be written in a layout: a shortened or empty name and one of several columns
 /// names no column, its number does.
-fn writable(headings: &[Heading], heading: &Heading) -> Option<String> {
+pub(crate) fn writable(headings: &[Heading], heading: &Heading) -> Option<String> {
     let name = heading.written.to_lowercase();
     let is_same = |other: &&Heading| [&other.written, &other.named.bare].iter().any(|text| text.to_lowercase() == name);
     let is_only = || headings.iter().filter(is_same).take(2).count() == 1;

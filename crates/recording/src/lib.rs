@@ -62,7 +62,7 @@ pub use parquet::{
     Ranges, Table, TableColumn, TableValues, ValueKind, column_names, read_columns, read_parquet, read_parquet_within,
     row_count,
 };
-pub use preview::{Preview, preview_csv};
+pub use preview::{PREVIEW_COLUMNS_MAX, Preview, PreviewColumn, preview_csv, preview_parquet};
 pub use records::Records;
 pub use series::{Along, ColumnRead, Encoding, KnownBy, RecordedCourse, Recording, Series};
 pub use side::is_of_motor;

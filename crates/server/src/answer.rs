@@ -161,7 +161,7 @@ impl Responder {
                 let most = match &*path {
                     // A stranger takes none of the memory for bodies, nor of the time to send one.
                     _ if !has_token => 0,
-                    page::RECORDING => self.limits.recording_bytes,
+                    page::RECORDING | page::PREVIEW => self.limits.recording_bytes,
                     _ => self.limits.body_bytes,
                 };
                 match read(body, most, &self.bodies, &self.limits).await {

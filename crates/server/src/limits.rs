@@ -15,7 +15,7 @@ pub struct RequestLimits {
     pub head_time: Duration,
     /// Bytes of a body.
     pub body_bytes: usize,
-    /// Bytes of an uploaded recording.
+    /// Bytes of a recording with the project that is to use it.
     pub recording_bytes: usize,
     /// Bytes of all bodies that are being read or answered.
     pub bodies_bytes: usize,
@@ -54,9 +54,9 @@ impl Default for RequestLimits {
             head_time: Duration::from_secs(10),
             // Two project files as JSON, in which a line feed takes two bytes.
             body_bytes: 4 << 20,
-            // A million samples of three quantities, as loggers write them.
-            recording_bytes: 64 << 20,
-            bodies_bytes: 128 << 20,
+            // With the project, whose text stands before it.
+            recording_bytes: page::RECORDING_BYTES_MAX + (4 << 20),
+            bodies_bytes: 136 << 20,
             body_time: Duration::from_secs(20),
             answer_time: Duration::from_secs(60),
             computed: std::thread::available_parallelism().map_or(1, usize::from).min(COMPUTED_MOST),

@@ -164,12 +164,13 @@ mod tests {
     fn a_recording_that_is_brought_can_be_read_by_a_project() {
         let mut engine = PageEngine::default();
         let csv = "t in s;phi in deg\n0;0\n0.5;20\n1;0\n";
-        let (head, body) = said(&mut engine, &ask(true, "/recording", "name=run.csv", None), csv.as_bytes());
-        assert_eq!(
-            (head["status"].clone(), head["kept"].clone(), body),
-            (json!(200), json!("run.csv"), b"run.csv".to_vec())
-        );
-        let project = "format = 1\n[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\n";
+        let sent = format!("name=run.csv\n{csv}");
+        let (head, _) = said(&mut engine, &ask(true, "/recording/preview", "", None), sent.as_bytes());
+        assert_eq!((head["status"].clone(), head["kept"].clone()), (json!(200), json!(null)), "nothing is kept yet");
+        let (head, body) = said(&mut engine, &ask(true, "/recording", "", None), sent.as_bytes());
+        assert_eq!((head["status"].clone(), head["kept"].clone()), (json!(200), json!("run.csv")));
+        let project = String::from_utf8(body).unwrap();
+        assert_eq!(project, "format = 1\n\n[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\n");
         let (_, body) = said(&mut engine, &ask(true, "/api/v1/size", "", Some("application/toml")), project.as_bytes());
         let there = String::from_utf8(body).unwrap();
         let _ = said(&mut engine, &json!({ "gone": { "name": "run.csv" } }), &[]);

@@ -22,6 +22,7 @@ mod glossary_page;
 pub mod help;
 mod hyphens;
 pub mod identification;
+pub mod incoming;
 mod keys;
 mod letters;
 mod measured_keys;
@@ -134,6 +135,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("help", help::TEXTS),
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),
+    ("incoming", incoming::TEXTS),
     ("mounting", mounting::TEXTS),
     ("page", page::TEXTS),
     ("operation", operation::TEXTS),

@@ -308,9 +308,6 @@ texts! {
         | "Die Werte sind übliche Startwerte; durch eigene ersetzen.";
     back = "Back" | "Zurück";
     reverse(name) = "Reverse {name}" | "{name} umkehren";
-    recording_is_there(file) =
-        "{file} is now stored with the projects. First lines:" | "{file} liegt jetzt bei den Projekten. Erste Zeilen:";
-    replace_motion = "Replace the motion with it" | "Bewegung dadurch ersetzen";
     checks_wait(count) =
         "required for 1 check" | "für 1 Nachweis erforderlich", "required for {count} checks" | "für {count} Nachweise erforderlich";
     more_faults(count) = "1 more" | "1 weiterer", "{count} more" | "{count} weitere";

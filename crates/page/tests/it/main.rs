@@ -2,6 +2,7 @@
 
 mod faults;
 mod folder;
+mod incoming;
 mod moving;
 mod page;
 mod parts;

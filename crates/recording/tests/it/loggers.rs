@@ -255,7 +255,8 @@ fn a_preview_begins_at_the_heading() {
     let found =
         preview_csv(&b"sep=;\nAxis;Rotary 1;;\nt;q [deg];mode;M\ns;;;Nm\n0,0;1,5;auto;2\n0,1;2;auto;3\n"[..], 2)
             .unwrap();
-    assert_eq!(found.headings, ["t", "q [deg]", "mode", "M"]);
+    let headings: Vec<&str> = found.columns.iter().map(|column| column.heading.as_str()).collect();
+    assert_eq!(headings, ["t", "q [deg]", "mode", "M"]);
     assert_eq!(found.rows[1], ["0,0", "1,5", "auto", "2"]);
 }
 

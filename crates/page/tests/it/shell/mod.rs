@@ -120,6 +120,14 @@ impl InMemory {
         respond(&call, self, &Progress::endless())
     }
 
+    /// Returns the reply to a line of fields with a file behind it.
+    pub fn post_file(&self, path: &str, fields: &[(&str, &str)], file: &[u8]) -> Reply {
+        let body = [form(fields).as_bytes(), b"\n", file].concat();
+        let media = Some("application/octet-stream");
+        let call = Call { method: Method::Post, path, query: "", media, body: &body, language: Language::En };
+        respond(&call, self, &Progress::endless())
+    }
+
     /// Returns the reply to a query.
     pub fn get(&self, path: &str, query: &str) -> Reply {
         let call = Call { method: Method::Get, path, query, media: None, body: &[], language: Language::En };

@@ -1,0 +1,248 @@
+//! A recording from outside: shown before it is used, written as chosen, and refused with a sentence.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use crate::shell;
+
+use project::written;
+use shell::{InMemory, page, whole};
+use std::collections::BTreeMap;
+
+const PREVIEW: &str = "/recording/preview";
+const LOAD: &str = "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"0.9 kg m^2\"\nfriction_torque = \"2 N m\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n[requirements]\nsupply = \"560 V\"\n";
+const TWO: &str = "format = 1\n[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n[[axis]]\nname = \"b\"\n[axis.load]\ninertia = \"2 kg m^2\"\n[[axis.motion]]\nlaw = \"trapezoid\"\ndistance = \"30 deg\"\ntime = \"1 s\"\n";
+
+/// Returns a swing to and fro with rows every `step_ms`, its columns with these headings; positions are rounded to `grid`.
+fn swing(rows: u32, step_ms: f64, headings: &str, grid: f64) -> String {
+    let period = f64::from(rows - 1) * step_ms;
+    let row = |index: u32| {
+        let t = f64::from(index) * step_ms;
+        let phase = std::f64::consts::TAU * t / period;
+        let position = 40.0 * (1.0 - phase.cos());
+        format!("{t},{:.7},{:.5}\n", grid * (position / grid).round(), 3.0 * phase.sin())
+    };
+    std::iter::once(format!("{headings}\n")).chain((0..rows).map(row)).collect()
+}
+
+fn keys(text: &str) -> BTreeMap<String, String> {
+    written(text).unwrap().into_iter().filter_map(|key| Some((key.path, key.value?))).collect()
+}
+
+fn preview(folder: &InMemory, fields: &[(&str, &str)], file: &[u8]) -> String {
+    let reply = folder.post_file(PREVIEW, fields, file);
+    let html = page(&reply);
+    whole(&html);
+    // The picture is long, and no part of what is asserted.
+    let pieces = html.split("<svg").map(|piece| piece.split_once("</svg>").map_or(piece, |(_, behind)| behind));
+    pieces.collect()
+}
+
+fn is_usable(html: &str) -> bool {
+    let button = html.split("id=\"incoming-use\"").nth(1).unwrap_or_else(|| panic!("{html}"));
+    !button.split('>').next().unwrap().contains("disabled")
+}
+
+/// The project holds what it held, and of the recording only what was chosen; nothing is kept before it is used.
+#[test]
+fn the_project_contains_only_what_was_chosen() {
+    let file = swing(400, 2.0, "t [ms],q [deg],M [N m]", 0.01);
+    let bases = [("", "0", ""), (LOAD, "0", ""), (TWO, "1", "axis[2].")];
+    for (base, axis, prefix) in bases {
+        for torque in ["whole", "process", "unused"] {
+            for place in ["replaced", "added"] {
+                for (smoothing, once) in [("", ""), ("20 ms", "true")] {
+                    let folder = InMemory::default();
+                    let fields = [
+                        ("text", base),
+                        ("axis", axis),
+                        ("name", "run.csv"),
+                        ("torque", torque),
+                        ("place", place),
+                        ("smoothing", smoothing),
+                        ("once", once),
+                    ];
+                    let html = preview(&folder, &fields, file.as_bytes());
+                    assert!(is_usable(&html) && folder.0.borrow().is_empty(), "{html}");
+                    let reply = folder.post_file("/recording", &fields, file.as_bytes());
+                    let text = page(&reply);
+                    assert_eq!(folder.0.borrow()["run.csv"], file.as_bytes());
+                    let count = u32::from(!base.is_empty() && place == "added");
+                    let segment = format!("{prefix}motion[{}]", count + 1);
+                    let mut expected = if base.is_empty() {
+                        BTreeMap::from([("format".to_owned(), "1".to_owned())])
+                    } else {
+                        keys(base)
+                    };
+                    let of = |path: &str, inside: &str| path.starts_with(&format!("{prefix}{inside}"));
+                    if place == "replaced" {
+                        expected.retain(|path, _| !of(path, "motion["));
+                    }
+                    if torque == "whole" {
+                        expected.retain(|path, _| !of(path, "load."));
+                    }
+                    let mut add = |path: String, value: &str| {
+                        let _ = expected.insert(path, value.to_owned());
+                    };
+                    add(format!("{segment}.law"), "recorded");
+                    add(format!("{segment}.file"), "run.csv");
+                    if torque == "unused" {
+                        add(format!("{segment}.columns.torque"), "none");
+                    }
+                    if !smoothing.is_empty() {
+                        add(format!("{segment}.smoothing"), smoothing);
+                        add(format!("{prefix}{}single_move", if prefix.is_empty() { "axis." } else { "" }), "true");
+                    }
+                    assert_eq!(keys(&text), expected, "{torque} {place} {smoothing} {base}\n{text}");
+                    assert_eq!(text.contains("mechanism.joint]"), torque == "whole", "{text}");
+                    assert!(!text.contains("mechanism]"), "{text}");
+                }
+            }
+        }
+    }
+}
+
+/// Without an answer about the torque nothing can be used, and no peak torque is stated.
+#[test]
+fn a_recorded_torque_is_asked_about() {
+    let folder = InMemory::default();
+    let file = swing(400, 2.0, "t [ms],q [deg],M [N m]", 0.01);
+    let fields = [("text", LOAD), ("name", "run.csv")];
+    let html = preview(&folder, &fields, file.as_bytes());
+    assert!(!is_usable(&html) && html.contains("What is the recorded torque?"), "{html}");
+    assert!(!html.contains("checked required"), "no answer is chosen beforehand");
+    assert_eq!(folder.post_file("/recording", &fields, file.as_bytes()).status, 422);
+    assert!(folder.0.borrow().is_empty());
+    let added = preview(&folder, &[("text", LOAD), ("name", "run.csv"), ("torque", "process")], file.as_bytes());
+    assert!(added.contains("is added to") && added.contains("0.9 kg m^2") && added.contains("2 N m"), "{added}");
+    let whole = preview(&folder, &[("text", LOAD), ("name", "run.csv"), ("torque", "whole")], file.as_bytes());
+    assert!(whole.contains("Removed") && whole.contains("0.9 kg m^2"), "{whole}");
+    // The largest recorded torque is the peak of the whole load.
+    assert!(whole.contains("= 3.000 Nm"), "{whole}");
+    let none = preview(
+        &folder,
+        &[("text", LOAD), ("name", "run.csv")],
+        swing(400, 2.0, "t [ms],q [deg],mode", 0.01).as_bytes(),
+    );
+    assert!(is_usable(&none) && !none.contains("incoming-torque"), "{none}");
+}
+
+/// Steps of a coarse encoder raise the peak torque; the proposed window takes that away.
+#[test]
+fn the_effect_of_smoothing_on_the_peak_torque_is_shown() {
+    let folder = InMemory::default();
+    let peaks = |grid: f64| {
+        let file = swing(2000, 1.0, "t [ms],q [deg],mode", grid);
+        let html = preview(&folder, &[("text", LOAD), ("name", "run.csv")], file.as_bytes());
+        let numbers = html.split("</sub> = ").skip(1);
+        let peaks: Vec<f64> = numbers.map(|rest| rest.split(' ').next().unwrap().parse().unwrap()).collect();
+        (html, peaks)
+    };
+    let (_, smooth) = peaks(1e-7);
+    for grid in [0.001, 0.003] {
+        let (html, found) = peaks(grid);
+        assert!(html.contains("The steps of the file alone") && html.contains("proposed"), "{html}");
+        assert!(found[0] > 2.0 * smooth[0], "{grid}: {found:?} {smooth:?}");
+        let of_proposed = html.split("proposed:").next().unwrap().rsplit("</sub> = ").next().unwrap();
+        let peak: f64 = of_proposed.split(' ').next().unwrap().parse().unwrap();
+        assert!((peak / smooth[0] - 1.0).abs() < 0.15, "{grid}: {peak} {smooth:?}");
+        assert!(html.contains("Step, position"), "{html}");
+    }
+}
+
+/// Column, unit and ratio are written where they differ from what the file says by itself.
+#[test]
+fn another_use_of_the_columns_is_written() {
+    let folder = InMemory::default();
+    let file = swing(400, 2.0, "clock,angle_a,m", 0.01);
+    let html = preview(&folder, &[("text", LOAD), ("name", "run.csv")], file.as_bytes());
+    assert!(!is_usable(&html) && html.contains("cannot be used like this"), "{html}");
+    let fields = [
+        ("text", LOAD),
+        ("name", "run.csv"),
+        ("role_0", "time"),
+        ("unit_0", "ms"),
+        ("role_1", "position"),
+        ("unit_1", "deg"),
+        ("ratio_1", "-80"),
+        ("role_2", "none"),
+    ];
+    let html = preview(&folder, &fields, file.as_bytes());
+    assert!(is_usable(&html), "{html}");
+    let text = page(&folder.post_file("/recording", &fields, file.as_bytes()));
+    let found = keys(&text);
+    let of = |key: &str| found.get(&format!("motion[1].{key}")).map(String::as_str);
+    let expected = [
+        ("columns.time", Some("clock")),
+        ("columns.position", Some("angle_a")),
+        ("columns.torque", Some("none")),
+        ("units.time", Some("ms")),
+        ("units.position", Some("deg")),
+        ("recorded_ratio.position", Some("-80")),
+        ("columns.speed", None),
+        ("units.torque", None),
+    ];
+    for (key, value) in expected {
+        assert_eq!(of(key), value, "{key} {text}");
+    }
+    // A role that a second column receives leaves the first one.
+    let fields = [("text", LOAD), ("name", "run.csv"), ("role_0", "time"), ("role_1", "time"), ("changed", "role_1")];
+    let html = preview(&folder, &fields, file.as_bytes());
+    assert_eq!(html.matches("data-chosen=\"time\"").count(), 1, "{html}");
+}
+
+/// A file that is no recording has a sentence, changes nothing and cannot be used; none ends in a crash.
+#[test]
+fn hostile_files_have_a_sentence_and_change_nothing() {
+    let nan = format!("t [s],q [deg]\n{}", "0,NaN\n".repeat(5));
+    let backwards = "t [s],q [deg]\n2,0\n1,1\n0,2\n";
+    let binary: Vec<u8> = (0..4000_u32).map(|index| (index.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
+    let files: [(&str, &[u8]); 10] = [
+        ("binary.csv", &binary),
+        ("empty.csv", b""),
+        ("one-row.csv", b"t [s],q [deg]\n0,1\n"),
+        ("nan.csv", nan.as_bytes()),
+        ("units-alone.csv", b"t,q\ns,deg\n"),
+        ("wrong-order.csv", backwards.as_bytes()),
+        ("text.csv", b"Dear colleague,\nplease find the drive attached.\n"),
+        ("broken.parquet", b"PAR1\x00\x01\x02"),
+        ("book.xlsx", b"PK\x03\x04 a workbook"),
+        ("../../etc/x", b"a b c\n1 2 3\n"),
+    ];
+    for (name, file) in files {
+        for text in ["", LOAD, TWO, "this is no = = TOML\n"] {
+            for lang in ["en", "de"] {
+                let folder = InMemory::default();
+                let fields = [("text", text), ("name", name), ("lang", lang)];
+                let html = preview(&folder, &fields, file);
+                assert!(!is_usable(&html), "{name}: {html}");
+                assert!(html.contains("role=\"alert\""), "{name}: {html}");
+                assert!(folder.0.borrow().is_empty());
+            }
+        }
+    }
+    // Rows of units are read, and so is a project that is not yet whole.
+    let folder = InMemory::default();
+    let file = swing(40, 10.0, "t,q,mode\nms,deg,", 0.01);
+    let html = preview(&folder, &[("text", ""), ("name", "run.csv")], file.as_bytes());
+    assert!(is_usable(&html) && html.contains("Still open in the project afterwards"), "{html}");
+}
+
+/// A file of any name is kept under one that a project may state.
+#[test]
+fn a_file_of_any_name_is_kept_as_a_recording() {
+    let file = swing(40, 10.0, "t [ms],q [deg],mode", 0.01);
+    for (name, kept) in [
+        ("trace", "trace.csv"),
+        ("a.b.dat", "a.b.dat.csv"),
+        ("Messung 1.CSV", "Messung 1.CSV"),
+        ("C:\\logs\\x.csv", "x.csv"),
+        ("../../y.txt", "y.txt"),
+        (".hidden", "hidden.csv"),
+        ("", "recording.csv"),
+    ] {
+        let folder = InMemory::default();
+        let reply = folder.post_file("/recording", &[("name", name)], file.as_bytes());
+        let text = page(&reply);
+        assert!(text.contains(&format!("file = \"{kept}\"")), "{name}: {text}");
+        assert!(folder.0.borrow().contains_key(kept), "{name}");
+    }
+}
