@@ -69,6 +69,10 @@ fn recording() -> String {
 /// before.
 pub(crate) fn recording_through_the_door(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
+    // Another table that was pasted before would have the name.
+    if let Some(folder) = stage.shell.folder() {
+        let _ = std::fs::remove_file(folder.join(Door::Paste.file()));
+    }
     for (width, height) in [(1440, 900), (375, 812)] {
         tab.sized(width, height, 1.0)?;
         for door in Door::ALL {
