@@ -2,7 +2,7 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::reserve::{assumptions_text, reserve_text};
+use crate::reserve::{assumptions_text, best_text, reserve_text};
 use crate::table::{Align, TextTable, labelled, paragraph, width};
 use crate::waiting::progress;
 use crate::{moves, report, tolerance};
@@ -431,7 +431,7 @@ pub(crate) fn check(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
 fn verification_text(found: &Verification<'_>, language: Language) -> String {
     let (project, candidate) = (found.project, &found.candidate);
     let reserve = reserve_text(&found.reserve, candidate, language);
-    let assumed = assumptions_text(&project.assumptions, language);
+    let assumed = best_text(candidate, language) + &assumptions_text(&project.assumptions, language);
     let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(candidate, language));
     let head = match (project.name.is_empty(), one_line.chars().count() > width()) {
         (true, _) => String::new(),

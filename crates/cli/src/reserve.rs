@@ -4,12 +4,18 @@ use crate::table::labelled;
 use quantities::Language;
 use questions::texts::reserve_lines;
 use questions::{Candidate, Reserve};
-use words::{assumption_text, terms};
+use words::{assumption_text, terminal, terms};
 
 /// Returns the assumptions.
 pub(crate) fn assumptions_text(assumptions: &[axis::Assumption], language: Language) -> String {
     let head = terms::assumed(language);
     assumptions.iter().map(|assumption| labelled(head, &assumption_text(*assumption, language))).collect()
+}
+
+/// Returns the assumption that the answer is about the best actuator; empty if one is stated.
+pub(crate) fn best_text(candidate: &Candidate<'_>, language: Language) -> String {
+    let text = || labelled(terms::assumed(language), &terminal::best_of_the_ranking(&candidate.id, language));
+    candidate.is_best_of_ranking.then(text).unwrap_or_default()
 }
 
 /// Returns the permissible change of each quantity with all others unchanged; for an actuator that does not fit, also

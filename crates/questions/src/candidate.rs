@@ -33,6 +33,8 @@ pub struct Candidate<'p> {
     pub objections: Vec<Objection>,
     /// Criteria of the ranking.
     pub standing: Standing,
+    /// `true` if neither the call nor the project names an actuator and the answer is about the best of the ranking.
+    pub is_best_of_ranking: bool,
 }
 
 impl Candidate<'_> {

@@ -5,7 +5,8 @@ mod steps;
 pub(crate) use steps::{StepLimit, TooManySteps, Work};
 
 use crate::progress::Progress;
-use crate::sizing_use::{Candidate, Refusal, check_one};
+use crate::sizing_use::{Candidate, Refusal};
+use crate::subject::stated_or_best;
 use actuator::{Parameters as Actuator, natural_frequency, natural_frequency_free};
 use axis::AxisProject;
 use configurator::ProductId;
@@ -139,7 +140,8 @@ pub(crate) fn simulate<'p>(
     limit: StepLimit,
     progress: &Progress,
 ) -> Result<Simulated<'p>, NotRun> {
-    let candidate = check_one(project, id)?;
+    let candidate = stated_or_best(project, id, progress)?;
+    let id = Some(&candidate.id);
     let ready = Ready::of(project, &candidate);
     let (ambient_k, assumed_v) = (ready.ambient_k, ready.assumed_v);
     let encoder = id.and_then(ProductId::order_code).and_then(encoder_of);

@@ -367,9 +367,13 @@ pub fn explain<'p, I>(project: &'p AxisProject, id: &I) -> Result<Candidate<'p>,
 where
     for<'i> ProductId: From<&'i I>,
 {
-    let mut candidate = check(project, id)?;
+    Ok(explained(project, check(project, id)?))
+}
+
+/// Judges a candidate again, each check with the workings of its value and its limit.
+pub(crate) fn explained<'p>(project: &'p AxisProject, mut candidate: Candidate<'p>) -> Candidate<'p> {
     candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
-    Ok(candidate)
+    candidate
 }
 
 /// Judges the user's own actuator like [`check_own`], each check with its workings.
@@ -377,9 +381,7 @@ where
 /// # Errors
 /// As [`check_own`].
 pub fn explain_own(project: &AxisProject) -> Result<Candidate<'_>, Refusal> {
-    let mut candidate = check_own(project)?;
-    candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
-    Ok(candidate)
+    Ok(explained(project, check_own(project)?))
 }
 
 /// Judges the user's own actuator.
@@ -467,7 +469,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, id: ProductId, product: &'p Product)
     let is_open = |objection: &Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
     let met = objections.iter().all(|objection| product.is_of_project() && is_open(objection));
     let standing = Standing::of(&judgement, met, product.size_number(), known_si(&parameters.mass));
-    Candidate { id, product, parameters, on_request, judgement, objections, standing }
+    Candidate { id, product, parameters, on_request, judgement, objections, standing, is_best_of_ranking: false }
 }
 
 fn own_candidate<'p>(project: &'p AxisProject, own: &'p Product) -> Candidate<'p> {

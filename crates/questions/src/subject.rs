@@ -1,6 +1,7 @@
 //! Defaults for the subject of a question: axis, actuator, corresponding axes of two projects.
 
-use crate::sizing_use::{Candidate, Refusal, Sizing, check, check_own};
+use crate::progress::Progress;
+use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, check, check_own, size_watched};
 use axis::AxisProject;
 use configurator::ProductId;
 use quantities::Language;
@@ -55,7 +56,20 @@ where
     let sizing = sizing()?;
     let named = sizing.named().ok_or(Refusal::NoActuator)?;
     // A code of the ranking may break a rule with the required options: then the judgement of the ranking is used.
-    check(project, &named.id).or_else(|_| Ok(named.clone()))
+    let found = check(project, &named.id).unwrap_or_else(|_| named.clone());
+    Ok(Candidate { is_best_of_ranking: true, ..found })
+}
+
+/// Returns the actuator of an answer as [`candidate_for`], with a ranking of its own.
+///
+/// # Errors
+/// The reason why it cannot be judged, [`Refusal::Stopped`].
+pub(crate) fn stated_or_best<'p>(
+    project: &'p AxisProject,
+    id: Option<&ProductId>,
+    progress: &Progress,
+) -> Result<Candidate<'p>, Refusal> {
+    candidate_for(project, id, || Ok(Cow::Owned(size_watched(project, 1, Rejected::Nearest, progress)?)))
 }
 
 /// Returns the indices of corresponding axes of two revisions: those with equal names, and the single axes of both

@@ -152,6 +152,9 @@ texts! {
     scale_not_possible(what) =
         "{what} cannot be scaled in this project: it has no such values, or states them as bodies or as a recording"
         | "{what} lässt sich in diesem Projekt nicht skalieren: es hat keine solchen Angaben oder nennt sie als Körper oder Aufzeichnung";
+    best_of_the_ranking(id) =
+        "no actuator is stated (--code, or [actuator] in the project): the best of the ranking, {id}"
+        | "kein Antrieb ist angegeben (--code, oder [actuator] im Projekt): der beste der Rangfolge, {id}";
     no_own_actuator =
         "the project has no [actuator]; select one from the catalogue with --code"
         | "das Projekt hat keinen [actuator]; einen Antrieb des Katalogs mit --code wählen";

@@ -5,7 +5,8 @@ use super::size::{SAMPLES, SEED, draw};
 use super::{AXIS, Cost, Entry, Gives, Reads, Record, argument};
 use crate::answer;
 use crate::progress::Progress;
-use crate::sizing_use::{Candidate, Refusal, check_one};
+use crate::sizing_use::{Candidate, Refusal};
+use crate::subject::stated_or_best;
 use crate::tolerance::{Assessment, Draw, assess_watched};
 use axis::AxisProject;
 use configurator::ProductId;
@@ -18,7 +19,7 @@ arguments! {
     pub struct Args {
         /// The axis of a project with several.
         axis: Option<String> = AXIS => text,
-        /// The actuator; without it the project's own.
+        /// The actuator; without it the project's own, else the best.
         code: Option<ProductId> = argument::code(help::check_code) => some_product_among,
         /// Number of samples.
         samples: Option<usize> = SAMPLES => number,
@@ -76,7 +77,7 @@ pub struct Verification<'p> {
     pub assessment: Option<Assessment>,
 }
 
-/// Judges one actuator for an axis; without an identity the project's own.
+/// Judges one actuator for an axis; without an identity the project's own, else the best of the catalogue.
 ///
 /// # Errors
 /// The reason why it cannot be judged.
@@ -86,7 +87,7 @@ pub fn verification<'p>(
     draw: Draw,
     progress: &Progress,
 ) -> Result<Verification<'p>, Refusal> {
-    let candidate = check_one(project, id)?;
+    let candidate = stated_or_best(project, id, progress)?;
     let (reserve, assessment) = margins(project, &candidate, draw, progress)?;
     Ok(Verification { project, candidate, reserve, assessment })
 }

@@ -5,7 +5,8 @@ use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Reads, Record, arg
 use crate::answer;
 pub use crate::explain::derivation;
 use crate::progress::Progress;
-use crate::sizing_use::{Candidate, Refusal, explain, explain_own};
+use crate::sizing_use::{Candidate, Refusal, explained};
+use crate::subject::stated_or_best;
 use axis::AxisProject;
 use configurator::ProductId;
 use quantities::Language;
@@ -87,10 +88,7 @@ pub fn explanation<'p>(
     progress: &Progress,
 ) -> Result<Explanation<'p>, Refusal> {
     progress.step()?;
-    let candidate = match id {
-        Some(id) => explain(project, id)?,
-        None => explain_own(project)?,
-    };
+    let candidate = explained(project, stated_or_best(project, id, progress)?);
     let found = Explanation { project, candidate, wanted };
     match wanted {
         Some(id) if found.checks().is_empty() => Err(Refusal::NotAsked(id)),
