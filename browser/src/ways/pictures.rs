@@ -136,6 +136,74 @@ pub(crate) fn the_time_is_narrowed(stage: &OpenPage<'_>) -> Worded {
     tab.until(&format!("Math.abs({shown} - {whole}) < 1e-9"))
 }
 
+/// Typing and dragging leave a cycle closed, in one step of undo; what cannot follow becomes a single move by a button.
+pub(crate) fn a_cycle_stays_closed(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("arm", "en")?;
+    let before = tab.value("#text")?;
+    let is = |text: &str| format!("document.querySelector('#text').value === {}", serde_json::json!(text));
+    let undone = |what: &str| -> Worded {
+        tab.until("document.querySelector('#undo').ariaDisabled === 'false'")?;
+        tab.click("#undo")?;
+        tab.until(&is(&before)).map_err(|error| format!("{what}: one step back is not the beginning: {error}"))
+    };
+    let closed = "!document.querySelector('#demands.old') && !document.querySelector('#faults li')";
+    // Key by key, over a value that is none and one that closes by itself.
+    stage.change("#f-motion-1--distance", "117.5 deg")?;
+    tab.until(closed)?;
+    let typed = tab.value("#text")?;
+    expect(typed.contains("\"117.5 deg\"") && typed.contains("\"-117.5 deg\""), || typed.clone())?;
+    undone("a typed distance")?;
+    stage.change("#f-motion-1--time", "0.9 s")?;
+    tab.until(closed)?;
+    undone("a typed time")?;
+    tab.drag("#grip-2", (10, 12))?;
+    tab.until(&format!("!({})", is(&before)))?;
+    tab.until(closed)?;
+    let pulled = tab.value("#text")?;
+    expect(!pulled.contains("\"100 deg\"") && !pulled.contains("\"-100 deg\""), || pulled.clone())?;
+    undone("a pulled end")?;
+    // The peak of the speed changes the time.
+    tab.drag("#peak-0", (0, -6))?;
+    tab.until(&format!("!({})", is(&before)))?;
+    tab.until(closed)?;
+    let peak = tab.value("#text")?;
+    expect(peak.contains("\"100 deg\"") && !peak.contains("time = \"1.2 s\""), || peak.clone())?;
+    undone("a pulled peak")?;
+    // Without a way back.
+    tab.click("#f-motion-3--e button[hx-vals*='gone motion[3]']")?;
+    tab.there("#single-move")?;
+    expect(tab.eval("document.querySelector('#way-back') === null")? == serde_json::Value::Bool(true), || {
+        "a way back is offered".to_owned()
+    })?;
+    tab.click("#single-move")?;
+    tab.until(closed)?;
+    tab.says("#text", "single_move = true")
+}
+
+/// Rows of a spreadsheet are pasted into the table of the segments, and all their faults are shown.
+pub(crate) fn rows_are_pasted(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("arm", "en")?;
+    let paste = |text: &str| -> Worded {
+        let script = "const cell = document.querySelector('#f-motion-1--distance'); cell.focus(); const data = new DataTransfer(); data.setData('text', arguments_[0]); \
+            cell.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));";
+        tab.run(script, vec![serde_json::json!(text)]).map(|_| ())
+    };
+    paste("60\t0.7 s\n\t1 s\n-60\t0.8 s\n")?;
+    tab.says("#text", "-60 deg")?;
+    tab.until("!document.querySelector('#demands.old') && !document.querySelector('#faults li')")?;
+    tab.holds("#f-motion-3--time", "0.8 s")?;
+    paste(
+        "Motion law\tDistance [deg]\tTime [s]\ntrapezoid\t45\t0.5\nmodified sine\t30\t0.4\ndwell\t\t1\npolynomial 3-4-5\t-75\t0.9\n",
+    )?;
+    tab.until("document.querySelectorAll('.segment-line[data-row]').length === 4")?;
+    tab.until("!document.querySelector('#demands.old') && !document.querySelector('#faults li')")?;
+    paste("far\tsoon\n1 kg\t2 s\n")?;
+    tab.until("document.querySelectorAll('.segment-line [aria-invalid]').length === 3")?;
+    stage.accessible("table of segments")
+}
+
 /// A tolerance is entered next to its value.
 pub(crate) fn a_tolerance(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;

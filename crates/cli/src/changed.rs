@@ -67,7 +67,8 @@ fn prefix(text: &str, wanted: Option<&String>) -> Option<String> {
     let all = written(text)?;
     let value = |path: &str| all.iter().find(|key| key.path == path).and_then(|key| key.value.clone());
     let place = (1..).take_while(|place| all.iter().any(|key| key.path == format!("axis[{place}]")));
-    let named = place.into_iter().find(|place| wanted.is_some() && value(&format!("axis[{place}].name")).as_ref() == wanted);
+    let named =
+        place.into_iter().find(|place| wanted.is_some() && value(&format!("axis[{place}].name")).as_ref() == wanted);
     Some(named.map(|place| format!("axis[{place}].")).unwrap_or_default())
 }
 
@@ -137,9 +138,12 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         _ => moved(1.0, number),
     };
     let done = done.filter(|done| done != text || number == 1.0);
-    done.map(|done| (done, format!("{what} × {number}"))).ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
+    done.map(|done| (done, format!("{what} × {number}")))
+        .ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
 }
 
 fn is_segment(path: &str) -> bool {
-    path.strip_prefix("motion[").and_then(|rest| rest.strip_suffix(']')).is_some_and(|place| place.parse::<u32>().is_ok())
+    path.strip_prefix("motion[")
+        .and_then(|rest| rest.strip_suffix(']'))
+        .is_some_and(|place| place.parse::<u32>().is_ok())
 }

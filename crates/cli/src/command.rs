@@ -80,7 +80,11 @@ fn built(language: Language, is_whole: &dyn Fn(&Entry) -> bool) -> Command {
 fn headed(command: Command, examples: &[(&str, String)], language: Language) -> Command {
     let reads_a_project =
         command.get_arguments().any(|argument| ["project", "old"].contains(&argument.get_id().as_str()));
-    let command = if reads_a_project { command.args(own::changes(language)).arg(deadline(language)).arg(own::memory(language)) } else { command };
+    let command = if reads_a_project {
+        command.args(own::changes(language)).arg(deadline(language)).arg(own::memory(language))
+    } else {
+        command
+    };
     let mut command = command
         .disable_help_flag(true)
         .disable_help_subcommand(true)

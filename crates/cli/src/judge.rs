@@ -86,7 +86,8 @@ fn side_by_side(inquiry: &Inquiry<'_>, args: &size::Args, language: Language) ->
             };
             let mass = named.parameters.mass.known();
             let fits = found.sizing.answer().is_some();
-            let verdict = if fits { verdict_of(named, language) } else { paint(terms::does_not_fit(language), Verdict::Fail) };
+            let verdict =
+                if fits { verdict_of(named, language) } else { paint(terms::does_not_fit(language), Verdict::Fail) };
             let row = vec![
                 file_name(&source.name).to_owned(),
                 project.name.clone(),

@@ -192,7 +192,8 @@ mod tests {
 
     #[test]
     fn unreadable_letters_allow_every_code_that_could_be_meant() {
-        let allows = |text: &str, code: &str| Pattern::parse_worn(text, false).unwrap().matches(&parse(code).unwrap().code);
+        let allows =
+            |text: &str, code: &str| Pattern::parse_worn(text, false).unwrap().matches(&parse(code).unwrap().code);
         for (text, code, is_meant) in [
             ("CHA-25A-1?0-H-M…", "CHA-25A-120-H-M512P-B", true),
             ("CHA-25A-1?0-H-M...", "CHA-25A-100-H-M128S", true),

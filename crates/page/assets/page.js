@@ -47,13 +47,23 @@ document.addEventListener('htmx:before:request', (event) => {
   if (body.has('path') && source.closest('details.more')) body.append('folded', '');
   if (event.detail.ctx.request.action.endsWith('/work')) body.append('parts', parts());
   for (const [id, open] of folds) if (open && (id.startsWith('f-') || id === 'ranking-rest')) body.append('fold', id);
-  // A pull at the end of a segment begins at the text that was there when it began.
+  // A pull at the end of a segment begins at the text that was there when it began; so does what is typed into a segment in one go,
+  // since other segments follow it.
   if (base(source) !== undefined) body.set('text', base(source));
+  else if (source.matches('input[type=text]') && body.get('path')?.includes('motion[') && body.has('value')) body.set('text', begun(source));
   else if (source !== text()) body.set('text', text().value);
   const good = $('#state [name=good]');
   if (good) body.set('good', good.value);
   interrupt(event.detail.ctx);
 });
+
+let typing = { of: null };
+function begun(source) {
+  const of = `${source.id} ${visit}`;
+  if (typing.of !== of || text().value !== typing.answered) typing = { of, text: text().value };
+  return typing.text;
+}
+document.addEventListener('htmx:after:swap', (event) => { if (event.detail.ctx.typing === typing.of) typing.answered = text()?.value; });
 
 // The picture of a long recording is drawn beside the answers and waits for none of them. What is asked next ends it: its cores
 // and its insertion would delay the numbers. Where the answer asks for no other picture, it is drawn after all.

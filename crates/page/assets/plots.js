@@ -1,6 +1,12 @@
 // What is moved in the pictures over time: the window of time, marks, and the ends of segments that are pulled.
 import { $, all, atX, atY, cursor, inside, isOverTime, keep, marked, now, numbers, overTime, panels, stand, xOf, yOf } from './cursor.js';
 export { cursor } from './cursor.js';
+// The panel that a grip belongs to: that of its quantity, else the first.
+function panelOf(grip) {
+  const figure = overTime()[0];
+  const panel = figure && panels(figure).find((each) => !grip.dataset.panel || each.dataset.symbol === grip.dataset.panel);
+  return panel && numbers(panel);
+}
 const first = () => { const figure = overTime()[0]; return figure && numbers(panels(figure)[0]); };
 
 // To an instant; where it lies outside of what is shown, the whole cycle is shown again.
@@ -47,7 +53,7 @@ export function overlay() {
   else keep();
 }
 function put(grip, time, way) {
-  const p = first();
+  const p = panelOf(grip);
   const frame = grip.closest('.frame');
   if (!p || !frame) return;
   const box = frame.querySelector('svg').viewBox.baseVal;
@@ -141,16 +147,22 @@ const held = () => pull ?? keyed ?? ending;
 // The text at which the pull that is under way began; of an element, where it is the one that is pulled.
 export const base = (element) => (element && held()?.grip.id !== element.id ? undefined : held()?.base);
 function begin(grip) {
-  const p = first();
+  const p = panelOf(grip);
   const svg = grip.closest('.frame').querySelector('svg');
   const perPixel = 1 / (svg.getScreenCTM().a || 1);
-  const of = Object.fromEntries(['fromTime', 'fromWay', 'time', 'way'].map((key) => [key, Number(grip.dataset[key])]));
+  const of = Object.fromEntries(['fromTime', 'fromWay', 'time', 'way', 'until'].map((key) => [key, Number(grip.dataset[key])]));
   return { grip, base: $('#text').value, svg, p, of, path: grip.dataset.path, goes: grip.dataset.goes === 'true', steps: [step((p.xMax - p.xMin) / (p.right - p.left) * perPixel), step((p.yMax - p.yMin) / (p.bottom - p.top) * perPixel)], busy: false, next: null };
 }
 // As they are to be, and as they were, both from the beginning of the segment.
 function aim(of, time, way) {
   const [byTime, byWay] = of.steps;
   const { fromTime, fromWay } = of.of;
+  if (of.grip.dataset.panel) {
+    // The time goes as the peak goes, against it.
+    const peak = Math.sign(of.of.way) * Math.max(byWay, Math.abs(way * of.of.way > 0 ? snapped(way, byWay) : 0));
+    const [long, share] = [of.of.until - fromTime, of.of.way / peak];
+    return { pulled: [long * share, 1, long, 1].join(' '), time: fromTime + (of.of.time - fromTime) * share, way: peak };
+  }
   const long = Math.max(byTime, snapped(time - fromTime, byTime));
   const stated = of.of.way - fromWay;
   let far = of.goes ? snapped(way - fromWay, byWay) : stated;

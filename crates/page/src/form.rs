@@ -5,7 +5,7 @@ use crate::call::Shell;
 use crate::markup::{id, kept, tolerance_of, vals};
 use crate::parts::part;
 use crate::state::{PageState, ReadProject};
-use crate::{laws, recorded, sketch, value};
+use crate::{laws, recorded, segment_line, sketch, value};
 use axis::{AxisProject, Files, drawn_figures};
 use maud::{Markup, html};
 use project::{Key, Kind, SegmentLaw, Variants, key_at};
@@ -16,7 +16,7 @@ use words::{about_text, assumption_text, capitalised, key_word, page, short_labe
 
 /// Data for drawing a row.
 pub(crate) struct RowContent<'f> {
-    held: &'f ReadProject,
+    pub(crate) held: &'f ReadProject,
     pub(crate) language: Language,
     /// `axis[2].` if the project has several axes, else empty.
     prefix: &'f str,
@@ -42,6 +42,13 @@ pub(crate) struct Followed {
     pub(crate) recording: Option<String>,
     /// Roles of its columns, with their headings and units.
     pub(crate) columns: Vec<(ColumnRole, String, &'static str)>,
+}
+
+impl Followed {
+    /// Returns the computed value of a key.
+    pub(crate) fn value(&self, name: &str) -> Option<&str> {
+        self.values.iter().find(|(of, _)| *of == name).map(|(_, value)| value.as_str())
+    }
 }
 
 /// Returns the column.
@@ -262,7 +269,14 @@ impl RowContent<'_> {
     }
 
     /// Returns a fold; its content is sent when it is opened, because most of a form is never viewed.
-    fn fold(&self, id: &str, title: &str, is_open: bool, class: &str, inside: impl Fn() -> Markup) -> Markup {
+    pub(crate) fn fold(
+        &self,
+        id: &str,
+        title: &str,
+        is_open: bool,
+        class: &str,
+        inside: impl Fn() -> Markup,
+    ) -> Markup {
         let is_shown = is_open || self.folds.iter().any(|open| open == id);
         html! {
             details id=(id) class=[(!class.is_empty()).then_some(class)] open[is_open] {
@@ -327,6 +341,7 @@ impl RowContent<'_> {
             details id={ (id(path)) "-t" } open[count > 0 || key.required || is_motion] {
                 summary { @if is_motion { (capitalised(terms::motion(l))) } @else { (title) } }
                 (self.fault_at(path))
+                @if is_motion && count > 0 { (segment_line::heads(l)) }
                 ol.entries {
                     @for place in 1..=count { (part(self.entry(variants, &format!("{path}[{place}]"), place, count))) }
                 }
@@ -350,7 +365,7 @@ impl RowContent<'_> {
         let key = |name: &str| variants.keys.iter().find(|key| key.name == name);
         let of_motion = path.strip_prefix(self.prefix).is_some_and(|path| path.starts_with("motion["));
         let solved = self.solved.get(place - 1).filter(|_| of_motion);
-        let ghost = |name: &str| solved?.values.iter().find(|(of, _)| *of == name).map(|(_, value)| value.as_str());
+        let ghost = |name: &str| solved?.value(name);
         let own = [variants.by].into_iter().chain(needed.iter().copied()).chain(may.iter().copied());
         let shared: Vec<&Key> = variants.shared.iter().filter_map(|name| key(name)).collect();
         let stated = |key: &&Key| self.is_first(&format!("{path}.{}", key.name));
@@ -363,54 +378,43 @@ impl RowContent<'_> {
             .filter(|key| !variants.shared.contains(&key.name))
             .collect();
         let name = page::segment(&place, l);
-        let list = path.rsplit_once('[').map_or(path, |(list, _)| list);
+        let in_line: &[&str] = if of_motion { &segment_line::CELLS } else { &[] };
+        let is_in_line = |name: &str| in_line.contains(&name) || of_motion && name == variants.by;
+        // Of a segment, a key without a value that another one may take the place of is folded.
+        let is_folded = |name: &str| of_motion && may.contains(&name) && !self.is_first(&format!("{path}.{name}"));
+        let own: Vec<&str> = own.filter(|name| !recorded::KEYS.contains(name) && !is_in_line(name)).collect();
         html! {
             li.entry id={ (id(path)) "-e" } aria-label=(name) {
+                @if of_motion {
+                    (self.segment_line(variants, path, place, (needed, may), solved))
+                }
                 div.rows {
-                    @for name in own.filter(|name| !recorded::KEYS.contains(name)) {
+                    @for name in own.iter().filter(|name| !is_folded(name)) {
                         @if let Some(key) = key(name) { (self.any(key, &format!("{path}.{name}"), ghost(name))) }
                     }
-                    @for key in stray { (self.any(key, &format!("{path}.{}", key.name), None)) }
+                    @for key in stray.iter().filter(|key| !is_in_line(key.name)) { (self.any(key, &format!("{path}.{}", key.name), None)) }
                     @for key in shared.iter().filter(|key| stated(key)) { (self.any(key, &format!("{path}.{}", key.name), None)) }
                 }
                 (self.fault_at(path))
                 @if kind == "recorded" { (recorded::columns(self, path, solved)) }
                 @let folded: Vec<&&Key> = shared.iter().filter(|key| !stated(key)).collect();
-                @if !folded.is_empty() {
-                    (self.fold(&format!("{}-m", id(path)), &page::further(folded.len(), l), false, "more", || html! {
-                        div.rows { @for key in &folded { (self.any(key, &format!("{path}.{}", key.name), None)) } }
-                    }))
-                }
-                div.tools {
-                    @if place < count {
-                        button.small type="button" aria-label=(page::move_down(&name, l)) title=(page::move_down(&name, l))
-                            hx-post="/work" hx-vals=(vals(&[("do", &format!("down {path}"))])) { "↓" }
+                @let others: Vec<&str> = own.iter().copied().filter(|name| is_folded(name)).collect();
+                @let bands = of_motion.then(|| self.bands_of_line(path)).flatten();
+                div.entry-foot {
+                    @if of_motion && !kind.is_empty() { (self.law_pictures(path, &kind)) }
+                    @if !folded.is_empty() || !others.is_empty() {
+                        (self.fold(&format!("{}-m", id(path)), &page::further(folded.len() + others.len(), l), false, "more", || html! {
+                            div.rows {
+                                @for name in &others { @if let Some(key) = key(name) { (self.any(key, &format!("{path}.{name}"), ghost(name))) } }
+                                @if let Some(bands) = &bands { (bands) }
+                                @for key in &folded { (self.any(key, &format!("{path}.{}", key.name), None)) }
+                            }
+                        }))
                     }
-                    @if place > 1 {
-                        @let above = format!("down {list}[{}]", place - 1);
-                        button.small type="button" aria-label=(page::move_up(&name, l)) title=(page::move_up(&name, l))
-                            hx-post="/work" hx-vals=(vals(&[("do", &above)])) { "↑" }
-                    }
-                    @if let Some(back) = self.reversed(path) {
-                        button.small type="button" aria-label=(page::reverse(&name, l)) title=(page::reverse(&name, l))
-                            hx-post="/work" hx-vals=(vals(&[("do", &back)])) { "⇄" }
-                    }
-                    button.small type="button" aria-label=(page::once_more(&name, l)) title=(page::once_more(&name, l))
-                        hx-post="/work" hx-vals=(vals(&[("do", &format!("twice {path}"))])) { svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true" { path d="M4.5 4.5V1.5H12.5V9.5H9.5M1.5 4.5H9.5V12.5H1.5z" {} } }
-                    button.small type="button" aria-label=(page::remove(&name, l)) title=(page::remove(&name, l))
-                        hx-post="/work" hx-vals=(vals(&[("do", &format!("gone {path}"))])) { "×" }
+                    (self.entry_tools(path, &name, place, count))
                 }
             }
         }
-    }
-
-    /// Returns the change that reverses a segment: the opposite sign of its distance or, if it states no distance, of
-    /// its speed.
-    fn reversed(&self, path: &str) -> Option<String> {
-        let key = ["distance", "speed"].into_iter().find(|key| self.value(&format!("{path}.{key}")).is_some())?;
-        let value = self.value(&format!("{path}.{key}"))?.trim();
-        let back = value.strip_prefix('-').map_or_else(|| format!("-{}", value.trim_start_matches('+')), str::to_owned);
-        Some(format!("value {path}.{key}={}", back.trim()))
     }
 
     /// Returns the faults of the load as a whole, and those of a second load.
@@ -425,7 +429,13 @@ impl RowContent<'_> {
     /// Returns the fault of a table as a whole.
     pub(crate) fn fault_at(&self, path: &str) -> Markup {
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
-            p.fault { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) }
+            @match &self.held.open_cycle {
+                Some((at, can_close)) if at == path => {
+                    p.fault { (crate::markup::worded(&fault.message, None, self.language)) }
+                    (self.closings(path, *can_close))
+                }
+                _ => p.fault { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) },
+            }
         } }
     }
 
@@ -466,7 +476,6 @@ impl RowContent<'_> {
                             hx-post="/work" hx-trigger=(AT_ONCE) hx-vals=(vals(&[("path", path)]));
                     },
                 }
-                @if let ("law", Kind::OneOf(words)) = (key.name, key.kind) { (laws::menu(&id, words, value, l)) }
                 @if let (Kind::Quantity(..) | Kind::Along(..), false) = (key.kind, value.is_empty()) {
                     (self.band(&id, path, &label, value))
                 }
@@ -481,7 +490,7 @@ impl RowContent<'_> {
     }
 
     /// Returns the tolerance of a value: a field behind a button, open if a tolerance is stated.
-    fn band(&self, id: &str, path: &str, label: &str, value: &str) -> Markup {
+    pub(crate) fn band(&self, id: &str, path: &str, label: &str, value: &str) -> Markup {
         let l = self.language;
         let (_, stated) = tolerance_of(value);
         html! {
@@ -495,7 +504,7 @@ impl RowContent<'_> {
     }
 
     #[allow(clippy::too_many_arguments, reason = "what an element of HTML has")]
-    fn choice(
+    pub(crate) fn choice(
         &self,
         id: &str,
         key: &str,

@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 use project::{Kind, SegmentLaw, key_at};
-use quantities::Language;
-use questions::law_shape;
-use words::{law_text, page};
+use quantities::{Language, format_number};
+use questions::{law_peaks, law_shape};
+use words::{law_text, page, views};
 
 /// Width of the drawing, and height of each of the three curves, in units of the drawing.
 const WIDTH: f64 = 48.0;
@@ -81,8 +81,7 @@ fn recorded(place: u8, zero: f64, unit: f64) -> String {
 /// takes the value selected here.
 pub(crate) fn menu(id: &str, words: &[&'static str], chosen: &str, language: Language) -> Markup {
     html! {
-        details.laws id={ (id) "-laws" } data-law=(id) {
-            summary { (page::choose_by_picture(language)) }
+        div data-law=(id) {
             fieldset {
                 legend.small { (page::law_pictures_about(language)) }
                 @for (word, law) in laws(words) {
@@ -90,6 +89,9 @@ pub(crate) fn menu(id: &str, words: &[&'static str], chosen: &str, language: Lan
                         input type="radio" id={ (id) "-" (word) } name={ "law-of-" (id) } value=(word) checked[word == chosen] data-checked=(word == chosen);
                         svg width="52" height="58" aria-hidden="true" { use href={ "#law-" (word) } {} }
                         span { (name(law, language)) }
+                        @if let Some([speed, acceleration]) = law_peaks(law) {
+                            span.small title=(views::peaks_about(language)) { "C" sub { "v" } " " (format_number(speed, 2, language)) br; "C" sub { "a" } " " (format_number(acceleration, 2, language)) }
+                        }
                     }
                 }
             }

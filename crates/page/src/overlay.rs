@@ -143,6 +143,17 @@ pub(crate) fn segment_handles(state: &PageState, project: &AxisProject) -> Marku
                 aria-label=(capitalised(&page::end_of_segment(&number, &law, l)))
                 aria-valuenow=(if grip.goes { grip.to.1 } else { grip.to.0 }) aria-valuetext=(title) aria-describedby="grips-about" title=(title) {}
         }
+        @for grip in &found.segment_handles {
+            @if let Some((at, speed)) = grip.peak {
+                @let law = moves.moves.get(grip.segment).map(|each| law_text(each.law, l)).unwrap_or_default();
+                @let number = grip.segment + 1;
+                @let title = page::ends_at(&shown(at), &shown(speed), &found.speed_unit.symbol_in(l), l);
+                button.grip.peak type="button" role="slider" id={ "peak-" (grip.segment) } data-path={ (prefix) "motion[" (number) "]" }
+                    data-panel=(if moves.turns { "n" } else { "v" }) data-from-time=(grip.from.0) data-until=(grip.to.0) data-time=(at) data-way=(speed)
+                    aria-label=(capitalised(&views::peak_of_segment(&number, &law, l)))
+                    aria-valuenow=(speed) aria-valuetext=(title) aria-describedby="grips-about" title={ (title) ". " (views::peak_about(l)) } {}
+            }
+        }
         @if !found.segment_handles.is_empty() { span.unseen id="grips-about" { (page::grips_about(l)) } }
     }
 }

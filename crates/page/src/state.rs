@@ -4,6 +4,7 @@
 
 use crate::call::{Call, Shell};
 use crate::markup::tolerance_of;
+use crate::pasted::{Cell, pasted};
 use crate::value::{in_unit, stated, with_point};
 use axis::AxisDiagnostic;
 use axis::AxisProject;
@@ -11,7 +12,10 @@ use figures::{By, MapPoint, Theme, nearest};
 use project::{Edit, Key, Kind, Written, edit, key_at, stretch, written};
 use quantities::Language;
 use questions::list::simulate::ScenarioId;
-use questions::{Draw, ProductId, Progress, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
+use questions::{
+    Draw, OpenCycle, ProductId, Progress, Refusal, SAMPLES_MOST, Sizing, Unread, closed, is_open_cycle,
+    read_all_watched, read_code,
+};
 use std::borrow::Cow;
 use words::{Worded, worded};
 
@@ -63,6 +67,25 @@ pub(crate) struct PageState {
     pub(crate) typed_at: Option<(String, bool)>,
     /// Largest width and height of the pictures in the middle pane \[px\].
     pub(crate) room: (f64, f64),
+    /// Motion of which the request changes something.
+    moved: Option<Moved>,
+}
+
+/// Change of a motion.
+struct Moved {
+    /// `axis[2].` in a file with several axes, else empty.
+    prefix: String,
+    /// Index of the edited segment, from zero; `None` if any segment may follow.
+    segment: Option<usize>,
+}
+
+impl Moved {
+    /// Returns the change of a path within a segment.
+    fn of(path: &str) -> Option<Self> {
+        let (prefix, rest) = path.split_at(path.find("motion[").filter(|at| *at == 0 || path.starts_with("axis["))?);
+        let number: usize = rest.strip_prefix("motion[")?.split_once(']')?.0.parse().ok()?;
+        Some(Self { prefix: prefix.to_owned(), segment: Some(number.checked_sub(1)?) })
+    }
 }
 
 /// Tabs of the middle pane.
@@ -194,6 +217,8 @@ pub(crate) struct ReadProject {
     pub(crate) has_places: bool,
     /// Reason why the work was stopped or not begun.
     pub(crate) refused: Option<Refusal>,
+    /// Path of the motion that does not come back to its position, and `true` if a way back can follow.
+    pub(crate) open_cycle: Option<(String, bool)>,
 }
 
 impl PageState {
@@ -235,6 +260,7 @@ impl PageState {
             typed_at: call.field("path").map(|path| (path.into_owned(), call.field("folded").is_some())),
             room: room(&field("width"), &field("height")),
             samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
+            moved: None,
         };
         state.change(call);
         state
@@ -271,6 +297,7 @@ impl PageState {
                 "instead" => apply(path, Edit::Instead),
                 "down" => apply(path, Edit::Down),
                 "twice" => apply(path, Edit::Twice),
+                "close" => self.moved = Some(Moved { prefix: path.to_owned(), segment: None }),
                 "value" => {
                     let (path, value) = path.split_once('=').unwrap_or((path, ""));
                     apply(path, Edit::Value(value));
@@ -292,6 +319,7 @@ impl PageState {
                 .filter(|kept| !kept.is_empty() && !value.is_empty() && tolerance_of(&value).1.is_empty());
             let value = kept.map_or_else(|| value.clone(), |kept| format!("{value} ± {kept}"));
             apply(&path, Edit::Value(&value));
+            self.moved = Moved::of(&path);
         }
         if let (Some(path), Some(unit), Some(was)) = (call.field("path"), call.field("in_unit"), call.field("was"))
             && !was.is_empty()
@@ -310,16 +338,39 @@ impl PageState {
         {
             self.text = changed;
         }
+        if let (Some(rows), Some(into)) = (call.field("rows"), call.field("into"))
+            && let Some(changed) = pasted_into(&self.text, &into, &rows, language)
+        {
+            self.text = changed;
+        }
         if let (Some(path), Some(pulled)) = (call.field("path"), call.field("pulled"))
             && let Some(changed) = stretched(&self.text, &path, &pulled)
         {
             self.text = changed;
+            self.moved = Moved::of(&path);
         }
     }
 
     /// Reads the project; a text with faults leaves the last good one.
     pub(crate) fn hold(&mut self, shell: &dyn Shell, progress: &Progress) -> ReadProject {
-        let held = self.read(shell, progress);
+        let before = self.good.clone();
+        let mut held = self.read(shell, progress);
+        if let Some((path, can_close)) = &mut held.open_cycle {
+            let prefix = path.split("motion").next().unwrap_or_default();
+            let follows = |edited: Option<usize>| {
+                let (files, catalogue, text) = (shell.files(), shell.catalogue(), self.text.as_str());
+                let open = OpenCycle { text, before: &before, prefix, edited, files, catalogue };
+                closed(&open, progress)
+            };
+            let moved = self.moved.as_ref().filter(|moved| moved.prefix == prefix);
+            match moved.and_then(|moved| follows(moved.segment)) {
+                Some(text) => {
+                    self.text = text;
+                    held = self.read(shell, progress);
+                }
+                None => *can_close = follows(None).is_some(),
+            }
+        }
         self.axis = self.axis.min(held.projects.len().saturating_sub(1));
         if held.written.iter().any(|key| key.path == "axis[1]") {
             self.prefix = format!("axis[{}].", self.axis + 1);
@@ -327,6 +378,7 @@ impl PageState {
         held
     }
 
+    /// Reads the text as it is.
     fn read(&mut self, shell: &dyn Shell, progress: &Progress) -> ReadProject {
         let keys = written(&self.text);
         let has_places = keys.is_some();
@@ -334,7 +386,15 @@ impl PageState {
             Ok(projects) => {
                 self.good.clone_from(&self.text);
                 let written = keys.unwrap_or_default();
-                ReadProject { projects, faults: Vec::new(), is_old: false, written, has_places, refused: None }
+                ReadProject {
+                    projects,
+                    faults: Vec::new(),
+                    is_old: false,
+                    written,
+                    has_places,
+                    refused: None,
+                    open_cycle: None,
+                }
             }
             Err(Unread::Refused(refusal)) => ReadProject {
                 projects: Vec::new(),
@@ -343,10 +403,13 @@ impl PageState {
                 written: keys.unwrap_or_default(),
                 has_places,
                 refused: Some(refusal),
+                open_cycle: None,
             },
             Err(Unread::Faults(found)) => {
                 let keys_there = keys.as_deref().unwrap_or_default();
                 let faults = placed(&found, (&self.text, keys_there), project::key_at, self.language);
+                let is_open = found.iter().position(is_open_cycle);
+                let open_cycle = is_open.and_then(|at| Some((faults.get(at)?.0.clone()?, false)));
                 let written = keys.or_else(|| written(&self.good)).unwrap_or_default();
                 let (projects, refused) = match read_all_watched(&self.good, shell.files(), shell.catalogue(), progress)
                 {
@@ -354,7 +417,7 @@ impl PageState {
                     Err(Unread::Refused(refusal)) => (Vec::new(), Some(refusal)),
                     Err(Unread::Faults(_)) => (Vec::new(), None),
                 };
-                ReadProject { projects, faults, is_old: true, written, has_places, refused }
+                ReadProject { projects, faults, is_old: true, written, has_places, refused, open_cycle }
             }
         }
     }
@@ -368,6 +431,13 @@ fn stretched(text: &str, path: &str, pulled: &str) -> Option<String> {
     let (time, way, time_was, way_was) = (next()?, next()?, next()?, next()?);
     let share = |to_be: f64, was: f64| if to_be == was { 1.0 } else { to_be / was };
     stretch(text, path, share(time, time_was), share(way, way_was)).ok()
+}
+
+/// Returns the text with pasted rows; `into`: path of the list, row and column of the cell.
+fn pasted_into(text: &str, into: &str, rows: &str, language: Language) -> Option<String> {
+    let mut parts = into.split(' ');
+    let (list, row, column) = (parts.next()?, parts.next()?.parse().ok()?, parts.next()?.parse().ok()?);
+    pasted(text, &Cell { list, row, column }, rows, language)
 }
 
 /// Returns the text with the whole motion of an axis slower by a factor, dwells included; `prefix`: `axis[2].` in a file with several.

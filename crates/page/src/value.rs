@@ -134,6 +134,11 @@ pub(crate) fn in_unit(text: &str, unit: &str) -> String {
     band.map_or_else(|| text.to_owned(), |band| format!("{nominal} ± {band}"))
 }
 
+/// Returns the unit that a text of a key states, as a project file has it; empty without one.
+pub(crate) fn unit_of(key: &Key, text: &str) -> &'static str {
+    taken_apart(text, &dimensions(key)).map_or("", |(_, unit)| unit.ascii)
+}
+
 /// Returns the content of a field, or of its placeholder.
 fn shown(text: &str, dimensions: &[Dimension], language: Language) -> Option<Shown> {
     let (nominal, _) = tolerance_of(text);

@@ -87,8 +87,8 @@ pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use diagnostic::{Diagnostic, place};
 pub use edit::{
-    Clash, Edit, EditFault, Prefer, Unmerged, Written, edit, edit_measured, key_at, load_scaled, measured_key_at, merged,
-    stretch, written,
+    Clash, Edit, EditFault, Prefer, Unmerged, Written, edit, edit_measured, key_at, load_scaled, measured_key_at,
+    merged, stretch, written,
 };
 pub use encoding::decoded;
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};

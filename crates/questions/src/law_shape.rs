@@ -3,6 +3,7 @@
 use axis::law_sample;
 use motion::{Closing, Motion};
 use project::SegmentLaw;
+use quantities::Measure;
 
 /// Points of a shape: time, position, speed and acceleration, each as a share of its largest value.
 pub(crate) type Shape = Vec<[f64; 4]>;
@@ -16,6 +17,20 @@ const PER_PIECE: u32 = 12;
 pub fn law_shape(law: SegmentLaw) -> Shape {
     let motion = law_sample(law).and_then(|segment| Motion::new(&[segment], None, Closing::SingleMove).ok());
     motion.map(|motion| shape(&motion)).unwrap_or_default()
+}
+
+/// Returns C_v = v_max T/s and C_a = a_max T²/s of a law from rest to rest; `None` if they depend on its values or the
+/// law is none of a move.
+#[must_use]
+pub fn law_peaks(law: SegmentLaw) -> Option<[f64; 2]> {
+    use project::choices::Law;
+    if !matches!(law, SegmentLaw::Law(own) if !matches!(own, Law::Jerk | Law::Constant)) {
+        return None;
+    }
+    let motion = Motion::new(&[law_sample(law)?], None, Closing::SingleMove).ok()?;
+    let solved = motion.stretches().first()?.solved?;
+    let (s, t) = (solved.distance.si().abs(), solved.time.si());
+    Some([solved.speed.si() * t / s, solved.acceleration.si() * t * t / s])
 }
 
 fn shape(motion: &Motion) -> Shape {
@@ -60,5 +75,25 @@ mod tests {
             seen.push(shape);
         }
         assert!(law_shape(SegmentLaw::Recorded).is_empty());
+    }
+
+    /// Compares the peak factors with VDI 2143-1.
+    #[test]
+    fn the_peak_factors_are_the_published_ones() {
+        for (law, speed, acceleration) in [
+            ("trapezoid", 1.5, 4.5),
+            ("triangle", 2.0, 4.0),
+            ("polynomial_5", 1.88, 5.77),
+            ("modified_sine", 1.76, 5.53),
+            ("modified_trapezoid", 2.0, 4.89),
+            ("simple_sine", 1.57, 4.93),
+            ("inclined_sine", 2.0, 6.28),
+        ] {
+            let [v, a] = law_peaks(SegmentLaw::of_id(law).unwrap()).unwrap();
+            assert!((v - speed).abs() < 0.006 && (a - acceleration).abs() < 0.006, "{law}: {v} {a}");
+        }
+        for law in ["dwell", "manual", "jerk", "constant", "recorded", "points"] {
+            assert_eq!(law_peaks(SegmentLaw::of_id(law).unwrap()), None, "{law}");
+        }
     }
 }

@@ -8,6 +8,7 @@ pub mod answer;
 mod candidate;
 pub mod chapter;
 mod chapters;
+mod closed;
 mod codes;
 mod commission;
 mod compare;
@@ -49,6 +50,7 @@ mod wiring;
 // Reading: projects, codes, quantities; progress and cancellation; the actuator of an answer.
 pub use axis::Catalogue;
 pub use chapters::read_quantity;
+pub use closed::{OpenCycle, closed, is_open_cycle};
 pub use codes::{CodeRefusal, read_code};
 pub use fingerprint::project_fingerprint;
 pub use progress::Progress;
@@ -73,7 +75,7 @@ pub use gearing_proposals::{GEARING_INSTANTS_MOST, GearingProposal};
 pub use incoming::{
     ExaminedRecording, FilesWithIncoming, IncomingFile, SmoothingEffect, smoothing_effects, window_text,
 };
-pub use law_shape::law_shape;
+pub use law_shape::{law_peaks, law_shape};
 pub use mechanism::MechanismId;
 pub use mechanism::drawing::{Drawing, MechanismValues};
 pub use motion::Spurious;

@@ -4,7 +4,7 @@ use crate::moves::moves;
 use axis::AxisProject;
 use project::SegmentLaw;
 use quantities::Unit;
-use quantities::unit::{DEGREE, MILLIMETRE};
+use quantities::unit::{DEGREE, METRE_PER_SECOND, MILLIMETRE, REVOLUTION_PER_MINUTE};
 
 /// The end of a segment in the picture of the position over time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +17,8 @@ pub struct SegmentHandle {
     pub to: (f64, f64),
     /// `true` if the distance can be dragged; otherwise only the time.
     pub goes: bool,
+    /// Instant \[s\] and value of the largest speed of a move from rest to rest, in the unit of the speeds.
+    pub peak: Option<(f64, f64)>,
 }
 
 /// The handles of a motion.
@@ -24,6 +26,8 @@ pub struct SegmentHandle {
 pub struct SegmentHandles {
     /// Unit of the positions: that of the picture.
     pub unit: &'static Unit,
+    /// Unit of the speeds: that of the picture.
+    pub speed_unit: &'static Unit,
     /// Handles in the order of the segments; segments without a handle are left out.
     pub segment_handles: Vec<SegmentHandle>,
 }
@@ -34,7 +38,11 @@ pub struct SegmentHandles {
 #[must_use]
 pub fn segment_handles(project: &AxisProject) -> SegmentHandles {
     let moves = moves(project);
-    let (unit, per_output) = if moves.turns { (&DEGREE, 1.0) } else { (&MILLIMETRE, moves.per_output) };
+    let (unit, speed_unit, per_output) = if moves.turns {
+        (&DEGREE, &REVOLUTION_PER_MINUTE, 1.0)
+    } else {
+        (&MILLIMETRE, &METRE_PER_SECOND, moves.per_output)
+    };
     let pieces = project.axis.motion.pieces();
     let grip = |(segment, each): (usize, &crate::Move<'_>)| {
         let mut own = pieces.iter().filter(|piece| piece.segment == segment);
@@ -49,9 +57,30 @@ pub fn segment_handles(project: &AxisProject) -> SegmentHandles {
         let start = quantities::Measure::si(each.start);
         let (from, to) = (shown(first.position_rad), shown(end.position_rad));
         let until = start + quantities::Measure::si(each.duration);
-        Some(SegmentHandle { segment, from: (start, from), to: (until, to), goes: goes && from != to })
+        let goes = goes && from != to;
+        let own = pieces.iter().filter(|piece| piece.segment == segment);
+        let peak = goes.then(|| peak(own)).map(|(time, speed)| (time, speed_unit.from_si(speed * per_output)));
+        Some(SegmentHandle { segment, from: (start, from), to: (until, to), goes, peak })
     };
-    SegmentHandles { unit, segment_handles: moves.moves.iter().enumerate().filter_map(grip).collect() }
+    SegmentHandles { unit, speed_unit, segment_handles: moves.moves.iter().enumerate().filter_map(grip).collect() }
+}
+
+/// Number of parts of a piece in which its largest speed is sought.
+const PARTS: u32 = 48;
+
+/// Returns the instant \[s\] and the value [rad/s] of the largest speed of pieces; of a plateau the middle.
+fn peak<'p>(pieces: impl Iterator<Item = &'p motion::Piece>) -> (f64, f64) {
+    let of = |piece: &'p motion::Piece| {
+        (0..=PARTS)
+            .map(move |part| piece.duration_s * f64::from(part) / f64::from(PARTS))
+            .map(|t| (piece.start_s + t, piece.at(t).speed_rad_s))
+    };
+    let all: Vec<(f64, f64)> = pieces.flat_map(of).collect();
+    let most = all.iter().map(|(_, speed)| speed.abs()).fold(0.0, f64::max);
+    let mut plateau = all.iter().filter(|(_, speed)| speed.abs() >= most * (1.0 - 1e-9));
+    let Some(first) = plateau.next() else { return (0.0, 0.0) };
+    let last = plateau.next_back().unwrap_or(first);
+    (f64::midpoint(first.0, last.0), first.1)
 }
 
 #[cfg(test)]
@@ -78,6 +107,19 @@ mod tests {
             assert_eq!((segment, goes), (wanted.0, wanted.2));
             assert!((to.0 - wanted.1.0).abs() < 1e-9 && (to.1 - wanted.1.1).abs() < 1e-6, "{to:?}");
         }
+    }
+
+    #[test]
+    fn the_peak_of_a_move_is_in_the_middle_of_its_fastest_part() {
+        let found = found(
+            "[[motion]]\nlaw = \"trapezoid\"\ndistance = \"-90 deg\"\ntime = \"0.6 s\"\n[[motion]]\nlaw = \"dwell\"\n\
+             time = \"1 s\"\n",
+        );
+        let peaks: Vec<_> = found.segment_handles.iter().map(|handle| handle.peak).collect();
+        // Thirds: 1.5 times the mean speed of 25 1/min.
+        let (time, speed) = peaks[0].unwrap();
+        assert!((time - 0.3).abs() < 1e-9 && (speed + 37.5).abs() < 1e-9, "{time} {speed}");
+        assert_eq!((peaks.len(), peaks[1], found.speed_unit.ascii), (2, None, "1/min"));
     }
 
     #[test]

@@ -312,8 +312,8 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
 
 fn single_move(language: Language) -> String {
     said!(language =>
-        "add the return move, or state single_move = true under [axis]"
-        | "den Rückweg ergänzen oder unter [axis] single_move = true angeben"
+        "add the return move, or make it a single move (`axis.single_move`)"
+        | "den Rückweg ergänzen oder als einmalige Bewegung kennzeichnen (`axis.single_move`)"
     )
 }
 

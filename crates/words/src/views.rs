@@ -11,5 +11,22 @@ texts! {
     zoom_about =
         "Also by dragging over a diagram, by the wheel with Ctrl, and by double click for the whole cycle"
         | "Auch durch Ziehen über ein Diagramm, mit Strg und Mausrad; Doppelklick zeigt den ganzen Zyklus";
+    peak_of_segment(number, law) = "peak speed of segment {number}, {law}" | "Höchstgeschwindigkeit von Abschnitt {number}, {law}";
+    peak_about =
+        "A higher peak shortens the segment, a lower one lengthens it; what is stated of time, speed and acceleration follows"
+        | "Eine höhere Spitze verkürzt den Abschnitt, eine niedrigere verlängert ihn; die angegebenen Werte von Zeit, Geschwindigkeit und Beschleunigung folgen";
+    way_back_follows = "Let the way back follow" | "Rückweg angleichen";
+    single_move = "Make it a single move" | "Als einmalige Bewegung";
+    law = "Motion law" | "Bewegungsgesetz";
+    distance = "Distance" | "Weg";
+    time = "Time" | "Zeit";
+    cell_of_segment(name, number) = "{name}, segment {number}" | "{name}, Abschnitt {number}";
+    follows_about = "Follows from the stated values" | "Folgt aus den angegebenen Werten";
+    paste_about =
+        "Rows of a spreadsheet can be pasted into a cell; with headings they replace the motion"
+        | "Zeilen einer Tabelle lassen sich in eine Zelle einfügen; mit Überschriften ersetzen sie die Bewegung";
+    peaks_about =
+        "Peak factors of VDI 2143: largest speed over mean speed, largest acceleration times time squared over distance"
+        | "Kennwerte nach VDI 2143: größte durch mittlere Geschwindigkeit, größte Beschleunigung mal Zeitquadrat durch Weg";
     margin = "margin" | "Reserve";
 }

@@ -136,8 +136,11 @@ pub(super) fn drive(language: Language) -> Command {
 
 /// Creates the options that state other values of a project for one call.
 pub(super) fn changes(language: Language) -> [Arg; 2] {
-    [("set", values::key_value(language), help::set(language)), ("scale", values::what_factor(language), help::scale(language))]
-        .map(|(name, value, help)| text(name, value, help).action(ArgAction::Append))
+    [
+        ("set", values::key_value(language), help::set(language)),
+        ("scale", values::what_factor(language), help::scale(language)),
+    ]
+    .map(|(name, value, help)| text(name, value, help).action(ArgAction::Append))
 }
 
 /// Creates the option that limits the memory of the recordings of a project.

@@ -119,7 +119,8 @@ fn command_named(word: &str) -> Option<&'static str> {
 
 /// Returns the arguments with the command and the language by their own words.
 pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
-    let text = |arguments: &[OsString], place: usize| arguments.get(place).and_then(|word| word.to_str()).map(str::to_owned);
+    let text =
+        |arguments: &[OsString], place: usize| arguments.get(place).and_then(|word| word.to_str()).map(str::to_owned);
     let put = |arguments: &mut [OsString], place: usize, word: &str| {
         if let Some(old) = arguments.get_mut(place) {
             *old = word.into();
@@ -166,16 +167,26 @@ pub(crate) fn with_options(arguments: Vec<OsString>, whole: &Command, language: 
         }
         place += 1;
     }
-    let (Some(begin), Some(entry)) = (begin, LIST.iter().find(|entry| entry.command() == name)) else { return arguments };
+    let (Some(begin), Some(entry)) = (begin, LIST.iter().find(|entry| entry.command() == name)) else {
+        return arguments;
+    };
     let positions: Vec<_> = command.get_positionals().collect();
     if positions.iter().any(|position| position.get_num_args().is_some_and(|range| range.max_values() > 1)) {
         return arguments;
     }
     let most = positions.len();
-    let options: Vec<&Argument> = entry.arguments.iter().filter(|argument| argument.form == ArgumentForm::Option).collect();
-    let taken = |option: &str| words.iter().flatten().any(|word| word.strip_prefix("--").is_some_and(|rest| rest.split('=').next() == Some(option)));
+    let options: Vec<&Argument> =
+        entry.arguments.iter().filter(|argument| argument.form == ArgumentForm::Option).collect();
+    let taken = |option: &str| {
+        words
+            .iter()
+            .flatten()
+            .any(|word| word.strip_prefix("--").is_some_and(|rest| rest.split('=').next() == Some(option)))
+    };
     let belongs = |word: &str| {
-        let is_code = |argument: &&&Argument| matches!(argument.kind, ArgumentKind::Code) && questions::read_code(word, language).is_ok();
+        let is_code = |argument: &&&Argument| {
+            matches!(argument.kind, ArgumentKind::Code) && questions::read_code(word, language).is_ok()
+        };
         let has_word = |argument: &&&Argument| matches!(argument.kind, ArgumentKind::Word(_)) && argument.takes(word);
         let mut found = options.iter().filter(is_code).chain(options.iter().filter(has_word));
         // A code with a slip is none of the words; the question names the nearest ones.
@@ -204,9 +215,10 @@ pub(crate) fn with_options(arguments: Vec<OsString>, whole: &Command, language: 
         }
         let takes = |rest: &str| {
             !rest.contains('=')
-                && command.get_arguments().chain(whole.get_arguments()).any(|argument| {
-                    argument.get_long() == Some(rest) && argument.get_action().takes_values()
-                })
+                && command
+                    .get_arguments()
+                    .chain(whole.get_arguments())
+                    .any(|argument| argument.get_long() == Some(rest) && argument.get_action().takes_values())
         };
         is_value = !is_value && (word.strip_prefix("--").is_some_and(takes) || word == "-o");
         out.push(argument.clone());
@@ -235,8 +247,14 @@ mod tests {
             ("check CHA-25A-50-H-C1024 a.toml", "check --code CHA-25A-50-H-C1024 a.toml"),
             ("explain a.toml cha-25a-50-h-c1024 thermal", "explain a.toml --code cha-25a-50-h-c1024 --check thermal"),
             ("simulate a.toml --at 1 emergency_stop", "simulate a.toml --at 1 --scenario emergency_stop"),
-            ("compare a.toml CHA-25A-50-H-C1024 CHA-20A-100-H-C1024-B", "compare a.toml --code CHA-25A-50-H-C1024 --code CHA-20A-100-H-C1024-B"),
-            ("plot a.toml torque_speed -o CHA-25A-50-H-C1024", "plot a.toml --figure torque_speed -o CHA-25A-50-H-C1024"),
+            (
+                "compare a.toml CHA-25A-50-H-C1024 CHA-20A-100-H-C1024-B",
+                "compare a.toml --code CHA-25A-50-H-C1024 --code CHA-20A-100-H-C1024-B",
+            ),
+            (
+                "plot a.toml torque_speed -o CHA-25A-50-H-C1024",
+                "plot a.toml --figure torque_speed -o CHA-25A-50-H-C1024",
+            ),
             ("data CHA-25A-50-H-C1024", "data CHA-25A-50-H-C1024"),
             ("diff a.toml b.toml", "diff a.toml b.toml"),
             ("check a.toml --code X CHA-25A-50-H-C1024", "check a.toml --code X CHA-25A-50-H-C1024"),
@@ -259,7 +277,8 @@ mod tests {
         assert!(OPTIONS.windows(2).all(|two| two[0].0 < two[1].0), "sorted");
         for (_, meant) in OPTIONS {
             for option in *meant {
-                let has = |command: &Command| command.get_arguments().any(|argument| argument.get_long() == Some(option));
+                let has =
+                    |command: &Command| command.get_arguments().any(|argument| argument.get_long() == Some(option));
                 assert!(whole.get_subcommands().any(has) || has(&whole), "{option}");
             }
         }

@@ -74,7 +74,11 @@ fn several_projects_have_a_line_each_with_the_answer_of_each() {
         assert!(table.out.lines().any(|line| line.starts_with(name) && line.contains(code)), "{code}\n{}", table.out);
     }
     let missing = run(&["size", files[0], "no-such-file.toml", "nor-this.toml"]);
-    assert!(missing.code == 2 && missing.err.contains("no-such-file") && missing.err.contains("nor-this"), "{}", missing.err);
+    assert!(
+        missing.code == 2 && missing.err.contains("no-such-file") && missing.err.contains("nor-this"),
+        "{}",
+        missing.err
+    );
 }
 
 #[test]

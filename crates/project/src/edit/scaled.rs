@@ -14,6 +14,9 @@ const DIGITS: i32 = 6;
 /// Digits of a scaled load: those of a stated value and of a factor.
 const DIGITS_OF_LOAD: i32 = 12;
 
+/// Digits of a value that decides the distance, so that a cycle stays closed.
+const DIGITS_OF_WAY: i32 = 12;
+
 /// Returns the text with a segment scaled by `time` in its duration and by `way` in its distance.
 ///
 /// `path`: of the segment. Only stated values are changed; units, tolerances and comments are kept.
@@ -49,7 +52,8 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
         if factor == 1.0 {
             continue;
         }
-        let Some(scaled) = scaled(stated, factor, DIGITS) else { continue };
+        let digits = if is_way(key) || !directed { DIGITS_OF_WAY } else { DIGITS };
+        let Some(scaled) = scaled(stated, factor, digits) else { continue };
         changed = edit(&changed, &format!("{path}.{}", key.name), Edit::Value(&scaled))?;
     }
     Ok(changed)
@@ -71,7 +75,9 @@ pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<
         }
         let is_payload = inside.starts_with("motion[") && inside.contains("].payload");
         let factor = if is_of_load { load } else { payload };
-        let Some(stated) = key.value.as_deref().filter(|_| (is_of_load || is_payload) && factor != 1.0) else { continue };
+        let Some(stated) = key.value.as_deref().filter(|_| (is_of_load || is_payload) && factor != 1.0) else {
+            continue;
+        };
         let kind = key_at(inside).map(|key| key.kind);
         if matches!(kind, Some(Kind::Quantity(Dimension::Mass | Dimension::MomentOfInertia, _))) {
             changed = edit(&changed, &key.path, Edit::Value(&scaled(stated, factor, DIGITS_OF_LOAD)?)).ok()?;
@@ -143,7 +149,10 @@ mod tests {
             assert!(heavier.contains(part), "{part}\n{heavier}");
         }
         assert_eq!(load_scaled(text, "", 1.0, 2.0).unwrap(), text.replace("3 kg", "6 kg"));
-        assert_eq!(load_scaled("[mechanism.turntable]\nbodies = [\"disc diameter=1m mass=2kg\"]\n", "", 2.0, 2.0), None);
+        assert_eq!(
+            load_scaled("[mechanism.turntable]\nbodies = [\"disc diameter=1m mass=2kg\"]\n", "", 2.0, 2.0),
+            None
+        );
         assert_eq!(load_scaled("[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n", "", 2.0, 2.0), None);
     }
 

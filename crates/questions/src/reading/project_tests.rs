@@ -428,7 +428,7 @@ fn a_motion_that_a_tolerance_makes_impossible_is_reported_at_it() {
     let (place, fault) = place_of(&shuttle(" ± 1 mm", false));
     assert_eq!(place, "1 mm");
     assert!(fault.message.contains("motion[1].distance = 89.000 mm: the cycle does not close"), "{}", fault.message);
-    assert!(fault.hint.unwrap().contains("single_move = true"));
+    assert!(fault.hint.unwrap().contains("`axis.single_move`"));
     assert!(crate::read(&shuttle(" ± 1 mm", true)).is_ok());
     // At 100 mm in 1 s a speed of 100 mm/s leaves no time to accelerate.
     let (place, fault) = place_of(&shuttle(" ± 12 mm", true));
@@ -542,7 +542,9 @@ fn a_dwell_fills_the_cycle_that_it_states() {
             let checks = crate::check(&project, &code).unwrap().judgement.checks;
             checks.iter().map(|check| (check.id, check.value.map(|value| value.si))).collect::<Vec<_>>()
         };
-        for ((id, filled), (_, stated)) in checked(&format!("cycle = \"{cycle}\"")).into_iter().zip(checked("time = \"0.85 s\"")) {
+        for ((id, filled), (_, stated)) in
+            checked(&format!("cycle = \"{cycle}\"")).into_iter().zip(checked("time = \"0.85 s\""))
+        {
             let (Some(filled), Some(stated)) = (filled, stated) else { continue };
             assert!((filled - stated).abs() <= 1e-9 * stated.abs(), "{id:?}");
         }
