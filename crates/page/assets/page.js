@@ -285,6 +285,18 @@ document.addEventListener('click', (event) => {
   if (back) back.hidden = trail.length === 0;
   $('#detail-title')?.focus();
 });
+// Shows an element in the drawer, one step further than what it shows.
+export function onward(title, content) {
+  const drawer = $('#detail');
+  trail.push(drawer.innerHTML);
+  const section = drawer.firstElementChild.cloneNode(false);
+  section.append(drawer.querySelector('.bar-head').cloneNode(true), content);
+  drawer.replaceChildren(section);
+  $('#detail-title').textContent = title;
+  $('#detail-back').hidden = false;
+  drawer.scrollTop = 0;
+  $('#detail-title').focus({ preventScroll: true });
+}
 export function shut() {
   const drawer = $('#detail');
   if (!drawer?.firstElementChild) return false;

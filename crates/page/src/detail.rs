@@ -11,7 +11,7 @@ use questions::list::explain::derivation;
 use questions::texts::{ValuesInRow, margin_share, margin_text, node_amount, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
-    ERRATUM_MARK, capitalised, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
+    ERRATUM_MARK, capitalised, chapter_name, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
     terminal, terms, title_of_check,
 };
 
@@ -46,7 +46,7 @@ fn node(node: &Node, language: Language) -> Markup {
                 @if node.repeated { (terminal::see_above(language)) } @else {
                     (trust(node, language))
                     @if let Some(number) = node.page { ", " (page::page_of_the_manual(&number, language)) }
-                    @if let Some(name) = node.model { ", " a href={ "theory/" (name) ".html" } target="_blank" hreflang="en" { (page::chapter_of_the_theory(&name, language)) } }
+                    @if let Some(name) = node.model { ", " a href={ "theory/" (name) ".html" } data-chapter="" hreflang="en" title=(capitalised(chapter_name(name, language))) { (page::theory(language)) } }
                 }
             }
             @if !node.repeated {

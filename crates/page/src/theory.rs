@@ -1,13 +1,18 @@
 //! Theory behind the models: the chapters of `docs/theory`, to which the derivation of a number leads.
 //!
 //! They are in English. The server sends them, and the writer of the static folder writes them as files; the engine in
-//! the browser does not contain them.
+//! the browser does not contain them. Sections for developers are in the books of the repository alone; keys of the project file and
+//! checks appear with the names that the page gives them.
 
 use crate::call::Reply;
-use maud::{DOCTYPE, PreEscaped, html};
-use pulldown_cmark::{CowStr, Event, LinkType, Options, Parser, Tag, TagEnd};
+use crate::find::walk;
+use crate::markup::label_of;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use project::KEYS;
+use pulldown_cmark::{CodeBlockKind, CowStr, Event, LinkType, Options, Parser, Tag, TagEnd};
 use quantities::Language;
-use words::page;
+use questions::CheckId;
+use words::{capitalised, chapter_name, check_title, page};
 
 /// Chapters with their texts, and the pictures in them.
 macro_rules! files {
@@ -37,23 +42,77 @@ pub(crate) fn file(name: &str, language: Language) -> Reply {
         .strip_suffix(".html")
         .and_then(|name| CHAPTERS.iter().find(|(of, _)| of.strip_suffix(".md") == Some(name)));
     match chapter {
-        Some((_, text)) => Reply::of(200, crate::HTML, shown(text)),
+        Some((name, text)) => Reply::of(200, crate::HTML, shown(name, text, language)),
         None => Reply::text(404, page::no_such_page(language)),
     }
 }
 
-/// Returns a chapter as a page.
-fn shown(text: &str) -> String {
+/// Headings of the sections that describe the program to its developers.
+const FOR_DEVELOPERS: [&str; 4] = ["In the code", "Cost", "Speed", "Four at a time"];
+
+/// Returns a chapter as a page; the drawer of the workbench shows its article.
+fn shown(name: &str, text: &str, language: Language) -> String {
+    let l = language;
     let (title, body) = set(text);
     let none = html! {};
     let head = crate::frame::head(&none, &format!("{title} – antrieb"), "../assets/page.css", &none);
-    html! { (DOCTYPE) html lang="en" { (head) body.theory { main { (PreEscaped(body)) } } } }.into_string()
+    html! {
+        (DOCTYPE)
+        html lang=(l.id()) {
+            (head)
+            body.theory {
+                header id="head" { h1 { a.brand href="../" { (crate::frame::logo()) "antrieb" } } }
+                main {
+                    p.small { (page::chapter_in_english(l)) }
+                    (chapters(name, l))
+                    article id="theory" lang="en" { (PreEscaped(body)) }
+                }
+            }
+        }
+    }
+    .into_string()
+}
+
+/// Returns the list of all chapters.
+fn chapters(own: &str, language: Language) -> Markup {
+    let id = |name: &'static str| name.strip_suffix(".md").unwrap_or(name);
+    html! {
+        details.chapters {
+            summary { (page::chapters_of_the_theory(language)) }
+            ul { @for (name, _) in CHAPTERS { li {
+                a href={ (id(name)) ".html" } aria-current=[(name == own).then_some("page")] { (capitalised(chapter_name(id(name), language))) }
+            } } }
+        }
+    }
+}
+
+/// Returns the words for program text of a chapter: the label of a key, the title of a check; `None` for a quotation.
+fn in_words(code: &str) -> Option<String> {
+    let l = Language::En;
+    let last = |path: &str| path.rsplit('.').next() == Some(code);
+    let of_check = || CheckId::ALL.iter().find(|id| id.id() == code).map(|id| check_title(*id, l));
+    let of_key = || {
+        let mut found = None;
+        let is_name = code.bytes().all(|byte| byte == b'_' || byte.is_ascii_lowercase()) && code.contains('_');
+        walk(KEYS, "", &mut |path, _| {
+            if found.is_none() && is_name && last(path) {
+                found = label_of(path, l);
+            }
+        });
+        found
+    };
+    let label = |label: String| {
+        let mut letters = label.chars();
+        let is_word = letters.clone().nth(1).is_some_and(char::is_lowercase);
+        if is_word { letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect()) } else { label }
+    };
+    of_check().or_else(|| label_of(code, l).or_else(of_key).map(label))
 }
 
 /// Returns title and text of a chapter as HTML: headings have anchors, links within the theory lead to its pages, other
 /// links become plain words, and HTML in the text is shown literally.
 fn set(text: &str) -> (String, String) {
-    let mut events: Vec<Event<'_>> = Parser::new_ext(text, Options::ENABLE_TABLES).collect();
+    let mut events: Vec<Event<'_>> = for_engineers(Parser::new_ext(text, Options::ENABLE_TABLES).collect());
     let mut title = String::new();
     let mut heading: Option<(usize, String)> = None;
     let mut anchors = Vec::new();
@@ -74,6 +133,8 @@ fn set(text: &str) -> (String, String) {
                     so_far.push_str(words);
                 }
             }
+            // The marks of a formula alone are HTML.
+            Event::InlineHtml(written) if [FORMULA, FORMULA_END].contains(&&**written) => {}
             Event::Html(written) | Event::InlineHtml(written) => {
                 *event = Event::Text(std::mem::replace(written, CowStr::Borrowed("")))
             }
@@ -100,6 +161,41 @@ fn set(text: &str) -> (String, String) {
     pulldown_cmark::html::push_html(&mut out, events.into_iter());
     (title, out)
 }
+
+/// Returns a chapter without the sections for developers; formulas, which stand indented, as text, so that their symbols are set.
+fn for_engineers(events: Vec<Event<'_>>) -> Vec<Event<'_>> {
+    let mut kept: Vec<Event<'_>> = Vec::with_capacity(events.len());
+    let mut is_left_out = false;
+    let mut is_formula = false;
+    for (place, event) in events.iter().enumerate() {
+        if let Event::Start(Tag::Heading { level, .. }) = event
+            && *level as usize <= 2
+        {
+            let title = events.get(place + 1);
+            is_left_out = matches!(title, Some(Event::Text(title)) if FOR_DEVELOPERS.contains(&&**title));
+        }
+        if is_left_out {
+            continue;
+        }
+        kept.push(match event {
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Indented)) => {
+                is_formula = true;
+                Event::InlineHtml(CowStr::Borrowed(FORMULA))
+            }
+            Event::End(TagEnd::CodeBlock) if is_formula => {
+                is_formula = false;
+                Event::InlineHtml(CowStr::Borrowed(FORMULA_END))
+            }
+            Event::Code(code) => in_words(code).map_or_else(|| event.clone(), |words| Event::Text(words.into())),
+            event => event.clone(),
+        });
+    }
+    kept
+}
+
+/// Beginning and end of a formula.
+const FORMULA: &str = "<pre class=\"formula\" tabindex=\"0\">";
+const FORMULA_END: &str = "</pre>\n";
 
 /// Returns the address of a link within the theory, in terms of its pages; `None` for a link that leads out of it.
 fn within(address: &str) -> Option<String> {
@@ -145,7 +241,7 @@ mod tests {
     #[test]
     fn links_within_the_theory_lead_somewhere() {
         let pages: Vec<(String, String)> =
-            CHAPTERS.iter().map(|(name, text)| (name.replace(".md", ".html"), shown(text))).collect();
+            CHAPTERS.iter().map(|(name, text)| (name.replace(".md", ".html"), shown(name, text, Language::En))).collect();
         let mut seen = 0;
         for (own, page) in &pages {
             for address in page.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
@@ -155,6 +251,7 @@ mod tests {
                 assert!(target.contains(&format!("id=\"{anchor}\"")), "{own}: {address}");
                 seen += 1;
             }
+            assert!(!page.contains(".rs") && !page.contains("crates/") && !page.contains("In the code"), "{own}");
             assert!(!page.contains(".md\"") && page.contains("<h1 id="), "{own}");
         }
         assert!(seen > 5, "{seen}");

@@ -155,10 +155,9 @@ fn continued(after: &str) -> usize {
             end > 0 && !more[end..].starts_with('_') && more.starts_with(|sign: char| sign.is_ascii_lowercase());
         at = if is_index { end + 1 } else { 0 };
     }
-    match after[at..].strip_prefix('(') {
-        Some(more) if letters(more) > 0 && more[letters(more)..].starts_with(')') => at + letters(more) + 2,
-        _ => at,
-    }
+    // In other parentheses stands what a function depends on.
+    let extremes = ["(max)", "(min)"];
+    at + extremes.iter().find(|extreme| after[at..].starts_with(**extreme)).map_or(0, |extreme| extreme.len())
 }
 
 fn set((head, index, more): (&str, &str, &str), form: Form) -> String {
@@ -188,6 +187,7 @@ mod tests {
         for (html, expected) in [
             ("<p>T_rms of 3.5 Nm.</p>", "<p>T<sub>rms</sub> of 3.5 Nm.</p>"),
             ("<p>J_out_brake, F_A,dyn(max)</p>", "<p>J<sub>out,brake</sub>, F<sub>A,dyn(max)</sub></p>"),
+            ("<p>P_cu(K)</p>", "<p>P<sub>cu</sub>(K)</p>"),
             ("<p>K_1,K_2 tau_m</p>", "<p>K<sub>1</sub>,K<sub>2</sub> τ<sub>m</sub></p>"),
             ("<p>14A-E-I_max-100 lift_80.toml v_1.csv</p>", "<p>14A-E-I_max-100 lift_80.toml v_1.csv</p>"),
             ("<code>T_rms</code><p title=\"T_rms\">x</p>", "<code>T_rms</code><p title=\"T\u{202f}rms\">x</p>"),

@@ -190,7 +190,11 @@ texts! {
     slower = "Slower" | "Langsamer";
     gains_in_use = "Controller gains used, with links to their fields" | "Verwendete Reglerparameter mit Sprung zum Eingabefeld";
     page_of_the_manual(number) = "page {number} of the manual" | "Seite {number} der Anleitung";
-    chapter_of_the_theory(name) = "theory: {name}" | "Theorie (englisch): {name}";
+    theory = "theory" | "Theorie";
+    chapters_of_the_theory = "Chapters of the theory" | "Kapitel der Theorie";
+    chapter_in_english =
+        "The models of antrieb with their equations, sources and limits."
+        | "Die Modelle von antrieb mit Gleichungen, Quellen und Gültigkeitsgrenzen. Das Kapitel liegt auf Englisch vor.";
     worst_instant(time) = "at {time} s" | "bei {time} s";
     what_would_fit = "What would fit" | "Was geeignet wäre";
     searching_remedies = "Searching for changes with which an actuator fits …" | "Änderungen werden gesucht, mit denen ein Antrieb geeignet ist …";

@@ -513,6 +513,19 @@ pub const MODELS: [(&str, &str, &str); 20] = [
     ("voltage", "terminal voltage", "Klemmenspannung"),
 ];
 
+/// Returns the title of a chapter of the theory, for lists of chapters.
+#[must_use]
+pub fn chapter_name(id: &'static str, language: Language) -> &'static str {
+    let (en, de) = match id {
+        "motion-laws" => ("motion laws", "Bewegungsgesetze"),
+        "recorded-motion" => ("recorded motion", "aufgezeichnete Bewegung"),
+        "sweep" => ("sweeps", "Parameterstudien"),
+        "tolerances" => ("tolerances", "Toleranzen"),
+        model => return model_name(model, language),
+    };
+    pick(language, en, de)
+}
+
 fn cell_text(cell: &CellRef, language: Language) -> String {
     let mut text = said!(language => "table " | "Tabelle ");
     text.push_str(cell.table);
