@@ -117,3 +117,17 @@ document.addEventListener('click', ({ target }) => {
 // Another axis or text has another motion: the pictures report anew where the output is.
 document.addEventListener('htmx:after:swap', () => { draw(); label(); });
 label();
+
+// Symbols keep their size on the screen, whatever the size of the drawing.
+const CALL_OUT = 12;
+function legible() {
+  for (const svg of all('svg.drawn')) {
+    const sheet = svg.viewBox.baseVal;
+    const scale = Math.min(svg.clientWidth / sheet.width, svg.clientHeight / sheet.height);
+    if (scale > 0) svg.style.setProperty('--call-out', `${(CALL_OUT / scale).toFixed(2)}px`);
+  }
+}
+const sizes = new ResizeObserver(legible);
+function watch() { sizes.disconnect(); for (const svg of all('svg.drawn')) sizes.observe(svg); legible(); }
+document.addEventListener('htmx:after:swap', watch);
+watch();

@@ -27,8 +27,8 @@ pub(crate) fn of_project(state: &PageState, held: &ReadProject, is_done: bool, s
             nav.bar aria-label=(page::title(l)) {
                 button.icon type="button" id="undo" data-undo="" aria-disabled="true" aria-label=(page::undo(l)) title={ (page::undo(l)) " (Ctrl+Z)" } { "↶" }
                 button.icon type="button" id="redo" data-redo="" aria-disabled="true" aria-label=(page::redo(l)) title={ (page::redo(l)) " (Ctrl+Y)" } { "↷" }
-                (menu("menu-file", page::file(l), false, &file_items(file, shell, l)))
-                (menu("menu-export", page::export(l), is_done, &export_items(shell, l)))
+                (menu("menu-file", (page::file(l), "M3 1.5h6.5l3.5 3.5v9.5h-10zM9.5 1.5v3.5h3.5"), false, &file_items(file, shell, l)))
+                (menu("menu-export", (page::export(l), "M8 1.5v8.5M4.7 6.7 8 10l3.3-3.3M2 11.5v3h12v-3"), is_done, &export_items(shell, l)))
                 (tools(l))
                 button.icon type="button" id="find" data-find="" aria-label=(page::find(l)) title={ (page::find(l)) " (/)" } { "⌕" }
                 (language(state))
@@ -48,7 +48,7 @@ pub(crate) fn of_start(state: &PageState) -> Markup {
             nav.bar aria-label=(page::title(state.language)) {
                 (tools(state.language))
                 @for other in Language::ALL { @if other != state.language {
-                    a.button href={ "/?lang=" (other.id()) } lang=(other.id()) { (page::other_language(state.language)) }
+                    a.button href={ "/?lang=" (other.id()) } lang=(other.id()) { (named(page::other_language(state.language), &html! { (other.id().to_uppercase()) })) }
                 } }
                 (theme(state))
             }
@@ -73,18 +73,18 @@ pub(crate) fn messages(language: Language) -> Markup {
 }
 
 fn brand(language: Language) -> Markup {
-    html! { h1 { a.brand href={ "/?lang=" (language.id()) } data-leaves="" title=(page::new_project(language)) { (crate::frame::logo()) "antrieb" } } }
+    html! { h1 { a.brand href={ "/?lang=" (language.id()) } data-leaves="" title=(page::new_project(language)) { (crate::frame::logo()) span.name { "antrieb" } } } }
 }
 
 fn tools(language: Language) -> Markup {
-    html! { button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (page::tools(language)) } }
+    html! { button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (named(page::tools(language), &icon("M10.5 1.6a4 4 0 0 0-4.6 5.3L1.6 11.2a1.6 1.6 0 0 0 0 2.2l1 1a1.6 1.6 0 0 0 2.2 0l4.3-4.3a4 4 0 0 0 5.3-4.6L12 7.9 9.6 7.6 8.1 6.4 8.1 4z"))) } }
 }
 
 fn language(state: &PageState) -> Markup {
     let other = Language::ALL.into_iter().find(|other| *other != state.language).unwrap_or(state.language);
     html! {
         button type="button" id="language" hx-post="/" hx-target="body" hx-swap="outerMorph" hx-vals=(vals(&[("lang", other.id())]))
-            lang=(other.id()) { (page::other_language(state.language)) }
+            lang=(other.id()) { (named(page::other_language(state.language), &html! { (other.id().to_uppercase()) })) }
     }
 }
 
@@ -96,8 +96,17 @@ fn theme(state: &PageState) -> Markup {
     }
 }
 
-fn menu(id: &str, title: &str, is_main: bool, items: &Markup) -> Markup {
-    html! { details.menu id=(id) { summary class=[is_main.then_some("primary")] { (title) } div.items { (items) } } }
+/// Returns a title that a narrow window shows as a sign; readers of screens have the title in both.
+fn named(title: &str, sign: &Markup) -> Markup {
+    html! { span.title { (title) } span.sign aria-hidden="true" { (sign) } }
+}
+
+fn icon(path: &str) -> Markup {
+    html! { svg.icon viewBox="0 0 16 16" width="16" height="16" { path d=(path) {} } }
+}
+
+fn menu(id: &str, (title, sign): (&str, &str), is_main: bool, items: &Markup) -> Markup {
+    html! { details.menu id=(id) { summary class=[is_main.then_some("primary")] { (named(title, &icon(sign))) } div.items { (items) } } }
 }
 
 fn file_items(file: &str, shell: &dyn Shell, language: Language) -> Markup {

@@ -70,7 +70,7 @@ pub(crate) fn shown(it: &SketchContent<'_>, language: Language) -> Markup {
                     (PreEscaped(call_out.leader()))
                     text x=(x) y=(y) text-anchor="middle" {
                         @match call_out.symbol.split_once('_') {
-                            Some((head, tail)) => { (head) tspan dy="4" font-size="70%" { (tail) } }
+                            Some((head, tail)) => { (head) tspan dy=".3em" font-size="80%" { (tail) } }
                             None => { (call_out.symbol) }
                         }
                     }

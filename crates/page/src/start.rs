@@ -9,7 +9,7 @@ use questions::list::new::template;
 use questions::list::size::sized;
 use questions::{MechanismId, Progress, Rejected, read_all_watched};
 use std::sync::LazyLock;
-use words::{about_text, capitalised, incoming, page, short_label, terminal};
+use words::{about_text, capitalised, hyphenated, incoming, page, short_label, terminal};
 
 /// A way to begin: the values of the example of a mechanism, and the keys to fill in.
 pub(crate) struct Begin {
@@ -121,12 +121,12 @@ pub(crate) fn tiles(language: Language) -> Markup {
             @let title = title(begin.mechanism, language);
             li { button.tile type="button" hx-get={ "/begin?kind=" (place) "&lang=" (language.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
                 span.sketch aria-hidden="true" { (sketch::still(begin.mechanism)) }
-                span { (title) }
+                span { (hyphenated(&title)) }
             } }
         }
             li { button.tile type="button" id="tile-recording" data-recording="" title=(incoming::tile_about(language)) {
                 span.sketch aria-hidden="true" { (sketch::recording()) }
-                span { (incoming::tile(language)) }
+                span { (hyphenated(incoming::tile(language))) }
             } }
         }
     }

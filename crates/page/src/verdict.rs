@@ -44,7 +44,7 @@ fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
     let shown = vals(&[("unfolded", "true"), ("list", list.id())]);
     let count = |class: &str, count: usize, text: String| {
         html! { @if count > 0 {
-            button type="button" class={ "count " (class) } data-goto={ "#checks tr." (class) } hx-post="/work" hx-vals=(shown) { (text) }
+            button type="button" class={ "count " (class) } data-goto={ "#checks tr." (class) } hx-post="/work" hx-vals=(shown) { @match text.split_once(' ') { Some((number, word)) => { (number) span.word { " " (word) } }, None => { (text) } } }
         } }
     };
     let of = |verdict, count| verdict_count(verdict, count, l);
@@ -52,7 +52,7 @@ fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
         p id="standing" role="status" aria-live="polite" tabindex="-1" { strong.code { (candidate.id) } ": " (standing_text(candidate, l)) }
         @if let Some(tightest) = candidate.governing() {
             button.count type="button" id="tightest" data-goto={ "#check-" (tightest.id.id()) } hx-post="/work" hx-vals=(shown) {
-                (page::tightest(l)) " " (check_title(tightest.id, l)) " " strong { (percent(tightest.utilisation, l)) " %" }
+                span.word { (page::tightest(l)) " " } (check_title(tightest.id, l)) " " strong { (percent(tightest.utilisation, l)) " %" }
             }
         }
         span.counts role="group" aria-label=(capitalised(terms::checks(l))) {

@@ -57,6 +57,7 @@ const PARTS: &[&str] = &[
     "trommel",
     "trägheits",
     "umgebungs",
+    "wickel",
     "winkel",
     "wort",
     "zwischenkreis",
