@@ -129,6 +129,8 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("widths", looks::widths),
     Way::both("paper", looks::on_paper).in_chromium(),
     Way::both("accessibility", looks::accessibility),
+    Way::both("phone", looks::a_phone),
+    Way::both("theory", looks::a_chapter),
     Way::site("same-answers", same::same_answers),
     Way::both("times", times::times),
     Way::server("times-of-a-long-recording", times::a_long_recording),

@@ -43,40 +43,57 @@ pub(crate) fn on_paper(stage: &OpenPage<'_>) -> Worded {
     tab.on_paper(false)
 }
 
-/// Accessibility of the start page, the main page, a fault, details, comparison and tools, in light and dark.
+/// Accessibility of the states of the gallery, in light and dark.
 pub(crate) fn accessibility(stage: &OpenPage<'_>) -> Worded {
-    let tab = &stage.tab;
-    tab.sized(1280, 900, 1.0)?;
-    stage.start("en")?;
-    stage.accessible("start")?;
-    stage.example("belt", "en")?;
-    for look in ["light", "dark"] {
-        let what = |page: &str| format!("{page}, {look}");
-        stage.accessible(&what("main"))?;
-        stage.unfold()?;
-        tab.click("#check-peak_torque button.plain")?;
-        tab.there("#detail .formula")?;
-        stage.accessible(&what("detail"))?;
-        tab.click("#tools")?;
-        tab.there("#detail [name=about], #detail input")?;
-        stage.accessible(&what("tools"))?;
-        tab.keys(&key::ESCAPE.to_string())?;
-        stage.change("#f-mechanism-belt-mass", "sixty")?;
-        stage.accessible(&what("fault"))?;
-        stage.change("#f-mechanism-belt-mass", "60 kg")?;
-        if look == "light" {
-            tab.click("#theme")?;
-            tab.until("document.documentElement.dataset.theme === 'dark'")?;
+    for state in &page::STATES {
+        for theme in ["light", "dark"] {
+            let other = state.query.contains("theme=") && theme == "light";
+            let more = if state.query.contains("theme=") { String::new() } else { format!("&theme={theme}") };
+            if other {
+                continue;
+            }
+            crate::ways::screens::opened(stage, state, &format!("{more}&lang=en"))?;
+            stage.accessible(&format!("{}, {theme}", state.name))?;
         }
     }
-    for place in [1, 2] {
-        let mark = tab.eval(&format!("[...document.querySelectorAll('input[name=mark]')][{place}].id"))?;
-        let mark = mark.as_str().unwrap_or_default().to_owned();
-        expect(!mark.is_empty(), || "nothing to compare".to_owned())?;
-        tab.click(&format!("#{mark}"))?;
-        tab.until(&format!("document.querySelector('#{mark}')?.dataset.checked === 'true'"))?;
+    Ok(())
+}
+
+/// On a phone the name, one row of controls and two rows of the verdict stand above the panes; symbols of a drawing are legible in every
+/// window.
+pub(crate) fn a_phone(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    for language in ["en", "de"] {
+        tab.sized(375, 812, 1.0)?;
+        stage.example("arm", language)?;
+        let top =
+            tab.eval("document.querySelector('#panes').getBoundingClientRect().top")?.as_f64().unwrap_or(f64::MAX);
+        expect(top <= 170.0, || format!("{language}: {top} px above the panes"))?;
+        stage.no_sideways_scroll("phone")?;
+        for (width, height) in [(375, 812), (812, 375), (1024, 768), (1440, 900), (1920, 1080)] {
+            tab.sized(width, height, 1.0)?;
+            let least = "Math.min(...[...document.querySelectorAll('#moves svg.drawn text')].filter((text) => text.checkVisibility()).map((text) => \
+                parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a))";
+            tab.until(&format!("{least} >= 11"))?;
+        }
     }
-    tab.click("[hx-post='/compare']")?;
-    tab.says("#detail", "CHA-")?;
-    stage.accessible("compare, dark")
+    Ok(())
+}
+
+/// A chapter of the theory opens in the drawer, with a way back to the derivation; formulas have the font for mathematics.
+pub(crate) fn a_chapter(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    stage.unfold()?;
+    tab.click("#check-continuous_torque button.plain")?;
+    tab.there("#detail msqrt")?;
+    tab.until("document.fonts.check('16px \"Antrieb Math\"')")?;
+    tab.click("#detail a[data-chapter]")?;
+    tab.there("#detail #theory h2")?;
+    tab.click("#detail #theory a[href$='.html']")?;
+    tab.there("#detail #theory")?;
+    tab.click("#detail-back")?;
+    tab.click("#detail-back")?;
+    tab.there("#detail msqrt")?;
+    tab.keys(&key::ESCAPE.to_string())
 }

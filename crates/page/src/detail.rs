@@ -11,8 +11,8 @@ use questions::list::explain::derivation;
 use questions::texts::{ValuesInRow, margin_share, margin_text, node_amount, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
-    ERRATUM_MARK, capitalised, chapter_name, check_missing, check_title, evidence_text, figure_term, marked, note_text, page,
-    terminal, terms, title_of_check,
+    ERRATUM_MARK, capitalised, chapter_name, check_missing, check_title, evidence_text, figure_term, marked, note_text,
+    page, terminal, terms, title_of_check,
 };
 
 /// Returns the derivation of a check: both sides, as trees.

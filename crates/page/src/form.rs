@@ -454,8 +454,9 @@ impl RowContent<'_> {
         let described = format!("{id}-x");
         let wrong = !faults.is_empty();
         let ghost = match placeholder {
-            Some(solved) if value.is_empty() => page::follows(&solved, l),
-            _ => page::for_example(&value::sample(key).unwrap_or_default(), l),
+            Some(solved) if value.is_empty() => Some(page::follows(&solved, l)),
+            // A text is free.
+            _ => value::sample(key).filter(|sample| sample != "…").map(|sample| page::for_example(&sample, l)),
         };
         part(html! {
             div.row id={ (id) "-r" } data-path=(path) {
@@ -465,13 +466,13 @@ impl RowContent<'_> {
                     Kind::OneOf(words) => (self.choice(&id, key.name, path, value, words, wrong, &described)),
                     Kind::ListOf(words) => (self.marks(&id, key, path, value, words)),
                     Kind::Rows(_) | Kind::Bodies => {
-                        textarea id=(id) name="value" rows="4" spellcheck="false" placeholder=(ghost)
+                        textarea id=(id) name="value" rows="4" spellcheck="false" placeholder=[ghost.as_ref()]
                             aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
                             hx-post="/work" hx-trigger="input changed delay:120ms, change" hx-vals=(vals(&[("path", path)])) { (value) }
                     },
                     Kind::Quantity(..) | Kind::Along(..) => (value::field(key, (&id, path, &label), value, placeholder.filter(|_| value.is_empty()), (wrong, &described), AT_ONCE, l)),
                     Kind::Number(..) | Kind::Numbers(..) | Kind::Integer(..) | Kind::Text | Kind::Table(_) | Kind::OneOrMany(..) | Kind::Variants(_) => {
-                        input id=(id) name="value" type="text" value=(value::number(key, value, l)) placeholder=(ghost) autocomplete="off" spellcheck="false"
+                        input id=(id) name="value" type="text" value=(value::number(key, value, l)) placeholder=[ghost.as_ref()] autocomplete="off" spellcheck="false"
                             aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
                             hx-post="/work" hx-trigger=(AT_ONCE) hx-vals=(vals(&[("path", path)]));
                     },

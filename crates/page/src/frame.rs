@@ -65,7 +65,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     if let Some(kind) = call.field("new").filter(|_| state.text.is_empty())
         && let Some(found) = template(&kind, USUAL_NAME, state.language)
     {
-        state.text = found.text;
+        state.take(found.text, call);
     }
     let l = state.language;
     let dark = state.theme == Theme::Dark;
@@ -82,10 +82,19 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
                     Err((held, why)) => { (unfinished(&state, &held, shell, &waiting::stopped(&why, false, Some("/work"), shell, progress, l), progress)) }
                 }
                 (waiting::place(l))
-                aside id="detail" aria-live="polite" { @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, progress)) } }
+                aside id="detail" aria-live="polite" { (drawer_of(call, &mut state, shell, progress)) }
                 dialog id="palette" aria-label=(page::find(l)) {}
             }
         }
+    }
+}
+
+/// Returns what a link opens in the drawer: a tool, the derivation of a check, the comparison of the marked actuators.
+fn drawer_of(call: &Call<'_>, state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Markup {
+    html! {
+        @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, progress)) }
+        @else if let Some(check) = call.field("check") { (derivation_of(&check, state, shell, progress)) }
+        @else if state.marked.len() > 1 { (comparison(state, shell, progress)) }
     }
 }
 
@@ -241,7 +250,7 @@ fn start(state: &PageState, shell: &dyn Shell) -> Markup {
                     p { (page::start_about(l)) }
                     div.begin {
                         (crate::start::tiles(l))
-                        div id="begin" aria-live="polite" {}
+                        div id="begin" aria-live="polite" { (crate::start::asked(state.begin, l)) }
                     }
                 }
                 section aria-labelledby="example-title" {
@@ -341,8 +350,10 @@ fn shown_drawing(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Res
 
 /// Returns the derivation of a check for the selected actuator.
 pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
-    let mut state = PageState::of(call);
-    let wanted = call.field("check").unwrap_or_default();
+    derivation_of(&call.field("check").unwrap_or_default(), &mut PageState::of(call), shell, progress)
+}
+
+fn derivation_of(wanted: &str, state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Markup {
     let held = state.hold(shell, progress);
     if let Some(refusal) = &held.refused {
         let why = waiting::stopped(refusal, false, None, shell, progress, state.language);
@@ -366,7 +377,10 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, progress: &Progress)
 
 /// Returns the comparison of the marked actuators.
 pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
-    let mut state = PageState::of(call);
+    comparison(&mut PageState::of(call), shell, progress)
+}
+
+fn comparison(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Markup {
     let held = state.hold(shell, progress);
     let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked, progress).ok());
     html! { @if let Some(found) = found { (detail::compared(&found, state.language)) } }

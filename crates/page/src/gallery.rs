@@ -1,4 +1,4 @@
-//! The gallery: every component of the page, so that the effect of a style change is visible.
+//! The gallery: links to the states of the page, and every component of it, so that the effect of a style change is visible.
 
 use crate::call::Call;
 use crate::form::AT_ONCE;
@@ -9,6 +9,59 @@ use project::{Kind, key_at};
 use quantities::Language;
 use questions::Verdict;
 use words::{capitalised, page, terms, verdict_count, verdict_word};
+
+/// A state of the page that stands for its kind; the browser tests compare its picture and look for faults of accessibility.
+#[derive(Clone, Copy, Debug)]
+pub struct GalleryState {
+    /// Name of its picture.
+    pub name: &'static str,
+    /// Query of its address, without the language.
+    pub query: &'static str,
+    /// Element that is there when the state is complete.
+    pub there: &'static str,
+    /// Shown as on a phone.
+    pub is_narrow: bool,
+    title: fn(Language) -> &'static str,
+}
+
+const fn state(
+    name: &'static str,
+    query: &'static str,
+    there: &'static str,
+    title: fn(Language) -> &'static str,
+) -> GalleryState {
+    GalleryState { name, query, there, is_narrow: false, title }
+}
+
+/// States of the page, in the order of a visit.
+pub const STATES: [GalleryState; 16] = [
+    state("start", "", "#start-title", page::what_do_you_move),
+    state("begin", "kind=3", "#begin form", page::first_answer),
+    state("cycle", "new=screw", "#plot-cycle", page::view_cycle),
+    state("checks", "new=belt&unfolded=true", "#checks", terms::checks),
+    state("derivation", "new=belt&check=continuous_torque", "#detail .formula", page::how_it_came_about),
+    state("torque-speed", "new=turntable&view=torque_speed", "#plot-torque-speed", page::view_torque_speed),
+    state("heat-dark", "new=arm&view=heat&theme=dark", "#plot-heat", page::view_heat),
+    state("bearing", "new=arm&view=bearing", "#plot-bearing-load", page::view_bearing),
+    state("simulation", "new=arm&view=simulation", "#view figure.plot", page::view_simulation),
+    state("why-not", "new=belt&list=rejected", "table.rejected", page::why_not),
+    state("map", "new=belt&list=map", "#plot-map", page::map),
+    state(
+        "compare",
+        "new=belt&mark=CHA-14A-50-N-D2048&mark=CHA-14A-50-H-RES",
+        "#detail table.compare",
+        page::side_by_side,
+    ),
+    state(
+        "nothing-fits",
+        "new=arm&do=value+mechanism.arm.mass%3D300+kg&do=value+mechanism.arm.centre_distance%3D800+mm",
+        ".remedies h3",
+        page::what_would_fit,
+    ),
+    state("fault", "new=belt&do=value+mechanism.belt.mass%3D60", "#faults li", page::fault_in_the_file),
+    state("data-sheet", "new=arm&tool=data&about=CHA-20A-50-H-C1024", "#detail table", page::tool_data),
+    GalleryState { is_narrow: true, ..state("phone", "new=arm", "#standing", page::on_a_phone) },
+];
 
 const VERDICTS: [Verdict; 4] = [Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
 
@@ -22,6 +75,7 @@ pub(crate) fn shown(call: &Call<'_>) -> Markup {
             body.gallery {
                 main.start {
                     h1 { (page::components(l)) }
+                    (section("states", page::states(l), &states(l)))
                     (section("type", page::components_type(l), &type_scale(l)))
                     (section("verdicts", terms::verdict(l), &verdicts(l)))
                     (section("buttons", page::components_buttons(l), &buttons(l)))
@@ -31,6 +85,13 @@ pub(crate) fn shown(call: &Call<'_>) -> Markup {
             }
         }
     }
+}
+
+fn states(language: Language) -> Markup {
+    let l = language.id();
+    html! { ol { @for state in STATES { li {
+        a href={ "/?lang=" (l) @if !state.query.is_empty() { "&" (state.query) } } { (capitalised((state.title)(language))) }
+    } } } }
 }
 
 fn section(id: &str, title: &str, inside: &Markup) -> Markup {

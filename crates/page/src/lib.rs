@@ -61,6 +61,7 @@ pub use call::{
     WritesReport,
 };
 pub use frame::head;
+pub use gallery::{GalleryState, STATES};
 pub use locked::{is_open_to_all, locked};
 pub use names::{is_project_name, recording_names};
 #[cfg(feature = "theory")]

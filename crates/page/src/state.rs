@@ -65,6 +65,8 @@ pub(crate) struct PageState {
     pub(crate) folds: Vec<String>,
     /// Path of the field that has the focus, and whether it is in a fold; it stays at its place.
     pub(crate) typed_at: Option<(String, bool)>,
+    /// Way to begin whose values are shown on the start page, by its place.
+    pub(crate) begin: usize,
     /// Largest width and height of the pictures in the middle pane \[px\].
     pub(crate) room: (f64, f64),
     /// Motion of which the request changes something.
@@ -258,17 +260,27 @@ impl PageState {
             unfolded: field("unfolded") == "true",
             folds: call.all("fold").map(Cow::into_owned).take(FOLDS_MOST).collect(),
             typed_at: call.field("path").map(|path| (path.into_owned(), call.field("folded").is_some())),
+            begin: crate::files::place(call),
             room: room(&field("width"), &field("height")),
             samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
             moved: None,
         };
-        state.change(call);
+        // The changes of an example are made to its text ([`Self::take`]).
+        if call.field("new").is_none() {
+            state.change(call);
+        }
         state
     }
 
     /// Returns the sampling of the tolerances.
     pub(crate) fn draw(&self) -> Draw {
         Draw { samples: self.samples, ..Draw::default() }
+    }
+
+    /// Takes the text of an example for an empty one, with the changes of the request.
+    pub(crate) fn take(&mut self, example: String, call: &Call<'_>) {
+        self.text = example;
+        self.change(call);
     }
 
     /// Selects the actuator nearest to the point in the map, if one was pointed at.

@@ -104,7 +104,11 @@ fn in_words(code: &str) -> Option<String> {
     let label = |label: String| {
         let mut letters = label.chars();
         let is_word = letters.clone().nth(1).is_some_and(char::is_lowercase);
-        if is_word { letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect()) } else { label }
+        if is_word {
+            letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
+        } else {
+            label
+        }
     };
     of_check().or_else(|| label_of(code, l).or_else(of_key).map(label))
 }
@@ -240,8 +244,10 @@ mod tests {
     /// Requires that every anchor that a chapter links to is a heading of its page.
     #[test]
     fn links_within_the_theory_lead_somewhere() {
-        let pages: Vec<(String, String)> =
-            CHAPTERS.iter().map(|(name, text)| (name.replace(".md", ".html"), shown(name, text, Language::En))).collect();
+        let pages: Vec<(String, String)> = CHAPTERS
+            .iter()
+            .map(|(name, text)| (name.replace(".md", ".html"), shown(name, text, Language::En)))
+            .collect();
         let mut seen = 0;
         for (own, page) in &pages {
             for address in page.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {

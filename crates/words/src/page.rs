@@ -190,6 +190,9 @@ texts! {
     slower = "Slower" | "Langsamer";
     gains_in_use = "Controller gains used, with links to their fields" | "Verwendete Reglerparameter mit Sprung zum Eingabefeld";
     page_of_the_manual(number) = "page {number} of the manual" | "Seite {number} der Anleitung";
+    states = "States of the page" | "Zustände der Seite";
+    fault_in_the_file = "fault in the file" | "Fehler in der Datei";
+    on_a_phone = "on a phone" | "auf dem Telefon";
     theory = "theory" | "Theorie";
     chapters_of_the_theory = "Chapters of the theory" | "Kapitel der Theorie";
     chapter_in_english =
