@@ -11,6 +11,7 @@ mod pictures;
 mod same;
 mod screens;
 mod times;
+mod typed;
 
 use crate::make::Make;
 use crate::shell::Shell;
@@ -78,6 +79,8 @@ impl Way {
 pub(crate) const ALL: &[Way] = &[
     Way::server("another-port", neighbour::a_server_at_another_port_gets_no_token),
     Way::both("begin-with-figures", begin::with_figures),
+    Way::both("typed-and-judged", typed::typed_and_judged).in_chromium(),
+    Way::both("assumptions", typed::assumptions),
     Way::both("begin-with-an-example", begin::with_an_example),
     Way::both("begin-with-a-file", begin::with_a_file),
     Way::both("begin-with-a-link", begin::with_a_link),

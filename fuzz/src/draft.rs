@@ -88,12 +88,21 @@ fn load(page: &mut Page<'_, '_>) -> Result<LoadKind> {
         1 => turntable(page)?,
         2 => {
             page.table("mechanism.arm");
-            page.key("inertia", 0.01, 8.0, INERTIA)?;
             page.key("mass", 0.2, 30.0, MASS)?;
-            page.key("centre_distance", 10.0, 600.0, LENGTH)?;
+            if page.u.ratio(1, 2)? {
+                page.key("inertia", 0.01, 8.0, INERTIA)?;
+                page.key("centre_distance", 10.0, 600.0, LENGTH)?;
+            } else {
+                let shape = *page.u.choose(&["rod", "bar", "taper", "point"])?;
+                page.word("shape", shape);
+                page.key("length", 50.0, 1500.0, LENGTH)?;
+                if shape == "bar" {
+                    page.key("width", 10.0, 200.0, LENGTH)?;
+                }
+            }
             page.may("payload_distance", 50.0, 900.0, LENGTH)?;
-            page.key("axis_tilt", 0.0, 90.0, ANGLE)?;
-            page.key("start_angle", -90.0, 90.0, ANGLE)?;
+            page.may("axis_tilt", 0.0, 90.0, ANGLE)?;
+            page.may("start_angle", -90.0, 90.0, ANGLE)?;
             LoadKind::Bound
         }
         3 | 4 => {
@@ -185,26 +194,33 @@ fn hoist(page: &mut Page<'_, '_>) -> Result<LoadKind> {
 
 fn winder(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     page.table("mechanism.winder");
-    let winding = *page.u.choose(&["up", "off"])?;
-    page.word("winding", winding);
+    if page.often()? {
+        let winding = *page.u.choose(&["up", "off"])?;
+        page.word("winding", winding);
+    }
     let core = page.between(40.0, 200.0)?;
     let full = core * page.between(1.5, 6.0)?;
     let start = page.between(core, full)?;
-    for (key, diameter) in [("core_diameter", core), ("full_diameter", full), ("start_diameter", start)] {
+    for (key, diameter) in [("core_diameter", core), ("full_diameter", full)] {
         page.exactly(key, diameter, LENGTH)?;
+    }
+    if page.u.ratio(1, 2)? {
+        page.exactly("start_diameter", start, LENGTH)?;
     }
     page.key("thickness", 0.02, 10.0, LENGTH)?;
     page.key("width", 50.0, 1000.0, LENGTH)?;
     page.key("density", 500.0, 2700.0, &[("kg/m^3", 1.0)])?;
     page.key("tension", 5.0, 400.0, FORCE)?;
     page.may("inertia", 1e-3, 1.0, INERTIA)?;
-    Ok(LoadKind::Bound)
+    Ok(LoadKind::Winder)
 }
 
 fn scissor_lift(page: &mut Page<'_, '_>) -> Result<LoadKind> {
     page.table("mechanism.scissor_lift");
-    let stages = page.u.int_in_range(1..=5)?;
-    page.plain("stages", stages);
+    if page.often()? {
+        let stages = page.u.int_in_range(1..=5)?;
+        page.plain("stages", stages);
+    }
     page.key("arm_length", 200.0, 2000.0, LENGTH)?;
     page.key("lead", 2.0, 40.0, LENGTH)?;
     page.key("arm_angle", 5.0, 80.0, ANGLE)?;

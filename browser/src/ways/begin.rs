@@ -12,7 +12,15 @@ pub(crate) fn with_figures(stage: &OpenPage<'_>) -> Worded {
     stage.start("en")?;
     tab.click(".tiles li:nth-child(5) .tile")?;
     tab.there("#begin form")?;
-    tab.fill("#f-mechanism-belt-mass", "25 kg")?;
+    for (path, value) in [
+        ("mechanism-belt-pulley_diameter", "90"),
+        ("mechanism-belt-mass", "25 kg"),
+        ("motion-1--distance", "500"),
+        ("motion-1--time", "2"),
+        ("motion-2--time", "1"),
+    ] {
+        tab.fill(&format!("#f-{path}"), value)?;
+    }
     tab.click("#begin form button[type=submit]")?;
     stage.ready()?;
     tab.says("#text", "25 kg")

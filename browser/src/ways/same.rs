@@ -6,7 +6,7 @@ use axis::{Catalogue, Files, NoFiles};
 use page::{Call, FileEntry, Folder, Method, SaveFault, Shell, Storage, respond};
 use quantities::Language;
 use questions::Progress;
-use questions::list::new::{template, template_kinds};
+use questions::list::new::{example, template_kinds};
 use serde_json::json;
 use std::io::ErrorKind;
 use std::sync::Arc;
@@ -86,7 +86,7 @@ pub(crate) fn same_answers(stage: &OpenPage<'_>) -> Worded {
         let lang = language.id();
         let examples = template_kinds().filter(|kind| !matches!(*kind, "recording" | "joint"));
         for kind in examples {
-            let text = template(kind, "axis.toml", language).map(|found| found.text).unwrap_or_default();
+            let text = example(kind, "axis.toml", language).map(|found| found.text).unwrap_or_default();
             same(stage, "/", &format!("new={kind}&lang={lang}"), None)?;
             for (path, query) in ASKED {
                 same(stage, path, &format!("{query}&lang={lang}"), Some(&text))?;

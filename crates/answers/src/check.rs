@@ -140,6 +140,17 @@ pub struct Explanations {
     pub code: String,
     /// The requested checks.
     pub checks: Vec<Explained>,
-    /// Assumptions, as text.
-    pub assumptions: Vec<String>,
+    /// Assumptions.
+    pub assumptions: Vec<AssumptionEntry>,
+}
+
+/// An assumption, made where the project states nothing.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct AssumptionEntry {
+    /// Keys that take its place, separated by commas; `null` if no key does.
+    pub key: Option<String>,
+    /// Value in effect, as the keys state it; `null` if no value is.
+    pub value: Option<String>,
+    /// The assumption as text.
+    pub why: String,
 }

@@ -1,6 +1,6 @@
 //! Judgement of an actuator, and ranking of the catalogue.
 
-use crate::{Check, Demand, Fit, Id, Motion, Number, Units};
+use crate::{AssumptionEntry, Check, Demand, Fit, Id, Motion, Number, Units};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::CheckId;
@@ -61,8 +61,8 @@ pub struct Judgement {
     /// Effect of the tolerances of the project; only if it has some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<Tolerance>,
-    /// Assumptions, as text.
-    pub assumptions: Vec<String>,
+    /// Assumptions.
+    pub assumptions: Vec<AssumptionEntry>,
 }
 
 /// Largest change of one quantity, all others unchanged, at which the actuator still fits (or would fit); `null` if
@@ -148,8 +148,8 @@ pub struct Sizing {
     /// Values of the gearing with which an actuator would fit, one change at a time; only if nothing fits.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub would_fit_with: Vec<WouldFit>,
-    /// Assumptions, as text.
-    pub assumptions: Vec<String>,
+    /// Assumptions.
+    pub assumptions: Vec<AssumptionEntry>,
     /// Stage between actuator and mechanism; only if the project has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stage: Option<Stage>,

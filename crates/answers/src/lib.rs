@@ -37,7 +37,7 @@ mod wiring;
 pub use chapters::{
     Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, TorqueExceeded, Torsion,
 };
-pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
+pub use check::{AssumptionEntry, Check, CitedErratum, Derivation, Explained, Explanations, Node};
 pub use code::{Choice, CodeFault, CodeFaults, CodeField, CodeReading, Completion, ListedCode, OpenField};
 pub use commission::{
     CommissionAnswer, CommissionEntry, CommissionGap, CommissionList, CommissionParameter, CommissionWritten,

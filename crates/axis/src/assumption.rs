@@ -2,6 +2,7 @@
 
 use motion::{Alternating, MadeUp, Remark, RestNoise, Spline, Spurious, SteppedColumn};
 use project::KeyDefault;
+use project::choices::LeftOut;
 use project::sections::StatedField;
 
 /// A default that the user did not confirm.
@@ -53,6 +54,12 @@ pub enum Assumption {
     MechanismOnOwnBearings,
     /// The best of several ratios was chosen.
     StageRatioChosen,
+    /// The law of a move is not decided.
+    LawOpen,
+    /// Neither duration nor distance of a constant speed is stated: one revolution.
+    OneRevolution,
+    /// A ramp of the web is not stated.
+    WebRamps,
     /// A trapezoid given by two quantities accelerates, runs and brakes for a third of the time each.
     TrapezoidThirds,
     /// A single move is judged as if it were repeated without a pause.
@@ -103,7 +110,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 78] = [
+    pub const ALL: [Self; 86] = [
         Self::Default(KeyDefault::NoFriction),
         Self::Default(KeyDefault::AmbientWithinRange),
         Self::ConditionsWithinRange,
@@ -149,6 +156,14 @@ impl Assumption {
         Self::Default(KeyDefault::ArmsWeightless),
         Self::Default(KeyDefault::CouplerWeightless),
         Self::Default(KeyDefault::RockerWeightless),
+        Self::Default(KeyDefault::AxisLevel),
+        Self::Default(KeyDefault::StartsAtZero),
+        Self::Default(KeyDefault::WindsUp),
+        Self::Default(KeyDefault::RollToWind),
+        Self::Default(KeyDefault::OneScissor),
+        Self::LawOpen,
+        Self::OneRevolution,
+        Self::WebRamps,
         Self::TrapezoidThirds,
         Self::SingleMoveRepeats,
         Self::Default(KeyDefault::OrdinaryApplication),
@@ -190,6 +205,20 @@ impl Assumption {
         Self::SplineThroughPoints(Spline::Cubic),
         Self::SplineThroughPoints(Spline::Quintic),
     ];
+}
+
+impl Assumption {
+    /// Returns the word of `requirements.leave_out` with which a project leaves it open knowingly.
+    #[must_use]
+    pub const fn left_out(self) -> Option<LeftOut> {
+        match self {
+            Self::Default(KeyDefault::NoSupply) => Some(LeftOut::Supply),
+            Self::Default(KeyDefault::OrdinaryApplication) => Some(LeftOut::Application),
+            Self::NoFlangeLoads => Some(LeftOut::FlangeLoads),
+            Self::ConditionsWithinRange => Some(LeftOut::Conditions),
+            _ => None,
+        }
+    }
 }
 
 /// Returns the default of a field that is not stated, if its key has one.

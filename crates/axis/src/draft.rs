@@ -38,6 +38,8 @@ pub(crate) fn assumptions(root: &AxisSource, axis: &Axis, toleranced: bool) -> V
     flange::assumptions(root, &mut found);
     found.extend(unstated(&required.special_application));
     found.extend(toleranced.then_some(Assumption::UniformTolerances));
+    let left_out = required.leave_out.get().map_or(&[][..], |words| words.0.as_slice());
+    found.retain(|each| each.left_out().is_none_or(|word| !left_out.contains(&word)));
     found
 }
 

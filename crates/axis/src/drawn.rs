@@ -1,5 +1,6 @@
 //! Values for the drawing of a mechanism, as far as they can be read from a project file.
 
+use mechanism::ArmShape;
 use mechanism::drawing::MechanismValues;
 use quantities::{Unit, without_tolerance};
 
@@ -27,6 +28,10 @@ pub fn drawn_figures<'t>(values: impl IntoIterator<Item = (&'t str, &'t str)>, t
 fn amount(text: &str) -> Option<f64> {
     match text.trim() {
         "true" | "up" => return Some(1.0),
+        // The share of an arm's length at which its centre of mass is.
+        "rod" | "bar" => return Some(ArmShape::Rod.centre()),
+        "taper" => return Some(ArmShape::Taper.centre()),
+        "point" => return Some(ArmShape::Point.centre()),
         "off" => return Some(-1.0),
         _ => {}
     }

@@ -9,7 +9,7 @@ use crate::needs::needs;
 use actuator::FlangeLoad;
 use mechanism::{Contact, Mechanism, Mounting, StageKind};
 use project::sections::{AxisSection, Bearing, Derived, FlangeLoads, Section, StageSection, StatedField};
-use project::{Fault, Hint};
+use project::{Fault, Hint, KeyDefault};
 use quantities::Measure;
 use quantities::unit::DEGREE;
 use sizing::{BearingDuty, DerivedLoads};
@@ -256,7 +256,7 @@ pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
     match on_flange {
         OnFlange::Bodies(tilt) => {
             found.push(Assumption::FlangeBodiesFlat);
-            if !tilt.is_given() {
+            if tilt.note() == Some(KeyDefault::AxisVertical) {
                 found.push(Assumption::FlangeUpwards);
             }
             if axis.segments().iter().any(|segment| segment.payload_inertia.is_given()) {

@@ -1,10 +1,10 @@
 //! Samples of the laws of motion, for their pictures.
 
 use crate::choices;
-use motion::{Ends, Given, Hold, Law, ManualMove, Points, SegmentSpec, Spline};
+use motion::{Ends, Given, Hold, Law, ManualMove, Points, SegmentSpec, Spline, Web};
 use project::{SegmentLaw, choices as stated};
 use quantities::AngularJerk;
-use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time};
+use quantities::{Angle, AngularAcceleration, AngularVelocity, Length, Measure, Time, Velocity};
 
 /// Returns a move of one radian in one second, from rest to rest if the law allows it, for its picture; `None` for
 /// a recording. Limited jerk is shown in thirds, the manual's move with a pause of the length of its run and ramps.
@@ -27,6 +27,20 @@ pub fn law_sample(law: SegmentLaw) -> Option<SegmentSpec> {
             Some(SegmentSpec::Move(Law::Constant, Given { speed: Some(AngularVelocity::from_si(1.0)), ..long }))
         }
         SegmentLaw::Law(law) => Some(SegmentSpec::Move(choices::law(law), Given { distance: far.distance, ..long })),
+        SegmentLaw::Open => {
+            Some(SegmentSpec::Move(choices::law(SegmentLaw::ASSUMED), Given { distance: far.distance, ..long }))
+        }
+        SegmentLaw::Web => {
+            let web = Web {
+                from: Length::from_si(0.4),
+                to: Length::from_si(1.0),
+                thickness: Length::from_si(0.3 * std::f64::consts::TAU),
+                speed: Velocity::from_si(0.175),
+                accelerate: second(0.2),
+                brake: second(0.2),
+            };
+            Some(SegmentSpec::Points(web.points().ok()?.into()))
+        }
         SegmentLaw::Manual => Some(SegmentSpec::Manual(ManualMove {
             speed: AngularVelocity::from_si(1.0),
             accelerate: second(0.2),

@@ -6,6 +6,7 @@
 //! stage ([`Choose`]), since that needs a judgement of the catalogue.
 
 mod along;
+mod assumed;
 mod assumption;
 mod axis_project;
 mod bodies;
@@ -47,6 +48,7 @@ mod twin;
 mod varied;
 mod web;
 
+pub use assumed::AssumedKeys;
 pub use assumption::{Assumption, Overrun};
 pub use axis_project::{AxisProject, Choose};
 pub use bodies::{BodyAnswer, InertiaAnswer, inertia};

@@ -10,14 +10,15 @@ use crate::mechanism::{Load, driven};
 use crate::recorded::{RecordedMotions, motion as recorded_motion, states_its_motion};
 use crate::side;
 use crate::source::{AxisSource, SegmentSource};
-use crate::web::is_along_a_web;
-use mechanism::{Extra, Mechanism};
+use crate::web;
+use mechanism::{Extra, Mechanism, MechanismKind};
 use motion::{Closing, Given, ManualMove, Motion, MotionFault, MoveFault, SegmentSpec, Unread};
 use project::choices::{Law, Spline};
-use project::sections::{Fields, Stated, StatedField};
+use project::sections::{Fields, Segment, Stated, StatedField};
 use project::{Fault, Hint, SegmentLaw};
-use quantities::{Measure, Time};
+use quantities::{Angle, Measure, Time};
 use sizing::Axis;
+use std::f64::consts::TAU;
 use std::ops::Range as Span;
 
 impl SegmentSource<'_> {
@@ -73,19 +74,25 @@ impl SegmentSource<'_> {
     /// Returns true if the segment ends at rest, whatever its quantities are.
     fn ends_at_rest(&self) -> bool {
         match self.law.value() {
-            Some(SegmentLaw::Manual | SegmentLaw::Dwell) => true,
+            Some(SegmentLaw::Manual | SegmentLaw::Dwell | SegmentLaw::Web) => true,
             Some(SegmentLaw::Law(law)) => law != Law::Constant && !self.end_speed.is_written(),
+            Some(SegmentLaw::Open) => !self.end_speed.is_written(),
             Some(SegmentLaw::Recorded | SegmentLaw::Points) | None => false,
         }
     }
 
-    /// Returns the segment at the output; `travel`: linear travel per angle \[m/rad\] of a linear mechanism.
+    /// Returns the segment at the output; `travel`: linear travel per angle \[m/rad\] of a linear mechanism, `kind`: its
+    /// equations, unless the load is faulty.
     fn spec(
         &self,
-        travel: Option<f64>,
+        (travel, kind, is_winder): (Option<f64>, Option<&MechanismKind>, bool),
         known: &mut RecordedMotions,
         report: &mut AxisReport<'_>,
     ) -> Option<SegmentSpec> {
+        if self.law.value() == Some(SegmentLaw::Web) {
+            let run = web::run(self, (kind, is_winder), report)?;
+            return states_its_motion(self).then_some(SegmentSpec::Points(run));
+        }
         let before = report.fault_count();
         let given = Given {
             distance: turned(&self.distance, travel, report),
@@ -101,7 +108,7 @@ impl SegmentSource<'_> {
         let read = match law {
             SegmentLaw::Points => through_points(self, given.end_speed, travel, report).map(SegmentSpec::Points),
             SegmentLaw::Recorded => recorded_motion(*self, travel, known, report).map(SegmentSpec::Recorded),
-            SegmentLaw::Manual | SegmentLaw::Dwell | SegmentLaw::Law(_) => None,
+            SegmentLaw::Manual | SegmentLaw::Dwell | SegmentLaw::Law(_) | SegmentLaw::Open | SegmentLaw::Web => None,
         };
         if !is_readable {
             return None;
@@ -121,9 +128,22 @@ impl SegmentSource<'_> {
             }
             SegmentLaw::Dwell => Some(SegmentSpec::Dwell(given.time?, choices::hold(self.hold()))),
             // A refused value has been reported; without it the move would only appear undetermined.
-            SegmentLaw::Law(law) => states_its_motion(self).then_some(SegmentSpec::Move(choices::law(law), given)),
+            SegmentLaw::Law(_) | SegmentLaw::Open => {
+                let law = choices::law(law.of_a_move()?);
+                let turn =
+                    given.speed.filter(|_| turns_once(self)).map(|speed| Angle::from_si(TAU.copysign(speed.si())));
+                let given = Given { distance: given.distance.or(turn), ..given };
+                states_its_motion(self).then_some(SegmentSpec::Move(law, given))
+            }
+            SegmentLaw::Web => None,
         }
     }
+}
+
+/// Returns `true` if a segment has a constant speed without duration and distance: it is one revolution.
+pub(crate) fn turns_once(segment: &Segment) -> bool {
+    let is_constant = segment.law.value() == Some(SegmentLaw::Law(Law::Constant));
+    is_constant && !segment.time.is_written() && !segment.distance.is_written()
 }
 
 /// Builds the motion, and the loads that each segment adds.
@@ -132,11 +152,11 @@ pub(crate) fn motion(axis: &AxisSource, load: &Load, report: &mut AxisReport<'_>
     let _ = axis.parts.motion.get()?;
     let segments = axis.sources();
     let travel = load.mechanism.travel_m_per_rad();
-    if is_along_a_web(axis.segments(), &load.mechanism.kind, report) {
+    if web::is_along_a_web(axis.segments(), &load.mechanism.kind, report) {
         report_all(axis, Some(1.0), report);
         return None;
     }
-    let specs = specs(axis, travel, report);
+    let specs = specs(axis, (travel, Some(&load.mechanism.kind)), report);
     let Some(mut whole) = specs.iter().cloned().collect::<Option<Vec<SegmentSpec>>>() else {
         report_readable(axis, specs, travel, report);
         return None;
@@ -208,7 +228,7 @@ pub(crate) fn without_load(axis: &AxisSource, report: &mut AxisReport<'_>) {
 
 /// Reports the faults of all segments, apart from those of their end.
 fn report_all(axis: &AxisSource, travel: Option<f64>, report: &mut AxisReport<'_>) {
-    let specs = specs(axis, travel, report);
+    let specs = specs(axis, (travel, None), report);
     report_readable(axis, specs, travel, report);
 }
 
@@ -236,12 +256,19 @@ fn report_readable(
 }
 
 /// Builds the segments, `None` for a faulty one, and reports those of their keys that have no effect on the load.
-fn specs(axis: &AxisSource, travel: Option<f64>, report: &mut AxisReport<'_>) -> Vec<Option<SegmentSpec>> {
+fn specs(
+    axis: &AxisSource,
+    of: (Option<f64>, Option<&MechanismKind>),
+    report: &mut AxisReport<'_>,
+) -> Vec<Option<SegmentSpec>> {
     let segments = axis.sources();
+    web::alone(axis.segments(), report);
+    let is_winder = driven(&axis.parts).is_none_or(|driven| driven.head().path.ends_with("mechanism.winder"));
+    let of = (of.0, of.1, is_winder);
     let mut recorded = RecordedMotions::default();
     report_dwells(&segments, report);
     let specs: Vec<Option<SegmentSpec>> =
-        segments.iter().map(|segment| segment.spec(travel, &mut recorded, report)).collect();
+        segments.iter().map(|segment| segment.spec(of, &mut recorded, report)).collect();
     if let Some(driven) = driven(&axis.parts) {
         for segment in &segments {
             without_effect(segment, driven, report);
@@ -323,6 +350,15 @@ pub(crate) fn assumptions(axis: &AxisSource, driven: Option<&dyn Driven>, found:
     let segments = axis.sources();
     if segments.iter().any(SegmentSource::has_thirds) {
         found.push(Assumption::TrapezoidThirds);
+    }
+    if segments.iter().any(|segment| segment.law.value() == Some(SegmentLaw::Open)) {
+        found.push(Assumption::LawOpen);
+    }
+    if axis.segments().iter().any(turns_once) {
+        found.push(Assumption::OneRevolution);
+    }
+    if axis.segments().iter().any(web::has_assumed_ramps) {
+        found.push(Assumption::WebRamps);
     }
     if axis.single_move {
         found.push(Assumption::SingleMoveRepeats);

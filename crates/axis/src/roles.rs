@@ -115,7 +115,10 @@ impl AxisProject {
     /// stage.
     fn gearing(&self, stated: &[&dyn StatedField]) -> Vec<String> {
         let along = stated.iter().any(|field| field.is_of_a_line());
-        let travel = driven(&self.root.parts).filter(|_| along).and_then(Driven::travel).map(|field| field.path());
+        let driven = driven(&self.root.parts).filter(|_| along);
+        // A web turns its roll the fastest where the roll is smallest.
+        let core = driven.and_then(|driven| driven.field("core_diameter")).map(|field| field.path());
+        let travel = driven.and_then(Driven::travel).map(|field| field.path()).or(core);
         #[allow(clippy::float_cmp, reason = "a ratio that is written as one, or none")]
         let geared = self.axis.mechanism.stage_ratio() != 1.0;
         let ratio = geared.then(|| self.root.path(if self.ratios.is_empty() { "stage.ratio" } else { "stage.ratios" }));
@@ -159,9 +162,11 @@ fn speed_follows_from(segment: &Segment, reaches_its_speed: bool) -> Vec<&dyn St
     let all: Vec<&dyn StatedField> = match segment.law.value() {
         Some(SegmentLaw::Recorded) => vec![&segment.file],
         Some(SegmentLaw::Points) => vec![&segment.points, &segment.master_speed],
-        Some(SegmentLaw::Manual) => vec![&segment.speed],
-        Some(SegmentLaw::Law(_) | SegmentLaw::Dwell) | None if reaches_its_speed => vec![&segment.speed],
-        Some(SegmentLaw::Law(_) | SegmentLaw::Dwell) | None => {
+        Some(SegmentLaw::Manual | SegmentLaw::Web) => vec![&segment.speed],
+        Some(SegmentLaw::Law(_) | SegmentLaw::Open | SegmentLaw::Dwell) | None if reaches_its_speed => {
+            vec![&segment.speed]
+        }
+        Some(SegmentLaw::Law(_) | SegmentLaw::Open | SegmentLaw::Dwell) | None => {
             vec![
                 &segment.distance,
                 &segment.time,

@@ -3,8 +3,8 @@
 
 use super::*;
 use crate::{
-    Contact, FlangeLoadKind, FourBar, Friction, Joint, Linear, LinearKind, Mounting, Rotor, RotorKind, ScissorLift,
-    SliderCrank, StageKind, Table, TablePoint, Winder, Winding, reeving_efficiency,
+    ArmBody, ArmShape, Contact, FlangeLoadKind, FourBar, Friction, Joint, Linear, LinearKind, Mounting, Rotor,
+    RotorKind, ScissorLift, SliderCrank, StageKind, Table, TablePoint, Winder, Winding, reeving_efficiency,
 };
 use derivation::{How, Step, evaluate};
 use numeric::Random;
@@ -92,6 +92,13 @@ fn kinds(draws: &mut Draws) -> Vec<MechanismKind> {
         MechanismKind::Rotor(rotor(draws, RotorKind::Load)),
         MechanismKind::Rotor(rotor(draws, RotorKind::Arm)),
         MechanismKind::Rotor(rotor(draws, RotorKind::Turntable)),
+        MechanismKind::Rotor({
+            let shape = draws.one_of(&ArmShape::ALL);
+            let width = Length::from_si(if shape == ArmShape::Bar { 0.08 } else { 0.0 });
+            let body = ArmBody { shape, length: metres(draws, 0.2, 1.5), width };
+            let (inertia, radius) = shape.spread(mass, body.length, width);
+            Rotor { inertia, radius, ..rotor(draws, RotorKind::Shaped(body)) }
+        }),
         linear(draws, LinearKind::Screw),
         linear(draws, LinearKind::Belt),
         linear(draws, LinearKind::Conveyor),

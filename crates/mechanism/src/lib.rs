@@ -33,6 +33,7 @@ mod table;
 mod turntable;
 mod winder;
 
+pub use arm::{ArmBody, ArmShape};
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, SolidShape, inertia};
 pub use explain::At;
 pub use explain_flange::FlangeLoadKind;

@@ -2,11 +2,11 @@
 
 use crate::equations::{Equations, Reduced, TWELFTH_RAD};
 use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, cosine, metres, sine};
-use crate::{Endless, Extra, MechanismId, gravity_m_s2};
+use crate::{ArmBody, Endless, Extra, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 
 /// Description of a rotor.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum RotorKind {
     /// Inertia only; weight and centre of mass are unknown.
     #[default]
@@ -15,6 +15,8 @@ pub enum RotorKind {
     Turntable,
     /// Inertia, mass and centre of mass.
     Arm,
+    /// An arm whose inertia and centre of mass follow from its shape.
+    Shaped(ArmBody),
 }
 
 /// A rigid body on the output flange.
@@ -77,7 +79,7 @@ impl Equations for Rotor {
         match self.kind {
             RotorKind::Load => MechanismId::Load,
             RotorKind::Turntable => MechanismId::Turntable,
-            RotorKind::Arm => MechanismId::Arm,
+            RotorKind::Arm | RotorKind::Shaped(_) => MechanismId::Arm,
         }
     }
 

@@ -25,6 +25,7 @@ mod solve;
 mod standstill;
 mod threshold;
 mod timing;
+mod web;
 
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch, Unread};
 pub use examination::{EvenRows, HeldSignal, Stamps};
@@ -38,3 +39,4 @@ pub use recorded::{HeldValues, Recorded, Samples, TimeStamps, Treatment};
 pub use remarks::Remark;
 pub use resolution::{MadeUp, Spurious, SteppedColumn};
 pub use standstill::{Alternating, RestNoise};
+pub use web::{Web, WebFault};

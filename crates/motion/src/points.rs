@@ -83,6 +83,17 @@ pub enum PointsFault {
     Uneven,
 }
 
+/// An interval of a motion whose states at both ends are known.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StateInterval {
+    /// Duration, greater than zero.
+    pub(crate) duration: Time,
+    /// Angle that is covered.
+    pub(crate) step: Angle,
+    /// States at both ends.
+    pub(crate) ends: [EndState; 2],
+}
+
 /// A move through points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points {
@@ -124,6 +135,24 @@ impl Points {
         let first = points.first().map_or(0.0, |(_, position)| *position);
         let states = points.iter().zip(&knots).map(|((_, q), [speed, _])| (q - first, *speed)).collect();
         Ok(Self { pieces, states, first: Angle::from_si(first) })
+    }
+
+    /// Creates the motion from the states at the ends of its intervals; `None` for values that are not finite or
+    /// intervals without duration.
+    pub(crate) fn through_states(first: Angle, intervals: &[StateInterval]) -> Option<Self> {
+        let mut position = 0.0;
+        let mut states = vec![(0.0, intervals.first()?.ends[0].speed.si())];
+        let mut pieces = Vec::with_capacity(intervals.len());
+        for StateInterval { duration, step, ends } in intervals {
+            let (h, step, [a, b]) = (duration.si(), step.si(), ends.map(|end| [end.speed.si(), end.acceleration.si()]));
+            if !(h > 0.0 && [h, step].into_iter().chain(a).chain(b).all(f64::is_finite)) {
+                return None;
+            }
+            position += step;
+            states.push((position, b[0]));
+            pieces.push(piece(Spline::Quintic, (h, step), a, b));
+        }
+        Some(Self { pieces, states, first })
     }
 
     /// Returns the position of the first point.

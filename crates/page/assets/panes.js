@@ -76,7 +76,7 @@ function fit() {
   }, 60);
 }
 addEventListener('resize', fit);
-document.addEventListener('htmx:after:swap', () => { borders(); goOn(); fit(); left(); });
+document.addEventListener('htmx:after:swap', () => { borders(); goOn(); changeOn(); fit(); left(); });
 
 // The three panes of a narrow window, and the two faces of the left one.
 function show(pane) {
@@ -105,9 +105,19 @@ function goOn() {
   setTimeout(() => row.classList.remove('flash'), 1600);
 }
 document.addEventListener('htmx:before:request', (event) => {
-  const to = event.detail.ctx.sourceElement.dataset?.goto;
+  const { goto: to, change } = event.detail.ctx.sourceElement.dataset ?? {};
   if (to) going = to;
+  if (change) changing = change;
 });
+// An assumption that is to be changed is stated first, and its field is led to with the value selected.
+let changing = null;
+function changeOn() {
+  if (!changing) return;
+  const name = changing;
+  changing = null;
+  lead(name);
+  document.activeElement?.select?.();
+}
 
 // A field that a link leads to may be behind a fold, or in another pane.
 document.addEventListener('click', (event) => {

@@ -12,7 +12,7 @@ use maud::{Markup, html};
 use project::{Clash, Prefer, Unmerged, merged};
 use quantities::Language;
 use questions::Progress;
-use questions::list::new::template;
+use questions::list::new;
 use questions::list::upkeep::day_of_clock;
 use std::io::ErrorKind;
 use words::{file_trouble, page, upkeep};
@@ -111,7 +111,7 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
 pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let l = call.language();
     let kind = call.field("kind").unwrap_or_default();
-    let Some(found) = template(&kind, USUAL_NAME, l) else { return Reply::text(404, page::no_such_page(l)) };
+    let Some(found) = new::example(&kind, USUAL_NAME, l) else { return Reply::text(404, page::no_such_page(l)) };
     let mut text = found.text;
     if let (Some((name, bytes)), Some(folder)) = (found.recording, shell.folder()) {
         match folder.keep(&name, bytes.as_bytes()) {

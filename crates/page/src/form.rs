@@ -12,7 +12,7 @@ use project::{Key, Kind, SegmentLaw, Variants, key_at};
 use quantities::{Dimension, Language, format_significant};
 use questions::texts::recording_text;
 use questions::{Candidate, ColumnRole, moves};
-use words::{about_text, assumption_text, capitalised, key_word, page, short_label, table_of_project, terms};
+use words::{about_text, capitalised, key_word, page, short_label, table_of_project, terms};
 
 /// Data for drawing a row.
 pub(crate) struct RowContent<'f> {
@@ -78,6 +78,8 @@ pub(crate) fn column(
             @for name in ["motion", "stage", "bearing", "requirements", "drive", "twin", "curve", "actuator"] { (form.root(name)) }
         }
     };
+    let strip = held.projects.get(state.axis).filter(|_| !held.is_old);
+    let strip = html! { @if let Some(project) = strip { (crate::assumed::strip(project, &held.written, prefix, l)) } };
     html! {
         section.pane id="moves" aria-labelledby="moves-title" {
             h2.unseen id="moves-title" { (page::what_moves(l)) }
@@ -86,7 +88,7 @@ pub(crate) fn column(
                     button type="button" role="tab" id={ "left-" (name) } data-left=(name) aria-controls={ "left-pane-" (name) } { (title) }
                 }
             }
-            div id="left-pane-form" role="tabpanel" aria-labelledby="left-form" { (fields) (assumptions(state, held)) }
+            div id="left-pane-form" role="tabpanel" aria-labelledby="left-form" { (strip) (fields) }
             div id="left-pane-text" role="tabpanel" aria-labelledby="left-text" { (text(state)) }
         }
     }
@@ -98,20 +100,6 @@ fn text(state: &PageState) -> Markup {
     html! {
         label.small for="text" { (page::text_about(l)) }
         textarea id="text" name="text" form="state" rows="24" spellcheck="false" hx-post="/work" hx-trigger="input changed delay:200ms, change" { (kept(&state.text)) }
-    }
-}
-
-/// Returns the assumptions about values that the project does not state.
-fn assumptions(state: &PageState, held: &ReadProject) -> Markup {
-    let l = state.language;
-    let found = held.projects.get(state.axis).map(|project| project.assumptions.as_slice()).unwrap_or_default();
-    html! {
-        @if !found.is_empty() {
-            details id="assumptions" {
-                summary { (capitalised(terms::assumptions(l))) " (" (found.len()) ")" }
-                ul { @for assumption in found { li { (assumption_text(*assumption, l)) } } }
-            }
-        }
     }
 }
 
@@ -131,6 +119,7 @@ impl Group {
             Some(Dimension::Length | Dimension::Lead | Dimension::Angle) => Self::Geometry,
             Some(Dimension::Mass | Dimension::MomentOfInertia | Dimension::MassDensity) => Self::Masses,
             None if matches!(key.kind, Kind::Bodies) => Self::Masses,
+            None if matches!(key.kind, Kind::OneOf(_) | Kind::Integer(..)) => Self::Geometry,
             _ => Self::Forces,
         }
     }
@@ -288,7 +277,11 @@ impl RowContent<'_> {
 
     /// Returns the rows of a table: required and stated keys first, the others in a fold.
     fn rows(&self, keys: &[Key], path: &str) -> Markup {
-        let first = |key: &&Key| key.required || self.is_first(&format!("{path}.{}", key.name));
+        let has_fault = |path: &str| self.held.faults.iter().any(|(at, _)| at.as_deref() == Some(path));
+        let first = |key: &&Key| {
+            let path = format!("{path}.{}", key.name);
+            key.required || self.is_first(&path) || has_fault(&path)
+        };
         let (shown, folded): (Vec<&Key>, Vec<&Key>) = keys.iter().partition(first);
         // A short table needs no fold.
         let all = folded.len() <= 4;
@@ -481,7 +474,8 @@ impl RowContent<'_> {
                     (self.band(&id, path, &label, value))
                 }
                 @if let Some((_, count)) = self.needed.iter().find(|(key, _)| path.strip_prefix(self.prefix) == Some(key)) { p.small.needed { (page::checks_wait(*count, l)) } }
-                @if wrong {
+                @if let (true, Some(fault)) = (wrong, value::arithmetic_fault(key, value, l)) { div.fault id=(described) { p { (fault) } } }
+                @else if wrong {
                     div.fault id=(described) {
                         @for (_, fault) in &faults { p { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) } }
                     }
@@ -548,7 +542,7 @@ impl RowContent<'_> {
                         input type="checkbox" id={ (id) "-" (word) } checked[chosen.contains(word)]
                             data-checked=(chosen.contains(word))
                             hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", path), ("value", &without(word))]));
-                        (word)
+                        (key_word(key.name, word, self.language).unwrap_or_else(|| (*word).to_owned().into()))
                     }
                 }
             }

@@ -11,7 +11,7 @@ use figures::{CurveName, CurveValues, Drawing, Theme};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quantities::Language;
 use questions::list::compare::compare;
-use questions::list::new::{Template, template, template_kinds};
+use questions::list::new::{self, Template, template_kinds};
 use questions::list::size::sized;
 use questions::{Candidate, CheckId, Progress, Refusal, Rejected, Sizing, explain, explain_own};
 use std::sync::LazyLock;
@@ -63,7 +63,7 @@ fn scripts() -> Markup {
 pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
     if let Some(kind) = call.field("new").filter(|_| state.text.is_empty())
-        && let Some(found) = template(&kind, USUAL_NAME, state.language)
+        && let Some(found) = new::example(&kind, USUAL_NAME, state.language)
     {
         state.take(found.text, call);
     }
@@ -272,7 +272,7 @@ fn start(state: &PageState, shell: &dyn Shell) -> Markup {
 fn examples(language: Language) -> Vec<(&'static str, Template)> {
     let mut found: Vec<(&'static str, Template)> = Vec::new();
     for kind in template_kinds() {
-        let Some(one) = template(kind, USUAL_NAME, language) else { continue };
+        let Some(one) = new::example(kind, USUAL_NAME, language) else { continue };
         if found.iter().all(|(_, known)| known.text != one.text) {
             found.push((kind, one));
         }

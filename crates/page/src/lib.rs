@@ -7,7 +7,9 @@
 // Without the interface, only the part that the page itself uses is compiled.
 #[cfg_attr(not(feature = "interface"), allow(dead_code, unused_imports))]
 mod api;
+mod arithmetic;
 mod assets;
+mod assumed;
 mod axes;
 mod call;
 mod chapters;

@@ -2,110 +2,163 @@
 
 use crate::call::{Call, Shell};
 use crate::sketch;
+use crate::state::placed;
+use crate::value::{self, stated, taken};
 use maud::{Markup, html};
-use project::{Edit, EditFault, Key, Kind, SegmentLaw, edit, key_at, stretch, written};
-use quantities::{Angle, Language, Length, Measure, format_significant, parse_as};
-use questions::list::new::template;
+use project::{Edit, Kind, edit, key_at, written};
+use quantities::{Language, Measure, Unit, format_significant};
+use questions::list::new::{example, plain_text};
 use questions::list::size::sized;
 use questions::{MechanismId, Progress, Rejected, read_all_watched};
 use std::sync::LazyLock;
-use words::{about_text, capitalised, hyphenated, incoming, page, short_label, terminal};
+use words::{about_text, capitalised, hyphenated, incoming, key_word, page, short_label, terminal};
 
-/// A way to begin: the values of the example of a mechanism, and the keys to fill in.
+/// A way to begin: the plain project of a mechanism, and the keys that define the machine.
 pub(crate) struct Begin {
     pub(crate) mechanism: Option<&'static str>,
-    /// The example without the requirements of its own machine.
+    /// The plain project with the values of its template.
     text: String,
-    /// Path and value of each key to fill in.
-    pub(crate) asked: Vec<(String, String)>,
+    /// Rows of the form: the paths of the keys under one label.
+    pub(crate) asked: &'static [&'static [&'static str]],
+    /// Another way to describe the same mechanism, if there is one.
+    other: Option<usize>,
+    /// The way has a tile of its own.
+    has_tile: bool,
 }
 
-/// Largest number of values to fill in.
+/// Largest number of rows to fill in.
+#[cfg(test)]
 const ASKED_MOST: usize = 6;
 
-/// The ways to begin: each mechanism that needs neither a recording nor rows of points.
+const DISTANCE: &[&str] = &["motion[1].distance"];
+const TIME: &[&str] = &["motion[1].time"];
+const PAUSE: &[&str] = &["motion[2].time"];
+const SPEED: &[&str] = &["motion[1].speed"];
+
+/// The keys that define each mechanism in the words of its user, with its motion.
+#[rustfmt::skip] // one line per mechanism
+const ASKED: &[(MechanismId, &[&[&str]])] = &[
+    (MechanismId::Load, &[&["load.inertia"], DISTANCE, TIME, PAUSE]),
+    (MechanismId::Turntable, &[&["mechanism.turntable.body[1].diameter"], &["mechanism.turntable.body[1].length"], &["mechanism.turntable.body[1].mass"], DISTANCE, TIME, PAUSE]),
+    (MechanismId::Arm, &[&["mechanism.arm.length"], &["mechanism.arm.shape"], &["mechanism.arm.mass"], DISTANCE, TIME, PAUSE]),
+    (MechanismId::Screw, &[&["mechanism.screw.lead"], &["mechanism.screw.mass"], &["mechanism.screw.inclination"], DISTANCE, TIME, PAUSE]),
+    (MechanismId::Belt, &[&["mechanism.belt.pulley_diameter"], &["mechanism.belt.mass"], DISTANCE, TIME, PAUSE]),
+    (MechanismId::Conveyor, &[&["mechanism.conveyor.roller_diameter"], &["mechanism.conveyor.mass"], DISTANCE, TIME, PAUSE]),
+    (MechanismId::SliderCrank, &[&["mechanism.slider_crank.crank"], &["mechanism.slider_crank.rod"], &["mechanism.slider_crank.mass"], SPEED]),
+    (MechanismId::Hoist, &[&["mechanism.hoist.mass"], &["mechanism.hoist.drum_diameter"], &["mechanism.hoist.falls"], DISTANCE, TIME, PAUSE]),
+    (MechanismId::Winder, &[&["mechanism.winder.tension"], &["mechanism.winder.width"], &["mechanism.winder.thickness"], &["mechanism.winder.density"], SPEED, &["mechanism.winder.core_diameter", "mechanism.winder.full_diameter"]]),
+    (MechanismId::ScissorLift, &[&["mechanism.scissor_lift.mass"], &["mechanism.scissor_lift.arm_length"], &["mechanism.scissor_lift.arm_angle"], &["mechanism.scissor_lift.lead"], DISTANCE, TIME]),
+    (MechanismId::FourBar, &[&["mechanism.four_bar.ground"], &["mechanism.four_bar.crank"], &["mechanism.four_bar.coupler"], &["mechanism.four_bar.rocker"], &["mechanism.four_bar.rocker_inertia"], SPEED]),
+];
+
+/// The keys of an arm whose inertia is known, with usual values.
+const ARM_BY_INERTIA: &[&[&str]] =
+    &[&["mechanism.arm.inertia"], &["mechanism.arm.mass"], &["mechanism.arm.centre_distance"], DISTANCE, TIME, PAUSE];
+
+/// The ways to begin: each mechanism that needs neither a recording nor rows of points; then the ways without a tile.
 pub(crate) static BEGINS: LazyLock<Vec<Begin>> = LazyLock::new(|| {
-    let few = |id: &&MechanismId| !matches!(id, MechanismId::Joint | MechanismId::Table);
-    MechanismId::ALL.iter().filter(few).filter_map(|id| Begin::of(*id).ok()).collect()
+    let mut all: Vec<Begin> = ASKED.iter().filter_map(|(id, asked)| Begin::of(*id, asked)).collect();
+    let arm = all.iter().position(|begin| begin.mechanism == Some(MechanismId::Arm.key()));
+    if let Some((arm, place)) = arm.zip(Some(all.len()))
+        && let Some(by_inertia) = all.get(arm).and_then(|begin| begin.by_inertia(arm))
+    {
+        all.push(by_inertia);
+        if let Some(begin) = all.get_mut(arm) {
+            begin.other = Some(place);
+        }
+    }
+    all
 });
 
+/// A path of the form, the path that repeats its value, and `true` for the opposite sign.
+type Repeated = (&'static str, &'static str, bool);
+
+/// The way back, and the second pause.
+const WITH_PAUSES: &[Repeated] = &[
+    ("motion[1].distance", "motion[3].distance", true),
+    ("motion[1].time", "motion[3].time", false),
+    ("motion[2].time", "motion[4].time", false),
+];
+
+/// The way back without a pause before it.
+const WITHOUT_PAUSES: &[Repeated] =
+    &[("motion[1].distance", "motion[2].distance", true), ("motion[1].time", "motion[2].time", false)];
+
 impl Begin {
-    fn of(id: MechanismId) -> Result<Self, EditFault> {
-        let mut text: String =
-            id.example().lines().filter(|line| !line.starts_with("# ")).fold(String::new(), |mut text, line| {
-                text.push_str(line.split_once(" #").map_or(line, |(stated, _)| stated.trim_end()));
-                text.push('\n');
-                text
-            });
-        // Loads on the flange, drive and the other requirements belong to another machine.
-        let own = |path: &str| {
-            path.starts_with("bearing")
-                || path.starts_with("drive")
-                || path.ends_with("].bearing")
-                || path == "axis.name"
-                || path.starts_with("requirements.") && path != "requirements.supply"
-        };
-        while let Some(gone) = written(&text).ok_or(EditFault::Syntax)?.into_iter().find(|key| own(&key.path)) {
-            text = edit(&text, &gone.path, Edit::Gone)?;
-        }
-        let stated = written(&text).ok_or(EditFault::Syntax)?;
-        // A cycle that does not return to its start runs once.
-        if !stated.iter().any(|key| key.value.as_ref().is_some_and(|value| value.starts_with('-'))) {
-            text = edit(&text, "axis.single_move", Edit::Value("true"))?;
-        }
-        let figures = |table: &'static str, most: usize| {
-            let quantity = |key: &Key| matches!(key.kind, Kind::Quantity(..) | Kind::Along(..));
-            let of_table = stated.iter().filter(move |each| each.path.starts_with(table));
-            let mut found: Vec<(bool, String, String)> = of_table
-                .filter_map(|each| {
-                    let key = key_at(&each.path).filter(|key| quantity(key))?;
-                    let first = key.required || each.path.contains("[1]");
-                    Some((!first, each.path.clone(), each.value.clone()?))
-                })
-                .collect();
-            found.sort_by_key(|(later, ..)| *later);
-            found.into_iter().take(most).map(|(_, path, value)| (path, value)).collect::<Vec<_>>()
-        };
-        let motion = [figures("motion[1].", 2), figures("motion[2].time", 1)].concat();
-        let load = if id == MechanismId::Load { "load." } else { "mechanism." };
-        let asked = [figures(load, ASKED_MOST - motion.len()), motion].concat();
+    fn of(id: MechanismId, asked: &'static [&'static [&'static str]]) -> Option<Self> {
+        let plain = plain_text(id)?;
+        let kept = plain.lines().filter(|line| !line.starts_with("# "));
+        let text = kept.fold(String::new(), |mut text, line| {
+            text.push_str(line.split_once(" #").map_or(line, |(stated, _)| stated.trim_end()));
+            text.push('\n');
+            text
+        });
+        let text = edit(&text, "axis.name", Edit::Gone).ok()?;
+        // A table without keys says nothing.
+        let text = edit(&text, "requirements", Edit::Gone).ok()?;
         let mechanism = (id != MechanismId::Load).then(|| id.key());
-        Ok(Self { mechanism, text, asked })
+        Some(Self { mechanism, text, asked, other: None, has_tile: true })
     }
 
-    /// Returns the project file with the typed values. Another distance or time of the first segment scales all
-    /// segments, so that the cycle still returns to its start.
-    pub(crate) fn text(&self, typed: impl Fn(&str) -> Option<String>) -> String {
+    /// Returns the way to begin with an arm whose inertia is known.
+    fn by_inertia(&self, arm: usize) -> Option<Self> {
         let mut text = self.text.clone();
-        for (path, usual) in &self.asked {
-            let Some(value) = typed(path).filter(|value| value != usual) else { continue };
-            let factor = share(&value, usual);
-            let stretched = match (path.as_str(), factor) {
-                ("motion[1].distance", Some(way)) => stretched(&text, 1.0, way),
-                ("motion[1].time", Some(time)) => stretched(&text, time, 1.0),
-                _ => None,
-            };
-            let base = stretched.unwrap_or_else(|| text.clone());
-            text = edit(&base, path, Edit::Value(&value)).unwrap_or(base);
+        for path in ["mechanism.arm.shape", "mechanism.arm.length"] {
+            text = edit(&text, path, Edit::Gone).ok()?;
+        }
+        for (path, value) in [("mechanism.arm.inertia", "0.4 kg m^2"), ("mechanism.arm.centre_distance", "250 mm")] {
+            text = edit(&text, path, Edit::Value(value)).ok()?;
+        }
+        Some(Self { text, asked: ARM_BY_INERTIA, other: Some(arm), has_tile: false, mechanism: self.mechanism })
+    }
+
+    /// Iterates over the paths of the keys to fill in.
+    fn paths(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.asked.iter().flat_map(|row| row.iter().copied())
+    }
+
+    /// Iterates over the values that its segments repeat.
+    fn repeated(&self) -> impl Iterator<Item = Repeated> + '_ {
+        let has_pauses = self.paths().any(|path| path == PAUSE[0]);
+        let all = if has_pauses { WITH_PAUSES } else { WITHOUT_PAUSES };
+        all.iter().copied().filter(|(_, place, _)| !self.usual(place).is_empty())
+    }
+
+    /// Returns the value of the template at a path.
+    fn usual(&self, path: &str) -> String {
+        let stated = written(&self.text).unwrap_or_default();
+        stated.into_iter().find(|key| key.path == path).and_then(|key| key.value).unwrap_or_default()
+    }
+
+    /// Returns the project file with the typed values. A key without one is not stated, unless `usual` keeps that of the
+    /// template.
+    pub(crate) fn text(&self, typed: impl Fn(&str) -> Option<String>, usual: bool) -> String {
+        let mut text = self.text.clone();
+        for path in self.paths() {
+            let value = typed(path).filter(|value| !value.trim().is_empty());
+            if usual && value.is_none() {
+                continue;
+            }
+            let value = value.unwrap_or_default();
+            let repeated = self.repeated().filter(|(of, ..)| *of == path);
+            let places = repeated.map(|(_, place, is_back)| (place, is_back));
+            for (place, is_back) in std::iter::once((path, false)).chain(places) {
+                let value = if is_back { reversed(&value) } else { value.clone() };
+                text = edit(&text, place, Edit::Value(&value)).unwrap_or(text);
+            }
         }
         text
     }
 }
 
-/// Returns the ratio of two quantities.
-fn share(value: &str, of: &str) -> Option<f64> {
-    fn both<Q: Measure>(value: &str, of: &str) -> Option<f64> {
-        Some(parse_as::<Q>(value).ok()?.si() / parse_as::<Q>(of).ok()?.si())
+/// Returns a value with the opposite sign.
+fn reversed(value: &str) -> String {
+    let value = value.trim();
+    match value.strip_prefix('-') {
+        Some(positive) => positive.trim_start().to_owned(),
+        None if value.is_empty() => String::new(),
+        None => format!("-{}", value.trim_start_matches('+').trim_start()),
     }
-    both::<Length>(value, of).or_else(|| both::<Angle>(value, of)).or_else(|| both::<quantities::Time>(value, of))
-}
-
-/// Scales time and distance of every segment but the dwells.
-fn stretched(text: &str, time: f64, way: f64) -> Option<String> {
-    let laws =
-        written(text)?.into_iter().filter_map(|key| Some((key.path.strip_suffix(".law")?.to_owned(), key.value?)));
-    let mut moves = laws.filter(|(_, law)| SegmentLaw::of_id(law) != Some(SegmentLaw::Dwell));
-    moves.try_fold(text.to_owned(), |text, (segment, _)| stretch(&text, &segment, time, way)).ok()
 }
 
 /// Returns the title of a mechanism.
@@ -117,7 +170,7 @@ fn title(mechanism: Option<&str>, language: Language) -> String {
 /// Returns the ways to begin, as drawings.
 pub(crate) fn tiles(language: Language) -> Markup {
     html! {
-        ul.tiles { @for (place, begin) in BEGINS.iter().enumerate() {
+        ul.tiles { @for (place, begin) in BEGINS.iter().enumerate().filter(|(_, begin)| begin.has_tile) {
             @let title = title(begin.mechanism, language);
             li { button.tile type="button" hx-get={ "/begin?kind=" (place) "&lang=" (language.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
                 span.sketch aria-hidden="true" { (sketch::still(begin.mechanism)) }
@@ -135,35 +188,137 @@ pub(crate) fn tiles(language: Language) -> Markup {
 /// Returns the few values of a way to begin, next to a drawing that follows them.
 pub(crate) fn asked(place: usize, language: Language) -> Markup {
     let Some(begin) = BEGINS.get(place) else { return html! {} };
+    let l = language;
     html! {
         form.begin-form.rows method="get" action="/" aria-labelledby="begin-title" {
-            h3 id="begin-title" tabindex="-1" { (title(begin.mechanism, language)) }
-            span.sketch id="begin-sketch" { (drawing(begin, &begin.text(|_| None), language)) }
-            p.small { (page::usual_values(language)) }
-            @for (path, value) in &begin.asked {
-                @let id = crate::markup::id(path);
-                div.row {
-                    label for=(id) { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(SegmentLaw::Dwell, language)) ")" } }
-                    input id=(id) name=(path) type="text" value=(crate::value::with_mark(value, language)) autocomplete="off" spellcheck="false"
-                        hx-get="/begin/drawing" hx-trigger="input changed delay:100ms" hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form";
+            h3 id="begin-title" tabindex="-1" { (title(begin.mechanism, l)) }
+            span.sketch id="begin-sketch" { (drawing(begin, &begin.text(|_| None, true), l)) }
+            p.small { (page::asked_values(l)) }
+            @for row in begin.asked { (asked_row(begin, row, l)) }
+            div.fault id="begin-fault" role="status" {}
+            input type="hidden" name="begin" value=(place);
+            input type="hidden" name="lang" value=(l.id());
+            button.primary type="submit" { (page::first_answer(l)) }
+            @if let Some(other) = begin.other {
+                " " button.link type="button" hx-get={ "/begin?kind=" (other) "&lang=" (l.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
+                    @if begin.has_tile { (page::inertia_is_known(l)) } @else { (page::inertia_from_shape(l)) }
                 }
             }
-            input type="hidden" name="begin" value=(place);
-            input type="hidden" name="lang" value=(language.id());
-            button.primary type="submit" { (page::first_answer(language)) }
         }
     }
 }
 
-/// Returns the text of a way to begin with the typed values.
-pub(crate) fn typed(begin: &Begin, call: &Call<'_>) -> String {
-    begin.text(|path| call.field(path).map(|typed| crate::value::with_point(&typed, call.language())))
+/// Name of the field with the unit of a row.
+fn unit_name(path: &str) -> String {
+    format!("unit.{path}")
 }
 
-/// Returns the drawing of a way to begin with the typed values.
+/// Returns the label of a row.
+fn asked_label(begin: &Begin, row: &[&str], language: Language) -> String {
+    let Some(path) = row.first() else { return String::new() };
+    match *path {
+        "mechanism.winder.core_diameter" => return page::core_and_full(language).to_owned(),
+        "motion[1].speed" if begin.mechanism == Some(MechanismId::Winder.key()) => return page::line_speed(language).to_owned(),
+        "motion[1].speed" => return page::speed_of_crank(language).to_owned(),
+        "motion[1].time" => return page::duration_of(language).to_owned(),
+        "motion[2].time" => return page::pause_of(language).to_owned(),
+        _ => {}
+    }
+    key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()
+}
+
+/// Returns one row of the form: its fields, then the unit beside them.
+fn asked_row(begin: &Begin, row: &[&str], language: Language) -> Markup {
+    let l = language;
+    let Some((path, key)) = row.first().and_then(|path| Some((*path, key_at(path)?))) else { return html! {} };
+    let label = asked_label(begin, row, l);
+    let usual = begin.usual(path);
+    let unit = usual.split_once(' ').and_then(|(_, unit)| Unit::of(unit));
+    let units: Vec<&Unit> = unit.map(|unit| unit.dimension.units()).unwrap_or_default().iter().collect();
+    let follows = "input changed delay:100ms, change";
+    html! {
+        div.row {
+            label for=(crate::markup::id(path)) { (label) }
+            span.quantity {
+                @for (number, path) in row.iter().enumerate() {
+                    @let id = crate::markup::id(path);
+                    @let own = (number > 0).then(|| capitalised(&short_label(key_at(path).map(|key| about_text(key.about, l)).unwrap_or_default())));
+                    @if let Kind::OneOf(words) = key.kind {
+                        select id=(id) name=(path) required hx-get="/begin/drawing" hx-trigger="change" hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form" {
+                            option value="" { (page::choose(l)) }
+                            // A bar has a width too, which is not among the few values.
+                            @for word in words.iter().filter(|word| **word != "bar") { option value=(word) { (key_word(key.name, word, l).unwrap_or_else(|| (*word).to_owned().into())) } }
+                        }
+                    } @else {
+                        @if number > 0 { span.unit { "–" } }
+                        input id=(id) name=(path) type="text" inputmode="decimal" required placeholder=(page::for_example(&number_of(begin, path, l), l)) aria-label=[own]
+                            autocomplete="off" spellcheck="false"
+                            hx-get="/begin/drawing" hx-trigger=(follows) hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form";
+                    }
+                }
+                @if units.len() > 1 {
+                    select name=(unit_name(path)) aria-label=(page::unit_of(&label, l)) title=(page::unit_of(&label, l)) hx-get="/begin/drawing" hx-trigger="change" hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form" {
+                        @for each in &units { option value=(each.ascii) selected[Some(each.ascii) == unit.map(|unit| unit.ascii)] { (each.symbol) } }
+                    }
+                } @else if let Some(only) = unit { span.unit { (only.symbol) } input type="hidden" name=(unit_name(path)) value=(only.ascii); }
+            }
+        }
+    }
+}
+
+/// Returns the number of the template at a path, with the decimal mark of the language.
+fn number_of(begin: &Begin, path: &str, language: Language) -> String {
+    let usual = begin.usual(path);
+    value::with_mark(usual.split_once(' ').map_or(usual.as_str(), |(number, _)| number), language)
+}
+
+/// Returns the typed value of a key, with the unit of its row.
+fn typed_value(begin: &Begin, path: &str, call: &Call<'_>) -> Option<String> {
+    let (typed, l) = (call.field(path)?, call.language());
+    let row = begin.asked.iter().find(|row| row.contains(&path))?;
+    let unit = row.first().and_then(|first| call.field(&unit_name(first))).unwrap_or_default();
+    let is_word = key_at(path).is_some_and(|key| matches!(key.kind, Kind::OneOf(_)));
+    Some(match (is_word, unit.is_empty()) {
+        (true, _) => typed.into_owned(),
+        (false, true) => taken(&typed, l),
+        (false, false) => stated(&typed, &unit, l),
+    })
+}
+
+/// Returns the text of a way to begin with the typed values.
+pub(crate) fn typed(begin: &Begin, call: &Call<'_>) -> String {
+    begin.text(|path| typed_value(begin, path, call), false)
+}
+
+/// Returns the drawing of a way to begin with the typed values, and the faults of these values.
 pub(crate) fn drawing_of(call: &Call<'_>) -> Markup {
-    let begin = BEGINS.get(crate::files::place(call));
-    html! { @if let Some(begin) = begin { (drawing(begin, &typed(begin, call), call.language())) } }
+    let Some(begin) = BEGINS.get(crate::files::place(call)) else { return html! {} };
+    let (l, text) = (call.language(), begin.text(|path| typed_value(begin, path, call), true));
+    html! {
+        (drawing(begin, &text, l))
+        template hx type="partial" hx-target="#begin-fault" hx-swap="innerHTML" {
+            @for (label, fault) in faults(begin, &text, l) { p { (label) ": " (fault) } }
+        }
+    }
+}
+
+/// Returns the faults of a text at the keys that are filled in, each with the label of its row.
+fn faults(begin: &Begin, text: &str, language: Language) -> Vec<(String, Markup)> {
+    let stated = written(text).unwrap_or_default();
+    let found = questions::read(text).err().unwrap_or_default();
+    let found = placed(&found, (text, &stated), key_at, language);
+    let of_row = |row: &&'static [&'static str]| {
+        let path = row.iter().find(|path| found.iter().any(|(at, _)| at.as_deref() == Some(**path)))?;
+        let (_, fault) = found.iter().find(|(at, _)| at.as_deref() == Some(*path))?;
+        let value = stated.iter().find(|key| key.path == *path).and_then(|key| key.value.clone()).unwrap_or_default();
+        let arithmetic = key_at(path).and_then(|key| value::arithmetic_fault(key, &value, language));
+        let fault = match arithmetic {
+            Some(fault) => html! { (fault) },
+            None => crate::markup::worded(&fault.message, fault.hint.as_deref(), language),
+        };
+        Some((asked_label(begin, row, language), fault))
+    };
+    begin.asked.iter().filter_map(|row| of_row(&row)).collect()
 }
 
 /// Returns the drawing to the scale of a text; invalid values are left out.
@@ -186,7 +341,7 @@ fn drawing(begin: &Begin, text: &str, language: Language) -> Markup {
 pub(crate) fn example_verdict(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let l = call.language();
     let kind = call.field("kind").unwrap_or_default();
-    let Some(found) = template(&kind, crate::head::USUAL_NAME, l).filter(|found| found.recording.is_none()) else {
+    let Some(found) = example(&kind, crate::head::USUAL_NAME, l).filter(|found| found.recording.is_none()) else {
         return html! {};
     };
     let Ok(projects) = read_all_watched(&found.text, shell.files(), shell.catalogue(), progress) else {
@@ -220,39 +375,5 @@ pub(crate) fn about<'t>(text: &'t str, kind: &'t str) -> &'t str {
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
-
-    use super::*;
-
-    #[test]
-    fn every_way_to_begin_asks_for_at_most_six_figures_and_has_an_answer() {
-        for begin in BEGINS.iter() {
-            assert!(begin.asked.len() <= ASKED_MOST, "{:?}", begin.mechanism);
-            let text = begin.text(|_| None);
-            let project = questions::read(&text);
-            assert!(project.is_ok(), "{text}\n{project:?}");
-            let fits = project.is_ok_and(|project| questions::size(&project).fits());
-            assert!(fits, "{text}");
-        }
-    }
-
-    #[test]
-    fn what_is_typed_takes_the_place_of_what_is_proposed() {
-        let belt = BEGINS.iter().find(|begin| begin.mechanism == Some("belt")).unwrap();
-        let text = belt.text(|path| (path == "motion[1].distance").then(|| "-0.25 m".to_owned()));
-        assert!(text.contains("distance = \"-0.25 m\"") && text.contains("distance = \"250 mm\""), "{text}");
-        let text = belt.text(|path| (path == "mechanism.belt.mass").then(|| "heavy".to_owned()));
-        assert!(text.contains("mass = \"heavy\""), "{text}");
-    }
-
-    #[test]
-    fn every_mechanism_that_is_stated_by_figures_begins_with_those_of_its_example() {
-        assert_eq!(BEGINS.len(), MechanismId::ALL.len() - 2);
-        for begin in BEGINS.iter() {
-            let asked: Vec<&str> = begin.asked.iter().map(|(path, _)| path.as_str()).collect();
-            assert!(asked.len() >= 4 && asked.iter().all(|path| key_at(path).is_some()), "{asked:?}");
-            assert!(!begin.text.contains("[bearing]") && begin.text.contains("supply"), "{}", begin.text);
-        }
-    }
-}
+#[path = "start_tests.rs"]
+mod tests;

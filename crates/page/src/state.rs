@@ -5,7 +5,7 @@
 use crate::call::{Call, Shell};
 use crate::markup::tolerance_of;
 use crate::pasted::{Cell, pasted};
-use crate::value::{in_unit, stated, with_point};
+use crate::value::{in_unit, stated, taken};
 use axis::AxisDiagnostic;
 use axis::AxisProject;
 use figures::{By, MapPoint, Theme, nearest};
@@ -320,8 +320,8 @@ impl PageState {
         if let (Some(path), Some(value)) = (call.field("path"), call.field("value")) {
             let value = match call.field("unit") {
                 Some(unit) => stated(&value, &unit, language),
-                None if key_at(&path).is_some_and(|key| matches!(key.kind, Kind::Number(..))) => {
-                    with_point(&value, language)
+                None if key_at(&path).is_some_and(|key| matches!(key.kind, Kind::Number(..) | Kind::Integer(..))) => {
+                    taken(&value, language)
                 }
                 None => value.into_owned(),
             };

@@ -268,7 +268,7 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
         Err(_) => scene.typed(GOOD).unwrap_or_default(),
     };
     let troubles: Vec<Trouble> = match &answer {
-        Err(unanswered) => field::troubles(unanswered, l),
+        Err(unanswered) => field::with_arithmetic(&fields, field::troubles(unanswered, l), l),
         Ok(_) => Vec::new(),
     };
     let loose = field::at_their_fields(&mut fields, troubles, scene.is_filled);
@@ -300,6 +300,9 @@ fn fields_of(fields: &[ToolField], language: Language) -> Markup {
 fn query_of(said: &[(&str, Option<&str>)], fields: &[ToolField], language: Language) -> String {
     let said = said.iter().filter_map(|(name, value)| Some((*name, (*value)?)));
     let inquiry = fields.iter().filter(|field| field.name != UNDER_PROJECT);
-    let typed = inquiry.flat_map(|field| field.values().map(|value| (field.name.as_str(), value)));
+    let typed: Vec<(&str, String)> = inquiry
+        .flat_map(|field| field.values().map(|value| (field.name.as_str(), field.computed(value, language))))
+        .collect();
+    let typed = typed.iter().map(|(name, value)| (*name, value.as_str()));
     query(said.chain(typed).chain([("lang", language.id())]))
 }

@@ -3,6 +3,7 @@
 //! The project file keeps the entry as written: a number without a unit takes the selected unit; a number with a unit
 //! is kept unchanged; the choice of another unit converts the value to that unit.
 
+use crate::arithmetic::computed;
 use crate::markup::{tolerance_of, vals};
 use maud::{Markup, html};
 use project::{KEYS, Key, Kind, example};
@@ -91,9 +92,27 @@ pub(crate) fn number(key: &Key, value: &str, language: Language) -> String {
     if is_number { written(value, language) } else { value.to_owned() }
 }
 
+/// Returns an entry of a number as the project file keeps it: arithmetic computed, the decimal mark of the language as a
+/// point, a tolerance kept. Faulty arithmetic is kept as typed, so that its field reports it.
+pub(crate) fn taken(typed: &str, language: Language) -> String {
+    let (nominal, band) = tolerance_of(typed);
+    match computed(nominal, language) {
+        Ok(Some(value)) if band.is_empty() => value,
+        Ok(Some(value)) => format!("{value} ± {band}"),
+        Ok(None) | Err(_) => with_point(typed, language),
+    }
+}
+
+/// Returns the fault of the arithmetic in the value of a number; `None` if there is none.
+pub(crate) fn arithmetic_fault(key: &Key, value: &str, language: Language) -> Option<&'static str> {
+    let is_number = matches!(key.kind, Kind::Quantity(..) | Kind::Along(..) | Kind::Number(..) | Kind::Integer(..));
+    let (nominal, _) = tolerance_of(value);
+    computed(nominal, language).err().filter(|_| is_number).map(|fault| fault.text(language))
+}
+
 /// Returns an entry with the decimal point of the project file, if the language has a comma and the number contains
 /// one.
-pub(crate) fn with_point(typed: &str, language: Language) -> String {
+fn with_point(typed: &str, language: Language) -> String {
     let head: String = typed.trim_start().chars().take_while(|sign| is_of_number(*sign) || *sign == ',').collect();
     let is_number =
         head.matches(',').count() == 1 && !head.contains('.') && head.chars().any(|sign| sign.is_ascii_digit());
@@ -110,7 +129,7 @@ pub(crate) fn with_mark(value: &str, language: Language) -> String {
 
 /// Returns the value of an entry with a selected unit: unchanged if it has its own unit, else with the selected one.
 pub(crate) fn stated(typed: &str, unit: &str, language: Language) -> String {
-    let typed = with_point(typed, language);
+    let typed = taken(typed, language);
     if typed.trim().parse::<f64>().is_ok() && !unit.is_empty() { format!("{} {unit}", typed.trim()) } else { typed }
 }
 

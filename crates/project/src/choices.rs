@@ -67,6 +67,19 @@ identified! {
         Coupling = "coupling",
     }
 
+    /// Distribution of the mass of an arm along its length.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum ArmShape {
+        /// Slender, with the mass evenly distributed.
+        Rod = "rod",
+        /// Rectangular, with the mass evenly distributed over length and width.
+        Bar = "bar",
+        /// Slender, tapering to a point.
+        Taper = "taper",
+        /// All of the mass at the end.
+        Point = "point",
+    }
+
     /// Direction in which a winder moves its web.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum WebWinding {
@@ -85,6 +98,19 @@ identified! {
         Shock = "shock",
         /// High transmission accuracy.
         HighAccuracy = "high_accuracy",
+    }
+
+    /// Data that a project leaves out knowingly: what depends on them is not checked.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum LeftOut {
+        /// Voltage of the DC link.
+        Supply = "supply",
+        /// Loads on the output flange.
+        FlangeLoads = "flange_loads",
+        /// Conditions of use.
+        Conditions = "conditions",
+        /// Field of application.
+        Application = "application",
     }
 
     /// Phases that feed a rectifier.
@@ -209,7 +235,7 @@ identified! {
 }
 
 choices_by_id! {
-    Hold, Spline, Orientation, StageKind, WebWinding, OperatingCondition, MainsPhases, MountingPosition, SpecialApplication, Reaction, Failure, ScenarioId, Turn, Counting
+    Hold, Spline, Orientation, StageKind, ArmShape, WebWinding, OperatingCondition, LeftOut, MainsPhases, MountingPosition, SpecialApplication, Reaction, Failure, ScenarioId, Turn, Counting
 }
 
 /// Degree of protection of a rotating machine by EN 60034-5, or one of immersion and of jets at high pressure by EN 60529.

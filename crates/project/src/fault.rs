@@ -246,6 +246,19 @@ pub enum Fault {
         /// Path of the linear value: a key or a file.
         path: String,
     },
+    /// A run of the web for a load that is no winder.
+    NoWeb,
+    /// A run of the web beside another move: the roll it begins with is not known.
+    WebNotAlone,
+    /// A line speed of the web that is none, or not greater than zero.
+    WebSpeed,
+    /// A web that ends before its ramps do.
+    WebTooShort {
+        /// Length of the web \[m\].
+        length_m: f64,
+        /// Length that passes during the ramps \[m\].
+        ramps_m: f64,
+    },
     /// A rod that is not longer than the crank.
     RodTooShort,
     /// A motion beyond the range of the mechanism.
@@ -418,6 +431,10 @@ impl Fault {
             Self::TooManyMechanisms => "too_many_mechanisms",
             Self::NoLine { .. } => "no_line",
             Self::Tabular(fault) => fault.id(),
+            Self::NoWeb => "no_web",
+            Self::WebNotAlone => "web_not_alone",
+            Self::WebSpeed => "web_speed",
+            Self::WebTooShort { .. } => "web_too_short",
             Self::RodTooShort => "rod_too_short",
             Self::BeyondRange { .. } => "beyond_range",
             Self::NoFlangeLoads => "no_flange_loads",

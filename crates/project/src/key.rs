@@ -312,7 +312,7 @@ mod tests {
 
     /// Optional keys of mechanisms whose absence is no default that a user should see: their assumption belongs to another
     /// key, their part does not exist unless it is stated, or it is required where it has an effect.
-    const NOT_LISTED: [&str; 22] = [
+    const NOT_LISTED: [&str; 27] = [
         "viscous_friction",
         "external_torque",
         "friction_force",
@@ -327,7 +327,13 @@ mod tests {
         "rocker_inertia",
         "rocker_torque",
         "payload_distance",
-        "start_angle",
+        "turntable.start_angle",
+        // Of an arm, described by its shape or by its inertia.
+        "shape",
+        "length",
+        "width",
+        "arm.inertia",
+        "centre_distance",
         "falls",
         "body",
         "bodies",

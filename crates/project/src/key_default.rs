@@ -37,6 +37,16 @@ pub enum KeyDefault {
     GroundHorizontal,
     /// No tilt of the axis of rotation is given: vertical.
     AxisVertical,
+    /// No tilt of the axis of rotation is given: horizontal, with the whole weight.
+    AxisLevel,
+    /// No position at the beginning of the motion is given: zero.
+    StartsAtZero,
+    /// No direction of a winder is given: it winds up.
+    WindsUp,
+    /// No diameter at position zero is given: the core is wound up, the full roll is wound off.
+    RollToWind,
+    /// No number of stages of a scissor lift is given: one.
+    OneScissor,
     /// No inertia of the rotating parts of a mechanism is given: zero.
     PartsWithoutInertia,
     /// No mass of the rope is given: zero.

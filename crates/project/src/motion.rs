@@ -64,7 +64,7 @@ const MOVE_ON: &[&str] = names!(Segment: distance time speed acceleration end_sp
 
 /// The laws of motion.
 #[rustfmt::skip] // one line per law
-const LAWS: [LawLine; 14] = [
+const LAWS: [LawLine; 16] = [
     ("manual", SegmentLaw::Manual, names!(Segment: speed accelerate run brake pause), &[]),
     ("trapezoid", SegmentLaw::Law(Law::Trapezoid), &[], MOVE_ON),
     ("triangle", SegmentLaw::Law(Law::Triangle), &[], MOVE),
@@ -80,6 +80,8 @@ const LAWS: [LawLine; 14] = [
     ("dwell", SegmentLaw::Dwell, &[], names!(Segment: time cycle hold)),
     ("recorded", SegmentLaw::Recorded, names!(Segment: file), names!(Segment: columns units recorded_ratio from to smoothing standstill gaps held_values time_stamps)),
     ("points", SegmentLaw::Points, names!(Segment: points spline ends), names!(Segment: master_speed start_speed end_speed start_acceleration end_acceleration)),
+    ("open", SegmentLaw::Open, &[], MOVE_ON),
+    ("web", SegmentLaw::Web, names!(Segment: speed), names!(Segment: accelerate brake)),
 ];
 
 impl OfKinds for Segment {
@@ -113,9 +115,26 @@ pub enum SegmentLaw {
     Recorded,
     /// A spline through the points of a cam table.
     Points,
+    /// A move whose law is not decided: that of [`SegmentLaw::ASSUMED`] is assumed.
+    Open,
+    /// The web of a winder at a constant line speed, from the initial roll to the full one or to the core.
+    Web,
 }
 
 impl SegmentLaw {
+    /// Law that is assumed for a move whose law is not decided.
+    pub const ASSUMED: Law = Law::Polynomial5;
+
+    /// Returns the law of a move; the assumed one if it is not decided.
+    #[must_use]
+    pub const fn of_a_move(self) -> Option<Law> {
+        match self {
+            Self::Law(law) => Some(law),
+            Self::Open => Some(Self::ASSUMED),
+            Self::Manual | Self::Dwell | Self::Recorded | Self::Points | Self::Web => None,
+        }
+    }
+
     /// Returns the identifier used in project files and data exchange.
     #[must_use]
     pub fn id(self) -> &'static str {

@@ -120,9 +120,9 @@ mod tests {
         let motion = Hint::KeyOfTable { key: "payload", table: "[[motion]]".to_owned() };
         assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&motion)), "{faults:?}");
         // One that has nothing to do with this mechanism leads to the keys of the mechanism for such a quantity first.
-        let text = "format = 1\n[mechanism.arm]\nlength = \"500 mm\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
+        let text = "format = 1\n[mechanism.arm]\nreach = \"500 mm\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
         let faults = found(text);
-        let keys = vec!["centre_distance", "payload_distance"];
+        let keys = vec!["length", "width", "centre_distance", "payload_distance"];
         let lengths = Hint::KeysOfQuantity { dimension: quantities::Dimension::Length, keys };
         assert!(faults.iter().any(|fault| fault.hint.as_ref() == Some(&lengths)), "{faults:?}");
         // A name without a meaning in this table is still in the list.

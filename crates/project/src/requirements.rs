@@ -2,7 +2,7 @@
 
 use crate::KeyDefault;
 use crate::about::About;
-use crate::choices::{MainsPhases, MountingPosition, ProtectionDegree, SpecialApplication};
+use crate::choices::{LeftOut, MainsPhases, MountingPosition, ProtectionDegree, SpecialApplication};
 use crate::section::section;
 use crate::value::{Choices, WordChoice, choice, choices};
 use order_code::{Feedback, Option1, Option2, Series};
@@ -63,6 +63,7 @@ section! {
         position_loop: PositionLoop;
         dc_link_rise: ElectricPotential => positive, example("40 V");
         special_application: SpecialApplication => noted(KeyDefault::OrdinaryApplication);
+        leave_out: Choices<LeftOut>;
         option_1: Option1;
         option_2: Option2;
     }

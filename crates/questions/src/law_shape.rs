@@ -64,7 +64,8 @@ mod tests {
             let shape = law_shape(law);
             assert!(shape.len() > usize::try_from(PER_PIECE).unwrap_or(0), "{law:?}");
             assert!(shape.iter().flatten().all(|value| value.is_finite() && value.abs() <= 1.0), "{law:?}");
-            assert!(!seen.contains(&shape), "{law:?}");
+            // A law that is not decided has the shape of the assumed one.
+            assert_eq!(seen.contains(&shape), law == SegmentLaw::Open, "{law:?}");
             let moves = !matches!(law, SegmentLaw::Dwell);
             let last = shape.last().copied().unwrap_or_default();
             assert!((last[0] - 1.0).abs() < 1e-9, "{law:?}");

@@ -3,11 +3,14 @@
 use mechanism::MechanismId;
 use quantities::Language;
 
-/// A kind of project file and its example.
+/// A kind of project file.
 #[derive(Clone, Copy)]
-struct TemplateKind {
+struct ProjectKind {
     name: &'static str,
-    text: &'static str,
+    /// What defines the machine, and a plain motion.
+    plain: &'static str,
+    /// A machine with all that it may have.
+    example: &'static str,
     /// Recording that the project names.
     recording: Option<(&'static str, &'static str)>,
 }
@@ -15,39 +18,46 @@ struct TemplateKind {
 /// Recording of the example of a joint.
 const ROBOT_JOINT: (&str, &str) = ("robot-joint.csv", include_str!("../../../examples/robot-joint.csv"));
 
-static TEMPLATES: [TemplateKind; 6] = [
-    TemplateKind { name: "manual", text: include_str!("../../../examples/indexing-table.toml"), recording: None },
-    TemplateKind { name: "table", text: include_str!("../../../examples/turntable.toml"), recording: None },
-    TemplateKind { name: "arm", text: include_str!("../../../examples/tilting-arm.toml"), recording: None },
-    TemplateKind { name: "screw", text: include_str!("../../../examples/screw-axis.toml"), recording: None },
-    TemplateKind { name: "belt", text: include_str!("../../../examples/belt-axis.toml"), recording: None },
-    TemplateKind {
-        name: "recording",
-        text: include_str!("../../../examples/robot-joint.toml"),
-        recording: Some(ROBOT_JOINT),
-    },
-];
-
-/// Iterates over the kinds of project files to start from: those of the list, and every other mechanism under its own
-/// name.
-pub fn template_kinds() -> impl Iterator<Item = &'static str> {
-    let named = |name: &str| TEMPLATES.iter().any(|kind| kind.name == name);
-    // A load stated by its inertia alone is that of the manual's example.
-    let mechanisms = MechanismId::ALL.iter().filter(|id| **id != MechanismId::Load).map(|id| id.key());
-    TEMPLATES.iter().map(|kind| kind.name).chain(mechanisms.filter(move |name| !named(name)))
+/// Lists the kinds: name, plain file, mechanism of the example.
+macro_rules! kinds {
+    ($($name:literal $plain:literal $mechanism:ident;)*) => {
+        [$(ProjectKind {
+            name: $name,
+            plain: include_str!(concat!("../templates/", $plain, ".toml")),
+            example: MechanismId::$mechanism.example(),
+            recording: if matches!(MechanismId::$mechanism, MechanismId::Joint) { Some(ROBOT_JOINT) } else { None },
+        }),*]
+    };
 }
 
-/// Returns the example of a kind.
-fn kind_of(name: &str) -> Option<TemplateKind> {
-    let listed = TEMPLATES.iter().find(|kind| kind.name == name).copied();
-    listed.or_else(|| {
-        let id = MechanismId::of(name).filter(|id| *id != MechanismId::Load)?;
-        Some(TemplateKind {
-            name: id.key(),
-            text: id.example(),
-            recording: (id == MechanismId::Joint).then_some(ROBOT_JOINT),
-        })
-    })
+static KINDS: [ProjectKind; 15] = kinds! {
+    "manual" "manual" Load;
+    "table" "turntable" Turntable;
+    "arm" "arm" Arm;
+    "screw" "screw" Screw;
+    "belt" "belt" Belt;
+    "recording" "joint" Joint;
+    "load" "load" Load;
+    "turntable" "turntable" Turntable;
+    "conveyor" "conveyor" Conveyor;
+    "slider_crank" "slider_crank" SliderCrank;
+    "joint" "joint" Joint;
+    "hoist" "hoist" Hoist;
+    "winder" "winder" Winder;
+    "scissor_lift" "scissor_lift" ScissorLift;
+    "four_bar" "four_bar" FourBar;
+};
+
+/// Iterates over the kinds of project files to start from.
+pub fn template_kinds() -> impl Iterator<Item = &'static str> {
+    KINDS.iter().map(|kind| kind.name)
+}
+
+/// Returns the plain project file of a mechanism in English, without the recording that it may name; `None` for a table
+/// of a cam, which has no plain one.
+#[must_use]
+pub fn plain_text(id: MechanismId) -> Option<&'static str> {
+    KINDS.iter().find(|kind| kind.name == id.key() && id != MechanismId::Table).map(|kind| kind.plain)
 }
 
 /// A project file to start from.
@@ -59,15 +69,29 @@ pub struct Template {
     pub recording: Option<(String, String)>,
 }
 
-/// Returns a project file of a kind, with comments in a language, for a file name; `None` if the kind does not exist.
+/// Returns the plain project file of a kind, with comments in a language, for a file name: what defines the machine, and
+/// a plain motion, special things as comments to switch on; `None` if the kind does not exist.
 #[must_use]
 pub fn template(kind: &str, file: &str, language: Language) -> Option<Template> {
-    let kind = kind_of(kind)?;
+    let kind = KINDS.iter().find(|known| known.name == kind)?;
+    Some(commented(kind, kind.plain, file, language))
+}
+
+/// Returns the example of a kind, with comments in a language, for a file name: a machine with all that it may have;
+/// `None` if the kind does not exist.
+#[must_use]
+pub fn example(kind: &str, file: &str, language: Language) -> Option<Template> {
+    let kind = KINDS.iter().find(|known| known.name == kind)?;
+    Some(commented(kind, kind.example, file, language))
+}
+
+/// Returns a project file with comments in a language, for a file name.
+fn commented(kind: &ProjectKind, project: &str, file: &str, language: Language) -> Template {
     let stem = file.strip_suffix(".toml").unwrap_or(file);
     let beside = format!("{stem}.csv");
     let recording = kind.recording.map(|(_, text)| (beside.clone(), recording_in(text, language)));
-    let mut text = String::with_capacity(kind.text.len());
-    for line in kind.text.lines() {
+    let mut text = String::with_capacity(project.len());
+    for line in project.lines() {
         if line.starts_with("# Run: antrieb") {
             continue;
         }
@@ -81,7 +105,7 @@ pub fn template(kind: &str, file: &str, language: Language) -> Option<Template> 
         text.push_str(&worded(&line, language));
         text.push('\n');
     }
-    Some(Template { text, recording })
+    Template { text, recording }
 }
 
 fn recording_in(text: &str, language: Language) -> String {
@@ -89,8 +113,18 @@ fn recording_in(text: &str, language: Language) -> String {
     format!("{}\n{rest}", worded(head, language))
 }
 
+/// Returns a line that is switched off, without its mark: a key or the head of a table behind `# `.
+fn switched_off(line: &str) -> Option<&str> {
+    let line = line.strip_prefix("# ")?;
+    let is_key = line.split_once(" = ").is_some_and(|(key, _)| !key.is_empty() && !key.contains(' '));
+    (is_key || line.starts_with('[')).then_some(line)
+}
+
 /// Returns a line with its comment, or its name, in a language.
 fn worded(line: &str, language: Language) -> String {
+    if let Some(inner) = switched_off(line) {
+        return format!("# {}", worded(inner, language));
+    }
     let head = ["# ", "name = "].into_iter().find_map(|mark| line.find(mark).map(|at| at + mark.len()));
     let Some((before, text)) = head.and_then(|head| line.split_at_checked(head)) else { return line.to_owned() };
     format!("{before}{}", words::example_text(text, language).unwrap_or(text))
@@ -104,18 +138,21 @@ mod tests {
     #[test]
     fn every_template_is_commented_in_german_too() {
         for kind in template_kinds() {
-            let (en, de) = (
-                template(kind, "axis.toml", Language::En).unwrap(),
-                template(kind, "axis.toml", Language::De).unwrap(),
-            );
-            assert_eq!(en.text.lines().count(), de.text.lines().count());
-            for (english, german) in en.text.lines().zip(de.text.lines()) {
-                let worded = |line: &str| line.split_once("# ").map(|(_, comment)| comment.to_owned());
-                let (a, b) = (worded(english), worded(german));
-                assert_eq!(a.is_some(), b.is_some(), "{english}");
-                let symbols = a.as_deref().is_none_or(|comment| comment.len() < 4);
-                assert!(symbols || a != b, "{kind}: still English: {english}");
-                assert!(!english.starts_with("name = ") || english != german, "{kind}: still English: {english}");
+            for of in [template, example] {
+                let (en, de) =
+                    (of(kind, "axis.toml", Language::En).unwrap(), of(kind, "axis.toml", Language::De).unwrap());
+                assert_eq!(en.text.lines().count(), de.text.lines().count());
+                for (english, german) in en.text.lines().zip(de.text.lines()) {
+                    let worded = |line: &str| {
+                        let line = switched_off(line).unwrap_or(line);
+                        line.split_once("# ").map(|(_, comment)| comment.to_owned())
+                    };
+                    let (a, b) = (worded(english), worded(german));
+                    assert_eq!(a.is_some(), b.is_some(), "{english}");
+                    let symbols = a.as_deref().is_none_or(|comment| comment.len() < 4);
+                    assert!(symbols || a != b, "{kind}: still English: {english}");
+                    assert!(!english.starts_with("name = ") || english != german, "{kind}: still English: {english}");
+                }
             }
         }
     }
@@ -124,20 +161,47 @@ mod tests {
     fn a_template_names_its_own_file_and_is_a_project() {
         for kind in template_kinds() {
             for language in [Language::En, Language::De] {
-                let found = template(kind, "my axis.toml", language).unwrap();
-                assert!(
-                    found.text.contains("antrieb size my axis.toml") && !found.text.contains("examples/"),
-                    "{kind}"
-                );
-                assert_eq!(found.recording.is_some(), matches!(kind, "recording" | "joint"));
-                match &found.recording {
-                    None => assert!(crate::read_all(&found.text, &NoFiles).is_ok(), "{kind}"),
-                    Some((name, text)) => {
-                        assert!(found.text.contains("file = \"my axis.csv\"") && name == "my axis.csv");
-                        assert!(text.lines().count() > 100);
+                for found in [template, example].map(|of| of(kind, "my axis.toml", language).unwrap()) {
+                    assert!(
+                        found.text.contains("antrieb size my axis.toml") && !found.text.contains("examples/"),
+                        "{kind}"
+                    );
+                    assert_eq!(found.recording.is_some(), matches!(kind, "recording" | "joint"));
+                    match &found.recording {
+                        None => assert!(crate::read_all(&found.text, &NoFiles).is_ok(), "{kind}"),
+                        Some((name, text)) => {
+                            assert!(found.text.contains("file = \"my axis.csv\"") && name == "my axis.csv");
+                            assert!(text.lines().count() > 100);
+                        }
                     }
                 }
             }
+        }
+    }
+
+    /// Recording of a template, under any name.
+    struct Beside(String);
+
+    impl axis::Files for Beside {
+        fn open(&self, _: &str) -> std::io::Result<Box<dyn std::io::Read>> {
+            Ok(Box::new(std::io::Cursor::new(self.0.clone().into_bytes())))
+        }
+    }
+
+    /// Every line that is switched off is one of the project: with all of them on, the file is read, and each key has an
+    /// effect.
+    #[test]
+    fn what_is_switched_off_can_be_switched_on() {
+        for kind in template_kinds() {
+            let found = template(kind, "axis.toml", Language::En).unwrap();
+            let files = Beside(found.recording.map(|(_, text)| text).unwrap_or_default());
+            let on = |lines: &mut dyn Iterator<Item = &str>| {
+                lines.map(|line| switched_off(line).unwrap_or(line)).collect::<Vec<_>>().join("\n")
+            };
+            let all = on(&mut found.text.lines());
+            let read = crate::read_all(&all, &files);
+            assert!(read.is_ok(), "{kind}: {read:?}\n{all}");
+            assert!(all != found.text, "{kind}");
         }
     }
 }

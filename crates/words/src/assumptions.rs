@@ -143,6 +143,38 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no mass of the rocker given (rocker_mass): 0 assumed",
             "keine Masse der Schwinge angegeben (rocker_mass): 0 angenommen",
         ),
+        Assumption::Default(KeyDefault::AxisLevel) => (
+            "no tilt of the axis of rotation given (axis_tilt): horizontal, with the whole weight",
+            "keine Neigung der Drehachse angegeben (axis_tilt): waagerecht, mit der ganzen Gewichtskraft",
+        ),
+        Assumption::Default(KeyDefault::StartsAtZero) => (
+            "no position at the beginning of the motion given (start_angle): 0°, or the first position of a recording or cam table",
+            "keine Position zu Beginn der Bewegung angegeben (start_angle): 0° oder die erste Position einer Aufzeichnung oder Kurventabelle",
+        ),
+        Assumption::Default(KeyDefault::WindsUp) => (
+            "no direction of winding given (winding): a positive rotation winds up",
+            "keine Wickelrichtung angegeben (winding): positive Drehung wickelt auf",
+        ),
+        Assumption::Default(KeyDefault::RollToWind) => (
+            "no diameter at position zero given (start_diameter): the core when winding up, the full roll when unwinding",
+            "kein Durchmesser in Nullposition angegeben (start_diameter): beim Aufwickeln die Hülse, beim Abwickeln der volle Wickel",
+        ),
+        Assumption::Default(KeyDefault::OneScissor) => (
+            "no number of scissor stages given (stages): 1 assumed",
+            "keine Anzahl der Scherenpaare angegeben (stages): 1 angenommen",
+        ),
+        Assumption::LawOpen => (
+            "motion law not decided (law = \"open\"): polynomial of the fifth degree, without a jump of the acceleration",
+            "Bewegungsgesetz nicht festgelegt (law = \"open\"): Polynom fünften Grades, ohne Beschleunigungssprung",
+        ),
+        Assumption::OneRevolution => (
+            "neither duration nor distance of a constant speed given (time, distance): one revolution",
+            "weder Dauer noch Weg einer konstanten Drehzahl angegeben (time, distance): eine Umdrehung",
+        ),
+        Assumption::WebRamps => (
+            "no time given for accelerating or braking the web (accelerate, brake): 10 s each assumed",
+            "keine Zeit zum Beschleunigen oder Bremsen der Bahn angegeben (accelerate, brake): je 10 s angenommen",
+        ),
         Assumption::TrapezoidThirds => (
             "a trapezoid given by two quantities is split into thirds: acceleration, constant speed and deceleration",
             "Trapez aus zwei Angaben: je ein Drittel der Zeit für Beschleunigen, Konstantfahrt und Bremsen",

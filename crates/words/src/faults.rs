@@ -325,6 +325,24 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
             "`{path}` is stated as a linear quantity, but this load has no fixed travel per revolution"
             | "`{path}` ist als lineare Größe angegeben, diese Last hat aber keinen festen Weg je Umdrehung"
         ),
+        Fault::NoWeb => said!(language =>
+            "a run of the web requires a winder" | "ein Bahnlauf erfordert einen Wickler"
+        ),
+        Fault::WebNotAlone => said!(language =>
+            "a run of the web goes from the initial roll to the full one or to the core: beside it there are dwells only"
+            | "ein Bahnlauf reicht vom Anfangswickel bis zum vollen Wickel oder zur Hülse: daneben sind nur Rasten möglich"
+        ),
+        Fault::WebSpeed => said!(language =>
+            "`speed` of a run of the web is a line speed greater than zero"
+            | "`speed` eines Bahnlaufs ist eine Bahngeschwindigkeit größer als null"
+        ),
+        Fault::WebTooShort { length_m, ramps_m } => {
+            let [length, ramps] = [length_m, ramps_m].map(|metres| format_significant(*metres, 4, language));
+            said!(language =>
+                "the roll has {length} m of web; {ramps} m pass while it accelerates and brakes"
+                | "der Wickel hat {length} m Bahn; beim Beschleunigen und Bremsen laufen {ramps} m durch"
+            )
+        }
         Fault::RodTooShort => said!(language =>
             "`mechanism.slider_crank.rod` must be longer than the crank"
             | "`mechanism.slider_crank.rod` muss länger als der Kurbelradius sein"

@@ -317,6 +317,9 @@ texts! {
         "Accept requests without the token of the address shown: every user and program on this computer can then read and write the projects in the folder"
         | "Anfragen ohne das Token der ausgegebenen Adresse annehmen: jeder Benutzer und jedes Programm auf diesem Rechner kann dann die Projekte des Ordners lesen und schreiben";
     new = "Create a commented project file to fill in" | "Kommentierte Projektdatei zum Ausfüllen erzeugen";
+    new_example =
+        "An example of a machine with all that it may have, instead of the plain file"
+        | "Ein Beispiel einer Maschine mit allem, was sie haben kann, statt der einfachen Datei";
     new_out =
         "Project file to write; for kind recording, an example recording is written beside it"
         | "Zu schreibende Projektdatei; bei der Art recording mit einer Beispielaufzeichnung daneben";

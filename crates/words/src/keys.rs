@@ -133,7 +133,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "process force along the guide, against the positive direction; does not change sign with the motion",
             "Prozesskraft längs der Führung, entgegen der positiven Richtung; unabhängig von der Bewegungsrichtung",
         ),
-        About::StartAngle(StartAngleName::start_angle) => ("position at the beginning of the motion", "Position zu Beginn der Bewegung"),
+        About::StartAngle(StartAngleName::start_angle) => ("position at the beginning of the motion; default: zero", "Position zu Beginn der Bewegung; ohne Angabe null"),
         About::Stage(StageName::kind) => ("type of the stage", "Art der Stufe"),
         About::Stage(StageName::ratio) => (
             "i_s, turns of the actuator output per turn of the mechanism; default for a coupling: 1",
@@ -524,6 +524,10 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         About::Requirements(RequirementsName::special_application) => (
             "field of application that requires the manufacturer's approval (section 2.4); default: none",
             "Anwendungsbereich, der die Freigabe des Herstellers erfordert (Abschnitt 2.4); ohne Angabe keiner",
+        ),
+        About::Requirements(RequirementsName::leave_out) => (
+            "data left out knowingly: what depends on them is not checked",
+            "bewusst weggelassene Angaben: was davon abhängt, wird nicht geprüft",
         ),
         About::Requirements(RequirementsName::option_1) => ("sensor option", "Option 1 (Sensor)"),
         About::Requirements(RequirementsName::option_2) => ("cable and connector option", "Option 2 (Kabel/Stecker)"),

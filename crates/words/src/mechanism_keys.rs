@@ -60,6 +60,18 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
             "distance of the payload of a segment from the axis",
             "Abstand der Nutzlast eines Abschnitts von der Drehachse",
         ),
+        MechanismName::Arm(ArmName::shape) => (
+            "shape of the arm; inertia and centre of mass follow from it, instead of inertia and centre_distance",
+            "Form des Arms; daraus folgen Trägheitsmoment und Schwerpunkt, anstelle von inertia und centre_distance",
+        ),
+        MechanismName::Arm(ArmName::length) => (
+            "length of the arm from the axis to its end",
+            "Länge des Arms von der Drehachse bis zum Ende",
+        ),
+        MechanismName::Arm(ArmName::width) => (
+            "width of a bar, across the arm in the plane of rotation",
+            "Breite eines Balkens, quer zum Arm in der Drehebene",
+        ),
         MechanismName::Arm(ArmName::inertia) => (
             "moment of inertia of the arm about the axis, without payload",
             "Massenträgheitsmoment des Arms um die Drehachse, ohne Nutzlast",
@@ -70,8 +82,8 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
             "Abstand des Schwerpunkts des Arms von der Drehachse",
         ),
         MechanismName::Arm(ArmName::axis_tilt) => (
-            "tilt of the rotation axis from the vertical; 90 deg for a horizontal axis",
-            "Neigung der Drehachse gegen die Senkrechte; 90 deg bei waagerechter Achse",
+            "tilt of the rotation axis from the vertical; default: 90 deg, a horizontal axis",
+            "Neigung der Drehachse gegen die Senkrechte; ohne Angabe 90 deg, waagerechte Achse",
         ),
         MechanismName::Screw(ScrewName::lead) => ("travel per revolution", "Steigung, Weg je Umdrehung"),
         MechanismName::Belt(BeltName::pulley_diameter) => (
@@ -92,16 +104,16 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
         MechanismName::Hoist(HoistName::rope_mass) => ("mass of all falls at position zero; default: neglected", "Masse aller Seilstränge in Nullposition; ohne Angabe vernachlässigt"),
         MechanismName::Hoist(HoistName::hanging) => ("length of each fall at position zero", "Länge jedes Seilstrangs in Nullposition"),
         MechanismName::Hoist(HoistName::sheave_efficiency) => ("efficiency of one sheave", "Wirkungsgrad einer Seilrolle"),
-        MechanismName::Winder(WinderName::winding) => ("winding or unwinding of the web with positive rotation", "Auf- oder Abwickeln der Bahn bei positiver Drehung"),
+        MechanismName::Winder(WinderName::winding) => ("winding or unwinding of the web with positive rotation; default: winding", "Auf- oder Abwickeln der Bahn bei positiver Drehung; ohne Angabe Aufwickeln"),
         MechanismName::Winder(WinderName::core_diameter) => ("outer diameter of the core", "Außendurchmesser der Hülse"),
         MechanismName::Winder(WinderName::full_diameter) => ("diameter of the full roll", "Durchmesser des vollen Wickels"),
-        MechanismName::Winder(WinderName::start_diameter) => ("diameter at position zero", "Durchmesser in Nullposition"),
+        MechanismName::Winder(WinderName::start_diameter) => ("diameter at position zero; default: the core when winding, the full roll when unwinding", "Durchmesser in Nullposition; ohne Angabe beim Aufwickeln die Hülse, beim Abwickeln der volle Wickel"),
         MechanismName::Winder(WinderName::thickness) => ("thickness of the web; change of the radius per turn", "Dicke der Bahn; Radiusänderung je Umdrehung"),
         MechanismName::Winder(WinderName::width) => ("width of the web", "Breite der Bahn"),
         MechanismName::Winder(WinderName::density) => ("density of the wound material", "Dichte des gewickelten Materials"),
         MechanismName::Winder(WinderName::tension) => ("web tension, also at standstill", "Bahnzug, auch im Stillstand"),
         MechanismName::Winder(WinderName::inertia) => ("moment of inertia of core and shaft", "Massenträgheitsmoment von Hülse und Welle"),
-        MechanismName::ScissorLift(ScissorLiftName::stages) => ("number of scissor stages", "Anzahl der Scherenpaare übereinander"),
+        MechanismName::ScissorLift(ScissorLiftName::stages) => ("number of scissor stages; default: one", "Anzahl der Scherenpaare übereinander; ohne Angabe eins"),
         MechanismName::ScissorLift(ScissorLiftName::arm_length) => ("length of an arm between the pins at its ends", "Länge eines Arms zwischen den Endbolzen"),
         MechanismName::ScissorLift(ScissorLiftName::lead) => ("lead of the screw: travel of the nut per revolution towards the fixed pin", "Steigung der Spindel: Weg der Mutter je Umdrehung zum festen Bolzen hin"),
         MechanismName::ScissorLift(ScissorLiftName::arm_angle) => ("angle of the arms above the horizontal at position zero", "Winkel der Arme über der Waagerechten in Nullposition"),
@@ -121,7 +133,7 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
         MechanismName::FourBar(FourBarName::rocker_centre) => ("distance of the rocker's centre of mass from its pivot", "Abstand des Schwerpunkts der Schwinge vom Drehpunkt"),
         MechanismName::FourBar(FourBarName::rocker_inertia) => ("moment of inertia of the rocker and its load about its pivot", "Massenträgheitsmoment von Schwinge und Last um den Drehpunkt"),
         MechanismName::FourBar(FourBarName::rocker_torque) => ("torque on the rocker against its positive direction", "Moment an der Schwinge entgegen ihrer positiven Richtung"),
-        MechanismName::FourBar(FourBarName::axis_tilt) => ("tilt of the axes from the vertical; 90 deg for an upright linkage", "Neigung der Achsen gegen die Senkrechte; 90 deg bei stehendem Gelenkviereck"),
+        MechanismName::FourBar(FourBarName::axis_tilt) => ("tilt of the axes from the vertical; default: 90 deg, an upright linkage", "Neigung der Achsen gegen die Senkrechte; ohne Angabe 90 deg, stehendes Gelenkviereck"),
         MechanismName::FourBar(FourBarName::inclination) => ("angle of the fixed link above the horizontal, from crank to rocker", "Winkel des Gestells über der Waagerechten, von der Kurbel zur Schwinge"),
         MechanismName::Joint(JointName::inertia) => (
             "largest moment of inertia at the joint, for inertia ratio, natural frequency and brake; already included in the recorded torque",

@@ -43,6 +43,8 @@ pub fn law_text(law: SegmentLaw, language: Language) -> &'static str {
         SegmentLaw::Dwell => ("dwell", "Rast"),
         SegmentLaw::Recorded => ("recording", "Aufzeichnung"),
         SegmentLaw::Points => ("cam table", "Kurventabelle"),
+        SegmentLaw::Open => ("not decided", "nicht festgelegt"),
+        SegmentLaw::Web => ("run of the web", "Bahnlauf"),
     };
     pick(language, en, de)
 }
@@ -370,8 +372,8 @@ pub(crate) fn web_of_winder(web_m_s: Option<f64>, diameters_m: [f64; 2], languag
             let speed = |diameter: f64| line(REVOLUTION_PER_MINUTE.from_si(2.0 * web / diameter));
             let [at_start, at_core] = diameters_m.map(speed);
             said!(language =>
-                "the diameter changes with every turn, n = v/(π D): speed = \"{at_start} 1/min\" at the start diameter {start}, \"{at_core} 1/min\" at the core {core}; with a constant web speed judge both ends, each with its start_diameter"
-                | "der Durchmesser ändert sich mit jeder Umdrehung, n = v/(π D): speed = \"{at_start} 1/min\" am Anfangsdurchmesser {start}, \"{at_core} 1/min\" am Kern {core}; bei konstanter Bahngeschwindigkeit beide Enden nachweisen, jedes mit seinem start_diameter"
+                "the diameter changes with every turn, n = v/(π D): speed = \"{at_start} 1/min\" at the start diameter {start}, \"{at_core} 1/min\" at the core {core}; at a constant line speed over the whole roll: law = \"web\""
+                | "der Durchmesser ändert sich mit jeder Umdrehung, n = v/(π D): speed = \"{at_start} 1/min\" am Anfangsdurchmesser {start}, \"{at_core} 1/min\" am Kern {core}; bei konstanter Bahngeschwindigkeit über den ganzen Wickel: law = \"web\""
             )
         }
         None => {

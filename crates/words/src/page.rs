@@ -310,9 +310,34 @@ texts! {
     map = "Map" | "Übersichtsdiagramm";
     sort_by(column) = "Sort by {column}" | "Nach {column} ordnen";
     load_hangs = "load not held" | "Last nicht gehalten";
-    usual_values =
-        "The values are typical starting values; replace them with your own."
-        | "Die Werte sind übliche Startwerte; durch eigene ersetzen.";
+    arithmetic_number_missing =
+        "a number is missing behind an operator" | "hinter einem Rechenzeichen fehlt eine Zahl";
+    arithmetic_parenthesis = "a parenthesis has no counterpart" | "eine Klammer hat kein Gegenstück";
+    arithmetic_division_by_zero = "division by zero" | "Division durch null";
+    arithmetic_out_of_range =
+        "the result is too large or too small for a number" | "das Ergebnis ist für eine Zahl zu groß oder zu klein";
+    arithmetic_too_long =
+        "the expression is longer or deeper than a field allows (200 characters, 20 parentheses)"
+        | "der Ausdruck ist länger oder tiefer, als ein Feld zulässt (200 Zeichen, 20 Klammern)";
+    arithmetic_no_unit =
+        "there is no unit behind the expression" | "hinter dem Ausdruck steht keine Einheit";
+    asked_values =
+        "State what defines the machine; arithmetic such as 2*0.3 is computed. Everything else is assumed, and listed with the result."
+        | "Angeben, was die Maschine bestimmt; Rechnungen wie 2*0,3 werden ausgewertet. Alles Weitere wird angenommen und mit dem Ergebnis aufgeführt.";
+    core_and_full = "Diameter: core – full roll" | "Durchmesser: Hülse – voller Wickel";
+    line_speed = "Line speed of the web" | "Bahngeschwindigkeit";
+    speed_of_crank = "Speed of the crank" | "Drehzahl der Kurbel";
+    duration_of = "Duration of each move" | "Dauer jeder Bewegung";
+    pause_of = "Pause after each move" | "Pause nach jeder Bewegung";
+    choose = "choose" | "auswählen";
+    inertia_is_known = "Moment of inertia known" | "Trägheitsmoment bekannt";
+    inertia_from_shape = "Moment of inertia from the shape" | "Trägheitsmoment aus der Form";
+    assumed_title = "Assumed" | "Angenommen";
+    assumed_take = "Take" | "Übernehmen";
+    assumed_change = "Change" | "Ändern";
+    assumed_leave_out = "Leave out" | "Weglassen";
+    assumed_not_checked = "not checked" | "nicht geprüft";
+    assumed_all_stated = "Nothing is assumed but the conditions of the manufacturer." | "Außer den Bedingungen des Herstellers ist nichts angenommen.";
     back = "Back" | "Zurück";
     reverse(name) = "Reverse {name}" | "{name} umkehren";
     checks_wait(count) =

@@ -39,8 +39,10 @@ pub fn key_word(key: &str, word: &str, language: Language) -> Option<Cow<'static
     match key {
         "law" => return SegmentLaw::of_id(word).map(|law| law_text(law, language).into()),
         "shape" => {
-            let shape = BODY_SHAPES.iter().find(|shape| shape.name == word)?;
-            return Some(shape_title(shape, language).into());
+            // Those of an arm that no body has stand in the list below.
+            if let Some(shape) = BODY_SHAPES.iter().find(|shape| shape.name == word) {
+                return Some(shape_title(shape, language).into());
+            }
         }
         "scenario" => {
             let scenario = ScenarioId::ALL.iter().find(|each| each.id() == word)?;
@@ -87,6 +89,12 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("hold", "motor", "by the motor", "durch den Motor"),
     ("hold", "brake", "by the brake", "durch die Bremse"),
     ("hold", "free", "not held", "nicht gehalten"),
+    ("leave_out", "supply", "supply", "Speisung"),
+    ("leave_out", "flange_loads", "loads on the flange", "Lasten am Flansch"),
+    ("leave_out", "conditions", "conditions of use", "Einsatzbedingungen"),
+    ("leave_out", "application", "field of application", "Anwendungsbereich"),
+    ("shape", "bar", "bar with a width", "Balken mit Breite"),
+    ("shape", "taper", "tapering to a point", "spitz zulaufend"),
     ("spline", "cubic", "third degree", "dritter Grad"),
     ("spline", "quintic", "fifth degree", "fünfter Grad"),
     ("ends", "rest", "standstill", "Stillstand"),

@@ -25,6 +25,9 @@ texts! {
     kind_manual =
         "load as moment of inertia and torque, moves as in the manual"
         | "Last als Massenträgheitsmoment und Moment, Bewegungen wie in der Anleitung";
+    kind_load =
+        "load as moment of inertia and torque, to and fro"
+        | "Last als Massenträgheitsmoment und Moment, hin und zurück";
     kind_table =
         "turntable or drum of solid bodies, the same file as turntable"
         | "Drehtisch oder Trommel aus Vollkörpern, dieselbe Datei wie turntable";

@@ -14,6 +14,8 @@ pub(super) enum LoadKind {
     Line,
     /// Moves along a line without an end.
     Belt,
+    /// The roll of a web: rotates between core and full roll.
+    Winder,
 }
 
 /// Writes forces at the flange, for the whole cycle or a segment.

@@ -28,7 +28,7 @@ const TURN: Way = Way {
 const LINE: Way =
     Way { distance: (LENGTH, 1e3), speed: (WAY_SPEED, 1.0), acceleration: WAY_ACCELERATION, jerk: WAY_JERK, most: 0.8 };
 
-const LAWS: [&str; 9] = [
+const LAWS: [&str; 10] = [
     "trapezoid",
     "triangle",
     "jerk",
@@ -38,17 +38,29 @@ const LAWS: [&str; 9] = [
     "simple_sine",
     "inclined_sine",
     "parabola",
+    "open",
 ];
 
 pub(super) fn motions(page: &mut Page<'_, '_>, load: LoadKind, single: bool) -> Result<()> {
     let way = if matches!(load, LoadKind::Line | LoadKind::Belt) { LINE } else { TURN };
     let endless = matches!(load, LoadKind::Free | LoadKind::Belt);
     match page.u.int_in_range(0..=7)? {
+        0 | 1 if load == LoadKind::Winder => web(page),
         0 if endless => constant(page, &way),
         1 => manual(page, &way, load, single),
         2 => through(page, &way, endless || single),
         _ => moves(page, &way, endless || single),
     }
+}
+
+/// Writes a run of the web of a winder, and a rest.
+fn web(page: &mut Page<'_, '_>) -> Result<()> {
+    page.row("motion");
+    page.word("law", "web");
+    page.key("speed", 1.0, 600.0, &[("m/min", 1.0), ("m/s", 1.0 / 60.0)])?;
+    page.may("accelerate", 0.1, 30.0, TIME)?;
+    page.may("brake", 0.1, 30.0, TIME)?;
+    if page.often()? { dwell(page) } else { Ok(()) }
 }
 
 /// Writes moves with rests between them; back and forth for a bound load.
@@ -167,7 +179,7 @@ fn manual(page: &mut Page<'_, '_>, way: &Way, load: LoadKind, single: bool) -> R
         let time = page.between(0.02, 0.4)?;
         times.push((key, page.literal(time, TIME)?));
     }
-    let back = load == LoadKind::Line || load == LoadKind::Bound;
+    let back = matches!(load, LoadKind::Line | LoadKind::Bound | LoadKind::Winder);
     for sign in ["", "-"].into_iter().take(if back && !single { 2 } else { 1 }) {
         page.row("motion");
         page.word("law", "manual");

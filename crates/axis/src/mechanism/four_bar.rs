@@ -1,6 +1,7 @@
 //! Crank, coupler and rocker.
 
 use crate::fault::AxisReport;
+use super::parts::level;
 use crate::driven::{Driven, OnFlange, sound};
 use mechanism::MechanismKind;
 use project::sections::{FourBar, StatedField};
@@ -22,7 +23,7 @@ impl Driven for FourBar {
             rocker_inertia: self.rocker_inertia.or_zero(),
             rocker_torque: self.rocker_torque.or_zero(),
             inclination: self.inclination.or_zero(),
-            tilt: self.axis_tilt.value()?,
+            tilt: level(&self.axis_tilt)?,
         };
         sound(self, linkage.faults(), report)?;
         Some(MechanismKind::FourBar(linkage))

@@ -1,8 +1,8 @@
 //! Parts that several mechanisms have.
 
 use mechanism::{Linear, LinearKind, MechanismKind};
-use project::sections::{Counterweight, Fields, Friction, Guide, Slide, group};
-use quantities::{Mass, Measure};
+use project::sections::{Counterweight, Fields, Friction, Guide, Slide, Stated, StatedField, group};
+use quantities::{Angle, Mass, Measure};
 
 /// Builds friction and constant torque at the output.
 pub(super) fn friction(stated: &Friction) -> mechanism::Friction {
@@ -11,6 +11,11 @@ pub(super) fn friction(stated: &Friction) -> mechanism::Friction {
         viscous: stated.viscous_friction.or_zero(),
         external: stated.external_torque.or_zero(),
     }
+}
+
+/// Returns the tilt of an axis of rotation: horizontal if none is stated; `None` if it was refused.
+pub(super) fn level(tilt: &Stated<Angle>) -> Option<Angle> {
+    if tilt.is_written() { tilt.value() } else { Some(Angle::from_si(std::f64::consts::FRAC_PI_2)) }
 }
 
 /// Builds a drive that moves a slide in proportion to the angle.

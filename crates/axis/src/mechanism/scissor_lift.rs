@@ -9,7 +9,7 @@ use quantities::{Length, Measure};
 impl Driven for ScissorLift {
     fn kind(&self, report: &mut AxisReport<'_>) -> Option<MechanismKind> {
         let lift = mechanism::ScissorLift {
-            stages: self.stages.value()?,
+            stages: if self.stages.is_written() { self.stages.value()? } else { self.stages() },
             arm_length: self.arm_length.value()?,
             lead: Length::from_si(self.lead.value()?.si()),
             angle: self.arm_angle.value()?,

@@ -4,7 +4,8 @@ use super::sum::Sum;
 use super::{LawScope, Parts, Steps};
 use crate::equations::Reduced;
 use crate::{
-    Extra, Hoist, Linear, LinearKind, Output, Rotor, RotorKind, ScissorLift, SliderCrank, Table, Winder, Winding,
+    ArmBody, ArmShape, Extra, Hoist, Linear, LinearKind, Output, Rotor, RotorKind, ScissorLift, SliderCrank, Table,
+    Winder, Winding,
 };
 use derivation::Finding;
 use provenance::{Grade, Source};
@@ -85,7 +86,18 @@ impl Rotor {
         if payload.mass {
             steps.own("r_p", &METRE, self.payload_radius.si(), "payload_distance");
         }
-        if steps.scope == LawScope::Inertia && !is_turntable && !payload.mass && !payload.inertia {
+        if let RotorKind::Shaped(body) = self.kind
+            && steps.needs_inertia()
+        {
+            let [law, _] = self.explain_shape(body, body.shape == ArmShape::Bar, steps);
+            if steps.scope == LawScope::Inertia && !payload.mass && !payload.inertia {
+                steps.formula(steps.inertia, &KILOGRAM_SQUARE_METRE, self.inertia.si(), law);
+            } else {
+                steps.formula("J_0", &KILOGRAM_SQUARE_METRE, self.inertia.si(), law);
+                let further = payload.mass.then(|| "m_p*r_p^2".to_owned());
+                steps.inertia(reduced, payload, further.as_slice());
+            }
+        } else if steps.scope == LawScope::Inertia && !is_turntable && !payload.mass && !payload.inertia {
             steps.own(steps.inertia, &KILOGRAM_SQUARE_METRE, self.inertia.si(), "inertia");
         } else if steps.needs_inertia() {
             if is_turntable {
@@ -111,6 +123,16 @@ impl Rotor {
         Parts { holding: has_weight, ..Parts::of(steps, payload) }
     }
 
+    /// Records mass and length of an arm, `m` and `l_a`, and its width, `b_a`; returns the laws of J and s.
+    fn explain_shape(&self, body: ArmBody, has_width: bool, steps: &mut Steps<'_>) -> [&'static str; 2] {
+        steps.own("m", &KILOGRAM, self.mass.si(), "mass");
+        steps.own("l_a", &METRE, body.length.si(), "length");
+        if has_width {
+            steps.own("b_a", &METRE, body.width.si(), "width");
+        }
+        body.shape.laws()
+    }
+
     /// Records the mass, `m`, and the distance of its centre, `r_0`.
     pub(crate) fn explain_mass(&self, has_distance: bool, steps: &mut Steps<'_>) {
         let is_turntable = self.kind == RotorKind::Turntable;
@@ -118,6 +140,11 @@ impl Rotor {
             steps.found("m", &KILOGRAM, self.mass.si(), Finding::MassOfBodies);
         } else {
             steps.own("m", &KILOGRAM, self.mass.si(), "mass");
+        }
+        if let (true, RotorKind::Shaped(body)) = (has_distance, self.kind) {
+            let [_, law] = self.explain_shape(body, false, steps);
+            steps.formula("r_0", &METRE, self.radius.si(), law);
+            return;
         }
         match (has_distance, is_turntable) {
             (false, _) => {}

@@ -1,6 +1,7 @@
 //! Fields of a tool: arguments of the question, entries of the user, faults.
 
 use super::MARK;
+use crate::arithmetic::computed;
 use answers::Fault;
 use maud::{Markup, html};
 use project::Key;
@@ -50,6 +51,18 @@ impl Trouble {
     pub(super) fn shown(&self, language: Language) -> Markup {
         html! { p.fault { (crate::markup::worded(&self.message, self.hint.as_deref(), language)) } }
     }
+}
+
+/// Returns the faults with those of the arithmetic in place of the others of its fields.
+pub(super) fn with_arithmetic(fields: &[ToolField], troubles: Vec<Trouble>, language: Language) -> Vec<Trouble> {
+    let of_field = |field: &ToolField| {
+        let fault = computed(&field.value, language).err().filter(|_| field.is_line())?;
+        Some(Trouble { field: Some(field.name.clone()), message: fault.text(language).to_owned(), hint: None })
+    };
+    let own: Vec<Trouble> = fields.iter().filter_map(of_field).collect();
+    let others = troubles.into_iter().filter(|each| !own.iter().any(|one| one.field == each.field));
+    let others: Vec<Trouble> = others.collect();
+    own.into_iter().chain(others).collect()
 }
 
 /// Arguments that the page itself adds to a question.
@@ -109,6 +122,17 @@ impl ToolField {
             value: String::new(),
             troubles: Vec::new(),
         }
+    }
+
+    /// Returns a value of the question with its arithmetic computed; unchanged if there is none, or a faulty one.
+    pub(super) fn computed(&self, value: &str, language: Language) -> String {
+        let found = self.is_line().then(|| computed(value, language).ok().flatten()).flatten();
+        found.unwrap_or_else(|| value.to_owned())
+    }
+
+    /// Returns `true` if the entry is a line, which may be a number.
+    const fn is_line(&self) -> bool {
+        matches!(self.entry, FieldEntry::Line | FieldEntry::Whole)
     }
 
     /// Returns the values of the question; none for an empty entry.

@@ -54,6 +54,12 @@ fn bodies(text: &str) -> String {
     with(&format!("[mechanism.turntable]\nbodies = [\"{text}\"]\n"), MOVE)
 }
 
+/// Returns a winder with a motion.
+fn web(motion: &str) -> String {
+    let winder = "[axis]\nsingle_move = true\n[mechanism.winder]\ncore_diameter = \"90 mm\"\nfull_diameter = \"330 mm\"\nthickness = \"2 mm\"\nwidth = \"400 mm\"\ndensity = \"900 kg/m^3\"\ntension = \"80 N\"\n";
+    with(winder, motion)
+}
+
 /// A cam table up to its points.
 const CAM: &str = "law = \"points\"\nspline = \"cubic\"\nends = \"rest\"\npoints = ";
 
@@ -146,6 +152,10 @@ pub(crate) fn cases() -> Vec<(&'static str, String, At)> {
         ("curve_torque_out_of_range", more(&format!("{bend}[[\"0 1/min\", \"-10 N m\"], [\"9 1/min\", \"5 N m\"]]\n")), Field("curve[1].points")),
         ("file_out_of_reach", segments(&["law = \"recorded\"\nfile = \"../x.csv\""]), Field("motion[1].file")),
         ("no_line", segments(&["law = \"trapezoid\"\ndistance = \"90 mm\"\ntime = \"1 s\""]), Field("motion[1].distance")),
+        ("no_web", segments(&["law = \"web\"\nspeed = \"20 m/min\""]), Field("motion[1].law")),
+        ("web_not_alone", web("[[motion]]\nlaw = \"web\"\nspeed = \"20 m/min\"\n[[motion]]\nlaw = \"constant\"\nspeed = \"1 1/min\"\ntime = \"1 s\"\n"), Field("motion[2].law")),
+        ("web_speed", web("[[motion]]\nlaw = \"web\"\nspeed = \"20 1/min\"\n"), Field("motion[1].speed")),
+        ("web_too_short", web("[[motion]]\nlaw = \"web\"\nspeed = \"900 m/min\"\n"), Field("motion[1].speed")),
         ("no_column_with_ratio", segments(&["law = \"recorded\"\nfile = \"motor.csv\"\nrecorded_ratio = { speed = 80, torque = 80 }"]), Field("motion[1].recorded_ratio.torque")),
         ("recorded_at_the_motor", segments(&["law = \"recorded\"\nfile = \"motor.csv\""]), Field("motion[1].file")),
         ("unknown_unit", recorded("[motion.units]\nposition = \"furlong\""), Field("motion[1].units.position")),

@@ -5,7 +5,7 @@ use axis::{Catalogue, Files};
 use page::{Call, Method, Reply, Shell, respond};
 use quantities::Language;
 use questions::Progress;
-use questions::list::new::template;
+use questions::list::new::example;
 use std::io::{Cursor, Error, ErrorKind, Read, Result};
 use std::sync::Arc;
 use std::time::Duration;
@@ -65,7 +65,7 @@ fn page(path: &str, fields: &[(&str, &str)]) -> String {
 }
 
 fn belt() -> String {
-    template("belt", "axis.toml", Language::En).unwrap().text
+    example("belt", "axis.toml", Language::En).unwrap().text
 }
 
 /// Returns the text of the project within the page.
@@ -278,7 +278,7 @@ fn columns_of_a_recording_are_shown_and_said_otherwise() {
 
 #[test]
 fn all_axes_stand_together() {
-    let text = template("two-axes", "axis.toml", Language::En).map(|found| found.text);
+    let text = example("two-axes", "axis.toml", Language::En).map(|found| found.text);
     let text = text.unwrap_or_else(|| include_str!("../../../../examples/two-axes.toml").to_owned());
     let html = page("/work", &[("text", &text), ("axis", "all")]);
     assert!(

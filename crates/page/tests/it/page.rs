@@ -4,7 +4,7 @@
 use crate::shell;
 
 use quantities::Language;
-use questions::list::new::{template, template_kinds};
+use questions::list::new::{example, template_kinds};
 use shell::{get, page, post, whole};
 
 #[test]
@@ -22,7 +22,7 @@ fn every_example_is_a_whole_page_in_both_languages() {
 
 #[test]
 fn a_changed_field_changes_text_and_verdict_and_leaves_the_rest() {
-    let text = template("belt", "axis.toml", Language::En).unwrap().text;
+    let text = example("belt", "axis.toml", Language::En).unwrap().text;
     let html = page(&post("/work", &[("text", &text), ("path", "mechanism.belt.mass"), ("value", "60 kg")]));
     assert!(
         html.contains("mass = &quot;60 kg&quot;") || html.contains("mass = \"60 kg\""),
@@ -37,7 +37,7 @@ fn a_changed_field_changes_text_and_verdict_and_leaves_the_rest() {
 
 #[test]
 fn a_fault_stands_at_its_field_beside_the_last_good_result() {
-    let text = template("belt", "axis.toml", Language::En).unwrap().text;
+    let text = example("belt", "axis.toml", Language::En).unwrap().text;
     let fields = [("text", text.as_str()), ("good", text.as_str()), ("path", "mechanism.belt.mass"), ("value", "60")];
     let html = page(&post("/work", &fields));
     whole(&html);
@@ -66,7 +66,7 @@ fn hostile_texts_are_shown_and_do_nothing() {
 
 #[test]
 fn segments_come_and_go_and_a_mechanism_is_changed() {
-    let text = template("belt", "axis.toml", Language::En).unwrap().text;
+    let text = example("belt", "axis.toml", Language::En).unwrap().text;
     let more = page(&post(
         "/work",
         &[("text", &text), ("do", "table motion[5]\nvalue motion[5].law=dwell\nvalue motion[5].time=1 s")],
@@ -74,13 +74,13 @@ fn segments_come_and_go_and_a_mechanism_is_changed() {
     assert!(more.contains("id=\"f-motion-5--law\"") && !more.contains("aria-invalid"));
     let arm = page(&post("/work", &[("text", &text), ("good", &text), ("do", "instead mechanism.arm\ngone load")]));
     let text = arm.split("id=\"text\"").nth(1).unwrap();
-    assert!(arm.contains("id=\"f-mechanism-arm-centre_distance\"") && !text.contains("[mechanism.belt]"));
+    assert!(arm.contains("id=\"f-mechanism-arm-length\"") && !text.contains("[mechanism.belt]"));
     whole(&arm);
 }
 
 #[test]
 fn numbers_are_explained_and_actuators_compared() {
-    let text = template("belt", "axis.toml", Language::En).unwrap().text;
+    let text = example("belt", "axis.toml", Language::En).unwrap().text;
     let html = page(&post("/explain", &[("text", &text), ("check", "peak_torque")]));
     assert!(html.contains("<mi>T</mi><mtext>peak</mtext>") && html.contains("class=\"formula\""), "{html}");
     assert!(
@@ -117,7 +117,7 @@ fn what_is_refused_unasked_is_told_as_that_and_not_as_stopped() {
 /// A field that is emptied to be filled anew stays where it is; once another one is typed in it goes behind its fold.
 #[test]
 fn a_field_that_is_emptied_does_not_move_away() {
-    let text = template("turntable", "axis", Language::En).unwrap().text;
+    let text = example("turntable", "axis", Language::En).unwrap().text;
     let at = |path: &str, value: &str| {
         page(&post("/work", &[("text", &text), ("good", &text), ("path", path), ("value", value)]))
     };

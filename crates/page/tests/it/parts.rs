@@ -6,7 +6,7 @@ use crate::shell;
 
 use page::Reply;
 use quantities::Language;
-use questions::list::new::{template, template_kinds};
+use questions::list::new::{example, template_kinds};
 use shell::{page, post};
 
 /// Returns the parts of a page: identifier, digest, text.
@@ -70,7 +70,7 @@ fn put_back_in_its_place_what_is_left_out_gives_the_whole_page() {
         ("bearing.overhang", "80 mm"),
     ];
     for kind in template_kinds() {
-        let Some(found) = template(kind, "axis", Language::En).filter(|found| found.recording.is_none()) else {
+        let Some(found) = example(kind, "axis", Language::En).filter(|found| found.recording.is_none()) else {
             continue;
         };
         let shown = page(&work(&found.text, "", ("", "")));
@@ -90,7 +90,7 @@ fn put_back_in_its_place_what_is_left_out_gives_the_whole_page() {
 /// The promise for the turntable: what a key in a field of its load or its motion moves.
 #[test]
 fn a_key_in_the_turntable_moves_at_most_sixty_kilobytes() {
-    let text = template("turntable", "axis", Language::En).unwrap().text;
+    let text = example("turntable", "axis", Language::En).unwrap().text;
     let shown = page(&work(&text, "", ("", "")));
     let kept: Vec<String> = parts(&shown).iter().map(|(id, digest, _)| format!("{id}={digest}")).collect();
     for change in [

@@ -7,7 +7,7 @@ use crate::shell;
 use page::{Call, Method, respond};
 use quantities::Language;
 use questions::Progress;
-use questions::list::new::{template, template_kinds};
+use questions::list::new::{example, template_kinds};
 use shell::{Alone, form, get, page};
 use testkit::readers::{english, identifiers, text_of};
 
@@ -37,12 +37,12 @@ fn no_page_shows_an_identifier_or_the_other_language() {
     for language in Language::ALL {
         let lang = language.id();
         for kind in template_kinds().filter(|kind| !matches!(*kind, "recording" | "joint")) {
-            let text = template(kind, "axis.toml", language).unwrap().text;
+            let text = example(kind, "axis.toml", language).unwrap().text;
             let html = worked("/work", &[("text", &text), ("lang", lang)], language);
             assert!(html.contains("id=\"plot-cycle\""), "{kind}");
             found.extend(faults(kind, &html, language));
         }
-        let text = template("arm", "axis.toml", language).unwrap().text;
+        let text = example("arm", "axis.toml", language).unwrap().text;
         let rejected = worked("/work", &[("text", &text), ("list", "rejected"), ("lang", lang)], language);
         found.extend(faults("rejected", &rejected, language));
         for path in ["/", "/gallery", "/keys"] {

@@ -23,7 +23,7 @@ section! {
         rocker_centre: Length => not_negative, example("125 mm");
         rocker_inertia: MomentOfInertia => not_negative;
         rocker_torque: Torque;
-        axis_tilt: Angle => needed;
+        axis_tilt: Angle => noted(KeyDefault::AxisLevel);
         inclination: Angle => noted(KeyDefault::GroundHorizontal);
         ..start: StartAngle;
         ..friction: Friction;

@@ -54,8 +54,8 @@ section! {
 }
 
 section! {
-    /// A position that must be stated.
+    /// Position at the beginning of the motion.
     StartAngle, StartAngleName of About::StartAngle {
-        start_angle: Angle => needed;
+        start_angle: Angle => noted(KeyDefault::StartsAtZero);
     }
 }

@@ -10,7 +10,7 @@ use quantities::{Angle, Lead, Length, Mass, MomentOfInertia};
 section! {
     /// A scissor lift with a screw at the lower end of an arm.
     ScissorLift, ScissorLiftName of About::Mechanism, MechanismName::ScissorLift {
-        stages: u32 => whole(1, 32), needed, example("2");
+        stages: u32 = 1 => whole(1, 32), example("2"), noted(KeyDefault::OneScissor);
         arm_length: Length => positive, needed, example("1.2 m");
         lead: Lead => positive, needed, example("10 mm");
         arm_angle: Angle => needed, example("20 deg");

@@ -11,10 +11,10 @@ use quantities::{Force, Length, MassDensity, MomentOfInertia};
 section! {
     /// A roll whose diameter changes with every turn.
     Winder, WinderName of About::Mechanism, MechanismName::Winder {
-        winding: WebWinding => needed;
+        winding: WebWinding = WebWinding::Up => noted(KeyDefault::WindsUp);
         core_diameter: Length => positive, needed, example("90 mm");
         full_diameter: Length => positive, needed, example("400 mm");
-        start_diameter: Length => positive, needed, example("90 mm");
+        start_diameter: Length => positive, example("90 mm"), noted(KeyDefault::RollToWind);
         thickness: Length => positive, needed, example("0.2 mm");
         width: Length => positive, needed, example("600 mm");
         density: MassDensity => positive, needed, example("900 kg/m^3");

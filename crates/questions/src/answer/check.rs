@@ -2,8 +2,8 @@
 
 use crate::explain::derivation;
 use crate::sizing_use::Candidate;
-use answers::{DemandFigures, DemandMode, Id, IntegralDemand, MoveTorques, Number, Units};
-use axis::AxisProject;
+use answers::{AssumptionEntry, DemandFigures, DemandMode, Id, IntegralDemand, MoveTorques, Number, Units};
+use axis::{AssumedKeys, AxisProject};
 use quantities::unit::{NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Amount, Check, Demand, ManualDemand, Note};
@@ -61,13 +61,18 @@ pub fn explanations(
         axis: project.name.clone(),
         code: candidate.id.to_string(),
         checks: checks.iter().map(|check| explained(check, language)).collect(),
-        assumptions: assumptions(&project.assumptions, language),
+        assumptions: assumptions(project, language),
     }
 }
 
-/// Returns the assumptions as text.
-pub(super) fn assumptions(assumptions: &[axis::Assumption], language: Language) -> Vec<String> {
-    assumptions.iter().map(|assumption| assumption_text(*assumption, language)).collect()
+/// Returns the assumptions, with the keys that take their place and the values in effect.
+pub(super) fn assumptions(project: &AxisProject, language: Language) -> Vec<AssumptionEntry> {
+    let entry = |each: AssumedKeys| AssumptionEntry {
+        key: (!each.keys.is_empty()).then(|| each.keys.join(", ")),
+        value: each.value,
+        why: assumption_text(each.assumption, language),
+    };
+    project.assumed().into_iter().map(entry).collect()
 }
 
 fn figures(demand: &Demand) -> DemandFigures {

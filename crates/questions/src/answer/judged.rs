@@ -68,7 +68,7 @@ pub fn judgement(
         motion: motion(&crate::moves(project), language),
         reserve: reserve(found, judged, language),
         tolerance: assessment.map(|found| tolerance(project, found)),
-        assumptions: assumptions(&project.assumptions, language),
+        assumptions: assumptions(project, language),
     }
 }
 
@@ -118,7 +118,7 @@ pub fn sizing(
         nearest_miss: sizing.nearest_miss().map(|miss| miss.id.to_string()),
         own: sizing.own.as_ref().map(judged),
         would_fit_with: gearing_proposals.iter().map(would_fit).collect(),
-        assumptions: assumptions(sizing.assumptions, language),
+        assumptions: assumptions(project, language),
         stage: stage(project),
         motion: motion(&crate::moves(project), language),
     }

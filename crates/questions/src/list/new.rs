@@ -1,12 +1,12 @@
 //! `new KIND`: a commented project file to fill in.
 
-use super::given::{arguments, by_id, count, lines, text, word};
+use super::given::{arguments, by_id, count, flag, lines, text, word};
 use super::{
     Answer, Argument, ArgumentForm, ArgumentKind, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, media,
 };
 use crate::sizing_use::Refusal;
 pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
-pub use crate::templates::{Template, template, template_kinds};
+pub use crate::templates::{Template, example, plain_text, template, template_kinds};
 use quantities::Language;
 use words::help::values;
 use words::{help, requests};
@@ -17,6 +17,8 @@ arguments! {
         /// The kind.
         kind: Option<String> = Argument::option("kind", values::kind, requests::kind)
             .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP]).collect())).form(ArgumentForm::Bare).required() => text,
+        /// The example of a machine with all that it may have, in place of the plain file.
+        example: bool = Argument::flag("example", help::new_example) => flag,
         /// Keys of a table with their ranges, one per line.
         key: String = Argument::option("key", values::text, help::new_key).repeated() => lines,
         /// Method of covering the ranges of a table.
@@ -57,6 +59,7 @@ pub static ENTRY: Entry = Entry {
 pub fn kind_about(kind: &str, language: Language) -> Option<&'static str> {
     let about = match kind {
         "manual" => requests::kind_manual,
+        "load" => requests::kind_load,
         "table" => requests::kind_table,
         "recording" => requests::kind_recording,
         SWEEP => requests::kind_sweep,
@@ -83,5 +86,6 @@ pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> 
             table(args.key.lines(), args.by.unwrap_or_default(), args.samples, args.seed as u64, inquiry.language)?;
         return Ok(Template { text, recording: None });
     }
-    Ok(template(&kind, file, inquiry.language).ok_or(Refusal::NoData)?)
+    let of = if args.example { example } else { template };
+    Ok(of(&kind, file, inquiry.language).ok_or(Refusal::NoData)?)
 }

@@ -8,7 +8,7 @@ use sizing::CheckId;
 /// α of a modified sine is largest an eighth of the time after the start, n half-way: 0.05625 s and 0.225 s of 0.45 s.
 #[test]
 fn the_peaks_of_a_modified_sine_are_reported_at_its_own_instants() {
-    let text = questions::list::new::template("table", "axis.toml", quantities::Language::En).unwrap().text;
+    let text = questions::list::new::example("table", "axis.toml", quantities::Language::En).unwrap().text;
     let project = questions::read(&text).unwrap();
     for candidate in &questions::size(&project).candidates {
         let at = |id: CheckId| {

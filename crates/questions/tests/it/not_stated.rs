@@ -6,7 +6,7 @@ use axis::Files;
 use provenance::{Grade, Source};
 use quantities::Language;
 use questions::explain;
-use questions::list::new::{template, template_kinds};
+use questions::list::new::{example, template, template_kinds};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Cursor, Read};
 
@@ -56,8 +56,8 @@ fn is_stated(key: &str, stated: &BTreeSet<String>) -> bool {
 #[test]
 fn no_derivation_cites_a_key_that_the_file_does_not_state() {
     let (mut wrong, mut open, mut seen) = (BTreeSet::new(), BTreeSet::new(), 0);
-    for kind in template_kinds() {
-        let template = template(kind, "axis.toml", Language::En).unwrap();
+    let of_kind = |kind| [template, example].map(|of| (kind, of(kind, "axis.toml", Language::En).unwrap()));
+    for (kind, template) in template_kinds().flat_map(of_kind) {
         let stated = stated(&template.text);
         let project = questions::read_all(&template.text, &Recording(template.recording)).unwrap().remove(0);
         for (code, _) in catalogue_actuators().step_by(211) {

@@ -162,7 +162,7 @@ impl AxisData {
             name: judgement.axis.clone(),
             cover: cover(content, &checks, &titles, shown),
             inputs: groups(&dossier.inputs),
-            assumptions: judgement.assumptions.iter().map(|text| tied(text)).collect(),
+            assumptions: judgement.assumptions.iter().map(|each| tied(&each.why)).collect(),
             mechanism: MechanismData::build(dossier, shown),
             motion: MotionTable::build(&judgement.motion, shown),
             single_move: dossier.single_move,

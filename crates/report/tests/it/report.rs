@@ -81,7 +81,8 @@ fn every_sample_says_all_that_its_records_say(sample: Sample, content: &Content)
         let dossier = &axis.dossier;
         says(&brief, &dossier.judgement.axis);
         says(&brief, dossier.judgement.candidate.called());
-        for text in dossier.judgement.assumptions.iter().chain(&dossier.judgement.candidate.objections) {
+        let assumed = dossier.judgement.assumptions.iter().map(|each| &each.why);
+        for text in assumed.chain(&dossier.judgement.candidate.objections) {
             says(&brief, text);
         }
         for value in dossier.inputs.iter().flat_map(|table| &table.values) {
