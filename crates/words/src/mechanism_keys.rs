@@ -61,8 +61,8 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
             "Abstand der Nutzlast eines Abschnitts von der Drehachse",
         ),
         MechanismName::Arm(ArmName::shape) => (
-            "shape of the arm; inertia and centre of mass follow from it, instead of inertia and centre_distance",
-            "Form des Arms; daraus folgen Trägheitsmoment und Schwerpunkt, anstelle von inertia und centre_distance",
+            "shape of the arm; inertia and centre of mass follow from it and need not be stated",
+            "Form des Arms; daraus folgen Trägheitsmoment und Schwerpunkt, die dann nicht anzugeben sind",
         ),
         MechanismName::Arm(ArmName::length) => (
             "length of the arm from the axis to its end",

@@ -1,7 +1,7 @@
 //! Choices about a recording: the use of each column, its unit and its ratio, smoothing, and the meaning of its torque.
 
 use crate::call::Call;
-use crate::value::{stated, with_point};
+use crate::value::{stated, taken};
 use quantities::{Time, Unit, parse_as};
 use questions::{ColumnRole, ColumnSpec, Layout, PREVIEW_COLUMNS_MAX, Preview, recording_roles};
 
@@ -90,7 +90,7 @@ impl Choices {
             let unit = field(&format!("unit_{index}"));
             // A unit of the role that the column had before is none of the new one.
             let unit = role.and_then(|role| unit_of(role, &unit)).map_or("", |unit| unit.ascii).to_owned();
-            ColumnChoice { role, unit, ratio: with_point(&field(&format!("ratio_{index}")), l) }
+            ColumnChoice { role, unit, ratio: taken(&field(&format!("ratio_{index}")), l) }
         };
         let mut columns: Vec<ColumnChoice> =
             recognised.iter().enumerate().take(PREVIEW_COLUMNS_MAX).map(column).collect();

@@ -11,7 +11,7 @@ use page::theory_files;
 use quantities::Language;
 use questions::CheckId;
 use questions::list::errata::errata_about;
-use questions::list::new::{template, template_kinds};
+use questions::list::new::{example, template, template_kinds};
 use shell::{InMemory, form};
 use std::collections::{BTreeMap, BTreeSet};
 use testkit::visible::{VisibleText, visible_texts};
@@ -150,13 +150,27 @@ fn expect_none(requests: &[Request]) {
 fn projects(language: Language, is_first: bool) -> Vec<Request> {
     let kinds = template_kinds().enumerate();
     let texts = kinds.filter_map(|(place, kind)| {
-        let found = template(kind, "axis.toml", language).filter(|found| found.recording.is_none())?;
+        let found = example(kind, "axis.toml", language).filter(|found| found.recording.is_none())?;
         Some((place, found.text))
     });
     texts
         .filter(|(place, _)| (*place == 0) == is_first)
         .flat_map(|(_, text)| of_project(&text, language, is_first))
         .collect()
+}
+
+/// Returns the plain project of each kind, which assumes the most.
+fn plain(language: Language) -> Vec<Request> {
+    let texts = template_kinds().filter_map(|kind| template(kind, "axis.toml", language));
+    let texts = texts.filter(|found| found.recording.is_none()).map(|found| found.text);
+    texts.map(|text| ("/work", String::new(), vec![("text", text), ("lang", language.id().to_owned())])).collect()
+}
+
+#[test]
+fn plain_projects_show_words() {
+    for language in Language::ALL {
+        expect_none(&plain(language));
+    }
 }
 
 #[test]
