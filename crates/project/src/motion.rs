@@ -151,7 +151,8 @@ impl SegmentLaw {
     pub fn stretches(self) -> bool {
         let needed = LAWS.iter().find(|(_, law, ..)| *law == self).map_or(&[][..], |(_, _, needed, _)| needed);
         let grows = |name: &&str| Segment::KEYS.iter().any(|key| key.name == *name && key.stretches.is_some());
-        needed.iter().all(grows)
+        // The distance of a web is that of its roll.
+        self != Self::Web && needed.iter().all(grows)
     }
 
     /// Returns the law of a word of the project file; the quadratic parabola of VDI 2143 is the triangle.

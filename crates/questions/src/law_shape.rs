@@ -24,7 +24,7 @@ pub fn law_shape(law: SegmentLaw) -> Shape {
 #[must_use]
 pub fn law_peaks(law: SegmentLaw) -> Option<[f64; 2]> {
     use project::choices::Law;
-    if !matches!(law, SegmentLaw::Law(own) if !matches!(own, Law::Jerk | Law::Constant)) {
+    if law.of_a_move().is_none_or(|own| matches!(own, Law::Jerk | Law::Constant)) {
         return None;
     }
     let motion = Motion::new(&[law_sample(law)?], None, Closing::SingleMove).ok()?;
