@@ -151,3 +151,40 @@ pub(crate) fn keyboard(call: &Call<'_>) -> Markup {
         form method="dialog" { button type="submit" { (page::close(l)) } }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sketch::symbol_of;
+
+    /// Requires that a label and a title begin with a symbol as the manual writes it.
+    #[test]
+    fn symbols_keep_their_letter_in_labels_and_titles() {
+        let mut seen = 0;
+        for l in Language::ALL {
+            walk(KEYS, "", &mut |path, key| {
+                let about = about_text(key.about, l);
+                let (head, label) = (about.split(", ").next().unwrap_or_default(), capitalised(&short_label(about)));
+                let is_symbol = head.contains('_') || head.chars().count() == 1 || head.chars().any(char::is_numeric);
+                if is_symbol && !head.contains(' ') && head.len() < about.len() {
+                    assert!(label.starts_with(head), "{path}: {label}");
+                    seen += 1;
+                }
+                if let Some(symbol) = symbol_of(path).filter(|_| is_symbol) {
+                    assert!(!head.eq_ignore_ascii_case(symbol) || head == symbol, "{path}: {head} and {symbol}");
+                }
+            });
+            for symbol in glossary(None, l).map_or_else(|_| Vec::new(), |found| found.terms) {
+                let Some(sign) = row_sign(&symbol.symbol) else { continue };
+                let is_word = sign.chars().all(char::is_alphabetic) && sign.chars().count() > 1;
+                if !is_word {
+                    assert_eq!(capitalised(&sign), sign);
+                    assert!(capitalised(&format!("{sign}, x")).starts_with(&sign), "{sign}");
+                    seen += 1;
+                }
+            }
+        }
+        assert!(seen > 100, "{seen}");
+        assert_eq!(["t₁, time", "m", "T₁", "time"].map(capitalised), ["t₁, time", "m", "T₁", "Time"]);
+    }
+}

@@ -119,9 +119,10 @@ pub(crate) const fn pick<T: Copy>(language: Language, en: T, de: T) -> T {
 /// Returns a text with a capital first letter, as in a title.
 #[must_use]
 pub fn capitalised(text: &str) -> String {
-    // A symbol at the head keeps its letter: `n_N, rated motor speed`, `m, mass`.
+    // A symbol at the head keeps its letter: `n_N, rated motor speed`, `m, mass`, `t₁`, and `m` alone.
     let head = text.split([',', ' ']).next().unwrap_or_default();
-    if head.contains('_') || head.chars().count() == 1 && text.chars().nth(1) == Some(',') {
+    let is_indexed = head.contains(['_', '(']) || head.chars().skip(1).any(char::is_numeric);
+    if is_indexed || head.chars().count() == 1 && matches!(text.chars().nth(1), None | Some(',')) {
         return text.to_owned();
     }
     let mut letters = text.chars();

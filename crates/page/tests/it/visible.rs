@@ -219,3 +219,25 @@ fn chapters_of_the_theory_show_words() {
         .map(|path| -> Request { (Box::leak(path.clone().into_boxed_str()), String::new(), Vec::new()) });
     expect_none(&chapters.collect::<Vec<_>>());
 }
+
+/// Requires one main action in each state of the gallery: the way on from it. A drawer has its own, the others stand behind it.
+#[test]
+fn each_state_has_at_most_one_main_action() {
+    for state in &page::STATES {
+        let html = String::from_utf8_lossy(&InMemory::default().get("/", state.query).body).into_owned();
+        let (page, drawer) = html.split_once("<aside id=\"detail\"").unwrap();
+        let main = |part: &str| {
+            part.split('<')
+                .filter(|tag| {
+                    tag.split("class=\"").nth(1).is_some_and(|class| {
+                        class.split('"').next().unwrap_or_default().split(' ').any(|class| class == "primary")
+                    })
+                })
+                .count()
+        };
+        // Where nothing fits, the change that lets an actuator fit comes with the proposals; a fault leads to its field.
+        let expected = usize::from(!["start", "nothing-fits", "fault"].contains(&state.name));
+        assert_eq!(main(page), expected, "{}", state.name);
+        assert!(main(drawer) <= 1, "{}", state.name);
+    }
+}
