@@ -97,6 +97,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("across-a-plane", pictures::across_a_plane),
     Way::both("cycle-stays-closed", pictures::a_cycle_stays_closed),
     Way::both("paste-segments", pictures::rows_are_pasted),
+    Way::both("two-runs", pictures::two_runs),
     Way::both("narrow-the-time", pictures::the_time_is_narrowed),
     Way::both("tolerance", pictures::a_tolerance),
     Way::both("tools-of-the-actuator", pictures::the_tools_know_the_actuator),

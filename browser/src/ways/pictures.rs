@@ -204,6 +204,41 @@ pub(crate) fn rows_are_pasted(stage: &OpenPage<'_>) -> Worded {
     stage.accessible("table of segments")
 }
 
+/// A gain is changed where its effect is seen, and a kept run stays beside the next one.
+pub(crate) fn two_runs(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("arm", "en")?;
+    let before = tab.value("#text")?;
+    tab.click("#view-simulation")?;
+    tab.there("#run-figures")?;
+    tab.until(CURRENT)?;
+    let field = "#gain-f-twin-position_gain";
+    let used = tab.value(field)?;
+    expect(used.parse::<f64>().is_ok_and(|gain| gain > 0.0), || format!("the gain in use: {used}"))?;
+    let figure = |column: u8| {
+        format!("document.querySelector('#run-figures tbody tr:nth-child(2) td:nth-child({column})').textContent")
+    };
+    let first = tab.eval(&figure(2))?;
+    tab.click("#keep-run")?;
+    tab.until(&format!("{} === {first}", figure(3)))?;
+    tab.there("#plot-simulation .kept-run")?;
+    let slide = "const range = document.querySelector('#gain-f-twin-position_gain-r'); range.value = Number(range.min) + 0.3; range.dispatchEvent(new Event('input', { bubbles: true }));";
+    tab.run(slide, Vec::new())?;
+    tab.says("#text", "position_gain = ")?;
+    tab.until(&format!("{} !== {first}", figure(2)))?;
+    tab.until(&format!("{} === {first}", figure(3)))?;
+    tab.there("#plot-simulation .kept-run")?;
+    stage.accessible("two runs")?;
+    tab.click("#gain-f-twin-position_gain-d")?;
+    tab.until(&format!("document.querySelector('{field}').value === {}", serde_json::json!(used)))?;
+    tab.until(&format!("{} === {first}", figure(2)))?;
+    tab.click("#keep-run")?;
+    tab.until("!document.querySelector('.kept-run')")?;
+    // Tables are folded by subject.
+    tab.until("document.querySelectorAll('#view details.subject').length > 3 && !document.querySelector('#view details.subject[open]')")?;
+    expect(!before.contains("position_gain"), || before)
+}
+
 /// A tolerance is entered next to its value.
 pub(crate) fn a_tolerance(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;

@@ -13,6 +13,8 @@ const WIDTH_MM: f64 = 165.0;
 /// Height of title and axis of time, and of a panel.
 const FRAME_MM: f64 = 26.0;
 const PANEL_MM: f64 = 27.0;
+/// Relative height of the courses by which a run is judged: torque, current and following error.
+const JUDGED_HIGH: f64 = 1.6;
 
 /// A line of a panel: tone, dash, label, value in SI.
 type Curve<'l> = (Tone, Option<Dash>, &'l str, fn(&TwinSample) -> f64);
@@ -68,17 +70,20 @@ pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Lan
             PlaneAxis::new("T", NEWTON_METRE.symbol).name(pictures::torque_on_the_gear(l)),
             &NEWTON_METRE,
             &[(Tone::Trace, None, "", |s| s.torque_nm)],
-        ),
+        )
+        .weight(JUDGED_HIGH),
         of(
             PlaneAxis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(l)),
             &AMPERE,
             &[(Tone::Trace, None, "", |s| s.current_q_a / SQRT_2)],
-        ),
+        )
+        .weight(JUDGED_HIGH),
         of(
             PlaneAxis::new("Δφ", "arcmin").name(simulation::following_error(l)),
             &ARCMINUTE,
             &[(Tone::Trace, None, "", |s| s.following_rad)],
-        ),
+        )
+        .weight(JUDGED_HIGH),
         of(
             PlaneAxis::new("U_DC", VOLT.symbol).name(simulation::dc_link(l)),
             &VOLT,

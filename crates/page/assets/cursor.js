@@ -120,6 +120,7 @@ function cell() {
 function named(place, symbol, label) {
   if (place.dataset.of === symbol + label) return;
   place.dataset.of = symbol + label;
+  place.title = label;
   const [stem, below] = symbol.split('_');
   place.replaceChildren(stem);
   if (below) place.append(Object.assign(document.createElement('sub'), { textContent: below }));

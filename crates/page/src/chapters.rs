@@ -2,7 +2,7 @@
 
 use answers::{Block, Chapter, Grid, Hazard};
 use maud::{Markup, PreEscaped, html};
-use words::symbol_shown;
+use words::{capitalised, symbol_shown};
 
 /// Returns a symbol with its subscript as HTML.
 pub(crate) fn symbol(symbol: &str) -> Markup {
@@ -28,6 +28,27 @@ pub(crate) fn laid_out(chapter: &Chapter) -> Markup {
     html! {
         h3 { (chapter.title) }
         @for block in &chapter.blocks { (block_of(block)) }
+    }
+}
+
+/// Returns a chapter with each section in a fold, without its title and without the sections of these names.
+pub(crate) fn folded(chapter: &Chapter, name: &str, without: &[&str]) -> Markup {
+    let is_section = |block: &Block| matches!(block, Block::Section { .. });
+    let mut rest = chapter.blocks.as_slice();
+    let before = rest.iter().position(is_section).unwrap_or(rest.len());
+    let (first, mut sections) = rest.split_at(before);
+    let mut parts: Vec<(&str, &[Block])> = Vec::new();
+    while let Some((Block::Section { text }, inside)) = sections.split_first() {
+        let end = inside.iter().position(is_section).unwrap_or(inside.len());
+        (rest, sections) = inside.split_at(end);
+        parts.push((text, rest));
+    }
+    let is_shown = |title: &str| !without.iter().any(|other| capitalised(other) == title);
+    html! {
+        @for block in first { (block_of(block)) }
+        @for (place, (title, blocks)) in parts.iter().enumerate().filter(|(_, (title, _))| is_shown(title)) {
+            details.subject id={ (name) "-" (place) } { summary { (title) } @for block in *blocks { (block_of(block)) } }
+        }
     }
 }
 

@@ -235,6 +235,9 @@ fn power(project: &AxisProject, candidate: &Candidate<'_>, language: Language) -
     } }
 }
 
+/// Height of the picture of a run in which each of its courses can be read \[px\].
+const RUN_HIGH: f64 = 860.0;
+
 /// Returns a picture that fills the pane, with the content above and over it; or the reason why there is no picture.
 pub(crate) fn picture(
     state: &PageState,
@@ -249,7 +252,9 @@ pub(crate) fn picture(
         Err(why) => return html! { p.empty { (capitalised(&why.message(None, l))) } },
     };
     let (width, height) = state.room;
-    let style = Style::new(Size::pixels(width, height)).theme(state.theme).language(l).id(name);
+    // Seven courses need more than the pane shows at once.
+    let high = if name == "simulation" { height.max(RUN_HIGH) } else { height };
+    let style = Style::new(Size::pixels(width, high)).theme(state.theme).language(l).id(name);
     part(html! {
         figure.plot id={ "plot-" (name) } data-figure=(drawing.figure.id()) data-width=(width) data-height=(height) {
             (above)

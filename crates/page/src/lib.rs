@@ -22,6 +22,7 @@ mod fits;
 mod form;
 mod formula;
 mod frame;
+mod gains;
 mod gallery;
 mod head;
 mod incoming;

@@ -1,16 +1,16 @@
 //! The simulation of the selected actuator: a scenario, its course, and its figures next to those of the sizing.
 
-use crate::chapters::laid_out;
+use crate::chapters::folded;
 use crate::demand::picture;
+use crate::gains::gains;
 use crate::overlay;
 use crate::state::PageState;
 use axis::AxisProject;
 use maud::{Markup, html};
-use project::key_at;
 use quantities::{Language, Unit, format_significant};
 use questions::list::simulate::{ScenarioId, of_scenario};
 use questions::{Candidate, Progress, Simulated, Verdict, answer, chapter};
-use words::{about_text, capitalised, page, short_label, simulation, verdict_word};
+use words::{capitalised, page, simulation, terms, verdict_word, views};
 
 /// Runs the selected scenario, else that of the project.
 ///
@@ -36,19 +36,23 @@ pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candida
     let found = run(state, project, candidate, progress);
     let is_it = |id: ScenarioId| id == chosen(state, project);
     html! {
-        label.inline { (page::scenario(l)) " "
+        div.run-bar {
+          label.inline { (page::scenario(l)) " "
             select id="scenario" name="scenario" form="state" data-chosen=(chosen(state, project).id()) hx-post="/work" hx-trigger="change" {
                 @for id in ScenarioId::ALL { option value=(id.id()) selected[is_it(id)] { (capitalised(&simulation::scenario_title(id, l))) } }
             }
+          }
+          @if found.is_ok() { button type="button" id="keep-run" data-keep-run="" aria-pressed="false" hx-morph-skip="" data-first=(views::keep_run(l)) data-other=(views::discard_run(l)) { (views::keep_run(l)) } }
         }
         @match &found {
             Ok(run) => {
                 @let record = answer::simulation(run, l);
                 (exceeded(&record, l))
+                (gains(state, &record))
                 (overlay::controls(run.summary.time_s, overlay::ShownTime::of(state.window), l))
                 (picture(state, "simulation", Ok(figures::simulation(run, state.window, l)), &none, &none))
-                (gains(state, &record, l))
-                (laid_out(&chapter::simulation(&record, l)))
+                (figures_of(&record, l))
+                (folded(&chapter::simulation(&record, l), "run", &[simulation::summary(l), simulation::gains(l)]))
             }
             Err(why) => p.empty { (capitalised(why)) },
         }
@@ -69,18 +73,30 @@ fn exceeded(record: &answers::Simulation, language: Language) -> Markup {
     } }
 }
 
-/// Returns the gains in use, each with a link to its field: another gain starts a new run, and the instant stays.
-fn gains(state: &PageState, record: &answers::Simulation, language: Language) -> Markup {
+/// Returns the figures of the run, with a column for those of a kept run.
+fn figures_of(record: &answers::Simulation, language: Language) -> Markup {
     let l = language;
-    let stated = record.gains.0.iter().filter_map(|gain| {
-        let path = format!("{}twin.{}", state.prefix, gain.id);
-        let key = key_at(&path)?;
-        Some((path, short_label(about_text(key.about, l)), gain.title.as_str(), gain.value?, gain.unit))
-    });
     html! {
-        p.small { (page::gains_in_use(l)) ": " @for (place, (path, about, symbol, value, unit)) in stated.enumerate() {
-            @if place > 0 { ", " }
-            a href={ "#" (crate::markup::id(&path)) } title=(about) { (crate::chapters::symbol(symbol)) } " = " (format_significant(value.0, 4, l)) " " (Unit::of(unit).map_or(unit, |unit| unit.symbol_in(l)))
-        } }
+        details id="run-summary" open {
+            summary { (capitalised(simulation::summary(l))) }
+            div.wide tabindex="0" role="region" aria-label=(capitalised(simulation::summary(l))) { table id="run-figures" {
+                thead { tr {
+                    th scope="col" { (capitalised(simulation::quantity(l))) }
+                    th.number scope="col" { (capitalised(terms::value(l))) }
+                    th.number scope="col" data-kept=(views::kept_run(l)) {}
+                    th scope="col" { (terms::unit(l)) }
+                } }
+                tbody { @for figure in &record.summary.0 {
+                    @if let Some(value) = figure.value {
+                        tr data-figure=(figure.id) {
+                            td { (figure.title) }
+                            td.number { (format_significant(value.0, 4, l)) }
+                            td.number {}
+                            td { (Unit::of(figure.unit).map_or(figure.unit, |unit| unit.symbol_in(l))) }
+                        }
+                    }
+                } }
+            } }
+        }
     }
 }

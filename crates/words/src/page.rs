@@ -188,7 +188,6 @@ texts! {
     play = "Play the motion" | "Bewegung abspielen";
     pause = "Pause" | "Anhalten";
     slower = "Slower" | "Langsamer";
-    gains_in_use = "Controller gains used, with links to their fields" | "Verwendete Reglerparameter mit Sprung zum Eingabefeld";
     page_of_the_manual(number) = "page {number} of the manual" | "Seite {number} der Anleitung";
     states = "States of the page" | "Zustände der Seite";
     fault_in_the_file = "fault in the file" | "Fehler in der Datei";

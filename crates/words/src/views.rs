@@ -17,7 +17,7 @@ texts! {
         | "Eine höhere Spitze verkürzt den Abschnitt, eine niedrigere verlängert ihn; die angegebenen Werte von Zeit, Geschwindigkeit und Beschleunigung folgen";
     way_back_follows = "Let the way back follow" | "Rückweg angleichen";
     single_move = "Make it a single move" | "Als einmalige Bewegung";
-    law = "Motion law" | "Bewegungsgesetz";
+    law = "Law" | "Gesetz";
     distance = "Distance" | "Weg";
     time = "Time" | "Zeit";
     cell_of_segment(name, number) = "{name}, segment {number}" | "{name}, Abschnitt {number}";
@@ -28,5 +28,10 @@ texts! {
     peaks_about =
         "Peak factors of VDI 2143: largest speed over mean speed, largest acceleration times time squared over distance"
         | "Kennwerte nach VDI 2143: größte durch mittlere Geschwindigkeit, größte Beschleunigung mal Zeitquadrat durch Weg";
+    keep_run = "Keep run for comparison" | "Lauf zum Vergleich merken";
+    discard_run = "End comparison" | "Vergleich beenden";
+    kept_run = "Kept run" | "Gemerkter Lauf";
+    slider = "slider" | "Schieber";
+    default_gain = "default value" | "Standardwert";
     margin = "margin" | "Reserve";
 }
