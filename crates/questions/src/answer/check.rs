@@ -61,8 +61,22 @@ pub fn explanations(
         axis: project.name.clone(),
         code: candidate.id.to_string(),
         checks: checks.iter().map(|check| explained(check, language)).collect(),
-        assumptions: assumptions(project, language),
+        assumptions: assumptions_about(project, candidate, language),
     }
+}
+
+/// Returns the assumptions of an answer about one actuator: also that it is the best, where none is named.
+pub(super) fn assumptions_about(
+    project: &AxisProject,
+    candidate: &Candidate<'_>,
+    language: Language,
+) -> Vec<AssumptionEntry> {
+    let best = candidate.is_best_of_ranking.then(|| AssumptionEntry {
+        key: None,
+        value: Some(candidate.id.to_string()),
+        why: words::terminal::best_of_the_ranking(&candidate.id, language),
+    });
+    best.into_iter().chain(assumptions(project, language)).collect()
 }
 
 /// Returns the assumptions, with the keys that take their place and the values in effect.

@@ -1,6 +1,6 @@
 //! Judged actuators as records.
 
-use super::check::{assumptions, check, demand};
+use super::check::{assumptions, assumptions_about, check, demand};
 use super::code::names;
 use super::motion;
 use crate::gearing_proposals::GearingProposal;
@@ -68,7 +68,7 @@ pub fn judgement(
         motion: motion(&crate::moves(project), language),
         reserve: reserve(found, judged, language),
         tolerance: assessment.map(|found| tolerance(project, found)),
-        assumptions: assumptions(project, language),
+        assumptions: assumptions_about(project, judged, language),
     }
 }
 

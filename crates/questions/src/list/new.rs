@@ -16,7 +16,7 @@ arguments! {
     pub struct Args {
         /// The kind.
         kind: Option<String> = Argument::option("kind", values::kind, requests::kind)
-            .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP]).collect())).form(ArgumentForm::Bare).required() => text,
+            .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP]).collect())).form(ArgumentForm::Bare).required().titled(other_words) => text,
         /// The example of a machine with all that it may have, in place of the plain file.
         example: bool = Argument::flag("example", help::new_example) => flag,
         /// Keys of a table with their ranges, one per line.
@@ -36,6 +36,36 @@ arguments! {
 
 /// The kind of a table of rows for a sweep.
 const SWEEP: &str = "sweep";
+
+/// Words by which people name a kind, in both languages, each with the kind; the file begins with a line that says what
+/// it describes.
+#[rustfmt::skip] // one line per kind
+const OTHER_WORDS: &[(&str, &[&str])] = &[
+    ("load", &["inertia", "flywheel", "direct", "last", "schwungmasse", "schwungrad"]),
+    ("turntable", &["disc", "disk", "rotary table", "round table", "drum", "scheibe", "drehtisch", "rundtisch", "trommel"]),
+    ("arm", &["lever", "pendulum", "swing arm", "tilting arm", "hebel", "pendel", "schwenkarm", "kipparm"]),
+    ("screw", &["ball screw", "spindle", "lead screw", "z axis", "vertical axis", "spindel", "gewindetrieb", "kugelgewindetrieb", "hubachse", "z achse"]),
+    ("belt", &["toothed belt", "timing belt", "rack", "rack and pinion", "gantry", "linear axis", "x axis", "zahnriemen", "riemen", "zahnstange", "portal", "linearachse", "x achse"]),
+    ("conveyor", &["roller", "conveyor belt", "förderband", "rollenförderer", "walze"]),
+    ("slider_crank", &["crank", "press", "kurbel", "schubkurbel", "presse"]),
+    ("hoist", &["lift", "winch", "crane", "hubwerk", "winde", "kran", "aufzug"]),
+    ("winder", &["roll", "unwinder", "rewinder", "reel", "wickler", "abwickler", "haspel", "rolle"]),
+    ("scissor_lift", &["lifting table", "scissor", "hubtisch", "scherenhubtisch"]),
+    ("four_bar", &["linkage", "four bar linkage", "gelenkviereck", "koppelgetriebe"]),
+    ("joint", &["robot", "robot joint", "roboter", "gelenk", "robotergelenk"]),
+    ("recording", &["trace", "log", "csv", "aufzeichnung", "messung"]),
+    (SWEEP, &["grid", "variation", "raster", "variante"]),
+];
+
+/// Returns the words of [`OTHER_WORDS`], each with its kind.
+fn other_words() -> Vec<(String, &'static str)> {
+    let is_kind = |kind: &&str| *kind == SWEEP || template_kinds().any(|known| known == *kind);
+    let of = |(kind, words): &(&'static str, &'static [&'static str])| {
+        let kind = *kind;
+        words.iter().map(move |word| ((*word).to_owned(), kind)).collect::<Vec<_>>()
+    };
+    OTHER_WORDS.iter().filter(|(kind, _)| is_kind(kind)).flat_map(of).collect()
+}
 
 /// The question.
 pub static ENTRY: Entry = Entry {
@@ -88,4 +118,28 @@ pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> 
     }
     let of = if args.example { example } else { template };
     Ok(of(&kind, file, inquiry.language).ok_or(Refusal::NoData)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Given;
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn each_other_word_names_one_kind_and_is_no_kind_itself() {
+        let words: Vec<&str> = OTHER_WORDS.iter().flat_map(|(_, words)| words.iter().copied()).collect();
+        let once: BTreeSet<&str> = words.iter().copied().collect();
+        assert_eq!(words.len(), once.len());
+        let kinds: BTreeSet<&str> = template_kinds().chain([SWEEP]).collect();
+        for (kind, words) in OTHER_WORDS {
+            assert!(kinds.contains(kind), "{kind}");
+            for word in *words {
+                assert!(!kinds.contains(word), "{word}");
+                let pairs = [("kind".into(), word.to_uppercase().replace(' ', "-").into())];
+                let found = Given::of(Args::ARGUMENTS, pairs, Language::En).and_then(|given| Args::read(&given));
+                assert_eq!(found.ok().and_then(|args| args.kind).as_deref(), Some(*kind), "{word}");
+            }
+        }
+    }
 }

@@ -532,7 +532,6 @@ fn a_dwell_fills_the_cycle_that_it_states() {
         )
     };
     let read = |dwell: &str| crate::read(&moves(dwell)).unwrap().axis;
-    let stated = read("time = \"0.85 s\"");
     for cycle in ["2 s", "2000 ms"] {
         let filled = read(&format!("cycle = \"{cycle}\""));
         assert!((filled.motion.duration().si() - 2.0).abs() < 1e-12);
