@@ -13,7 +13,7 @@ pub enum ArmShape {
     Bar,
     /// Slender, tapering to a point: the mass per length falls linearly to zero.
     Taper,
-    /// All of the mass at the end.
+    /// The whole mass at the end.
     Point,
 }
 

@@ -10,7 +10,7 @@ use quantities::{Language, Unit};
 use words::{assumption_text, capitalised, key_word, page, without_keys};
 
 /// Returns the strip; empty without assumptions. `prefix`: `axis[2].` in a file with several axes.
-pub(crate) fn strip(project: &AxisProject, written: &[Written], prefix: &str, language: Language) -> Markup {
+pub(crate) fn assumptions(project: &AxisProject, written: &[Written], prefix: &str, language: Language) -> Markup {
     let l = language;
     let found = project.assumed();
     // What a key decides comes first; the conditions of the manufacturer follow.

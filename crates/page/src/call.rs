@@ -78,6 +78,11 @@ impl<'c> Call<'c> {
         self.all(name).last()
     }
 
+    /// Returns the index of the requested way to begin.
+    pub(crate) fn begin(&self) -> usize {
+        self.field("kind").or_else(|| self.field("begin")).and_then(|kind| kind.parse().ok()).unwrap_or(usize::MAX)
+    }
+
     /// Returns the requested colours of the page.
     pub(crate) fn theme(&self) -> Theme {
         if self.field("theme").is_some_and(|theme| theme == "dark") { Theme::Dark } else { Theme::Light }

@@ -17,14 +17,9 @@ use questions::list::upkeep::day_of_clock;
 use std::io::ErrorKind;
 use words::{file_trouble, page, upkeep};
 
-/// Returns the index of the requested way to begin.
-pub(crate) fn place(call: &Call<'_>) -> usize {
-    call.field("kind").or_else(|| call.field("begin")).and_then(|kind| kind.parse().ok()).unwrap_or(usize::MAX)
-}
-
 /// Returns the page with a project that was begun with a few values.
 pub(crate) fn begun(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
-    let Some(begin) = BEGINS.get(place(call)) else { return Reply::text(404, page::no_such_page(call.language())) };
+    let Some(begin) = BEGINS.get(call.begin()) else { return Reply::text(404, page::no_such_page(call.language())) };
     with_text(call, &crate::start::typed(begin, call), "", "", shell, progress)
 }
 

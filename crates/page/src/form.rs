@@ -79,7 +79,8 @@ pub(crate) fn column(
         }
     };
     let strip = held.projects.get(state.axis).filter(|_| !held.is_old);
-    let strip = html! { @if let Some(project) = strip { (crate::assumed::strip(project, &held.written, prefix, l)) } };
+    let strip =
+        html! { @if let Some(project) = strip { (crate::assumed::assumptions(project, &held.written, prefix, l)) } };
     html! {
         section.pane id="moves" aria-labelledby="moves-title" {
             h2.unseen id="moves-title" { (page::what_moves(l)) }

@@ -103,7 +103,7 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         (Method::Get, "/") if call.field("open").is_some() => files::opened(call, shell, progress),
         (Method::Get, "/") if call.field("begin").is_some() => files::begun(call, shell, progress),
         (_, "/") => html(frame::whole(call, shell, progress)),
-        (Method::Get, "/begin") => html(start::asked(files::place(call), call.language())),
+        (Method::Get, "/begin") => html(start::asked(call.begin(), call.language())),
         (Method::Get, "/begin/drawing") => html(start::drawing_of(call)),
         (Method::Post, "/work") => frame::worked(call, shell, progress),
         (Method::Post, "/tolerances") => html(tolerances::judged(call, shell, progress)),

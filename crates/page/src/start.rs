@@ -121,11 +121,11 @@ impl Begin {
     fn repeated(&self) -> impl Iterator<Item = Repeated> + '_ {
         let has_pauses = self.paths().any(|path| path == PAUSE[0]);
         let all = if has_pauses { WITH_PAUSES } else { WITHOUT_PAUSES };
-        all.iter().copied().filter(|(_, place, _)| !self.usual(place).is_empty())
+        all.iter().copied().filter(|(_, place, _)| !self.of_template(place).is_empty())
     }
 
     /// Returns the value of the template at a path.
-    fn usual(&self, path: &str) -> String {
+    fn of_template(&self, path: &str) -> String {
         let stated = written(&self.text).unwrap_or_default();
         stated.into_iter().find(|key| key.path == path).and_then(|key| key.value).unwrap_or_default()
     }
@@ -218,7 +218,9 @@ fn asked_label(begin: &Begin, row: &[&str], language: Language) -> String {
     let Some(path) = row.first() else { return String::new() };
     match *path {
         "mechanism.winder.core_diameter" => return page::core_and_full(language).to_owned(),
-        "motion[1].speed" if begin.mechanism == Some(MechanismId::Winder.key()) => return page::line_speed(language).to_owned(),
+        "motion[1].speed" if begin.mechanism == Some(MechanismId::Winder.key()) => {
+            return page::line_speed(language).to_owned();
+        }
         "motion[1].speed" => return page::speed_of_crank(language).to_owned(),
         "motion[1].time" => return page::duration_of(language).to_owned(),
         "motion[2].time" => return page::pause_of(language).to_owned(),
@@ -232,7 +234,7 @@ fn asked_row(begin: &Begin, row: &[&str], language: Language) -> Markup {
     let l = language;
     let Some((path, key)) = row.first().and_then(|path| Some((*path, key_at(path)?))) else { return html! {} };
     let label = asked_label(begin, row, l);
-    let usual = begin.usual(path);
+    let usual = begin.of_template(path);
     let unit = usual.split_once(' ').and_then(|(_, unit)| Unit::of(unit));
     let units: Vec<&Unit> = unit.map(|unit| unit.dimension.units()).unwrap_or_default().iter().collect();
     let follows = "input changed delay:100ms, change";
@@ -268,7 +270,7 @@ fn asked_row(begin: &Begin, row: &[&str], language: Language) -> Markup {
 
 /// Returns the number of the template at a path, with the decimal mark of the language.
 fn number_of(begin: &Begin, path: &str, language: Language) -> String {
-    let usual = begin.usual(path);
+    let usual = begin.of_template(path);
     value::with_mark(usual.split_once(' ').map_or(usual.as_str(), |(number, _)| number), language)
 }
 
@@ -292,7 +294,7 @@ pub(crate) fn typed(begin: &Begin, call: &Call<'_>) -> String {
 
 /// Returns the drawing of a way to begin with the typed values, and the faults of these values.
 pub(crate) fn drawing_of(call: &Call<'_>) -> Markup {
-    let Some(begin) = BEGINS.get(crate::files::place(call)) else { return html! {} };
+    let Some(begin) = BEGINS.get(call.begin()) else { return html! {} };
     let (l, text) = (call.language(), begin.text(|path| typed_value(begin, path, call), true));
     html! {
         (drawing(begin, &text, l))

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// Returns figures of a user's own: those of the template, each changed in its last digits; words as they are.
 fn own_figures(begin: &Begin) -> BTreeMap<&'static str, String> {
     let figure = |path: &'static str| {
-        let usual = begin.usual(path);
+        let usual = begin.of_template(path);
         let (number, unit) = usual.split_once(' ').unwrap_or((&usual, ""));
         let value = match number.parse::<f64>() {
             // A number of falls is whole.
@@ -67,7 +67,11 @@ fn every_way_to_begin_asks_for_at_most_six_rows_and_has_an_answer() {
     assert_eq!(BEGINS.iter().filter(|begin| begin.has_tile).count(), MechanismId::ALL.len() - 2);
     for begin in BEGINS.iter() {
         assert!(begin.asked.len() <= ASKED_MOST && begin.asked.len() >= 4, "{:?}", begin.mechanism);
-        assert!(begin.paths().all(|path| key_at(path).is_some() && !begin.usual(path).is_empty()), "{}", begin.text);
+        assert!(
+            begin.paths().all(|path| key_at(path).is_some() && !begin.of_template(path).is_empty()),
+            "{}",
+            begin.text
+        );
         let own = own_figures(begin);
         let text = begin.text(|path| own.get(path).cloned(), false);
         let project = questions::read(&text).unwrap_or_else(|faults| panic!("{text}\n{faults:?}"));

@@ -260,7 +260,7 @@ impl PageState {
             unfolded: field("unfolded") == "true",
             folds: call.all("fold").map(Cow::into_owned).take(FOLDS_MOST).collect(),
             typed_at: call.field("path").map(|path| (path.into_owned(), call.field("folded").is_some())),
-            begin: crate::files::place(call),
+            begin: call.begin(),
             room: room(&field("width"), &field("height")),
             samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
             moved: None,

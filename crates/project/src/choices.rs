@@ -76,7 +76,7 @@ identified! {
         Bar = "bar",
         /// Slender, tapering to a point.
         Taper = "taper",
-        /// All of the mass at the end.
+        /// The whole mass at the end.
         Point = "point",
     }
 

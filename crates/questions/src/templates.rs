@@ -7,7 +7,7 @@ use quantities::Language;
 #[derive(Clone, Copy)]
 struct ProjectKind {
     name: &'static str,
-    /// What defines the machine, and a plain motion.
+    /// The data that define the machine, and a plain motion.
     plain: &'static str,
     /// A machine with all that it may have.
     example: &'static str,

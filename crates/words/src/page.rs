@@ -336,7 +336,6 @@ texts! {
     assumed_change = "Change" | "Ändern";
     assumed_leave_out = "Leave out" | "Weglassen";
     assumed_not_checked = "not checked" | "nicht geprüft";
-    assumed_all_stated = "Nothing is assumed but the conditions of the manufacturer." | "Außer den Bedingungen des Herstellers ist nichts angenommen.";
     back = "Back" | "Zurück";
     reverse(name) = "Reverse {name}" | "{name} umkehren";
     checks_wait(count) =
