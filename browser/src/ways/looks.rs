@@ -59,7 +59,7 @@ pub(crate) fn accessibility(stage: &OpenPage<'_>) -> Worded {
     Ok(())
 }
 
-/// On a phone the name, one row of controls and two rows of the verdict stand above the panes; symbols of a drawing are legible in every
+/// Height above the panes on a phone: the name, one row of controls and two rows of the verdict; symbols of a drawing are legible in every
 /// window.
 pub(crate) fn a_phone(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;

@@ -8,7 +8,7 @@ use crate::state::{ALL_AXES, List, PageState, ReadProject};
 use crate::verdict;
 use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
 use figures::{CurveName, CurveValues, Drawing, Theme};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, html};
 use quantities::Language;
 use questions::list::compare::compare;
 use questions::list::new::{self, Template, template_kinds};
@@ -17,20 +17,12 @@ use questions::{Candidate, CheckId, Progress, Refusal, Rejected, Sizing, explain
 use std::sync::LazyLock;
 use words::{check_title, page};
 
-/// Sign of the program, that of the report.
-const LOGO: &str = include_str!("../../plot/logo.svg");
-
 /// Icon of the page: the sign as an address.
 static ICON: LazyLock<String> = LazyLock::new(|| {
-    let kept = LOGO.trim_end().replace('#', "%23").replace('<', "%3C").replace('>', "%3E").replace('"', "'");
+    let kept =
+        crate::markup::LOGO.trim_end().replace('#', "%23").replace('<', "%3C").replace('>', "%3E").replace('"', "'");
     format!("data:image/svg+xml,{kept}")
 });
-
-/// Returns the sign of the program as a drawing in the colours of the theme.
-pub(crate) fn logo() -> Markup {
-    let inside = LOGO.find('>').and_then(|end| LOGO.get(end + 1..)).and_then(|rest| rest.rsplit_once('<'));
-    html! { svg.logo viewBox="0 0 100 100" aria-hidden="true" { (PreEscaped(inside.map_or("", |(inside, _)| inside))) } }
-}
 
 /// Returns the head of a page: settings that apply to all following elements, title, icon, style sheet and scripts.
 #[must_use]

@@ -73,7 +73,7 @@ pub(crate) fn messages(language: Language) -> Markup {
 }
 
 fn brand(language: Language) -> Markup {
-    html! { h1 { a.brand href={ "/?lang=" (language.id()) } data-leaves="" title=(page::new_project(language)) { (crate::frame::logo()) span.name { "antrieb" } } } }
+    html! { h1 { a.brand href={ "/?lang=" (language.id()) } data-leaves="" title=(page::new_project(language)) { (crate::markup::logo()) span.name { "antrieb" } } } }
 }
 
 fn tools(language: Language) -> Markup {

@@ -5,6 +5,15 @@ use project::key_at;
 use quantities::Language;
 use words::{about_text, capitalised, hyphenated, page, short_label};
 
+/// Sign of the program, that of the report.
+pub(crate) const LOGO: &str = include_str!("../../plot/logo.svg");
+
+/// Returns the sign of the program as a drawing in the colours of the theme.
+pub(crate) fn logo() -> Markup {
+    let inside = LOGO.find('>').and_then(|end| LOGO.get(end + 1..)).and_then(|rest| rest.rsplit_once('<'));
+    html! { svg.logo viewBox="0 0 100 100" aria-hidden="true" { (PreEscaped(inside.map_or("", |(inside, _)| inside))) } }
+}
+
 /// Returns the identifier of the row of a path.
 pub(crate) fn id(path: &str) -> String {
     let sign = |sign: char| if sign.is_ascii_alphanumeric() || sign == '_' { sign } else { '-' };

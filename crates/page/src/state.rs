@@ -277,7 +277,7 @@ impl PageState {
         Draw { samples: self.samples, ..Draw::default() }
     }
 
-    /// Takes the text of an example for an empty one, with the changes of the request.
+    /// Replaces an empty text by that of an example, with the changes of the request.
     pub(crate) fn take(&mut self, example: String, call: &Call<'_>) {
         self.text = example;
         self.change(call);

@@ -61,7 +61,7 @@ fn shown(name: &str, text: &str, language: Language) -> String {
         html lang=(l.id()) {
             (head)
             body.theory {
-                header id="head" { h1 { a.brand href="../" { (crate::frame::logo()) "antrieb" } } }
+                header id="head" { h1 { a.brand href="../" { (crate::markup::logo()) "antrieb" } } }
                 main {
                     p.small { (page::chapter_in_english(l)) }
                     (chapters(name, l))
@@ -88,7 +88,8 @@ fn chapters(own: &str, language: Language) -> Markup {
 
 /// Returns the words for program text of a chapter: the label of a key, the title of a check; `None` for a quotation.
 fn in_words(code: &str) -> Option<String> {
-    let l = Language::En;
+    // The chapters are in the first language.
+    let l = Language::default();
     let last = |path: &str| path.rsplit('.').next() == Some(code);
     let of_check = || CheckId::ALL.iter().find(|id| id.id() == code).map(|id| check_title(*id, l));
     let of_key = || {

@@ -170,7 +170,7 @@ fn set((head, index, more): (&str, &str, &str), form: Form) -> String {
 /// Returns a label in HTML; its leading symbol set.
 fn escaped(label: &str, form: Form) -> String {
     let mut out = String::new();
-    words_of(&label.replace('&', "&amp;").replace('<', "&lt;"), form, Language::En, &mut out);
+    words_of(&label.replace('&', "&amp;").replace('<', "&lt;"), form, Language::default(), &mut out);
     out
 }
 

@@ -27,6 +27,7 @@ mod keys;
 mod letters;
 mod measured_keys;
 mod mechanism_keys;
+mod models;
 mod motion;
 pub mod mounting;
 mod notes;
@@ -82,6 +83,7 @@ pub use hyphens::hyphenated;
 pub use keys::{about_text, key_text};
 pub use letters::{is_vowel, stands_before_a_number};
 pub use measured_keys::{measured_key_text, measured_label};
+pub use models::{MODELS, chapter_name, model_name};
 pub use motion::{law_text, segment_load};
 pub use notes::note_text;
 pub use plain::without_keys;
@@ -94,10 +96,10 @@ pub use project_page::project_page;
 pub use quantity::{percent_text, quantity_fault, quantity_hint, unpadded};
 pub use recording::{encoding_guess, recording_text, role_text, table_text};
 pub use results::{
-    Counts, MODELS, Provisos, advice_word, chapter_name, check_missing, check_title, condition_text, conditions_text,
-    counts_text, curve_title, degree_of_protection, equation_text, evidence_text, figure_term, grade_about, grade_word,
-    minutes, model_name, part_title, proviso_text, ranking_rule, row_name, row_sign, source_text, standing_text,
-    symbol_term, title_of_check, unmet_text, verdict_count, verdict_word, without_limit,
+    Counts, Provisos, advice_word, check_missing, check_title, condition_text, conditions_text, counts_text,
+    curve_title, degree_of_protection, equation_text, evidence_text, figure_term, grade_about, grade_word, minutes,
+    part_title, proviso_text, ranking_rule, row_name, row_sign, source_text, standing_text, symbol_term,
+    title_of_check, unmet_text, verdict_count, verdict_word, without_limit,
 };
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;
