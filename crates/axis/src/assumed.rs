@@ -95,6 +95,7 @@ impl AxisProject {
             KeyDefault::AmbientWithinRange => Some(AMBIENT.to_owned()),
             KeyDefault::RollToWind => self.roll_to_wind(),
             KeyDefault::AxisLevel => Some("90 deg".to_owned()),
+            KeyDefault::FlangeBearsAll => Some("1".to_owned()),
             // The default of a number or a word is part of its key; that of a quantity is zero in the unit of its example.
             _ => keys.first().and_then(|key| default_of(key)),
         };

@@ -119,7 +119,7 @@ impl Begin {
 
     /// Iterates over the values that its segments repeat.
     fn repeated(&self) -> impl Iterator<Item = Repeated> + '_ {
-        let has_pauses = self.paths().any(|path| path == PAUSE[0]);
+        let has_pauses = self.paths().any(|path| PAUSE.contains(&path));
         let all = if has_pauses { WITH_PAUSES } else { WITHOUT_PAUSES };
         all.iter().copied().filter(|(_, place, _)| !self.of_template(place).is_empty())
     }
@@ -320,7 +320,7 @@ fn faults(begin: &Begin, text: &str, language: Language) -> Vec<(String, Markup)
         };
         Some((asked_label(begin, row, language), fault))
     };
-    begin.asked.iter().filter_map(|row| of_row(&row)).collect()
+    begin.asked.iter().filter_map(of_row).collect()
 }
 
 /// Returns the drawing to the scale of a text; invalid values are left out.
