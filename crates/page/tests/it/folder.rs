@@ -38,6 +38,23 @@ fn a_file_that_is_no_text_is_not_opened() {
     assert_eq!(folder.get("/text", "file=latin.toml").status, 422);
 }
 
+/// Decodes the value of a form field.
+fn decoded(value: &str) -> String {
+    let mut bytes = Vec::new();
+    let mut rest = value.bytes();
+    while let Some(byte) = rest.next() {
+        bytes.push(match byte {
+            b'+' => b' ',
+            b'%' => {
+                let digits = [rest.next().unwrap(), rest.next().unwrap()];
+                u8::from_str_radix(std::str::from_utf8(&digits).unwrap(), 16).unwrap()
+            }
+            byte => byte,
+        });
+    }
+    String::from_utf8(bytes).unwrap()
+}
+
 /// Two tabs on one file: the second to save gets a message and both choices; no text is lost.
 #[test]
 fn what_another_has_saved_is_noticed_and_asked_about() {
@@ -47,8 +64,11 @@ fn what_another_has_saved_is_noticed_and_asked_about() {
     assert_eq!(watch(&first).status, 204, "nobody else was there");
     assert_eq!(watch("").status, 204, "nothing was opened");
     let (_, second) = save(&folder, "a.toml", "format = 1 # second\n", &first);
-    let notice = watch(&first);
-    let html = page(&notice);
+    assert_eq!(watch(&first).status, 200, "another has saved");
+    // Both changed the same line, in which no value can be joined: the page asks.
+    let merge = [("known", &*first), ("base", "format = 1 # first\n"), ("text", "format = 2 # mine\n")];
+    let asked = String::from_utf8(folder.post("/merge", &merge).body).unwrap();
+    let html = decoded(asked.strip_prefix("notice=").unwrap_or_else(|| panic!("no question: {asked}")));
     whole(&html);
     assert!(html.contains("differs from the one opened here") && html.contains("data-disk=\"load\""), "{html}");
     assert!(html.contains(&format!("data-disk=\"mine\" data-known=\"{second}\"")), "{html}");
