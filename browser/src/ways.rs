@@ -1,5 +1,6 @@
 //! The test scenarios.
 
+mod axes;
 mod begin;
 mod door;
 mod files;
@@ -107,6 +108,9 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("paste-a-recording", files::paste_a_recording),
     Way::both("recording-through-the-door", door::recording_through_the_door),
     Way::both("hostile-recordings", door::hostile_recordings),
+    Way::both("inertia-fills-its-field", axes::inertia_fills_its_field),
+    Way::both("a-further-axis", axes::a_further_axis),
+    Way::both("names-of-downloads", axes::names_of_downloads),
     Way::both("download", files::download),
     Way::server("report", files::report),
     Way::site("no-report", files::no_report),

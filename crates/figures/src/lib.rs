@@ -2,6 +2,7 @@
 //!
 //! Lays out the results of `questions`; computes nothing and uses no file.
 
+mod axes;
 mod bearing;
 mod cycle;
 mod drawing;
@@ -18,6 +19,7 @@ mod tracks;
 mod utilisation;
 mod values;
 
+pub use axes::power_of_axes;
 pub use bearing::bearing_load;
 pub use cycle::{CyclePanels, cycle};
 pub use drawing::{Drawing, Figure, side_mm};

@@ -316,7 +316,7 @@ htmx.registerExtension('antrieb', {
 // A field of a calculator that was changed behind the request keeps what it holds: the next request carries it.
 let carried = null;
 document.addEventListener('htmx:before:swap', (event) => { carried = event.detail.ctx.request?.body; });
-const isAhead = (element) => element.form?.id === 'tool' && carried instanceof URLSearchParams && carried.has(element.name)
+const isAhead = (element) => ['tool', 'tool-view'].includes(element.form?.id) && carried instanceof URLSearchParams && carried.has(element.name)
   && carried.get(element.name) !== element.value;
 document.addEventListener('htmx:after:swap', () => {
   if (!$('[data-same]:not(#view, #reserve)')) return;
@@ -407,7 +407,10 @@ export function keep(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 // What a client of the interface would ask for, about the axis and the actuator that are shown.
-async function download(what, usual) {
+// Files are named after the project, of one of several axes with its name.
+const stem = () => ($('#file')?.value || 'axis.toml').replace(/\.toml$/i, '').trim() || 'axis';
+const plain = (name) => name.trim().replace(/[^\p{L}\p{N}._-]+/gu, '-');
+async function download(what, ending) {
   const held = (name) => $(`#state [name=${name}]`)?.value ?? '';
   const query = new URLSearchParams({ lang: held('lang') });
   const tab = $('.tabs [aria-current][data-axis]');
@@ -427,8 +430,8 @@ async function download(what, usual) {
     tell(fault.errors.map((each) => each.message).join('; '));
     return;
   }
-  const name = /filename="([^"]+)"/.exec(reply.headers.get('content-disposition') ?? '');
-  keep(await reply.blob(), name ? name[1] : usual);
+  const axis = query.has('axis') ? `-${query.get('axis')}` : '';
+  keep(await reply.blob(), `${plain(stem() + axis)}.${ending}`);
   tell('');
 }
 function project() { keep(new Blob([text().value], { type: 'application/toml' }), $('#file')?.value || 'axis.toml'); }
@@ -514,7 +517,7 @@ document.addEventListener('click', (event) => {
   else if (of('redo')) stepped(future, past);
   else if (of('save')) save();
   else if (of('link')) link();
-  else if (of('api')) download(of('api').dataset.api, of('api').dataset.name);
+  else if (of('api')) download(of('api').dataset.api, of('api').dataset.ending);
   else if (of('project')) project();
   else if (of('close')) shut();
   else if (of('shuts')) shuts = of('shuts');

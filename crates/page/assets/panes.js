@@ -47,7 +47,7 @@ function settled() { kept('antrieb-panes', shares.map((share) => share.toFixed(2
 
 // The pictures are as large as their pane leaves room.
 function room() {
-  const figure = $('#demands figure.plot');
+  const figure = $('#demands figure.plot:has(.frame)');
   const pane = $('#view');
   if (!figure || !pane || pane.clientWidth === 0) return null;
   const frame = figure.querySelector('.frame');

@@ -12,6 +12,11 @@ document.addEventListener('htmx:before:request', (event) => {
   if (shown) body.set('about', shown);
 });
 
+// The tool of a view about the project follows its changes.
+document.addEventListener('htmx:after:swap', (event) => {
+  if (event.detail.ctx.request?.action?.endsWith('/work')) $('#tool-view[data-follows]')?.dispatchEvent(new Event('antrieb:again'));
+});
+
 async function save() {
   const [text, file, known] = ['#record-text', '#record-file', '#record-known'].map((id) => $(id).value);
   const reply = await fetch('/save', { method: 'POST', body: new URLSearchParams({ text, file, known, lang: language() }) });

@@ -5,13 +5,17 @@ use crate::markup::vals;
 use crate::shown::chosen;
 use crate::state::{PageState, ReadProject};
 use axis::AxisProject;
-use maud::{Markup, html};
+use figures::{Drawing, Size, Style};
+use maud::{Markup, PreEscaped, html};
 use quantities::unit::{KILOGRAM, WATT};
 use quantities::{Measure, format_number};
 use questions::list::size::sized;
 use questions::texts::{demand_figures, percent, reason, standing_text};
-use questions::{Candidate, Fit, Progress, Refusal, Rejected, Verdict, power_over_cycle, sum_of_known};
+use questions::{Candidate, Fit, Progress, Refusal, Rejected, Verdict, course_seen, power_over_cycle, sum_of_known};
 use words::{capitalised, page, terms, title_of_check};
+
+/// Width of the picture of the powers \[px\].
+const WIDTH: f64 = 1000.0;
 
 /// Row of an axis in the summary.
 struct Row {
@@ -33,9 +37,11 @@ struct Row {
 pub(crate) fn summary(state: &PageState, held: &ReadProject, progress: &Progress) -> Result<Markup, Refusal> {
     let l = state.language;
     let mut rows: Vec<(&AxisProject, Option<Row>)> = Vec::new();
+    let mut courses = Vec::new();
     for project in &held.projects {
         let sizing = sized(project, 0, Rejected::Nearest, progress)?;
         let found = chosen(project, sizing.named());
+        courses.extend(found.as_ref().map(|found| (project.name.as_str(), course_seen(project, found, None))));
         rows.push((project, found.map(|candidate| row(state, project, &candidate))));
     }
     let figures = rows.iter().find_map(|(_, row)| row.as_ref()).map(|row| row.figures.as_slice()).unwrap_or_default();
@@ -84,8 +90,22 @@ pub(crate) fn summary(state: &PageState, held: &ReadProject, progress: &Progress
                     } }
                 }
             }
+            @if let Some(drawing) = figures::power_of_axes(&courses, l) { (power(&drawing, state)) }
         }
     })
+}
+
+/// Returns the picture of the power of each axis.
+fn power(drawing: &Drawing, state: &PageState) -> Markup {
+    let (width, height) = drawing.size_mm;
+    let style = Style::new(Size::pixels(WIDTH, WIDTH * height / width));
+    let style = style.theme(state.theme).language(state.language).id("power-of-axes");
+    html! {
+        figure.plot id="power-of-axes" {
+            (PreEscaped(drawing.render(&style).into_svg()))
+            figcaption { (drawing.caption) }
+        }
+    }
 }
 
 fn row(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>) -> Row {

@@ -60,16 +60,25 @@ fn views(state: &PageState, project: &AxisProject, candidate: Option<&Candidate<
         View::Bearing => page::view_bearing(l),
         View::ErrorBudget => page::view_error_budget(l),
         View::Simulation => page::view_simulation(l),
+        View::DataSheet => page::tool_data(l),
+        View::Wiring => page::tool_wiring(l),
+        View::Mounting => page::tool_mount(l),
+        View::Commissioning => page::tool_commission(l),
+        View::Encoder => page::tool_encoder(l),
+        View::Maintenance => page::tool_upkeep(l),
     };
     let has = |view: View| match view {
         View::Bearing => candidate.is_none_or(|candidate| questions::flange_course(project, candidate).is_some()),
+        View::Encoder | View::Wiring | View::DataSheet | View::Mounting | View::Commissioning | View::Maintenance => {
+            candidate.is_none_or(|candidate| !candidate.product.is_of_project())
+        }
         View::Cycle | View::TorqueSpeed | View::Heat | View::Energy | View::ErrorBudget | View::Simulation => true,
     };
     html! {
         div.views role="tablist" aria-label=(page::what_it_demands(l)) {
             @for view in View::ALL {
                 button type="button" role="tab" id={ "view-" (view.id()) } aria-selected=(view == state.view) aria-controls="view"
-                    tabindex=(if view == state.view { "0" } else { "-1" }) class=[(!has(view)).then_some("empty")]
+                    tabindex=(if view == state.view { "0" } else { "-1" }) class=[if !has(view) { Some("empty") } else { view.tool().map(|_| "of-code") }]
                     hx-post="/work" hx-vals=(vals(&[("view", view.id())])) { (title(view)) }
             }
         }
@@ -193,9 +202,21 @@ pub(crate) fn view(
                     (overlay::across("torsion", state.view.id(), l))
                     (drawn("torsion", &none, &none))
                 }
+                View::DataSheet | View::Wiring | View::Mounting | View::Commissioning | View::Encoder | View::Maintenance => {
+                    @if let Some(tool) = state.view.tool() { (of_actuator(tool, candidate)) }
+                }
             }
         }
     }
+}
+
+/// Returns the place of a tool about the actuator, which is requested with it and stays while the project changes.
+fn of_actuator(tool: &str, candidate: &Candidate<'_>) -> Markup {
+    let code = code_of(candidate);
+    part(html! {
+        div id={ "view-tool-" (tool) } hx-post="/tools" hx-trigger="load" hx-target="this" hx-swap="innerHTML" hx-sync="this"
+            hx-vals=(vals(&[("tool", tool), ("about", &code), ("within", "view")])) {}
+    })
 }
 
 /// Draws the figure of the view.
@@ -221,6 +242,9 @@ pub(crate) fn drawing(
         View::Simulation => crate::simulated::run(state, project, candidate, progress)
             .map(|run| figures::simulation(&run, state.window, l))
             .map_err(|_| NoFigure::OfARun),
+        View::DataSheet | View::Wiring | View::Mounting | View::Commissioning | View::Encoder | View::Maintenance => {
+            Err(NoFigure::OfARun)
+        }
     }
 }
 

@@ -471,6 +471,10 @@ impl RowContent<'_> {
                             hx-post="/work" hx-trigger=(AT_ONCE) hx-vals=(vals(&[("path", path)]));
                     },
                 }
+                @if value::dimensions(key).contains(&Dimension::MomentOfInertia) && !path.contains("actuator.") {
+                    button.small.from-bodies type="button" id={ (id) "-b" } title=(page::bodies_of(&label, l)) aria-label=(page::bodies_of(&label, l))
+                        hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" hx-vals=(vals(&[("tool", "inertia"), ("into", path)])) { "Σ" }
+                }
                 @if let (Kind::Quantity(..) | Kind::Along(..), false) = (key.kind, value.is_empty()) {
                     (self.band(&id, path, &label, value))
                 }

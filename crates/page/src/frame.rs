@@ -94,6 +94,9 @@ fn drawer_of(call: &Call<'_>, state: &mut PageState, shell: &dyn Shell, progress
 /// the page with a message.
 pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let mut state = PageState::of(call);
+    if let Some(further) = crate::start::further_text(call) {
+        state.add_axis(&further);
+    }
     let l = state.language;
     let (held, why) = match work(&mut state, shell, progress) {
         Ok(page) => return Reply::of(200, crate::HTML, ShownParts::of(call).left_out(&page.into_string())),

@@ -128,11 +128,11 @@ fn export_items(shell: &dyn Shell, language: Language) -> Markup {
     let l = language;
     html! {
         @if shell.report().is_some() {
-            button type="button" id="report" data-api=(report::ENTRY.path) data-name="antrieb.pdf" { (page::report_pdf(l)) }
+            button type="button" id="report" data-api=(report::ENTRY.path) data-ending="pdf" { (page::report_pdf(l)) }
             (title_page(l))
         } @else { p.small { (crate::markup::quoted(page::report_elsewhere(l), l)) } }
-        button type="button" id="workbook" data-api=(export::ENTRY.path) data-name="antrieb.xlsx" { (page::workbook(l)) }
-        button type="button" id="data" data-api=(size::ENTRY.path) data-name="antrieb.json" { (page::data_json(l)) }
+        button type="button" id="workbook" data-api=(export::ENTRY.path) data-ending="xlsx" { (page::workbook(l)) }
+        button type="button" id="data" data-api=(size::ENTRY.path) data-ending="json" { (page::data_json(l)) }
         button type="button" id="picture" data-picture="" { (page::picture_shown(l)) }
     }
 }
@@ -183,7 +183,17 @@ fn axes(state: &PageState, held: &ReadProject) -> Markup {
                 }
                 button type="button" id="axis-all" aria-current=[state.all_axes.then_some("page")]
                     hx-post="/work" hx-vals=(vals(&[("axis", ALL_AXES), ("code", "")])) { (page::all_axes(l)) }
+                (new_axis(held, l))
             }
-        }
+        } @else { (new_axis(held, l)) }
+    }
+}
+
+/// Returns the button that adds an axis to the file.
+fn new_axis(held: &ReadProject, language: Language) -> Markup {
+    let l = language;
+    html! {
+        button.small type="button" id="new-axis" disabled[!held.has_places] title=(page::new_axis_about(l))
+            hx-get={ "/axis?lang=" (l.id()) } hx-target="#detail" hx-swap="innerHTML" hx-include="unset" { "+ " (page::new_axis(l)) }
     }
 }

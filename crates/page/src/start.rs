@@ -185,22 +185,48 @@ pub(crate) fn tiles(language: Language) -> Markup {
     }
 }
 
+/// Returns the ways to begin as drawings that lead to a further axis of the project.
+pub(crate) fn further(language: Language) -> Markup {
+    let l = language;
+    let inside = html! {
+        p { (page::new_axis_about(l)) }
+        div id="begin" aria-live="polite" {}
+        ul.tiles { @for (place, begin) in BEGINS.iter().enumerate().filter(|(_, begin)| begin.has_tile) {
+            @let title = title(begin.mechanism, l);
+            li { button.tile type="button" id={ "further-" (place) } hx-get={ "/begin?further=&kind=" (place) "&lang=" (l.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
+                span.sketch aria-hidden="true" { (sketch::still(begin.mechanism)) }
+                span { (hyphenated(&title)) }
+            } }
+        } }
+    };
+    crate::markup::drawer(page::new_axis(l), &inside, l)
+}
+
+/// Returns the project of a further axis with the typed values, if the request adds one.
+pub(crate) fn further_text(call: &Call<'_>) -> Option<String> {
+    let place = call.field("further")?.parse::<usize>().ok()?;
+    Some(typed(BEGINS.get(place)?, call))
+}
+
 /// Returns the few values of a way to begin, next to a drawing that follows them.
-pub(crate) fn asked(place: usize, language: Language) -> Markup {
+pub(crate) fn asked(place: usize, is_further: bool, language: Language) -> Markup {
     let Some(begin) = BEGINS.get(place) else { return html! {} };
     let l = language;
+    let adds = |value: &'static str| is_further.then_some(value);
+    let further = if is_further { "further=&" } else { "" };
     html! {
-        form.begin-form.rows method="get" action="/" aria-labelledby="begin-title" {
+        form.begin-form.rows method="get" action="/" aria-labelledby="begin-title" data-shuts=[adds("")]
+            hx-post=[adds("/work")] hx-target=[adds("#work")] hx-swap=[adds("outerMorph")] {
             h3 id="begin-title" tabindex="-1" { (title(begin.mechanism, l)) }
             span.sketch id="begin-sketch" { (drawing(begin, &begin.text(|_| None, true), l)) }
             p.small { (page::asked_values(l)) }
             @for row in begin.asked { (asked_row(begin, row, l)) }
             div.fault id="begin-fault" role="status" {}
-            input type="hidden" name="begin" value=(place);
+            input type="hidden" name=(if is_further { "further" } else { "begin" }) value=(place);
             input type="hidden" name="lang" value=(l.id());
-            button.primary type="submit" { (page::first_answer(l)) }
+            button.primary type="submit" { @if is_further { (page::new_axis(l)) } @else { (page::first_answer(l)) } }
             @if let Some(other) = begin.other {
-                " " button.link type="button" hx-get={ "/begin?kind=" (other) "&lang=" (l.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
+                " " button.link type="button" hx-get={ "/begin?" (further) "kind=" (other) "&lang=" (l.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
                     @if begin.has_tile { (page::inertia_is_known(l)) } @else { (page::inertia_from_shape(l)) }
                 }
             }

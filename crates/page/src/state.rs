@@ -9,7 +9,7 @@ use crate::value::{in_unit, stated, taken};
 use axis::AxisDiagnostic;
 use axis::AxisProject;
 use figures::{By, MapPoint, Theme, nearest};
-use project::{Edit, Key, Kind, Written, edit, key_at, stretch, written};
+use project::{Edit, Key, Kind, Written, edit, key_at, stretch, with_axis, written};
 use quantities::Language;
 use questions::list::simulate::ScenarioId;
 use questions::{
@@ -17,7 +17,7 @@ use questions::{
     read_all_watched, read_code,
 };
 use std::borrow::Cow;
-use words::{Worded, worded};
+use words::{Worded, page, worded};
 
 /// State as a request carries it, with the changes of that request.
 pub(crate) struct PageState {
@@ -101,11 +101,49 @@ pub(crate) enum View {
     Bearing,
     ErrorBudget,
     Simulation,
+    DataSheet,
+    Wiring,
+    Mounting,
+    Commissioning,
+    Encoder,
+    Maintenance,
 }
 
 impl View {
-    pub(crate) const ALL: [Self; 7] =
-        [Self::Cycle, Self::TorqueSpeed, Self::Heat, Self::Energy, Self::Bearing, Self::ErrorBudget, Self::Simulation];
+    pub(crate) const ALL: [Self; 13] = [
+        Self::Cycle,
+        Self::TorqueSpeed,
+        Self::Heat,
+        Self::Energy,
+        Self::Bearing,
+        Self::ErrorBudget,
+        Self::Simulation,
+        Self::DataSheet,
+        Self::Wiring,
+        Self::Mounting,
+        Self::Commissioning,
+        Self::Encoder,
+        Self::Maintenance,
+    ];
+
+    /// Returns the tool that a view about the actuator shows.
+    pub(crate) const fn tool(self) -> Option<&'static str> {
+        match self {
+            Self::DataSheet => Some("data"),
+            Self::Wiring => Some("wiring"),
+            Self::Mounting => Some("mount"),
+            Self::Commissioning => Some("commission"),
+            Self::Encoder => Some("encoder"),
+            Self::Maintenance => Some("upkeep"),
+            Self::Cycle
+            | Self::TorqueSpeed
+            | Self::Heat
+            | Self::Energy
+            | Self::Bearing
+            | Self::ErrorBudget
+            | Self::Simulation => None,
+        }
+    }
 
     pub(crate) const fn id(self) -> &'static str {
         match self {
@@ -116,6 +154,12 @@ impl View {
             Self::Bearing => "bearing",
             Self::ErrorBudget => "error_budget",
             Self::Simulation => "simulation",
+            Self::DataSheet => "data_sheet",
+            Self::Wiring => "wiring",
+            Self::Mounting => "mounting",
+            Self::Commissioning => "commissioning",
+            Self::Encoder => "encoder",
+            Self::Maintenance => "maintenance",
         }
     }
 }
@@ -360,6 +404,30 @@ impl PageState {
         {
             self.text = changed;
             self.moved = Moved::of(&path);
+        }
+    }
+
+    /// Adds an axis behind those of the project, from the text of a project with one, and shows it.
+    pub(crate) fn add_axis(&mut self, further: &str) {
+        let keys = written(&self.text).unwrap_or_default();
+        let names: Vec<&str> = keys
+            .iter()
+            .filter(|key| key.path.ends_with(".name") && key.path.starts_with("axis"))
+            .filter_map(|key| key.value.as_deref())
+            .collect();
+        let count = keys.iter().filter(|key| {
+            key.value.is_none() && key.path.starts_with("axis[") && key.path.ends_with(']') && !key.path.contains('.')
+        });
+        let first = page::axis_number(&1, self.language);
+        let mut free = (count.count().max(1) + 1..).map(|number| page::axis_number(&number, self.language));
+        let Some(name) = free.find(|name| *name != first && !names.contains(&name.as_str())) else { return };
+        if let Ok(changed) = with_axis(&self.text, &first, further, &name) {
+            self.text = changed;
+            self.all_axes = false;
+            // Reading limits it to the last one.
+            self.axis = usize::MAX;
+            self.code = None;
+            self.window = None;
         }
     }
 

@@ -4,6 +4,7 @@
 mod calculators;
 mod code;
 mod field;
+mod inertia;
 mod loads;
 mod record;
 
@@ -37,6 +38,8 @@ enum Ask {
     Of(&'static Entry, &'static [(&'static str, &'static str)], Show),
     /// Mounting, under the limits of the manual or under the loads of the open project.
     Mount,
+    /// Moment of inertia of bodies, with those of the first look.
+    Bodies(&'static str),
     /// Loads on the output bearing.
     Loads,
     /// Judgement of measured values.
@@ -60,13 +63,8 @@ const TOOLS: [Tool; 15] = [
     Tool {
         id: "inertia",
         title: page::tool_inertia,
-        ask: Ask::Of(
-            &list::inertia::ENTRY,
-            &[(
-                "body",
-                "disc diameter=600mm length=20mm density=7850kg/m^3\nbox a=120mm b=80mm height=60mm mass=5kg distance=250mm count=4",
-            )],
-            calculators::inertia,
+        ask: Ask::Bodies(
+            "disc diameter=600mm length=20mm density=7850kg/m^3\nbox a=120mm b=80mm height=60mm mass=5kg distance=250mm count=4",
         ),
     },
     Tool {
@@ -104,14 +102,31 @@ pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> M
         Ask::Code(say) | Ask::About(say) => html! { (say(&scene.about, l)) (scene.link(&[])) },
         Ask::Record => record::shown(&scene),
         Ask::Loads => loads::shown(&scene),
+        Ask::Bodies(example) => inertia::shown(&scene, example),
         Ask::Mount => mounted(&scene),
         Ask::Of(entry, first, show) => of(&scene, &Question { entry, first, show: *show, own: None, body: &[] }),
     };
+    if scene.is_in_view {
+        let follows = matches!(tool.ask, Ask::Mount).then_some("");
+        return html! {
+            form id="tool-view" data-follows=[follows] method="get" action="/" hx-post="/tools" hx-target="#tool-view" hx-select="#tool-view" hx-swap="outerMorph"
+                hx-sync="this:replace" hx-include="#state, [form=state]" hx-trigger="input delay:80ms, change, submit, antrieb:again" {
+                @for (name, value) in [("tool", tool.id), ("asked", tool.id), ("within", IN_VIEW), ("about", &scene.about)] { input type="hidden" name=(name) value=(value); }
+                (shown)
+            }
+        };
+    }
+    let of_actuator = |tool: &&Tool| tool.needs_code() || tool.id == "errata";
+    let groups = [(page::tools_of_actuator(l), true), (page::tools_in_general(l), false)];
     let inside = html! {
+        div.toolbox {
         nav.kinds aria-label=(page::tools(l)) {
-            @for other in &TOOLS {
-                button type="button" aria-pressed=(other.id == tool.id) hx-post="/tools" hx-target="#detail" hx-swap="innerHTML"
-                    hx-include="#state, [form=state], #about" hx-vals=(vals(&[("tool", other.id)])) { ((other.title)(l)) }
+            @for (title, is_of_actuator) in groups {
+                h3 { (title) }
+                ul.plain { @for other in TOOLS.iter().filter(|tool| of_actuator(tool) == is_of_actuator) {
+                    li { button.plain type="button" aria-pressed=(other.id == tool.id) hx-post="/tools" hx-target="#detail" hx-swap="innerHTML"
+                        hx-include="#state, [form=state], #about" hx-vals=(vals(&[("tool", other.id)])) { ((other.title)(l)) } }
+                } }
             }
         }
         form id="tool" method="get" action="/" hx-post="/tools" hx-target="#tool" hx-select="#tool" hx-swap="outerMorph" hx-sync="this:replace"
@@ -128,6 +143,7 @@ pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> M
             }
             (shown)
         }
+        }
     };
     crate::markup::drawer(page::tools(l), &inside, l)
 }
@@ -138,7 +154,7 @@ impl Tool {
         match &self.ask {
             Ask::Of(entry, ..) => takes_a_code(entry),
             Ask::Code(_) | Ask::Record | Ask::Mount => true,
-            Ask::About(_) | Ask::Loads => false,
+            Ask::About(_) | Ask::Loads | Ask::Bodies(_) => false,
         }
     }
 }
@@ -159,7 +175,12 @@ struct Scene<'c> {
     about: String,
     /// The fields are filled in, by the user or by a link.
     is_filled: bool,
+    /// The tool is shown in a view of the work frame, about the actuator that is shown there.
+    is_in_view: bool,
 }
+
+/// Place of a tool in a view of the work frame, in requests.
+const IN_VIEW: &str = "view";
 
 impl<'c> Scene<'c> {
     fn of(call: &'c Call<'c>, tool: &'static str, shell: &'c dyn Shell, progress: &'c Progress) -> Self {
@@ -173,6 +194,7 @@ impl<'c> Scene<'c> {
             tool,
             about,
             is_filled: call.field("asked").is_some_and(|inquiry| inquiry == tool),
+            is_in_view: call.field("within").is_some_and(|place| place == IN_VIEW),
         }
     }
 
@@ -203,7 +225,7 @@ impl<'c> Scene<'c> {
     }
 
     fn link(&self, fields: &[(&str, &str)]) -> Markup {
-        html! { p.small { a id="tool-link" href=(self.address(fields)) { (page::link_to_tool(self.language)) } } }
+        html! { @if !self.is_in_view { p.small { a id="tool-link" href=(self.address(fields)) { (page::link_to_tool(self.language)) } } } }
     }
 }
 
@@ -229,7 +251,8 @@ const UNDER_PROJECT: &str = "project";
 fn mounted(scene: &Scene<'_>) -> Markup {
     let text = scene.call.field("text").unwrap_or_default();
     let own = || ToolField::new(UNDER_PROJECT, page::under_project(scene.language), field::FieldEntry::Mark);
-    let is_under = scene.typed(UNDER_PROJECT).is_some_and(|value| value == "true") && !text.is_empty();
+    // In the work frame the loads are those of the axis, until the field says otherwise.
+    let is_under = scene.typed(UNDER_PROJECT).map_or(scene.is_in_view, |value| value == "true") && !text.is_empty();
     let (entry, show): (&Entry, Show) = if is_under {
         (&list::mount_project::ENTRY, calculators::mount_in_project)
     } else {
@@ -237,7 +260,8 @@ fn mounted(scene: &Scene<'_>) -> Markup {
     };
     let own = (!text.is_empty()).then(own);
     let body = if is_under { text.as_bytes() } else { &[] };
-    of(scene, &Question { entry, first: &[], show, own, body })
+    let first: &[(&str, &str)] = if scene.is_in_view { &[(UNDER_PROJECT, "true")] } else { &[] };
+    of(scene, &Question { entry, first, show, own, body })
 }
 
 /// Returns a question as fields, with its answer below them.

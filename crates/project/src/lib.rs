@@ -36,6 +36,7 @@ mod requirements;
 mod root;
 mod schema;
 mod section;
+mod several;
 mod stage;
 mod stated;
 mod tabular;
@@ -105,6 +106,7 @@ pub use recovery::with_newlines;
 pub use report::FaultReport;
 pub use root::{KEYS, Project, ReadProject, Shared, read};
 pub use schema::{SchemaText, schema};
+pub use several::with_axis;
 pub use tabular::TabularFault;
 pub use tolerance::Tolerance;
 

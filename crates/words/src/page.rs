@@ -22,6 +22,33 @@ texts! {
     or_a_file = "or open a project file" | "oder eine Projektdatei öffnen";
     first_answer = "First result" | "Erstes Ergebnis";
     new_project = "New" | "Neu";
+    new_axis = "New axis" | "Neue Achse";
+    new_axis_about =
+        "Adds an axis to the file: choose its mechanism, and state what defines it."
+        | "Ergänzt die Datei um eine Achse: Mechanik wählen und die bestimmenden Werte angeben.";
+    axis_number(number) = "axis {number}" | "Achse {number}";
+    bodies_of(name) = "{name} from bodies" | "{name} aus Körpern";
+    body_number(number) = "Body {number}" | "Körper {number}";
+    shape_of(body) = "Shape, {body}" | "Form, {body}";
+    without_body = "remove" | "entfernen";
+    further_body = "add a body" | "Körper hinzufügen";
+    no_body(line) = "{line}: not a body" | "{line}: kein Körper";
+    orientation = "Orientation" | "Lage";
+    lies_parallel = "parallel to the axis of rotation" | "parallel zur Drehachse";
+    lies_across = "perpendicular, lying" | "senkrecht dazu, liegend";
+    material = "Material" | "Werkstoff";
+    by_mass_or_density = "by mass or density" | "nach Masse oder Dichte";
+    steel = "steel" | "Stahl";
+    aluminium = "aluminium" | "Aluminium";
+    fill_field(name, value) = "{name}: use {value}" | "{name}: {value} übernehmen";
+    bodies_drawn =
+        "Bodies to scale, seen along the axis of rotation" | "Körper maßstäblich, in Richtung der Drehachse gesehen";
+    tools_of_actuator = "Of an actuator" | "Zu einem Antrieb";
+    tools_in_general = "Calculators and reference" | "Rechner und Nachschlagen";
+    power_over_time = "Power at the motor terminals over time" | "Leistung an den Motorklemmen über der Zeit";
+    power_over_time_about =
+        "Each axis over its own cycle from its start; how the cycles of several axes are shifted against each other is not stated in the file."
+        | "Jede Achse über ihren eigenen Zyklus ab dessen Beginn; wie die Zyklen mehrerer Achsen zueinander liegen, steht nicht in der Datei.";
     open = "Open" | "Öffnen";
     save = "Save" | "Speichern";
     save_as = "File name" | "Dateiname";

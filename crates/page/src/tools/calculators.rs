@@ -3,17 +3,16 @@
 use super::Scene;
 use crate::call::query;
 use crate::chapters::laid_out;
+use axis::InertiaAnswer;
 use figures::{Drawing, Size, Style, Theme};
 use maud::{Markup, PreEscaped, html};
-use project::BODY_SHAPES;
 use quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Language, Measure, Torque, format_significant};
 use questions::list::{Inquiry, Unanswered};
 use questions::texts::{battery_lines, torsion_lines};
 use questions::{PerformanceCurve, answer, chapter, curve_rows, list};
 use words::{
-    body_key, capitalised, commission as commissioning, curve_title, grade_word, help, page, shape_title, source_text,
-    terminal, terms,
+    capitalised, commission as commissioning, curve_title, grade_word, page, shape_title, source_text, terminal, terms,
 };
 
 /// Width of a picture \[px\].
@@ -91,9 +90,9 @@ pub(super) fn battery(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Un
     )
 }
 
-pub(super) fn inertia(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
-    let l = inquiry.language;
-    let found = list::inertia::found(inquiry)?;
+/// Returns the sum of the bodies, their common centre of mass, and the part of each.
+pub(super) fn inertia_table(found: &InertiaAnswer, language: Language) -> Markup {
+    let l = language;
     let number = |value: f64| format_significant(value, 4, l);
     let total = &found.total;
     let heads = ["z", "m [kg]", "r [mm]", "φ [°]", "J_own [kgm²]", "m r² [kgm²]", "J [kgm²]"];
@@ -105,7 +104,7 @@ pub(super) fn inertia(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Un
         let gravity = total.gravity_torque_max().in_unit(&NEWTON_METRE);
         terminal::centre_of_mass(&number(radius), &number(angle), &number(gravity), l)
     };
-    Ok(html! {
+    html! {
         p { strong { "J = " (number(total.inertia.si())) " kgm², m = " (number(total.mass.si())) " kg" } }
         @for line in centre.lines() { p { (capitalised(line)) } }
         div.wide tabindex="0" { table {
@@ -119,22 +118,6 @@ pub(super) fn inertia(inquiry: &Inquiry<'_>, _: &Scene<'_>) -> Result<Markup, Un
             } } }
         } }
         p.small { (terminal::inertia_explained(l)) }
-        (shapes(l))
-    })
-}
-
-/// Returns the shapes that a body may have, with their keys.
-fn shapes(language: Language) -> Markup {
-    let l = language;
-    html! {
-        details id="tool-shapes" {
-            summary { (help::shapes(l)) }
-            ul { @for shape in &BODY_SHAPES { li {
-                code { (shape.name) @for key in shape.dimensions { " " (key) "=…" } } " " (shape_title(shape, l)) ": "
-                @for (place, key) in shape.dimensions.iter().enumerate() { @if place > 0 { ", " } (body_key(key, l).unwrap_or(key)) }
-            } } }
-            p.small { (help::shapes_all(l)) }
-        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Tests of the crate from outside, in one program: each file is linked once for all.
 
+mod axes;
 mod faults;
 mod folder;
 mod incoming;

@@ -90,7 +90,8 @@ fn a_fault_stands_at_its_field_and_the_last_answer_is_marked_as_old() {
     assert!(row(&html, "torque").contains("the unit is missing") && html.contains("aria-invalid=\"true\""), "{html}");
     assert!(html.contains("class=\"old\"") && html.contains("under 60.00 Nm"), "{html}");
     let html = tool("inertia", "", &[("t_body", "disc diameter=1m length=2mm mass=1kg\nbox")]);
-    assert!(row(&html, "body").contains("line 2, column 1: "), "{html}");
+    let second = html.split("id=\"body-1\"").nth(1).unwrap().split("</fieldset>").next().unwrap();
+    assert!(second.contains("class=\"fault\""), "{html}");
     let html = tool("bearing", "", &[("t_bearing.radial_force", "1200 kg")]);
     assert!(row(&html, "bearing.radial_force").contains("class=\"fault\""), "{html}");
     let html = tool("mount", code, &[("t_bore", "K99")]);
@@ -187,4 +188,72 @@ fn a_data_sheet_marks_notes_and_errata() {
     for id in html.split("href=\"#erratum-").skip(1).map(|rest| rest.split('"').next().unwrap()) {
         assert!(html.contains(&format!("id=\"erratum-{id}\"")), "{id} is marked and not explained");
     }
+}
+
+/// Bodies of any shape, entered row by row, have the moment of inertia of their text, are drawn, and fill the field that
+/// the tool was opened from.
+#[test]
+fn bodies_entered_row_by_row_fill_the_field() {
+    type Shape = (&'static str, &'static [(&'static str, &'static str)], &'static str);
+    let shapes: [Shape; 7] = [
+        ("disc", &[("diameter", "200"), ("length", "20 mm")], "disc diameter=200mm length=20mm"),
+        ("tube", &[("outer", "80"), ("inner", "60"), ("length", "50")], "tube outer=80mm inner=60mm length=50mm"),
+        ("box", &[("a", "50"), ("b", "4 cm"), ("height", "30")], "box a=50mm b=4cm height=30mm"),
+        ("cone", &[("diameter", "90"), ("height", "30")], "cone diameter=90mm height=30mm"),
+        ("sphere", &[("diameter", "90")], "sphere diameter=90mm"),
+        (
+            "cylinder",
+            &[("diameter", "40"), ("length", "90"), ("axis", "perpendicular")],
+            "cylinder diameter=40mm length=90mm axis=perpendicular",
+        ),
+        ("rod", &[("length", "300")], "rod length=300mm"),
+    ];
+    for (index, (shape, sizes, text)) in shapes.iter().enumerate() {
+        let (other, other_sizes, other_text) = &shapes[(index + 3) % shapes.len()];
+        let massive = |text: &str| format!("{text} mass=2kg distance=120mm count=3");
+        let light = |text: &str| format!("{text} mass=0.5kg");
+        let wanted = axis::inertia(&format!("{}\n{}", massive(text), light(other_text))).unwrap();
+        let mut fields: Vec<(String, String)> = vec![
+            ("t_rows".to_owned(), "true".to_owned()),
+            ("into".to_owned(), "load.inertia".to_owned()),
+            ("t_shape-0".to_owned(), (*shape).to_owned()),
+            ("t_shape-1".to_owned(), (*other).to_owned()),
+        ];
+        let mut add = |key: &str, row: usize, value: &str| fields.push((format!("t_{key}-{row}"), value.to_owned()));
+        for (key, value) in *sizes {
+            add(key, 0, value);
+        }
+        for (key, value) in *other_sizes {
+            add(key, 1, value);
+        }
+        for (key, row, value) in [("mass", 0, "2"), ("distance", 0, "120"), ("count", 0, "3"), ("mass", 1, "500 g")] {
+            add(key, row, value);
+        }
+        let borrowed: Vec<(&str, &str)> = fields.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
+        let html = tool("inertia", "", &borrowed);
+        assert!(html.contains("id=\"bodies-drawing\"") && !html.contains("class=\"fault\""), "{html}");
+        assert_eq!(html.matches("<fieldset class=\"body\"").count(), 3, "two bodies and the choice of a further one");
+        let value = html.split("value load.inertia=").nth(1).unwrap().split("&quot;").next().unwrap();
+        let number: f64 = value.split(' ').next().unwrap().parse().unwrap();
+        let inertia = quantities::Measure::si(wanted.total.inertia);
+        assert!((number / inertia - 1.0).abs() < 1e-5, "{shape} {other}: {value}, {inertia}");
+    }
+    // The density of a material is that of its standard; a row without a shape is none.
+    let steel = tool(
+        "inertia",
+        "",
+        &[
+            ("t_rows", "true"),
+            ("t_shape-0", "disc"),
+            ("t_diameter-0", "200"),
+            ("t_length-0", "20"),
+            ("t_material-0", "steel"),
+            ("t_shape-1", ""),
+        ],
+    );
+    let wanted = axis::inertia("disc diameter=200mm length=20mm density=7850kg/m^3").unwrap();
+    let shown =
+        quantities::format_significant(quantities::Measure::si(wanted.total.inertia), 4, quantities::Language::En);
+    assert!(steel.contains(&format!("J = {shown} kgm²")), "{steel}");
+    assert!(!steel.contains("fill-inertia"), "no field was named");
 }
