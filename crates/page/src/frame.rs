@@ -245,7 +245,7 @@ fn start(state: &PageState, shell: &dyn Shell) -> Markup {
                     p { (page::start_about(l)) }
                     div.begin {
                         (crate::start::tiles(l))
-                        div id="begin" aria-live="polite" { (crate::start::asked(state.begin, l)) }
+                        div id="begin" aria-live="polite" { (crate::start::asked(state.begin, false, l)) }
                     }
                 }
                 section aria-labelledby="example-title" {

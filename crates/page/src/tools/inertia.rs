@@ -163,8 +163,7 @@ fn body(index: usize, row: Option<&BodyRow>, troubles: &[Trouble], language: Lan
     let title = page::body_number(&(index + 1), l);
     let material = row.and_then(|row| {
         let (_, density) = row.values.iter().find(|(key, _)| *key == "density")?;
-        let of =
-            |text: &str| parse_as::<quantities::MassDensity>(&crate::value::with_point(text, l)).ok().map(Measure::si);
+        let of = |text: &str| parse_as::<quantities::MassDensity>(&crate::value::taken(text, l)).ok().map(Measure::si);
         MATERIALS.iter().find(|(_, known)| of(density).is_some() && of(known) == of(density))
     });
     html! {

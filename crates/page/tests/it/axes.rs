@@ -29,10 +29,14 @@ fn proposed(place: &str) -> Vec<(String, String)> {
         let value = if tag.starts_with("select ") {
             let options = form.split(&format!("name=\"{name}\"")).nth(1).unwrap().split("</select>").next().unwrap();
             let chosen = options.split("<option ").find(|option| option.contains(" selected"));
-            let first = options.split("<option ").find(|option| !option.contains("value=\"\"") && option.contains("value="));
+            let first =
+                options.split("<option ").find(|option| !option.contains("value=\"\"") && option.contains("value="));
             chosen.or(first).and_then(|option| attribute(&format!(" {option}"), "value")).unwrap()
         } else {
-            attribute(tag, "value").or_else(|| attribute(tag, "placeholder")).unwrap_or_default().replace("e.g. ", "")
+            attribute(tag, "value")
+                .or_else(|| attribute(tag, "placeholder"))
+                .unwrap_or_default()
+                .replace("example: ", "")
         };
         fields.push((name, value));
     }
@@ -44,8 +48,7 @@ fn proposed(place: &str) -> Vec<(String, String)> {
 fn a_further_axis_is_added_to_any_project() {
     let tiles = page(&get("/axis", "lang=de"));
     whole(&tiles);
-    let places: Vec<&str> =
-        tiles.split("id=\"further-").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    let places: Vec<&str> = tiles.split("id=\"further-").skip(1).filter_map(|rest| rest.split('"').next()).collect();
     assert!(places.len() > 8, "{tiles}");
     let kinds: Vec<&str> = template_kinds().filter(|kind| !matches!(*kind, "recording" | "joint")).collect();
     for turn in 0..kinds.len().max(places.len()) {
