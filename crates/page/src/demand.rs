@@ -74,15 +74,15 @@ fn views(state: &PageState, project: &AxisProject, candidate: Option<&Candidate<
         }
         View::Cycle | View::TorqueSpeed | View::Heat | View::Energy | View::ErrorBudget | View::Simulation => true,
     };
-    html! {
-        div.views role="tablist" aria-label=(page::what_it_demands(l)) {
+    part(html! {
+        div.views id="views" role="tablist" aria-label=(page::what_it_demands(l)) {
             @for view in View::ALL {
                 button type="button" role="tab" id={ "view-" (view.id()) } aria-selected=(view == state.view) aria-controls="view"
                     tabindex=(if view == state.view { "0" } else { "-1" }) class=[if !has(view) { Some("empty") } else { view.tool().map(|_| "of-code") }]
                     hx-post="/work" hx-vals=(vals(&[("view", view.id())])) { (title(view)) }
             }
         }
-    }
+    })
 }
 
 fn sums(candidate: &Candidate<'_>, language: Language) -> Markup {
