@@ -12,6 +12,7 @@ pub(crate) fn with_figures(stage: &OpenPage<'_>) -> Worded {
     stage.start("en")?;
     tab.click(".tiles li:nth-child(5) .tile")?;
     tab.there("#begin form")?;
+    stage.accessible("beginning")?;
     for (path, value) in [
         ("mechanism-belt-pulley_diameter", "90"),
         ("mechanism-belt-mass", "25 kg"),

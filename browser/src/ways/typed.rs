@@ -174,6 +174,7 @@ fn keys_of(text: &str) -> Vec<(String, String)> {
 pub(crate) fn assumptions(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     begin(stage, &ARM, "de")?;
+    stage.accessible("assumptions")?;
     let before = tab.value("#text")?;
     let count = tab.eval("document.querySelectorAll('#assumptions li').length")?;
     let item = |key: &str| format!("#assumptions button[hx-vals*=\"{key}\"]");

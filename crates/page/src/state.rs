@@ -271,6 +271,7 @@ impl PageState {
     /// Reads the state of a request.
     pub(crate) fn of(call: &Call<'_>) -> Self {
         let field = |name: &str| call.field(name).map(Cow::into_owned).unwrap_or_default();
+        let number = |name: &str| taken(&field(name), call.language());
         let code =
             |text: &str| read_code(text, call.language()).ok().map(|reading| ProductId::from(reading.parsed.code));
         let mut state = Self {
@@ -291,10 +292,10 @@ impl PageState {
                 size: field("f_size"),
                 feedback: field("f_feedback"),
                 brake: field("f_brake"),
-                bore_mm: field("f_bore"),
-                length_mm: field("f_length"),
-                mass_kg: field("f_mass"),
-                voltage_v: field("f_voltage"),
+                bore_mm: number("f_bore"),
+                length_mm: number("f_length"),
+                mass_kg: number("f_mass"),
+                voltage_v: number("f_voltage"),
             },
             is_brief: call.path == "/work",
             view: chosen(View::ALL, View::id, &field("view")),
@@ -306,7 +307,7 @@ impl PageState {
             typed_at: call.field("path").map(|path| (path.into_owned(), call.field("folded").is_some())),
             begin: call.begin(),
             room: room(&field("width"), &field("height")),
-            samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
+            samples: number("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
             moved: None,
         };
         // The changes of an example are made to its text ([`Self::take`]).
@@ -385,7 +386,7 @@ impl PageState {
         if let (Some(path), Some(nominal), Some(band)) = (call.field("path"), call.field("nominal"), call.field("band"))
         {
             let (value, _) = tolerance_of(&nominal);
-            let band = band.trim().trim_start_matches('±').trim_start();
+            let band = taken(band.trim().trim_start_matches('±').trim_start(), language);
             let value = if band.is_empty() { value.to_owned() } else { format!("{value} ± {band}") };
             apply(&path, Edit::Value(&value));
         }
