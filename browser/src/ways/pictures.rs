@@ -133,7 +133,20 @@ pub(crate) fn the_time_is_narrowed(stage: &OpenPage<'_>) -> Worded {
     tab.click("#zoom-in")?;
     tab.until(&format!("{shown} < {}", 0.9 * whole))?;
     tab.click("#zoom-whole")?;
-    tab.until(&format!("Math.abs({shown} - {whole}) < 1e-9"))
+    tab.until(&format!("Math.abs({shown} - {whole}) < 1e-9"))?;
+    // By the wheel around the pointer; the instant stays where it is.
+    tab.run("const range = document.querySelector('#instant'); range.value = 40; range.dispatchEvent(new Event('input', { bubbles: true }));", Vec::new())?;
+    tab.until(CURRENT)?;
+    let row = tab.text("#instant-values b")?;
+    let wheel = "const svg = document.querySelector('#plot-cycle .frame > svg'); const box = svg.getBoundingClientRect(); const plane = svg.querySelector('g.plane').dataset; \
+        svg.dispatchEvent(new WheelEvent('wheel', { deltaY: -100, ctrlKey: true, clientX: box.left + 0.8 * box.width, clientY: box.top + box.height * (plane.top * 1 + plane.bottom * 1) / 2 / svg.viewBox.baseVal.height, bubbles: true, cancelable: true }));";
+    tab.run(wheel, Vec::new())?;
+    tab.until(&format!("{shown} < {}", 0.9 * whole))?;
+    tab.until(CURRENT)?;
+    let number = |text: &str| text.parse::<f64>().map_err(|_| format!("no instant: {text}"));
+    let (before, after) = (number(&row)?, number(&tab.text("#instant-values b")?)?);
+    expect((before - after).abs() < 1e-3, || format!("the instant moved from {before} to {after}"))?;
+    tab.until("document.querySelector('#plot-cycle .cursor-line').style.display === 'none'")
 }
 
 /// Typing and dragging leave a cycle closed, in one step of undo; what cannot follow becomes a single move by a button.
@@ -143,7 +156,11 @@ pub(crate) fn a_cycle_stays_closed(stage: &OpenPage<'_>) -> Worded {
     let before = tab.value("#text")?;
     let is = |text: &str| format!("document.querySelector('#text').value === {}", serde_json::json!(text));
     let undone = |what: &str| -> Worded {
-        tab.until("document.querySelector('#undo').ariaDisabled === 'false'")?;
+        // A pull may have several answers, of which the last one is awaited.
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        tab.until(
+            "!document.querySelector('.htmx-request') && document.querySelector('#undo').ariaDisabled === 'false'",
+        )?;
         tab.click("#undo")?;
         tab.until(&is(&before)).map_err(|error| format!("{what}: one step back is not the beginning: {error}"))
     };

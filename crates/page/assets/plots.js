@@ -169,6 +169,11 @@ function aim(of, time, way) {
   if (of.goes && far === 0) far = Math.sign(stated) * byWay;
   return { long, far, pulled: [long, far, of.of.time - fromTime, stated].join(' '), time: fromTime + long, way: fromWay + far };
 }
+let arrived = null;
+document.addEventListener('htmx:finally:request', ({ detail }) => {
+  const body = detail.ctx.request?.body;
+  if (body instanceof URLSearchParams && body.has('pulled')) arrived = body.get('pulled');
+});
 async function send(of, found) {
   of.next = found;
   if (of.busy) return;
@@ -176,7 +181,10 @@ async function send(of, found) {
   while (of.next) {
     const { pulled } = of.next;
     of.next = null;
+    arrived = null;
     await htmx.ajax('POST', '/work', { source: of.grip, values: { path: of.path, pulled } });
+    // A request that waits for another one is not answered yet.
+    for (let waits = 0; arrived !== pulled && waits < 150; waits++) await new Promise((resolve) => setTimeout(resolve, 20));
   }
   of.busy = false;
 }

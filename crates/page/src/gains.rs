@@ -3,7 +3,6 @@
 use crate::chapters::symbol;
 use crate::markup::{id, vals};
 use crate::state::PageState;
-use crate::value;
 use answers::Figure;
 use maud::{Markup, html};
 use project::{key_at, written};
@@ -47,7 +46,7 @@ fn field(gain: &Figure, path: &str, value: f64, is_stated: bool, language: Langu
     } else {
         (value.log10() - DECADES, value.log10() + DECADES, value.log10())
     };
-    let shown = value::with_mark(&format_significant(value, 4, Language::En), l);
+    let shown = format_significant(value, 4, l);
     html! {
         div.gain {
             label for=(id) title=(about) { i { (symbol(&gain.title)) } }

@@ -19,8 +19,20 @@ const HEADINGS: [(&str, &[&str]); 5] = [
 ];
 
 /// Keys that decide a move, of which a new row states its own.
-const OF_A_MOVE: [&str; 11] =
-    ["distance", "time", "speed", "acceleration", "jerk", "end_speed", "accelerate", "run", "brake", "pause", "hold"];
+const OF_A_MOVE: [&str; 12] = [
+    "cycle",
+    "distance",
+    "time",
+    "speed",
+    "acceleration",
+    "jerk",
+    "end_speed",
+    "accelerate",
+    "run",
+    "brake",
+    "pause",
+    "hold",
+];
 
 /// Largest number of pasted rows.
 const ROWS_MOST: usize = 2000;
