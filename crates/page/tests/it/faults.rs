@@ -152,6 +152,8 @@ pub(crate) fn cases() -> Vec<(&'static str, String, At)> {
         ("curve_torque_out_of_range", more(&format!("{bend}[[\"0 1/min\", \"-10 N m\"], [\"9 1/min\", \"5 N m\"]]\n")), Field("curve[1].points")),
         ("file_out_of_reach", segments(&["law = \"recorded\"\nfile = \"../x.csv\""]), Field("motion[1].file")),
         ("no_line", segments(&["law = \"trapezoid\"\ndistance = \"90 mm\"\ntime = \"1 s\""]), Field("motion[1].distance")),
+        ("key_of_another_kind", with("[mechanism.arm]\nshape = \"rod\"\nlength = \"1 m\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n", REST), Field("mechanism.arm.inertia")),
+        ("key_of_another_kind", with("[mechanism.arm]\nshape = \"taper\"\nlength = \"1 m\"\nwidth = \"9 cm\"\nmass = \"1 kg\"\n", REST), Field("mechanism.arm.width")),
         ("no_web", segments(&["law = \"web\"\nspeed = \"20 m/min\""]), Field("motion[1].law")),
         ("web_not_alone", web("[[motion]]\nlaw = \"web\"\nspeed = \"20 m/min\"\n[[motion]]\nlaw = \"constant\"\nspeed = \"1 1/min\"\ntime = \"1 s\"\n"), Field("motion[2].law")),
         ("web_speed", web("[[motion]]\nlaw = \"web\"\nspeed = \"20 1/min\"\n"), Field("motion[1].speed")),
