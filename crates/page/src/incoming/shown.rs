@@ -4,10 +4,11 @@ use super::choices::{Choices, NO_ROLE, OTHER_WINDOW, TorqueUse, role_id};
 use super::examination::{Examination, Request, SegmentPlace};
 use crate::markup::{drawer, label_of, worded};
 use crate::recorded::rows;
+use axis::AxisFault;
 use figures::{Size, Style};
 use maud::{Markup, PreEscaped, html};
 use motion_words::{alone, quality_rows};
-use project::written;
+use project::{Fault, written};
 use quantities::unit::NEWTON_METRE;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::{ColumnRole, Preview, recording_roles, window_text};
@@ -63,7 +64,10 @@ pub(super) fn preview(request: &Request, found: &Examination) -> Markup {
             @if !found.open.is_empty() {
                 div.advice id="incoming-open" {
                     p { strong { (incoming::still_open(l)) } }
-                    ul { @for fault in words::worded(&found.open, l) { li { (worded(&fault.message, fault.hint.as_deref(), l)) } } }
+                    ul { @for (fault, text) in found.open.iter().zip(words::worded(&found.open, l)) { li {
+                        @if matches!(fault.fault, AxisFault::Stated(Fault::NoMechanism)) { (incoming::load_missing(l)) }
+                        @else { (worded(&text.message, text.hint.as_deref(), l)) }
+                    } } }
                 }
             }
             div.downloads {

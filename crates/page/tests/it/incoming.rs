@@ -224,6 +224,7 @@ fn hostile_files_have_a_sentence_and_change_nothing() {
     let file = swing(40, 10.0, "t,q,mode\nms,deg,", 0.01);
     let html = preview(&folder, &[("text", ""), ("name", "run.csv")], file.as_bytes());
     assert!(is_usable(&html) && html.contains("Still open in the project afterwards"), "{html}");
+    assert!(html.contains("the load: its moment of inertia") && !html.contains("[load]"), "{html}");
 }
 
 /// A file of any name is kept under one that a project may state.
