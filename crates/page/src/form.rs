@@ -395,7 +395,7 @@ impl RowContent<'_> {
                 @let others: Vec<&str> = own.iter().copied().filter(|name| is_folded(name)).collect();
                 @let bands = of_motion.then(|| self.bands_of_line(path)).flatten();
                 div.entry-foot {
-                    @if of_motion && !kind.is_empty() { (self.law_pictures(path, &kind)) }
+                    @if of_motion && !kind.is_empty() { (self.law_pictures(path, kind)) }
                     @if !folded.is_empty() || !others.is_empty() {
                         (self.fold(&format!("{}-m", id(path)), &page::further(folded.len() + others.len(), l), false, "more", || html! {
                             div.rows {

@@ -88,7 +88,7 @@ mod tests {
             ("modified_sine", 1.76, 5.53),
             ("modified_trapezoid", 2.0, 4.89),
             ("simple_sine", 1.57, 4.93),
-            ("inclined_sine", 2.0, 6.28),
+            ("inclined_sine", 2.0, std::f64::consts::TAU),
         ] {
             let [v, a] = law_peaks(SegmentLaw::of_id(law).unwrap()).unwrap();
             assert!((v - speed).abs() < 0.006 && (a - acceleration).abs() < 0.006, "{law}: {v} {a}");
