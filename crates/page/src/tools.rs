@@ -7,18 +7,18 @@ mod field;
 mod inertia;
 mod loads;
 mod record;
+mod scene;
 
 use crate::api::inquiry::read_inquiry;
 use crate::api::method;
 use crate::call::{Call, Shell, query};
 use crate::markup::vals;
-use field::{ToolField, Trouble};
-use figures::Theme;
+use field::{MARK, ToolField, Trouble};
 use maud::{Markup, html};
 use quantities::Language;
 use questions::list::{Entry, Inquiry, Unanswered};
-use questions::{Progress, list, read_all_watched, read_code};
-use std::borrow::Cow;
+use questions::{Progress, list, read_code};
+use scene::{GOOD, IN_VIEW, Scene, fields_of};
 use words::{Word, page};
 
 /// A tool: its name in requests, its title, and its answer.
@@ -159,76 +159,6 @@ impl Tool {
     }
 }
 
-/// Prefix of the fields of a tool, which keeps them apart from those of the project.
-const MARK: &str = "t_";
-
-/// A requested tool.
-struct Scene<'c> {
-    call: &'c Call<'c>,
-    shell: &'c dyn Shell,
-    progress: &'c Progress,
-    language: Language,
-    theme: Theme,
-    /// Name in requests.
-    tool: &'static str,
-    /// The code, or the text in its place.
-    about: String,
-    /// The fields are filled in, by the user or by a link.
-    is_filled: bool,
-    /// The tool is shown in a view of the work frame, about the actuator that is shown there.
-    is_in_view: bool,
-}
-
-/// Place of a tool in a view of the work frame, in requests.
-const IN_VIEW: &str = "view";
-
-impl<'c> Scene<'c> {
-    fn of(call: &'c Call<'c>, tool: &'static str, shell: &'c dyn Shell, progress: &'c Progress) -> Self {
-        let about = call.field("about").or_else(|| call.field("code")).map(Cow::into_owned).unwrap_or_default();
-        Self {
-            call,
-            shell,
-            progress,
-            language: call.language(),
-            theme: call.theme(),
-            tool,
-            about,
-            is_filled: call.field("asked").is_some_and(|inquiry| inquiry == tool),
-            is_in_view: call.field("within").is_some_and(|place| place == IN_VIEW),
-        }
-    }
-
-    /// Returns the entry of a field of the tool; several texts have a line each.
-    fn typed(&self, name: &str) -> Option<String> {
-        if !self.is_filled {
-            return None;
-        }
-        Some(self.call.all(&format!("{MARK}{name}")).collect::<Vec<_>>().join("\n"))
-    }
-
-    /// Returns the axis of the shown project if it has several.
-    fn axis(&self) -> Option<String> {
-        let place: usize = self.call.field("axis")?.parse().ok()?;
-        let text = self.call.field("text")?;
-        let axes = read_all_watched(&text, self.shell.files(), self.shell.catalogue(), self.progress)
-            .ok()
-            .filter(|axes| axes.len() > 1)?;
-        axes.get(place).map(|axis| axis.name.clone())
-    }
-
-    /// Returns an address that opens the tool with these fields.
-    fn address(&self, fields: &[(&str, &str)]) -> String {
-        let plain = |(name, value): (&str, _)| (name.to_owned(), value);
-        let own = [("tool", self.tool), ("asked", self.tool), ("about", self.about.as_str())].map(plain);
-        let typed = fields.iter().map(|(name, value)| (format!("{MARK}{name}"), *value));
-        format!("/?{}", query(own.into_iter().chain(typed).chain([plain(("lang", self.language.id()))])))
-    }
-
-    fn link(&self, fields: &[(&str, &str)]) -> Markup {
-        html! { @if !self.is_in_view { p.small { a id="tool-link" href=(self.address(fields)) { (page::link_to_tool(self.language)) } } } }
-    }
-}
-
 /// Returns `true` if a question is about an ordering code.
 fn takes_a_code(entry: &Entry) -> bool {
     entry.arguments.iter().any(|argument| argument.name == "code")
@@ -311,13 +241,6 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
         }
         (scene.link(&state))
     }
-}
-
-/// Last question that had an answer.
-const GOOD: &str = "good";
-
-fn fields_of(fields: &[ToolField], language: Language) -> Markup {
-    html! { div.rows { @for field in fields { (field.shown(language)) } } }
 }
 
 /// Returns the question as the query that a client of the interface sends.

@@ -1,6 +1,6 @@
 //! Layouts of the answers of the tools: lines, tables and pictures.
 
-use super::Scene;
+use super::scene::Scene;
 use crate::call::query;
 use crate::chapters::laid_out;
 use axis::InertiaAnswer;

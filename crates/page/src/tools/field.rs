@@ -1,6 +1,5 @@
 //! Fields of a tool: arguments of the question, entries of the user, faults.
 
-use super::MARK;
 use crate::arithmetic::computed;
 use answers::Fault;
 use maud::{Markup, html};
@@ -9,6 +8,9 @@ use quantities::Language;
 use questions::list::{self, Argument, Unanswered};
 use std::borrow::Cow;
 use words::{key_word, page};
+
+/// Prefix of the fields of a tool, which keeps them apart from those of the project.
+pub(super) const MARK: &str = "t_";
 
 /// A field.
 #[derive(Clone)]

@@ -2,8 +2,8 @@
 //! was opened from.
 
 use super::calculators::inertia_table;
-use super::field::Trouble;
-use super::{MARK, Scene};
+use super::field::{MARK, Trouble};
+use super::scene::Scene;
 use crate::markup::{label_of, vals};
 use crate::value::{stated, with_mark};
 use axis::{BodyAnswer, InertiaAnswer, inertia};

@@ -1,7 +1,7 @@
 //! The output bearing under typed loads: a small project, judged like any other.
 
-use super::field::{ToolField, Trouble, at_their_fields};
-use super::{GOOD, MARK, Scene, fields_of};
+use super::field::{MARK, ToolField, Trouble, at_their_fields};
+use super::scene::{GOOD, Scene, fields_of};
 use crate::checks::{check_heads, verdict_class};
 use crate::state::placed;
 use axis::AxisProject;

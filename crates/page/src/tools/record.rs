@@ -1,8 +1,8 @@
 //! Measured values of a commissioning, typed and judged at once: the record that the command line reads.
 
 use super::code::incomplete;
-use super::field::{ToolField, Trouble};
-use super::{GOOD, MARK, Scene};
+use super::field::{MARK, ToolField, Trouble};
+use super::scene::{GOOD, Scene};
 use crate::checks::verdict_class;
 use crate::markup::vals;
 use crate::state::placed;

@@ -1,0 +1,84 @@
+//! A requested tool: its subject, its fields as typed, and its address.
+
+use super::field::{MARK, ToolField};
+use crate::call::{Call, Shell, query};
+use figures::Theme;
+use maud::{Markup, html};
+use quantities::Language;
+use questions::{Progress, read_all_watched};
+use std::borrow::Cow;
+use words::page;
+
+/// A requested tool.
+pub(super) struct Scene<'c> {
+    pub(super) call: &'c Call<'c>,
+    pub(super) shell: &'c dyn Shell,
+    pub(super) progress: &'c Progress,
+    pub(super) language: Language,
+    pub(super) theme: Theme,
+    /// Name in requests.
+    pub(super) tool: &'static str,
+    /// The code, or the text in its place.
+    pub(super) about: String,
+    /// The fields are filled in, by the user or by a link.
+    pub(super) is_filled: bool,
+    /// The tool is shown in a view of the work frame, about the actuator that is shown there.
+    pub(super) is_in_view: bool,
+}
+
+/// Place of a tool in a view of the work frame, in requests.
+pub(super) const IN_VIEW: &str = "view";
+
+impl<'c> Scene<'c> {
+    pub(super) fn of(call: &'c Call<'c>, tool: &'static str, shell: &'c dyn Shell, progress: &'c Progress) -> Self {
+        let about = call.field("about").or_else(|| call.field("code")).map(Cow::into_owned).unwrap_or_default();
+        Self {
+            call,
+            shell,
+            progress,
+            language: call.language(),
+            theme: call.theme(),
+            tool,
+            about,
+            is_filled: call.field("asked").is_some_and(|inquiry| inquiry == tool),
+            is_in_view: call.field("within").is_some_and(|place| place == IN_VIEW),
+        }
+    }
+
+    /// Returns the entry of a field of the tool; several texts have a line each.
+    pub(super) fn typed(&self, name: &str) -> Option<String> {
+        if !self.is_filled {
+            return None;
+        }
+        Some(self.call.all(&format!("{MARK}{name}")).collect::<Vec<_>>().join("\n"))
+    }
+
+    /// Returns the axis of the shown project if it has several.
+    pub(super) fn axis(&self) -> Option<String> {
+        let place: usize = self.call.field("axis")?.parse().ok()?;
+        let text = self.call.field("text")?;
+        let axes = read_all_watched(&text, self.shell.files(), self.shell.catalogue(), self.progress)
+            .ok()
+            .filter(|axes| axes.len() > 1)?;
+        axes.get(place).map(|axis| axis.name.clone())
+    }
+
+    /// Returns an address that opens the tool with these fields.
+    pub(super) fn address(&self, fields: &[(&str, &str)]) -> String {
+        let plain = |(name, value): (&str, _)| (name.to_owned(), value);
+        let own = [("tool", self.tool), ("asked", self.tool), ("about", self.about.as_str())].map(plain);
+        let typed = fields.iter().map(|(name, value)| (format!("{MARK}{name}"), *value));
+        format!("/?{}", query(own.into_iter().chain(typed).chain([plain(("lang", self.language.id()))])))
+    }
+
+    pub(super) fn link(&self, fields: &[(&str, &str)]) -> Markup {
+        html! { @if !self.is_in_view { p.small { a id="tool-link" href=(self.address(fields)) { (page::link_to_tool(self.language)) } } } }
+    }
+}
+
+/// Last question that had an answer.
+pub(super) const GOOD: &str = "good";
+
+pub(super) fn fields_of(fields: &[ToolField], language: Language) -> Markup {
+    html! { div.rows { @for field in fields { (field.shown(language)) } } }
+}
