@@ -13,7 +13,7 @@ const REMAINING: [(&str, usize); 14] = [
     ("crates/mechanism", 3),
     ("crates/motion", 5),
     ("crates/order-code", 2),
-    ("crates/page", 18),
+    ("crates/page", 15),
     ("crates/project", 28),
     ("crates/quantities", 4),
     ("crates/questions", 63),
