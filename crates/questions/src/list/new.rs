@@ -44,17 +44,17 @@ const OTHER_WORDS: &[(&str, &[&str])] = &[
     ("load", &["inertia", "flywheel", "direct", "last", "schwungmasse", "schwungrad"]),
     ("turntable", &["disc", "disk", "rotary table", "round table", "drum", "scheibe", "drehtisch", "rundtisch", "trommel"]),
     ("arm", &["lever", "pendulum", "swing arm", "tilting arm", "hebel", "pendel", "schwenkarm", "kipparm"]),
-    ("screw", &["ball screw", "spindle", "lead screw", "z axis", "vertical axis", "spindel", "gewindetrieb", "kugelgewindetrieb", "hubachse", "z achse"]),
+    ("screw", &["ball screw", "spindle", "lead screw", "z axis", "vertical axis", "gewindetrieb", "kugelgewindetrieb", "hubachse", "z achse"]),
     ("belt", &["toothed belt", "timing belt", "rack", "rack and pinion", "gantry", "linear axis", "x axis", "zahnriemen", "riemen", "zahnstange", "portal", "linearachse", "x achse"]),
     ("conveyor", &["roller", "conveyor belt", "förderband", "rollenförderer", "walze"]),
-    ("slider_crank", &["crank", "press", "kurbel", "schubkurbel", "presse"]),
+    ("slider_crank", &["crank", "press", "kurbel", "schubkurbel"]),
     ("hoist", &["lift", "winch", "crane", "hubwerk", "winde", "kran", "aufzug"]),
     ("winder", &["roll", "unwinder", "rewinder", "reel", "wickler", "abwickler", "haspel", "rolle"]),
     ("scissor_lift", &["lifting table", "scissor", "hubtisch", "scherenhubtisch"]),
     ("four_bar", &["linkage", "four bar linkage", "gelenkviereck", "koppelgetriebe"]),
     ("joint", &["robot", "robot joint", "roboter", "gelenk", "robotergelenk"]),
     ("recording", &["trace", "log", "csv", "aufzeichnung", "messung"]),
-    (SWEEP, &["grid", "variation", "raster", "variante"]),
+    (SWEEP, &["grid", "variation", "raster"]),
 ];
 
 /// Returns the words of [`OTHER_WORDS`], each with its kind.
