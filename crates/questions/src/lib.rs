@@ -77,8 +77,8 @@ pub use incoming::{
 };
 pub use law_shape::{law_peaks, law_shape};
 pub use mechanism::MechanismId;
-pub use mechanism::{Orientation as BodyOrientation, SolidShape};
 pub use mechanism::drawing::{Drawing, MechanismValues};
+pub use mechanism::{Orientation as BodyOrientation, SolidShape};
 pub use motion::Spurious;
 pub use moves::{Move, Moves, moves};
 pub use plane::{Plane, curve_rows, plane, plane_of};
