@@ -40,7 +40,10 @@ fn entry(each: &AssumedKeys, written: &[Written], prefix: &str, language: Langua
     let usual = each.usual.as_deref().map(|value| (value, shown(key, value, l)));
     let about = |what: &str| format!("{what}: {label}");
     html! {
-        span.what { (crate::markup::label(&label)) ": " b { @match &value { Some(value) => (value), None => (page::assumed_not_checked(l)) } } }
+        details.what {
+            summary { (crate::markup::label(&label)) ": " b { @match &value { Some(value) => (value), None => (page::assumed_not_checked(l)) } } }
+            p.why { (why) }
+        }
         span.ways {
             @if let Some(value) = each.value.as_ref().filter(|_| each.is_alone) {
                 button.small type="button" aria-label=(about(page::assumed_take(l))) hx-post="/work" hx-vals=(vals(&[("do", &states(value))])) { (page::assumed_take(l)) }
@@ -57,7 +60,6 @@ fn entry(each: &AssumedKeys, written: &[Written], prefix: &str, language: Langua
                 button.small type="button" aria-label=(about(page::assumed_leave_out(l))) hx-post="/work" hx-vals=(vals(&[("do", &format!("value {prefix}requirements.leave_out={list}"))])) { (page::assumed_leave_out(l)) }
             }
         }
-        p.why { (why) }
     }
 }
 
