@@ -188,6 +188,10 @@ pub(crate) fn merge(call: &Call<'_>, shell: &dyn Shell) -> Reply {
         }
     };
     let Ok(theirs) = String::from_utf8(bytes) else { return ask(whole()) };
+    // A file of this name that was not opened here is another axis: nothing of both is joined.
+    if state.known.starts_with(' ') {
+        return ask(whole());
+    }
     let base = call.field("base").unwrap_or_default().replace("\r\n", "\n");
     let prefer = match call.field("prefer").as_deref() {
         Some("ours") => Some(Prefer::Ours),
