@@ -15,7 +15,7 @@ const NAMED_MOST: usize = 120;
 /// A text with the changes of a call.
 pub(crate) struct Changed {
     pub(crate) text: String,
-    /// Each change as it was made: key, value before and after.
+    /// Changes as they were made: key, value before and after.
     pub(crate) made: Vec<String>,
 }
 

@@ -33,7 +33,7 @@ pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language
             wanted = Some(value.to_owned());
         }
     }
-    wanted.and_then(|wanted| spoken::language_of(&wanted)).unwrap_or_default()
+    wanted.and_then(|wanted| words::spoken::language_of(&wanted)).unwrap_or_default()
 }
 
 /// Returns `true` if JSON is requested, even if the rest of the call is faulty.

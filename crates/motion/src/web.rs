@@ -54,7 +54,7 @@ pub enum WebFault {
 
 /// Largest natural logarithm of the ratio of the radii at the ends of one piece: the line speed of a piece then deviates
 /// from that of the web by less than 1e-6 of it.
-const GROWTH: f64 = 0.01;
+const GROWTH: f64 = 0.008;
 
 /// Largest number of pieces of one phase.
 const PIECES_MOST: f64 = 4096.0;

@@ -17,7 +17,7 @@ use words::{capitalised, page, terms};
 /// Number of actuators whose changes are searched at once.
 const BLOCK: usize = 20;
 
-/// Longest cycle, in instants and samples, for which the changes are searched unasked: some hundred thousand judged
+/// Longest cycle, in instants and samples, for which the changes are searched without a request: some hundred thousand judged
 /// instants for each block. Of a longer one only the selected actuator states its changes.
 const INSTANTS_MOST: f64 = 1_000.0;
 

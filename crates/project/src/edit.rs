@@ -471,11 +471,5 @@ fn typed(value: &Value) -> String {
     }
 }
 
-mod merged;
-mod scaled;
-
-pub use merged::{Clash, Prefer, Unmerged, merged};
-pub use scaled::{load_scaled, stretch};
-
 #[cfg(test)]
 mod tests;

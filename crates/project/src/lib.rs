@@ -24,6 +24,7 @@ mod key_default;
 mod label;
 mod measured;
 mod mechanism;
+mod merged;
 mod motion;
 mod nearest;
 mod numbers;
@@ -34,6 +35,7 @@ mod recovery;
 mod report;
 mod requirements;
 mod root;
+mod scaled;
 mod schema;
 mod section;
 mod several;
@@ -87,10 +89,7 @@ pub mod sections {
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use diagnostic::{Diagnostic, place};
-pub use edit::{
-    Clash, Edit, EditFault, Prefer, Unmerged, Written, edit, edit_measured, key_at, load_scaled, measured_key_at,
-    merged, stretch, written,
-};
+pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, written};
 pub use encoding::decoded;
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
 pub use heading::{Counted, Heading, Objection, nearest_heading};
@@ -100,11 +99,13 @@ pub use key::{ColumnDimensions, Key, Kind, Variants, example};
 pub use key_default::KeyDefault;
 pub use label::input_label;
 pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured_lines, read_measured};
+pub use merged::{Clash, Prefer, Unmerged, merged};
 pub use motion::SegmentLaw;
 pub use read::shortened;
 pub use recovery::with_newlines;
 pub use report::FaultReport;
 pub use root::{KEYS, Project, ReadProject, Shared, read};
+pub use scaled::{load_scaled, stretch};
 pub use schema::{SchemaText, schema};
 pub use several::with_axis;
 pub use tabular::TabularFault;

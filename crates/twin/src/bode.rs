@@ -1,11 +1,11 @@
 //! Frequency responses of the loops: exact linear transfer functions, including sampling, hold and delay.
 
 use crate::control::{CURRENT_RATE_HZ, Gains, POSITION_EVERY, SPEED_EVERY};
+use crate::control_loop::Loop;
 use crate::load::Local;
 use crate::plant::Plant;
 use crate::setup::{Fault, Setup};
 use crate::twin::Twin;
-use quantities::identified;
 use std::f64::consts::{PI, TAU};
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -75,19 +75,6 @@ impl Div for Complex {
 }
 
 const ONE: Complex = Complex::new(1.0, 0.0);
-
-identified! {
-    /// A control loop, the innermost first.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-    pub enum Loop {
-        /// Current loop.
-        Current = "current",
-        /// Speed loop.
-        Speed = "speed",
-        /// Position loop.
-        Position = "position",
-    }
-}
 
 impl Loop {
     /// Returns the sampling period \[s\].

@@ -8,6 +8,7 @@
 mod averaged;
 mod bode;
 mod control;
+mod control_loop;
 mod drive;
 mod gear;
 mod identify;
@@ -25,8 +26,9 @@ mod twin;
 mod warm;
 
 pub use averaged::{Averaged, Operation, averaged};
-pub use bode::{Loop, LoopResponse, Margins, Response};
+pub use bode::{LoopResponse, Margins, Response};
 pub use control::{CURRENT_RATE_HZ, Demand, Gains, POSITION_EVERY};
+pub use control_loop::Loop;
 pub use drive::Limits;
 pub use identify::{
     Column, Delay, Doubt, Estimate, HeldColumn, Identification, Identified, IdentifyFault, Misread, Observed, Open,

@@ -1,7 +1,7 @@
 //! Setup of a simulation, and reasons for which it is impossible.
 
-use crate::bode::Loop;
 use crate::control::Gains;
+use crate::control_loop::Loop;
 use crate::drive::Limits;
 use crate::parameters::Parameters;
 use crate::scenario::Scenario;

@@ -50,6 +50,7 @@ mod saving;
 mod schema;
 pub mod serving;
 pub mod simulation;
+pub mod spoken;
 mod stage;
 mod step_terms;
 pub mod sweeps;

@@ -67,7 +67,7 @@ fn every_answer_keeps_to_the_schema() {
     ask("faults", &["torsion", "CHA-20A-100-H-C1024", "--torque", "60"]);
     ask("faults", &["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/robot-joint.csv"]);
     ask("faults", &["wiring", "CHA-25A-100-H-M512P-B", "--length", "0 m"]);
-    ask("faults", &["check", "examples/two-axes.toml"]);
+    ask("faults", &["check", "examples/two-axes.toml", "--code", "CHA-58A-50-H-RES"]);
     ask("faults", &["check", "examples/nowhere.toml"]);
     for (command, arguments) in asked {
         let mut arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();

@@ -9,7 +9,7 @@ fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&run.out).unwrap_or_else(|fault| panic!("{arguments:?}: {fault}\n{}\n{}", run.out, run.err))
 }
 
-/// Each key of an example, set to the value that the file states: the answer is that of the file.
+/// A key of an example, set to the value that the file states: the answer is that of the file.
 #[test]
 fn a_key_that_is_set_to_its_own_value_changes_nothing() {
     for (place, example) in examples().iter().enumerate() {

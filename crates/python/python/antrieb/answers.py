@@ -43,8 +43,8 @@ right class of voltage and place; `null` if there is none."""
     """Project's own actuator."""
     would_fit_with: list[WouldFit] | None = None
     """Values of the gearing with which an actuator would fit, one change at a time; only if nothing fits."""
-    assumptions: list[str]
-    """Assumptions, as text."""
+    assumptions: list[AssumptionEntry]
+    """Assumptions."""
     stage: Stage | None = None
     """Stage between actuator and mechanism; only if the project has one."""
     motion: Motion
@@ -356,6 +356,18 @@ class WouldFit:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class AssumptionEntry:
+    """An assumption, made where the project states nothing."""
+
+    key: str | None = None
+    """Keys that take its place, separated by commas; `null` if no key does."""
+    value: str | None = None
+    """Value in effect, as the keys state it; `null` if no value is."""
+    why: str
+    """The assumption as text."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Stage:
     """The stage between actuator and mechanism."""
 
@@ -505,8 +517,8 @@ requirements."""
     """Reserves of the actuator."""
     tolerance: Tolerance | None = None
     """Effect of the tolerances of the project; only if it has some."""
-    assumptions: list[str]
-    """Assumptions, as text."""
+    assumptions: list[AssumptionEntry]
+    """Assumptions."""
 
     @property
     def axes(self) -> list[Judgement]:
@@ -655,8 +667,8 @@ class Explanations:
     """Ordering code, or name of the project's own actuator."""
     checks: list[Explained]
     """The requested checks."""
-    assumptions: list[str]
-    """Assumptions, as text."""
+    assumptions: list[AssumptionEntry]
+    """Assumptions."""
 
     @property
     def axes(self) -> list[Explanations]:
@@ -3150,6 +3162,7 @@ TableRow = dict[str, TableCell]
 __all__ = [
     "AmbiguousColour",
     "Assessed",
+    "AssumptionEntry",
     "Availability",
     "AxesOfBearings",
     "AxesOfComparison",

@@ -1789,9 +1789,10 @@ def upkeep_ical(
 
 
 def new(
-    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep"],
+    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "load", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep"],
     *,
     lang: Lang = "en",
+    example: bool = False,
     key: str | Sequence[str] | None = None,
     by: Literal["sobol", "lhs", "grid"] = "sobol",
     samples: int = 100,
@@ -1802,6 +1803,7 @@ def new(
     Args:
         kind: Kind of the project.
         lang: Language of the texts: `en` or `de`.
+        example: An example of a machine with all that it may have, instead of the plain file.
         key: For `new sweep`: a key with its range or values, "motion[1].time [s] = 1..3 log"; may be repeated.
         by: For `new sweep`: sampling method (sobol).
         samples: For `new sweep`: number of sampled rows, or steps per range of a grid (100). 1 to 1000000.
@@ -1817,7 +1819,7 @@ def new(
         object,
         "new",
         (),
-        [("kind", kind), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
+        [("kind", kind), ("example", example), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
         lang,
     )
     return answer

@@ -9,6 +9,7 @@ pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
 pub use crate::templates::{Template, example, plain_text, template, template_kinds};
 use quantities::Language;
 use words::help::values;
+use words::spoken::KINDS;
 use words::{help, requests};
 
 arguments! {
@@ -37,34 +38,14 @@ arguments! {
 /// The kind of a table of rows for a sweep.
 const SWEEP: &str = "sweep";
 
-/// Words by which people name a kind, in both languages, each with the kind; the file begins with a line that says what
-/// it describes.
-#[rustfmt::skip] // one line per kind
-const OTHER_WORDS: &[(&str, &[&str])] = &[
-    ("load", &["inertia", "flywheel", "direct", "last", "schwungmasse", "schwungrad"]),
-    ("turntable", &["disc", "disk", "rotary table", "round table", "drum", "scheibe", "drehtisch", "rundtisch", "trommel"]),
-    ("arm", &["lever", "pendulum", "swing arm", "tilting arm", "hebel", "pendel", "schwenkarm", "kipparm"]),
-    ("screw", &["ball screw", "spindle", "lead screw", "z axis", "vertical axis", "gewindetrieb", "kugelgewindetrieb", "hubachse", "z achse"]),
-    ("belt", &["toothed belt", "timing belt", "rack", "rack and pinion", "gantry", "linear axis", "x axis", "zahnriemen", "riemen", "zahnstange", "portal", "linearachse", "x achse"]),
-    ("conveyor", &["roller", "conveyor belt", "förderband", "rollenförderer", "walze"]),
-    ("slider_crank", &["crank", "press", "kurbel", "schubkurbel"]),
-    ("hoist", &["lift", "winch", "crane", "hubwerk", "winde", "kran", "aufzug"]),
-    ("winder", &["roll", "unwinder", "rewinder", "reel", "wickler", "abwickler", "haspel", "rolle"]),
-    ("scissor_lift", &["lifting table", "scissor", "hubtisch", "scherenhubtisch"]),
-    ("four_bar", &["linkage", "four bar linkage", "gelenkviereck", "koppelgetriebe"]),
-    ("joint", &["robot", "robot joint", "roboter", "gelenk", "robotergelenk"]),
-    ("recording", &["trace", "log", "csv", "aufzeichnung", "messung"]),
-    (SWEEP, &["grid", "variation", "raster"]),
-];
-
-/// Returns the words of [`OTHER_WORDS`], each with its kind.
+/// Returns the words of [`KINDS`], each with its kind.
 fn other_words() -> Vec<(String, &'static str)> {
     let is_kind = |kind: &&str| *kind == SWEEP || template_kinds().any(|known| known == *kind);
     let of = |(kind, words): &(&'static str, &'static [&'static str])| {
         let kind = *kind;
         words.iter().map(move |word| ((*word).to_owned(), kind)).collect::<Vec<_>>()
     };
-    OTHER_WORDS.iter().filter(|(kind, _)| is_kind(kind)).flat_map(of).collect()
+    KINDS.iter().filter(|(kind, _)| is_kind(kind)).flat_map(of).collect()
 }
 
 /// The question.
@@ -128,11 +109,11 @@ mod tests {
 
     #[test]
     fn each_other_word_names_one_kind_and_is_no_kind_itself() {
-        let words: Vec<&str> = OTHER_WORDS.iter().flat_map(|(_, words)| words.iter().copied()).collect();
+        let words: Vec<&str> = KINDS.iter().flat_map(|(_, words)| words.iter().copied()).collect();
         let once: BTreeSet<&str> = words.iter().copied().collect();
         assert_eq!(words.len(), once.len());
         let kinds: BTreeSet<&str> = template_kinds().chain([SWEEP]).collect();
-        for (kind, words) in OTHER_WORDS {
+        for (kind, words) in KINDS {
             assert!(kinds.contains(kind), "{kind}");
             for word in *words {
                 assert!(!kinds.contains(word), "{word}");

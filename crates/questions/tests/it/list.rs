@@ -95,7 +95,7 @@ fn what_cannot_be_answered_is_refused() {
         Unanswered::Refused(refusal, _) => refusal,
         other => panic!("{other:?}"),
     };
-    assert_eq!(refusal("check", &[]), Refusal::NoActuator);
+    assert_eq!(refusal("check", &[("code", "CHA-58A-50-H-RES")]), Refusal::NoData);
     let brake = [("code", "CHA-32A-50-H-C1024"), ("check", "brake_holding")];
     assert!(matches!(refusal("explain", &brake), Refusal::NotAsked(_)));
     assert!(matches!(refusal("size", &[("samples", "1000000")]), Refusal::TooManySamples { .. }));

@@ -1,6 +1,6 @@
 //! Two changed versions of a project file as one.
 
-use super::{Edit, edit, written};
+use crate::edit::{Edit, edit, written};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A key that two versions of a file changed to different values.
@@ -26,9 +26,9 @@ pub enum Unmerged {
 /// Version whose value is kept for keys that both changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Prefer {
-    /// That of the first version.
+    /// Value of the first version.
     Ours,
-    /// That of the second version.
+    /// Value of the second version.
     Theirs,
 }
 
