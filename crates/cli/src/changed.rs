@@ -1,7 +1,7 @@
 //! A project with other values for one call: `--set KEY=VALUE` and `--scale WHAT=FACTOR`.
 
 use clap::ArgMatches;
-use project::{Edit, edit, key_at, load_scaled, nearest_heading, stretch, written};
+use project::{Edit, edit, key_at, load_scaled, nearest_heading, paced, stretch, written};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use words::{Usage, UsageHint, terminal, usage_hint, usage_text};
@@ -122,20 +122,23 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         return Err(bad(change, "scale", UsageHint::Range("0.001".to_owned(), "1000".to_owned()), language));
     };
     let all = written(text).unwrap_or_default();
-    let segments = || all.iter().filter(|key| key.path.strip_prefix(prefix).is_some_and(is_segment));
-    let moved = |time: f64, way: f64| {
-        // A recording has no value that a factor could change.
-        let is_recorded = |key: &&project::Written| all.iter().any(|each| each.path == format!("{}.file", key.path));
-        if segments().any(|key| is_recorded(&key)) {
+    let further = |way: f64| {
+        // A recording has no value that a factor could change, and the roll decides the length of a web.
+        let is_given = |key: &project::Written| {
+            let law = all.iter().find(|each| each.path == format!("{}.law", key.path));
+            matches!(law.and_then(|law| law.value.as_deref()), Some("recorded" | "points" | "web"))
+        };
+        let segments = || all.iter().filter(|key| key.path.strip_prefix(prefix).is_some_and(is_segment));
+        if segments().any(is_given) {
             return None;
         }
-        segments().try_fold(text.to_owned(), |text, key| stretch(&text, &key.path, time, way).ok())
+        segments().try_fold(text.to_owned(), |text, key| stretch(&text, &key.path, 1.0, way).ok())
     };
     let done = match what {
         "load" => load_scaled(text, prefix, number, number),
         "payload" => load_scaled(text, prefix, 1.0, number),
-        "time" => moved(number, 1.0),
-        _ => moved(1.0, number),
+        "time" => paced(text, prefix, number),
+        _ => further(number),
     };
     let done = done.filter(|done| done != text || number == 1.0);
     done.map(|done| (done, format!("{what} × {number}")))

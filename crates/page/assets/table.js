@@ -6,6 +6,8 @@ addEventListener('paste', (event) => {
   if (!into || !/[\t\n]/.test(rows.trim())) return;
   event.preventDefault();
   event.stopImmediatePropagation();
+  // The cell shows what the answer says, not what was being typed.
+  document.addEventListener('htmx:after:swap', () => { if (into.matches('input')) into.value = into.defaultValue; }, { once: true });
   const { row } = into.closest('.segment-line').dataset;
   const path = into.closest('[data-path]').dataset.path;
   htmx.ajax('POST', '/work', { source: into.closest('.segment-line'), values: { rows, into: [path.replace(/\[\d+\]\.[a-z_]+$/, ''), row, into.dataset.cell ?? 0].join(' ') } });

@@ -78,7 +78,8 @@ pub(crate) fn column(
             @for name in ["motion", "stage", "bearing", "requirements", "drive", "twin", "curve", "actuator"] { (form.root(name)) }
         }
     };
-    let strip = held.projects.get(state.axis).filter(|_| !held.is_old);
+    // While the text has a fault, the strip stays that of the last result, so that the fields keep their place.
+    let strip = held.projects.get(state.axis);
     let strip =
         html! { @if let Some(project) = strip { (crate::assumed::assumptions(project, &held.written, prefix, l)) } };
     html! {

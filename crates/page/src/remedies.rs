@@ -7,12 +7,13 @@ use crate::shown::looked_at_alone;
 use crate::state::{PageState, ReadProject};
 use axis::AxisProject;
 use maud::{Markup, html};
+use project::{Edit, edit, paced};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::reserve_unasked;
 use questions::list::size::{GearingProposal, SharedLoad, gearing_proposals, shared_load};
 use questions::texts::reason;
-use questions::{Candidate, Progress, Reserve};
+use questions::{Candidate, Progress, Reserve, read_all_watched};
 use words::{capitalised, page, proviso_text, terminal, terms, unpadded};
 
 /// Number of cards above the fold.
@@ -32,6 +33,16 @@ struct Remedy {
     proviso: Option<&'static str>,
     /// Fields of the request that applies the change; `None` if it is up to the user how.
     apply: Option<String>,
+    /// The change as lines `value PATH=VALUE`.
+    edits: Option<String>,
+}
+
+/// Returns a text with a change applied.
+fn edited(text: &str, edits: &str) -> Option<String> {
+    edits.lines().try_fold(text.to_owned(), |text, line| {
+        let (path, value) = line.strip_prefix("value ")?.split_once('=')?;
+        edit(&text, path, Edit::Value(value)).ok()
+    })
 }
 
 /// Returns the place of the cards in the right pane; they are requested after the page is shown, because they need
@@ -54,13 +65,24 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     let Some(nearest) = looked_at_alone(&state, project, progress) else { return html! {} };
     let reserve = reserve_unasked(project, &nearest, progress).unwrap_or_default();
     let gearings = gearing_proposals(project, progress).unwrap_or_default();
-    let mut found = by_reserve(project, &nearest, &reserve, &state.prefix, l);
+    let reads = |text: &str| {
+        let axes = read_all_watched(text, shell.files(), shell.catalogue(), progress).ok()?;
+        axes.into_iter().nth(state.axis)
+    };
+    let mut found = by_reserve(project, &nearest, &reserve, (&state.text, &state.prefix), &reads, l);
     found.extend(gearings.iter().map(|proposal| by_gearing(proposal, &held, &state.prefix, l)));
     found.extend(
         shared_load(project, progress).ok().flatten().map(|shared| by_sharing(&shared, &held, &state.prefix, l)),
     );
     // The first change that a button applies is the main action of the page.
     let main = found.iter().position(|remedy| remedy.apply.is_some());
+    // A change that the file does not take is left to the user.
+    for remedy in &mut found {
+        if remedy.edits.as_ref().is_some_and(|edits| edited(&state.text, edits).and_then(|text| reads(&text)).is_none())
+        {
+            remedy.apply = None;
+        }
+    }
     let (first, rest) = found.split_at(found.len().min(FIRST));
     html! {
         @if first.is_empty() {
@@ -98,7 +120,8 @@ fn by_reserve(
     project: &AxisProject,
     nearest: &Candidate<'_>,
     reserve: &Reserve,
-    prefix: &str,
+    (text, prefix): (&str, &str),
+    reads: &dyn Fn(&str) -> Option<AxisProject>,
     language: Language,
 ) -> Vec<Remedy> {
     let l = language;
@@ -113,13 +136,18 @@ fn by_reserve(
         let duration = project.axis.motion.duration();
         let seconds = |si: f64| format!("{} {}", number(si), SECOND.symbol_in(l));
         let factor = reach.value.si() / duration.si();
+        let is_reached =
+            |project: &AxisProject| (project.axis.motion.duration().si() / reach.value.si() - 1.0).abs() < 1e-6;
+        let is_applicable =
+            paced(text, prefix, factor).and_then(|text| reads(&text)).is_some_and(|project| is_reached(&project));
         found.push(Remedy {
             title: page::longer_cycle(l).to_owned(),
             before: seconds(duration.si()),
             after: seconds(reach.value.si()),
             code: code.clone(),
             proviso: proviso_text(reach.proviso.estimate, reach.proviso.rating, l),
-            apply: Some(vals(&[("pace", &factor.to_string()), ("of", prefix)])),
+            apply: is_applicable.then(|| vals(&[("pace", &factor.to_string()), ("of", prefix)])),
+            edits: None,
         });
     }
     let factors = [
@@ -135,6 +163,7 @@ fn by_reserve(
             code: code.clone(),
             proviso: proviso_text(reach.proviso.estimate, reach.proviso.rating, l),
             apply: None,
+            edits: None,
         });
     }
     found
@@ -154,13 +183,15 @@ fn by_sharing(shared: &SharedLoad, held: &ReadProject, prefix: &str, language: L
     let shares = shared.shares.iter().map(|share| {
         format!("value {prefix}{}={} {}\n", share.path, rounded(share.unit.from_si(share.si)), share.unit.ascii)
     });
+    let edits = format!("{}value {prefix}{NAME}={}", shares.collect::<String>(), name.trim());
     Remedy {
         title: page::several_actuators(&shared.actuators, l),
         before: String::new(),
         after: page::each_with_its_share(&shared.actuators, l),
         code: shared.code.clone(),
         proviso: proviso_text(shared.proviso.estimate, shared.proviso.rating, l),
-        apply: Some(vals(&[("do", &format!("{}value {prefix}{NAME}={}", shares.collect::<String>(), name.trim()))])),
+        apply: Some(vals(&[("do", &edits)])),
+        edits: Some(edits),
     }
 }
 
@@ -180,7 +211,7 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
     let value = value.trim();
     let stage = proposal.adds_stage();
     let kind = if stage { format!("value {prefix}stage.kind=gear\n") } else { String::new() };
-    let apply = vals(&[("do", &format!("{kind}value {path}={value}"))]);
+    let edits = format!("{kind}value {path}={value}");
     Remedy {
         title: if stage {
             page::an_intermediate_stage(l).to_owned()
@@ -191,6 +222,7 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
         after: if stage { terminal::a_stage(&shown(proposal.si), l) } else { shown(proposal.si) },
         code: proposal.code.clone(),
         proviso: proviso_text(proposal.proviso.estimate, proposal.proviso.rating, l),
-        apply: Some(apply),
+        apply: Some(vals(&[("do", &edits)])),
+        edits: Some(edits),
     }
 }

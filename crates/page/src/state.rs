@@ -391,7 +391,7 @@ impl PageState {
             apply(&path, Edit::Value(&value));
         }
         if let (Some(factor), Some(prefix)) = (call.field("pace"), call.field("of"))
-            && let Some(changed) = factor.parse().ok().and_then(|factor| paced(&self.text, &prefix, factor))
+            && let Some(changed) = factor.parse().ok().and_then(|factor| project::paced(&self.text, &prefix, factor))
         {
             self.text = changed;
         }
@@ -519,14 +519,6 @@ fn pasted_into(text: &str, into: &str, rows: &str, language: Language) -> Option
     let mut parts = into.split(' ');
     let (list, row, column) = (parts.next()?, parts.next()?.parse().ok()?, parts.next()?.parse().ok()?);
     pasted(text, &Cell { list, row, column }, rows, language)
-}
-
-/// Returns the text with the whole motion of an axis slower by a factor, dwells included; `prefix`: `axis[2].` in a file with several.
-fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
-    let segments = written(text)?.into_iter().filter_map(|key| Some(key.path.strip_suffix(".law")?.to_owned()));
-    let of_the_axis: Vec<String> =
-        segments.filter(|path| path.strip_prefix(prefix).is_some_and(|inside| inside.starts_with("motion["))).collect();
-    of_the_axis.iter().try_fold(text.to_owned(), |text, segment| stretch(&text, segment, factor, 1.0)).ok()
 }
 
 /// Value of `axis` that selects the summary of all axes.

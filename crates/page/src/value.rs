@@ -99,8 +99,23 @@ pub(crate) fn taken(typed: &str, language: Language) -> String {
     match computed(nominal, language) {
         Ok(Some(value)) if band.is_empty() => value,
         Ok(Some(value)) => format!("{value} ± {band}"),
+        // `1.000` is a thousand where the comma is the decimal mark, and one elsewhere: it is refused as `1 000`.
+        Ok(None) | Err(_) if is_of_thousands(nominal, language) => {
+            nominal.replacen('.', " ", nominal.matches('.').count())
+        }
         Ok(None) | Err(_) => with_point(typed, language),
     }
+}
+
+/// Returns `true` if a number has points between groups of three digits, in a language with a decimal comma.
+fn is_of_thousands(typed: &str, language: Language) -> bool {
+    let number = typed.trim().trim_start_matches(['+', '-', '−']);
+    let end = number.find(|sign: char| !sign.is_ascii_digit() && sign != '.').unwrap_or(number.len());
+    let mut groups = number.get(..end).unwrap_or_default().split('.');
+    let first = groups.next().is_some_and(|first| (1..=3).contains(&first.len()) && !first.starts_with('0'));
+    let rest: Vec<&str> = groups.collect();
+    let is_whole = !number.get(end..).is_some_and(|rest| rest.starts_with(','));
+    language.decimal_mark() == ',' && is_whole && first && !rest.is_empty() && rest.iter().all(|group| group.len() == 3)
 }
 
 /// Returns the fault of the arithmetic in the value of a number; `None` if there is none.
@@ -208,6 +223,22 @@ pub(crate) fn field(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_thousand_with_a_point_is_refused_where_the_comma_is_the_decimal_mark() {
+        for (typed, kept) in [
+            ("1.000", "1 000"),
+            ("-12.500 kg", "-12 500 kg"),
+            ("1.000.000", "1 000 000"),
+            ("0.125", "0.125"),
+            ("1.5", "1.5"),
+            ("1.0000", "1.0000"),
+        ] {
+            assert_eq!(taken(typed, Language::De), kept, "{typed}");
+            assert_eq!(taken(typed, Language::En), typed);
+        }
+        assert!(quantities::parse_as::<quantities::Mass>("1 000 kg").is_err());
+    }
 
     #[test]
     fn a_number_takes_the_unit_beside_it() {

@@ -105,7 +105,7 @@ pub use read::shortened;
 pub use recovery::with_newlines;
 pub use report::FaultReport;
 pub use root::{KEYS, Project, ReadProject, Shared, read};
-pub use scaled::{load_scaled, stretch};
+pub use scaled::{load_scaled, paced, stretch};
 pub use schema::{SchemaText, schema};
 pub use several::with_axis;
 pub use tabular::TabularFault;

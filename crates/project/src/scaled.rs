@@ -59,6 +59,46 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
     Ok(changed)
 }
 
+/// Returns the text with the whole motion of an axis slower by a factor, dwells and a stated cycle included; `prefix` stands
+/// before the keys of the axis. `None` if a segment has no values that a factor could change: a recording, points over the
+/// time, a web whose ramps are assumed.
+#[must_use]
+pub fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
+    let all = written(text)?;
+    let value = |path: &str| all.iter().find(|key| key.path == path).and_then(|key| key.value.as_deref());
+    let is_segment = |path: &str| {
+        let place = path.strip_prefix(prefix)?.strip_prefix("motion[")?.strip_suffix(']')?;
+        place.parse::<usize>().ok()
+    };
+    let mut changed = text.to_owned();
+    for segment in all.iter().map(|key| key.path.as_str()).filter(|path| is_segment(path).is_some()) {
+        let mut times = |name: &str, factor: f64| {
+            let path = format!("{segment}.{name}");
+            let Some(stated) = value(&path) else { return Some(false) };
+            changed = edit(&changed, &path, Edit::Value(&scaled(stated, factor, DIGITS_OF_LOAD)?)).ok()?;
+            Some(true)
+        };
+        match value(&format!("{segment}.law"))? {
+            "recorded" => return None,
+            "points" => times("master_speed", 1.0 / factor)?.then_some(())?,
+            "web" => {
+                let all = [times("speed", 1.0 / factor)?, times("accelerate", factor)?, times("brake", factor)?];
+                all.iter().all(|is_stated| *is_stated).then_some(())?;
+            }
+            // The way is kept: without its speed it would follow from the time.
+            "constant" => {
+                times("speed", 1.0 / factor)?;
+                times("time", factor)?;
+            }
+            _ => {
+                times("cycle", factor)?;
+                changed = stretch(&changed, segment, factor, 1.0).ok()?;
+            }
+        }
+    }
+    (changed != text || factor == 1.0).then_some(changed)
+}
+
 /// Returns the text with the stated masses and moments of inertia of load and mechanism scaled by `load`, and those of the
 /// payloads by `payload`; `prefix` stands before the keys of the axis. `None` if the load has none, or solid bodies or
 /// recorded torques that a factor does not reach.
@@ -154,6 +194,31 @@ mod tests {
             None
         );
         assert_eq!(load_scaled("[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n", "", 2.0, 2.0), None);
+    }
+
+    #[test]
+    fn a_slower_motion_keeps_its_way_and_its_cycle_grows_with_it() {
+        let motion = |segments: &str| format!("[[motion]]\n{}\n", segments.replace("; ", "\n"));
+        for (stated, slower) in [
+            ("law = \"dwell\"; cycle = \"4 s\"", Some("law = \"dwell\"; cycle = \"8 s\"")),
+            ("law = \"constant\"; speed = \"30 1/min\"", Some("law = \"constant\"; speed = \"15 1/min\"")),
+            (
+                "law = \"constant\"; speed = \"30 1/min\"; distance = \"360 deg\"",
+                Some("law = \"constant\"; speed = \"15 1/min\"; distance = \"360 deg\""),
+            ),
+            (
+                "law = \"constant\"; speed = \"30 1/min\"; time = \"2 s\"",
+                Some("law = \"constant\"; speed = \"15 1/min\"; time = \"4 s\""),
+            ),
+            (
+                "law = \"polynomial_5\"; distance = \"90 deg\"; time = \"1 s\"",
+                Some("law = \"polynomial_5\"; distance = \"90 deg\"; time = \"2 s\""),
+            ),
+            ("law = \"recorded\"; file = \"run.csv\"", None),
+            ("law = \"web\"; speed = \"60 m/min\"", None),
+        ] {
+            assert_eq!(paced(&motion(stated), "", 2.0), slower.map(motion), "{stated}");
+        }
     }
 
     #[test]
