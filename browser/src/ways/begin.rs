@@ -24,6 +24,12 @@ pub(crate) fn with_figures(stage: &OpenPage<'_>) -> Worded {
     }
     tab.click("#begin form button[type=submit]")?;
     stage.ready()?;
+    tab.says("#text", "25 kg")?;
+    // What was begun and never saved is kept without a change: the start page leads back to it.
+    tab.until("document.title.startsWith('•')")?;
+    stage.start("en")?;
+    tab.click("#unsaved li button")?;
+    stage.ready()?;
     tab.says("#text", "25 kg")
 }
 

@@ -101,9 +101,11 @@ function note() {
     if (past.length > 500) past.shift();
   }
   last = now;
-  if (saved === null) saved = now;
+  if (saved === null) saved = isNew() ? '' : now;
   buttons();
 }
+// Whether the entry in the history has the name of the draft: one that goes on has that of the draft.
+let isNamed = false;
 function buttons() {
   const set = (id, is) => { const button = $(id); if (button) button.setAttribute('aria-disabled', String(is)); };
   set('#undo', past.length === 0);
@@ -112,8 +114,10 @@ function buttons() {
   document.title = (changed ? '• ' : '') + titled();
   const state = $('#file-state');
   if (state) { state.className = changed ? 'changed' : 'saved'; state.textContent = known() || changed ? state.dataset[changed ? 'changed' : 'saved'] : ''; }
-  if (text()) keepDraft(changed);
+  if (text() && isNamed) keepDraft(changed);
 }
+// An axis that was begun here, or brought along, is kept nowhere yet; an example can be opened again.
+const isNew = () => !known() && !location.hash && !location.pathname.endsWith('/example') && !['new', 'open'].some((name) => new URLSearchParams(location.search).has(name));
 const known = () => ($('#state [name=known]')?.value ?? '').trim() !== '';
 const titled = () => [$('#verdict strong.code')?.textContent, $('#file')?.value, 'antrieb'].filter(Boolean).join(' – ');
 
@@ -172,7 +176,7 @@ function draft() {
   const key = draftKey();
   try { found = JSON.parse(localStorage.getItem(key) ?? 'null'); } catch { return; }
   if (continued && found?.text === text().defaultValue) { saved = found.base; buttons(); return; }
-  if (!found || found.text === text().defaultValue || found.base !== text().defaultValue) return;
+  if (!found || found.text === text().defaultValue || (found.base !== text().defaultValue && found.base !== '')) return;
   const kind = first || performance.getEntriesByType('navigation')[0]?.type;
   if (kind === 'reload' || kind === 'back_forward') { put(found.text); tell(said('restored')); return; }
   const chosen = (then) => () => { place.replaceChildren(); then(); };
@@ -587,5 +591,7 @@ document.addEventListener('click', (event) => {
 // A module runs when the page is there.
 right();
 draft();
+isNamed = true;
+if (last !== null) buttons();
 unsaved();
 themed();

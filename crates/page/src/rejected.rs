@@ -19,7 +19,10 @@ const BLOCK: usize = 20;
 
 /// Longest cycle, in instants and samples, for which the changes are searched without a request: some hundred thousand judged
 /// instants for each block. Of a longer one only the selected actuator states its changes.
-const INSTANTS_MOST: f64 = 1_000.0;
+const INSTANTS_MOST: f64 = 2_000.0;
+
+/// Cost of an instant of the loads on the flange, relative to that of an instant of the cycle.
+const FLANGE_SHARE: f64 = 0.05;
 
 /// Field with the actuators of a block.
 const NAMES: &str = "names";
@@ -68,7 +71,7 @@ fn is_short(project: &AxisProject) -> bool {
     let [on_flange, recorded] = project.axis.flange_instants();
     #[expect(clippy::cast_precision_loss, reason = "a count of instants")]
     let instants = project.axis.instants() as f64;
-    instants + on_flange + recorded <= INSTANTS_MOST
+    instants + FLANGE_SHARE * (on_flange + recorded) <= INSTANTS_MOST
 }
 
 /// Returns the identifier of the cell with the change of an actuator.
