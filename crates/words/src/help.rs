@@ -20,11 +20,11 @@ texts! {
         "Memory limit for the recordings of the project (512 MiB, or variable ANTRIEB_MEMORY)"
         | "Speichergrenze für die Aufzeichnungen des Projekts (512 MiB, oder Variable ANTRIEB_MEMORY)";
     set =
-        "Value of a key for this call, in place of that of the file, such as mechanism.belt.mass=20kg; may be repeated"
-        | "Wert eines Schlüssels für diesen Aufruf, anstelle dessen der Datei, etwa mechanism.belt.mass=20kg; mehrfach möglich";
+        "Value of a key for this call, in place of that of the file, such as mechanism.belt.mass=20kg"
+        | "Wert eines Schlüssels für diesen Aufruf, anstelle dessen der Datei, etwa mechanism.belt.mass=20kg";
     scale =
-        "Factor for this call: load=1.15 (masses and moments of inertia with payloads), payload, time or distance; may be repeated"
-        | "Faktor für diesen Aufruf: load=1,15 (Massen und Trägheitsmomente mit Nutzlasten), payload, time oder distance; mehrfach möglich";
+        "Factor for this call: load=1.15 (masses and moments of inertia with payloads), payload=2, time=0.8 or distance=2"
+        | "Faktor für diesen Aufruf: load=1,15 (Massen und Trägheitsmomente mit Nutzlasten), payload=2, time=0,8 oder distance=2";
     deadline =
         "Time limit, such as \"30 s\"; when it is exceeded, the command stops without an answer"
         | "Zeitgrenze der Berechnung, etwa \"30 s\"; danach Abbruch ohne Ergebnis";
