@@ -86,6 +86,9 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply
 }
 
 fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
+    if !WHOLE && is_for_the_larger(call) {
+        return Reply::text(MISDIRECTED, "");
+    }
     if let Some(name) = call.path.strip_prefix("/assets/").filter(|_| WHOLE) {
         return assets::asset(name);
     }
@@ -107,37 +110,51 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         (Method::Get, "/axis") => html(start::further(call.language())),
         (Method::Get, "/begin/drawing") => html(start::drawing_of(call)),
         (Method::Post, "/work") => frame::worked(call, shell, progress),
-        (Method::Post, "/tolerances") => html(tolerances::judged(call, shell, progress)),
+        (Method::Post, "/tolerances") if WHOLE => html(tolerances::judged(call, shell, progress)),
         (Method::Get, PROGRESS) => waiting::progress(call, shell),
         (Method::Post, CANCEL) => waiting::cancelled(call, shell),
         (Method::Post, "/explain") => html(frame::explained(call, shell, progress)),
         (Method::Post, "/compare") => html(frame::compared(call, shell, progress)),
         (Method::Post, "/tools") if WHOLE => html(tools::pane(call, shell, progress)),
         (Method::Get, "/find") => html(find::found(call)),
-        (Method::Get, "/gallery") => html(gallery::shown(call)),
+        (Method::Get, "/gallery") if WHOLE => html(gallery::shown(call)),
         (Method::Get, "/keys") => html(find::keyboard(call)),
-        (Method::Post, "/versions") => html(versions::listed(call)),
+        (Method::Post, "/versions") if WHOLE => html(versions::listed(call)),
         (Method::Post, "/picture") => frame::picture(call, shell, progress),
-        (Method::Post, "/let-in") => html(rejected::changes(call, shell, progress)),
+        (Method::Post, "/let-in") if WHOLE => html(rejected::changes(call, shell, progress)),
         (Method::Post, "/would-fit") => html(remedies::cards(call, shell, progress)),
         (Method::Post, "/curves") => frame::curves(call, shell, progress),
         (Method::Post, "/values") => frame::values(call, shell, progress),
         (Method::Get, "/example") => html(start::example_verdict(call, shell, progress)),
         (Method::Get, "/files") => html(files::listed(call, shell)),
-        (Method::Post, "/merge") => files::merge(call, shell),
+        (Method::Post, "/merge") if WHOLE => files::merge(call, shell),
         (Method::Get, "/watch") => files::watched(call, shell),
         (Method::Get, "/text") => files::text(call, shell),
         (Method::Post, "/example") => files::example(call, shell, progress),
         (Method::Post, "/save") => files::saved(call, shell),
-        (Method::Post, RECORDING) => incoming::used(call, shell),
-        (Method::Post, PREVIEW) => incoming::preview(call, shell, progress),
+        (Method::Post, RECORDING) if WHOLE => incoming::used(call, shell),
+        (Method::Post, PREVIEW) if WHOLE => incoming::preview(call, shell, progress),
         _ => Reply::text(404, words::page::no_such_page(call.language())),
     }
 }
 
-/// The complete page. The engine that a browser fetches first has neither the tools nor the simulation, nor the paths
-/// below `/api/`, nor the additional files; requests for them go to the larger engine (`larger` in `site.js`).
+/// The complete page. The engine that a browser fetches first answers what a motion and its verdict need; the larger
+/// one, fetched with the first request for it, answers everything.
 const WHOLE: bool = cfg!(feature = "interface");
+
+/// Status of a request that only the larger engine answers.
+const MISDIRECTED: u16 = 421;
+
+/// Returns true for the requests that only the larger engine answers: `/api/`, tools, simulation, tolerances,
+/// recordings, versions, two versions in one, the gallery, and what would let a rejected actuator in.
+fn is_for_the_larger(call: &Call<'_>) -> bool {
+    let path = ["/tools", "/tolerances", "/versions", "/let-in", "/gallery", "/merge", RECORDING, PREVIEW];
+    let simulation = state::View::Simulation.id();
+    call.path.starts_with("/api/")
+        || path.contains(&call.path)
+        || (call.path == "/" && call.field("tool").is_some())
+        || call.fields().filter(|(name, _)| name == "view").last().is_some_and(|(_, view)| view == simulation)
+}
 
 /// Path that keeps a recording and returns the project that uses it; its body is a line of fields and the file.
 pub const RECORDING: &str = "/recording";

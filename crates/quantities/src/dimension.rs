@@ -90,7 +90,7 @@ dimensions! {
     /// Energy, SI unit J.
     Energy: an "energy", eine "Energie", "100 J";
     /// Thermodynamic temperature, SI unit K: 40 °C is 313.15 K.
-    Temperature: a "temperature", eine "Temperatur", "40 degC";
+    Temperature: a "temperature", eine "Temperatur", "40 °C";
     /// Difference of two temperatures, SI unit K.
     TemperatureInterval: a "temperature difference", eine "Temperaturdifferenz", "60 K";
     /// Frequency, SI unit Hz.

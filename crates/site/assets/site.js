@@ -131,8 +131,8 @@
       held.set(name, stamp);
     }
   }
-  async function keep(name, modified_s) {
-    const { body } = await said({ take: { name } });
+  async function keep(name, modified_s, of) {
+    const { body } = await said({ take: { name } }, undefined, of);
     const stamp = { name, modified_s, stamp: `${Date.now()} ${Math.random()}` };
     await kept('readwrite', (files, stamps) => { stamps.put(stamp, name); return files.put(body, name); });
     // The other engine has it as well.
@@ -142,12 +142,9 @@
   const forget = (name) => kept('readwrite', (files, stamps) => { stamps.delete(name); return files.delete(name); });
   const alone = (action) => navigator.locks?.request('antrieb', action) ?? action();
 
-  // What is below /api/, the tools and the simulation need the larger engine, which is fetched with the first of them.
   const FORM_MEDIA = 'application/x-www-form-urlencoded';
-  function larger({ path, query, media }, body) {
-    if (path.startsWith('/api/') || path === '/tools' || new URLSearchParams(query).has('tool')) return true;
-    return (media ?? '').startsWith(FORM_MEDIA) && new URLSearchParams(new TextDecoder().decode(body)).getAll('view').pop() === 'simulation';
-  }
+  // Status of a request that only the larger engine answers; it is fetched with the first of them.
+  const MISDIRECTED = 421;
   // One after the other: an answer is that of the files as they are.
   let before = ready;
   function answer(question, body, signal) {
@@ -155,22 +152,25 @@
       signal?.throwIfAborted();
       const now_s = Math.floor(Date.now() / 1000);
       await sync();
-      const of = isFile || larger(question, body ?? new Uint8Array()) ? 'interface' : 'engine';
-      if (of === 'interface') {
-        try { await engine('interface'); } catch (error) {
+      const asking = (of) => said({ ask: { language: html.lang, now_s, ...question } }, body, of);
+      let of = FIRST;
+      let reply = await asking(of);
+      if (reply.head.status === MISDIRECTED) {
+        of = 'interface';
+        try { await engine(of); } catch (error) {
           console.error(error);
-          loaded.delete('interface');
+          loaded.delete(of);
           return plain(503, words('none'));
         }
+        reply = await asking(of);
       }
-      const reply = await said({ ask: { language: html.lang, now_s, ...question } }, body, of);
       if (reply.head.failed) {
         console.error(reply.head.failed);
         return plain(500, words('failed'));
       }
       const name = reply.head.kept;
       if (!name) return reply;
-      try { await keep(name, now_s); } catch {
+      try { await keep(name, now_s, of); } catch {
         await said({ gone: { name } });
         return plain(507, words('full'));
       }

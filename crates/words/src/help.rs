@@ -95,8 +95,8 @@ texts! {
         "Evaluate many axes: a table whose columns are keys of the project"
         | "Viele Achsen bewerten: eine Tabelle, deren Spalten Schlüssel des Projekts sind";
     sweep_table =
-        "Table of the rows, CSV or Parquet; headings such as \"motion[1].time [s]\", \"requirements.ambient [degC]\", \"code\""
-        | "Tabelle der Zeilen, CSV oder Parquet; Überschriften wie \"motion[1].time [s]\", \"requirements.ambient [degC]\", \"code\"";
+        "Table of the rows, CSV or Parquet; headings such as \"motion[1].time [s]\", \"requirements.ambient [°C]\", \"code\""
+        | "Tabelle der Zeilen, CSV oder Parquet; Überschriften wie \"motion[1].time [s]\", \"requirements.ambient [°C]\", \"code\"";
     sweep_check =
         "All ordering codes of every row with verdict and utilisation of this check; may be repeated"
         | "Alle Bestellbezeichnungen jeder Zeile mit Ergebnis und Auslastung dieses Nachweises; mehrfach möglich";
@@ -206,8 +206,8 @@ texts! {
         "Format of the settings: sinamics, cia402, plain"
         | "Format der Einstellwerte: sinamics, cia402, plain (neutral)";
     commission_ambient =
-        "Temperature at which winding and sensors are measured (20 degC)"
-        | "Temperatur, bei der Wicklung und Sensoren gemessen werden (20 degC)";
+        "Temperature at which winding and sensors are measured (20 °C)"
+        | "Temperatur, bei der Wicklung und Sensoren gemessen werden (20 °C)";
     commission_out =
         "Write the settings to this file: parameters line by line, an EDS, or JSON"
         | "Einstellwerte in diese Datei schreiben: Parameter zeilenweise, ein EDS oder JSON";
@@ -255,8 +255,8 @@ texts! {
         "Mounting of an actuator: fits, screws and their utilisation, mass"
         | "Montage eines Antriebs: Passungen, Schrauben und ihre Auslastung, Masse";
     mount_bore =
-        "Bore for both pilots: a tolerance zone such as K7, or limit deviations such as \"+12/-3 um\"; default: H7, as recommended in the manual"
-        | "Bohrung für beide Zentrierungen: ein Toleranzfeld wie K7 oder Grenzabmaße wie \"+12/-3 um\"; ohne Angabe H7 nach Empfehlung der Anleitung";
+        "Bore for both pilots: a tolerance zone such as K7, or limit deviations such as \"+12/-3 µm\"; default: H7, as recommended in the manual"
+        | "Bohrung für beide Zentrierungen: ein Toleranzfeld wie K7 oder Grenzabmaße wie \"+12/-3 µm\"; ohne Angabe H7 nach Empfehlung der Anleitung";
     mount_bore_load = "Bore of the load, if different" | "Bohrung der Last, falls abweichend";
     mount_bore_housing = "Bore of the machine, if different" | "Bohrung der Maschine, falls abweichend";
     mount_project =

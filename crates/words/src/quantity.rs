@@ -110,8 +110,8 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
             | "zum Beispiel „± 10 %“, oder eine Größe derselben Art"
         )),
         QuantityError::ToleranceOfOffsetScale { .. } => Some(said!(language =>
-            "state the half-width in kelvin, for example \"40 degC ± 5 K\""
-            | "die halbe Breite in Kelvin angeben, zum Beispiel „40 degC ± 5 K“"
+            "state the half-width in kelvin, for example \"40 °C ± 5 K\""
+            | "die halbe Breite in Kelvin angeben, zum Beispiel „40 °C ± 5 K“"
         )),
     }
 }

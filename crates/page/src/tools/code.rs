@@ -148,7 +148,7 @@ pub(super) fn words(typed: &str, language: Language) -> Markup {
     match glossary(wanted, language) {
         Ok(found) => html! { dl {
             @for word in &found.words { dt { (word.en) " · " (word.de) } dd { (word.meaning) } }
-            @for term in &found.terms { dt { (symbol(&term.symbol)) } dd { (term.en) " · " (term.de) @if !term.unit.is_empty() { " [" (term.unit) "]" } @if !term.remark.is_empty() { br; span.small { (term.remark) } } } }
+            @for term in &found.terms { dt { (symbol(&term.symbol)) } dd { (term.en) " · " (term.de) @if !term.unit.is_empty() { " [" (Unit::of(&term.unit).map_or(&*term.unit, |unit| unit.symbol)) "]" } @if !term.remark.is_empty() { br; span.small { (term.remark) } } } }
             @for sign in &found.symbols {
                 // A row that the tables name in words has no symbol.
                 @if let Some(shown) = row_sign(&sign.symbol) { dt { (symbol(&shown)) } dd { (sign.en) " · " (sign.de) } } @else { dt { (sign.en) } dd { (sign.de) } }

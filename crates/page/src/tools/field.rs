@@ -105,7 +105,12 @@ impl ToolField {
         };
         let about = (argument.about)(language);
         let about = if argument.repeated { page::one_a_line(&about, language) } else { about.to_owned() };
-        Some(Self::new(argument.name, &about, entry))
+        let mut field = Self::new(argument.name, &about, entry);
+        if let list::ArgumentKind::Word(words) = argument.kind {
+            // The list of the words of the command line stands in the choice.
+            field.remark = field.remark.filter(|remark| !words().iter().all(|word| remark.contains(word)));
+        }
+        Some(field)
     }
 
     /// Creates a field; the text behind its first full stop is shown below it.

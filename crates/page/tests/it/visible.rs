@@ -94,7 +94,28 @@ fn is_part(sign: char) -> bool {
 }
 
 /// Words of developers: the opening of an example, an option of the command line, a quotation mark of Markdown.
-const DEVELOPERS: [&str; 8] = ["e.g.", "z. B. ", "z.B.", "zd-shf", "`", " --", "::", "NaN"];
+const DEVELOPERS: [&str; 9] = ["e.g.", "z. B. ", "z.B.", "zd-shf", "`", " --", "::", "NaN", "degC"];
+
+/// Returns the choices of a German page that show their value in the file instead of words.
+fn choices_without_words(html: &str) -> Vec<String> {
+    let options = html.split("<option value=\"").skip(1).filter_map(|rest| {
+        let (value, rest) = rest.split_once('"')?;
+        let shown = rest.split_once('>')?.1.split('<').next()?;
+        Some((value, shown))
+    });
+    let is_word = |value: &str| {
+        value.len() > 2
+            && value != "normal"
+            && quantities::Unit::of(value).is_none()
+            && value.chars().all(|sign| sign.is_ascii_lowercase() || sign == '_')
+    };
+    // A wrong word of the file stays in its field.
+    let is_wrong = |value: &str| html.contains(&format!("<option value=\"{value}\" selected>"));
+    options
+        .filter(|(value, shown)| value == shown && is_word(value) && !is_wrong(value))
+        .map(|(value, _)| value.to_owned())
+        .collect()
+}
 
 /// Returns the identifiers in a text.
 fn identifiers(text: &VisibleText, known: &BTreeSet<String>) -> Vec<String> {
@@ -110,7 +131,9 @@ fn identifiers(text: &VisibleText, known: &BTreeSet<String>) -> Vec<String> {
             found.push(word.to_owned());
         }
     }
-    let quotes = DEVELOPERS.iter().filter(|sign| text.words.contains(**sign));
+    // What the user typed is quoted as it was typed.
+    let own: String = text.words.split(['"', '„', '“']).step_by(2).collect();
+    let quotes = DEVELOPERS.iter().filter(|sign| own.contains(**sign));
     found.extend(quotes.map(|sign| (*sign).to_owned()));
     found
 }
@@ -129,6 +152,11 @@ fn found_in(requests: &[Request]) -> BTreeMap<(String, String), String> {
         let reply = if fields.is_empty() { folder.get(path, query) } else { folder.post(path, &fields) };
         let html = String::from_utf8_lossy(&reply.body).into_owned();
         assert_eq!(reply.status, 200, "{path} {query}: {html}");
+        let is_german =
+            fields.iter().any(|(name, value)| *name == "lang" && *value == "de") || query.contains("lang=de");
+        for value in if is_german { choices_without_words(&html) } else { Vec::new() } {
+            let _ = found.entry((value, "option".to_owned())).or_insert_with(|| format!("{path} {query}"));
+        }
         for text in visible_texts(&html, &["file"]) {
             for word in identifiers(&text, &errata) {
                 let cut: String = text.words.chars().take(160).collect();
