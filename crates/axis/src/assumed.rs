@@ -62,6 +62,11 @@ impl AxisProject {
                 });
                 with(open, &format!("{RAMP_S} s"))
             }
+            Assumption::ArmIsRod => with(self.of_the_load("shape"), "rod"),
+            Assumption::PayloadAtArmEnd => {
+                let mechanism::MechanismKind::Rotor(rotor) = &self.axis.mechanism.kind else { return none(Vec::new()) };
+                with(self.of_the_load("payload_distance"), &millimetres(rotor.payload_radius.si()))
+            }
             Assumption::NoFlangeLoads => none(vec![root.path("bearing.radial_force")]),
             Assumption::ConditionsWithinRange => {
                 let absent = RequirementsSection::absent(root.head());
@@ -133,11 +138,21 @@ impl AxisProject {
     /// Returns the diameter at which a winder begins, as written in a file.
     fn roll_to_wind(&self) -> Option<String> {
         let mechanism::MechanismKind::Winder(winder) = &self.axis.mechanism.kind else { return None };
-        let millimetres = winder.start_diameter.si() * 1e3;
-        // Rounding of the unit adds no digits.
-        let short = format!("{millimetres:.12e}").parse::<f64>().unwrap_or(millimetres);
-        Some(format!("{short} mm"))
+        Some(millimetres(winder.start_diameter.si()))
     }
+
+    /// Returns the path of a key of the load.
+    fn of_the_load(&self, key: &str) -> Vec<String> {
+        driven(&self.root.parts).and_then(|driven| driven.field(key)).map(StatedField::path).into_iter().collect()
+    }
+}
+
+/// Returns a length as written in a file.
+fn millimetres(si: f64) -> String {
+    let millimetres = si * 1e3;
+    // Rounding of the unit adds no digits.
+    let short = format!("{millimetres:.12e}").parse::<f64>().unwrap_or(millimetres);
+    format!("{short} mm")
 }
 
 const fn is_of_requirements(default: KeyDefault) -> bool {

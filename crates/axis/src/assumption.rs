@@ -70,6 +70,10 @@ pub enum Assumption {
     NoPayloadInDwell,
     /// The payload of a turntable lies in the direction of the common centre of mass of the bodies.
     PayloadTowardsCentre,
+    /// The length of an arm is stated without its shape: a rod.
+    ArmIsRod,
+    /// The length of an arm is stated without the distance of the payload: at the end of the arm.
+    PayloadAtArmEnd,
     /// The recorded torque is a process torque, added to the torque of the mechanism.
     RecordedTorqueAdds,
     /// The recorded rotary quantities are those at the output.
@@ -110,7 +114,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 86] = [
+    pub const ALL: [Self; 88] = [
         Self::Default(KeyDefault::NoFriction),
         Self::Default(KeyDefault::AmbientWithinRange),
         Self::ConditionsWithinRange,
@@ -171,6 +175,8 @@ impl Assumption {
         Self::Default(KeyDefault::MotorHolds),
         Self::NoPayloadInDwell,
         Self::PayloadTowardsCentre,
+        Self::ArmIsRod,
+        Self::PayloadAtArmEnd,
         Self::RecordedTorqueAdds,
         Self::RecordedAtOutput,
         Self::RecordedTurnsAlike,

@@ -1,5 +1,6 @@
 //! The load of an axis, or a mechanism with its load, as the file states it.
 
+use crate::assumption::Assumption;
 use crate::fault::{AxisFault, AxisReport};
 use mechanism::{Geometry, MechanismKind};
 use project::KeyDefault;
@@ -46,6 +47,11 @@ pub(crate) trait Driven: Fields {
     /// Returns `true` if a default has no effect on the result and is not listed.
     fn is_without_effect(&self, _default: KeyDefault) -> bool {
         false
+    }
+
+    /// Returns assumptions of its own; `carries` if a segment has a payload.
+    fn assumptions(&self, _carries: bool) -> Vec<Assumption> {
+        Vec::new()
     }
 
     /// Returns the force of the process along the line of the load, if there is such a line.

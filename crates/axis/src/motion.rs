@@ -380,7 +380,9 @@ pub(crate) fn assumptions(axis: &AxisSource, driven: Option<&dyn Driven>, found:
         found.push(Assumption::NoPayloadInDwell);
     }
     let has_bodies = driven.is_some_and(|driven| driven.bodies().is_some());
-    if has_bodies && segments.iter().any(|segment| segment.payload.or_zero().si() > 0.0) {
+    let has_payload = segments.iter().any(|segment| segment.payload.or_zero().si() > 0.0);
+    if has_bodies && has_payload {
         found.push(Assumption::PayloadTowardsCentre);
     }
+    found.extend(driven.map(|driven| driven.assumptions(has_payload)).unwrap_or_default());
 }

@@ -1,10 +1,12 @@
 //! A call from Python as a question of the list.
 
+use crate::held::{HeldFiles, Recordings};
 use antrieb::SourceFile;
 use axis::{Catalogue, Files, NoFiles};
+use disk::ProjectFiles;
 use page::{Reply, Shell};
 use quantities::Language;
-use questions::list::{ArgumentKind, Entry, Given, Inquiry, LIST, Unanswered};
+use questions::list::{ArgumentKind, Entry, Given, Inquiry, LIST, ReferencedText, Unanswered};
 use questions::{Progress, embedded_catalogue};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -24,6 +26,8 @@ pub enum SourceText {
         name: String,
         /// Folder of the recordings.
         folder: PathBuf,
+        /// Recordings that are not read from files.
+        recordings: Recordings,
     },
 }
 
@@ -70,10 +74,10 @@ impl QuestionCall {
         let entry = entry(&self.command)?;
         let memory = antrieb::memory_allowed(self.memory.clone(), self.language)?;
         let read = self.texts.iter().map(|text| text.read(memory, self.language));
-        let files: Vec<SourceFile> = read.collect::<Result<_, _>>()?;
+        let files: Vec<CallSource> = read.collect::<Result<_, _>>()?;
         let inquiry = Inquiry {
             given: Given::of(entry.arguments, self.given(entry), self.language)?,
-            sources: files.iter().map(SourceFile::source).collect(),
+            sources: files.iter().map(CallSource::source).collect(),
             catalogue: embedded_catalogue(),
             days_since_1970: antrieb::days_since_1970(),
             progress,
@@ -110,24 +114,43 @@ impl SourceText {
     ///
     /// # Errors
     /// Error of the system about the file.
-    pub fn read(&self, memory: u64, language: Language) -> Result<SourceFile, Unanswered> {
-        match self {
-            Self::At(path) => SourceFile::read(path, memory, language),
-            Self::Is { text, name, folder } => {
-                Ok(SourceFile::of_text(name.clone(), text.clone().into_bytes(), Path::new(folder), memory))
+    pub fn read(&self, memory: u64, language: Language) -> Result<CallSource, Unanswered> {
+        let (file, recordings) = match self {
+            Self::At(path) => (SourceFile::read(path, memory, language)?, Recordings::default()),
+            Self::Is { text, name, folder, recordings } => {
+                let file = SourceFile::of_text(name.clone(), text.clone().into_bytes(), Path::new(folder), memory);
+                (file, Arc::clone(recordings))
             }
-        }
+        };
+        let files = HeldFiles { recordings, files: file.project_files().clone() };
+        Ok(CallSource { file, files })
+    }
+}
+
+/// A text of a call with the files that it may name.
+#[derive(Clone, Debug)]
+pub struct CallSource {
+    file: SourceFile,
+    /// Files that it may name.
+    pub files: HeldFiles<ProjectFiles>,
+}
+
+impl CallSource {
+    /// Returns it in the form of a question.
+    #[must_use]
+    pub fn source(&self) -> ReferencedText<'_> {
+        ReferencedText { files: &self.files, ..self.file.source() }
     }
 }
 
 /// Resources of this machine for an answer.
 struct Here<'f> {
-    files: Option<&'f SourceFile>,
+    files: Option<&'f CallSource>,
 }
 
 impl Shell for Here<'_> {
     fn files(&self) -> &dyn Files {
-        self.files.map_or(&NoFiles, |file| file.project_files())
+        self.files.map_or(&NoFiles, |source| &source.files)
     }
 
     fn catalogue(&self) -> &Arc<dyn Catalogue> {

@@ -5,11 +5,15 @@
 //! are generated from the list and from the schema of the answers by `tests/generated.rs`.
 
 mod ask;
+mod edited;
+mod held;
 #[cfg(feature = "extension")]
 mod module;
 mod pool;
 mod sweep;
 
-pub use ask::{CallOutcome, QuestionCall, SourceText};
+pub use ask::{CallOutcome, CallSource, QuestionCall, SourceText};
+pub use edited::{TextChange, edited};
+pub use held::{HeldFiles, Recordings};
 pub use pool::{ForkedAtWork, forked, within};
 pub use sweep::{SweepCall, checked};

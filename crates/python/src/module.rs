@@ -4,7 +4,7 @@ mod call;
 mod capsules;
 mod table;
 
-use crate::{CallOutcome, ForkedAtWork, QuestionCall, within};
+use crate::{CallOutcome, ForkedAtWork, QuestionCall, TextChange, within};
 use call::{Handed, forked_at_work, interruptible, refused, text};
 use pyo3::prelude::*;
 use quantities::Language;
@@ -40,6 +40,19 @@ mod _antrieb {
             CallOutcome::Answered(reply) => Ok((reply.media, reply.body.into())),
             CallOutcome::Refused(record) => Err(refused(py, &record)),
         }
+    }
+
+    /// Returns a project text with changes that keep its comments: path, value as typed (empty for a table), and whether a
+    /// `value`, a `table` or nothing (`gone`) is there then; `None` if one cannot be made.
+    #[pyfunction]
+    fn edited(text: &str, changes: Vec<(String, String, String)>) -> Option<String> {
+        let change = |typed, kind: &str| match kind {
+            "value" => TextChange::Value(typed),
+            "table" => TextChange::Table,
+            _ => TextChange::Gone,
+        };
+        let changes = changes.iter().map(|(path, typed, kind)| (path.as_str(), change(typed.as_str(), kind)));
+        crate::edited(text, changes).ok()
     }
 
     /// Answers a call of the command line, the name of the program first; gives the exit code.

@@ -48,7 +48,7 @@ impl SweepCall {
         let file = self.text.read(self.memory_allowed()?, self.language)?;
         let source = file.source();
         let text = source.text(self.language)?;
-        let files = Box::new(file.project_files().clone());
+        let files = Box::new(file.files.clone());
         let mut head = BatchHead::of((&source.name, text), &*files, table, options);
         numbered(batches).for_each(|(batch, first_row)| head.check(batch, first_row));
         head.ready(TABLE, files)

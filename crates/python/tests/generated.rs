@@ -1,4 +1,5 @@
-//! Generates `python/antrieb` from the list of questions and the schema of the answers: functions and classes.
+//! Generates `python/antrieb` from the list of questions, the schema of the answers and the
+//! description of the keys: functions and classes.
 //!
 //! It is separate from the library and does not link it: the library is one that an interpreter loads.
 
@@ -6,6 +7,8 @@
 mod functions;
 #[path = "generated/names.rs"]
 mod names;
+#[path = "generated/sections.rs"]
+mod sections;
 #[path = "generated/types.rs"]
 mod types;
 
@@ -30,9 +33,13 @@ impl Schema {
 }
 
 /// Returns the files with their content.
-fn files() -> [(&'static str, String); 2] {
+fn files() -> [(&'static str, String); 3] {
     let schema = Schema::of_the_answers();
-    [("answers.py", types::module(&schema)), ("questions.py", functions::module(&schema))]
+    [
+        ("answers.py", types::module(&schema)),
+        ("questions.py", functions::module(&schema)),
+        ("sections.py", sections::module()),
+    ]
 }
 
 #[test]

@@ -199,6 +199,14 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "the payload of a segment lies in the direction of the common centre of mass of the bodies (of balanced bodies at start_angle), at payload_distance",
             "die Nutzlast eines Abschnitts liegt in Richtung des gemeinsamen Schwerpunkts der Körper (bei ausgewuchteten Körpern bei start_angle), im Abstand payload_distance",
         ),
+        Assumption::ArmIsRod => (
+            "shape of the arm not stated (mechanism.arm.shape): a uniform rod of the stated length",
+            "keine Form des Arms angegeben (mechanism.arm.shape): gleichmäßiger Stab der angegebenen Länge",
+        ),
+        Assumption::PayloadAtArmEnd => (
+            "distance of the payload not stated (mechanism.arm.payload_distance): at the end of the arm",
+            "kein Abstand der Nutzlast angegeben (mechanism.arm.payload_distance): am Ende des Arms",
+        ),
         Assumption::RecordedTorqueAdds => (
             "the recorded torque is a process torque; it is added to the torque of inertia, gravity and friction of the mechanism",
             "das aufgezeichnete Moment ist ein Prozessmoment; die Momente aus Trägheit, Gewicht und Reibung der Mechanik kommen hinzu",

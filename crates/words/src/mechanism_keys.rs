@@ -56,13 +56,17 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
             "position at the beginning of the motion; default: zero",
             "Position zu Beginn der Bewegung; ohne Angabe null",
         ),
-        MechanismName::Turntable(TurntableName::payload_distance) | MechanismName::Arm(ArmName::payload_distance) => (
+        MechanismName::Turntable(TurntableName::payload_distance) => (
             "distance of the payload of a segment from the axis",
             "Abstand der Nutzlast eines Abschnitts von der Drehachse",
         ),
+        MechanismName::Arm(ArmName::payload_distance) => (
+            "distance of the payload of a segment from the axis; default: the length of the arm, if it is stated",
+            "Abstand der Nutzlast eines Abschnitts von der Drehachse; ohne Angabe die Länge des Arms, wenn sie angegeben ist",
+        ),
         MechanismName::Arm(ArmName::shape) => (
-            "shape of the arm; inertia and centre of mass follow from it and need not be stated",
-            "Form des Arms; daraus folgen Trägheitsmoment und Schwerpunkt, die dann nicht anzugeben sind",
+            "shape of the arm; inertia and centre of mass follow from it and need not be stated; default with a length: rod",
+            "Form des Arms; daraus folgen Trägheitsmoment und Schwerpunkt, die dann nicht anzugeben sind; ohne Angabe bei angegebener Länge ein Stab",
         ),
         MechanismName::Arm(ArmName::length) => (
             "length of the arm from the axis to its end",

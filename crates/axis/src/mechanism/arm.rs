@@ -1,6 +1,7 @@
 //! An unbalanced arm.
 
 use super::parts::level;
+use crate::assumption::Assumption;
 use crate::choices;
 use crate::driven::{Driven, OnFlange, TURNED};
 use crate::fault::AxisReport;
@@ -23,6 +24,17 @@ fn missing(arm: &Arm, field: &dyn StatedField, report: &mut AxisReport<'_>) {
     report.fault(arm.head().start(), fault, key.and_then(example).map(Hint::Example));
 }
 
+/// Returns `true` if a rod is assumed: its length is stated, and nothing else of its shape.
+fn is_rod(arm: &Arm) -> bool {
+    let others: [&dyn StatedField; 4] = [&arm.shape, &arm.width, &arm.inertia, &arm.centre_distance];
+    arm.length.is_written() && !others.iter().any(|field| field.is_written())
+}
+
+/// Returns `true` if the payload is assumed at the end of the arm: its length is stated, and no distance.
+fn is_at_the_end(arm: &Arm) -> bool {
+    arm.length.is_given() && !arm.payload_distance.is_written()
+}
+
 /// Returns the spread of the mass: that of a shape, or as stated.
 fn spread(arm: &Arm, report: &mut AxisReport<'_>) -> Option<Spread> {
     let of_shape: [&dyn StatedField; 3] = [&arm.shape, &arm.length, &arm.width];
@@ -32,9 +44,11 @@ fn spread(arm: &Arm, report: &mut AxisReport<'_>) -> Option<Spread> {
         stated.iter().for_each(|field| missing(arm, *field, report));
         return Some((RotorKind::Arm, arm.inertia.value()?, arm.centre_distance.value()?));
     }
-    missing(arm, &arm.shape, report);
+    if !is_rod(arm) {
+        missing(arm, &arm.shape, report);
+    }
     missing(arm, &arm.length, report);
-    let shape = arm.shape.value();
+    let shape = if is_rod(arm) { Some(ArmShape::Rod) } else { arm.shape.value() };
     let mut foreign = |field: &dyn StatedField| {
         if field.is_given()
             && let Some(shape) = shape
@@ -65,7 +79,7 @@ impl Driven for Arm {
             inertia,
             mass: self.mass.value()?,
             radius,
-            payload_radius: self.payload_distance.or_zero(),
+            payload_radius: if is_at_the_end(self) { &self.length } else { &self.payload_distance }.or_zero(),
             angle: Angle::from_si(0.0),
             tilt: level(&self.axis_tilt)?,
         }))
@@ -76,7 +90,15 @@ impl Driven for Arm {
     }
 
     fn carries(&self) -> bool {
-        self.payload_distance.is_written() && self.payload_distance.value().is_none_or(|distance| distance.si() > 0.0)
+        let is_stated = self.payload_distance.is_written();
+        is_at_the_end(self)
+            || is_stated && self.payload_distance.value().is_none_or(|distance| distance.si() > 0.0)
+    }
+
+    fn assumptions(&self, carries: bool) -> Vec<Assumption> {
+        let rod = is_rod(self).then_some(Assumption::ArmIsRod);
+        let payload = (carries && is_at_the_end(self)).then_some(Assumption::PayloadAtArmEnd);
+        rod.into_iter().chain(payload).collect()
     }
 
     fn shared(&self) -> &'static [Dimension] {
@@ -85,5 +107,62 @@ impl Driven for Arm {
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {
         Some(OnFlange::Bodies(&self.axis_tilt))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::assumption::Assumption;
+    use crate::fault::AxisDiagnostic;
+    use crate::{AxisProject, NoCatalogue};
+
+    fn read(arm: &str, payload: &str) -> Result<AxisProject, Vec<AxisDiagnostic>> {
+        let motion = |way: &str, payload: &str| {
+            format!("[[motion]]\nlaw = \"modified_sine\"\ndistance = \"{way}90 deg\"\ntime = \"1 s\"\n{payload}")
+        };
+        let text =
+            format!("format = 1\n[mechanism.arm]\nmass = \"6 kg\"\n{arm}{}{}", motion("", payload), motion("-", ""));
+        AxisProject::read(&text, &NoCatalogue::shared(), &|_, _| None)
+    }
+
+    /// An arm of which only the length is stated is a rod that carries the payload at its end; both are listed, and stating
+    /// them changes nothing.
+    #[test]
+    fn a_length_alone_is_a_rod_with_the_payload_at_its_end() {
+        for millimetres in [80, 450, 1200] {
+            let length = format!("length = \"{millimetres} mm\"\n");
+            let stated = format!("{length}shape = \"rod\"\npayload_distance = \"{millimetres} mm\"\n");
+            for payload in ["payload = \"2 kg\"\n", ""] {
+                let (assumed, same) = (read(&length, payload).unwrap(), read(&stated, payload).unwrap());
+                assert_eq!(assumed.axis.mechanism.kind, same.axis.mechanism.kind, "{length}");
+                let found: Vec<_> = assumed.assumed().into_iter().filter(|each| is_own(each.assumption)).collect();
+                let values: Vec<_> = found.iter().filter_map(|each| each.value.clone()).collect();
+                let end = format!("{millimetres} mm");
+                let expected: &[&str] = if payload.is_empty() { &["rod"] } else { &["rod", &end] };
+                assert_eq!(values, expected, "{length}{payload}");
+                assert!(!same.assumptions.iter().any(|each| is_own(*each)), "{stated}");
+            }
+        }
+    }
+
+    fn is_own(assumption: Assumption) -> bool {
+        matches!(assumption, Assumption::ArmIsRod | Assumption::PayloadAtArmEnd)
+    }
+
+    #[test]
+    fn an_arm_that_is_described_partially_is_refused() {
+        for arm in [
+            "",
+            "shape = \"rod\"\n",
+            "length = \"1 m\"\nwidth = \"80 mm\"\n",
+            "length = \"1 m\"\ninertia = \"1 kg m^2\"\n",
+            "length = \"1 m\"\ncentre_distance = \"0.3 m\"\n",
+            "inertia = \"1 kg m^2\"\n",
+        ] {
+            assert!(read(arm, "").is_err(), "{arm}");
+        }
+        // Described by its inertia it has no end.
+        let arm = "inertia = \"1 kg m^2\"\ncentre_distance = \"0.3 m\"\n";
+        assert!(read(arm, "").is_ok() && read(arm, "payload = \"2 kg\"\n").is_err());
     }
 }

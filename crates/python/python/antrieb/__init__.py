@@ -1,13 +1,16 @@
 """Sizing of hollow-shaft servo actuators: from a load and a motion to a verified ordering code.
 
->>> import antrieb
->>> found = antrieb.size("axis.toml", axis="indexing table")   # the catalogue ranked, as typed objects
->>> antrieb.check("axis.toml", "CHA-25A-50-H-C1024")           # one actuator, every check with its margin
->>> antrieb.plot("axis.toml", "torque_speed")                  # a notebook shows it
->>> antrieb.sweep("axis.toml", table)                          # any Arrow table in, an Arrow table out
+>>> import antrieb as an
+>>> axis = an.Axis("tilt", an.Arm(mass="30 kg", length="1.2 m"), [an.Move("modified_sine", distance="90 deg", time="0.8 s"),
+...                an.Return(time="0.6 s")], supply="560 V")
+>>> best = an.size(axis)                                       # a project as objects, or a file:
+>>> found = an.size("axis.toml", axis="indexing table")   # the catalogue ranked, as typed objects
+>>> an.check("axis.toml", "CHA-25A-50-H-C1024")           # one actuator, every check with its margin
+>>> an.plot("axis.toml", "torque_speed")                  # a notebook shows it
+>>> an.sweep("axis.toml", table)                          # any Arrow table in, an Arrow table out
 
-A project is its text or the path of its file (`axis.toml`, as the command line reads it). Quantities are texts with their unit,
-`"40 1/min"`. What cannot be answered raises `AntriebError` with every fault of the input. Every question of the command line is
+A project is an `Axis`, a `Project` with several, a text, or the path of a file (`axis.toml`, as the command line reads it).
+Quantities are texts with their unit, `"40 1/min"`, `q(40, "1/min")`, or quantities of pint. What cannot be answered raises `AntriebError` with every fault of the input. Every question of the command line is
 a function of the same name; the answers are those of `--json` as the dataclasses of `antrieb.answers`. The work is done outside
 of the interpreter, other threads go on meanwhile, and an interrupt ends it.
 """
@@ -16,9 +19,15 @@ import os as _os
 
 from antrieb import _antrieb, answers
 from antrieb import questions as questions
+from antrieb import sections as sections
 from antrieb._antrieb import VERSION as __version__
+from antrieb._arrays import axes_from_arrays
+from antrieb._axis import load, loads
 from antrieb._call import AntriebError, Fault, Lang, Path, Picture, Text
+from antrieb._quantity import Q, Quantity, q
+from antrieb._section import Section
 from antrieb.questions import *  # noqa: F403
+from antrieb.sections import *  # noqa: F403
 from antrieb._table import ArrowArray, ArrowSchema, ArrowStream, Sweep, Table, sweep
 
 __all__ = [
@@ -30,14 +39,22 @@ __all__ = [
     "Lang",
     "Path",
     "Picture",
+    "Q",
+    "Quantity",
+    "Section",
     "Sweep",
     "Table",
     "Text",
     "__version__",
     "answers",
+    "axes_from_arrays",
+    "load",
+    "loads",
+    "q",
     "sweep",
 ]
 __all__ += questions.__all__
+__all__ += sections.__all__
 
 # The threads of this process are not those of its children.
 if hasattr(_os, "register_at_fork"):

@@ -5,7 +5,7 @@ from typing import Any, final
 
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 
-__all__ = ["VERSION", "Sweep", "Table", "ask", "forked", "run"]
+__all__ = ["VERSION", "Sweep", "Table", "ask", "edited", "forked", "run"]
 
 VERSION: str
 
@@ -33,7 +33,7 @@ class Sweep:
 
     def __new__(
         cls,
-        handed: tuple[str | None, str, str],
+        handed: tuple[str | None, str, str, Mapping[str, bytes]],
         schema: ArrowStream | ArrowArray | ArrowSchema,
         pairs: Sequence[tuple[str, str]],
         lang: str,
@@ -41,7 +41,7 @@ class Sweep:
     ) -> Sweep: ...
     @staticmethod
     def whole(
-        handed: tuple[str | None, str, str],
+        handed: tuple[str | None, str, str, Mapping[str, bytes]],
         table: ArrowStream | ArrowArray,
         pairs: Sequence[tuple[str, str]],
         lang: str,
@@ -53,7 +53,7 @@ class Sweep:
     @property
     def recordings(self) -> list[str]: ...
     @property
-    def made_of(self) -> tuple[tuple[str | None, str, str], Table, list[tuple[str, str]], str, str | None]: ...
+    def made_of(self) -> tuple[tuple[str | None, str, str, dict[str, bytes]], Table, list[tuple[str, str]], str, str | None]: ...
     @property
     def rows_most(self) -> int: ...
     @property
@@ -63,11 +63,12 @@ class Sweep:
 
 def ask(
     command: str,
-    texts: Sequence[tuple[str | None, str, str]],
+    texts: Sequence[tuple[str | None, str, str, Mapping[str, bytes]]],
     pairs: Sequence[tuple[str, str]],
     lang: str,
     deadline: str | None,
     memory: str | None,
 ) -> tuple[str, bytes]: ...
+def edited(text: str, changes: Sequence[tuple[str, str, str]]) -> str | None: ...
 def forked() -> None: ...
 def run(call: Sequence[str]) -> int: ...

@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import operator
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from datetime import date
 from typing import Any, Literal
 
 from antrieb import _antrieb, answers
+from antrieb._axis import to_source
 from antrieb._decode import decoder
+from antrieb._source import Handed, ProjectSource
 
 Lang = Literal["en", "de"]
 """The language of texts."""
@@ -18,8 +20,9 @@ Lang = Literal["en", "de"]
 Path = str | os.PathLike[str]
 """The path of a file or a folder."""
 
-Text = str | os.PathLike[str]
-"""A text, or the path of its file: a `str` of one line is a path, unless it has a `=` and no file has that name."""
+Text = str | os.PathLike[str] | ProjectSource | Sequence[ProjectSource]
+"""A project as an `Axis`, a `Project` or a list of axes; or a text, or the path of its file: a `str` of one line is a path,
+unless it has a `=` and no file has that name."""
 
 Fault = answers.Fault | answers.CodeFault
 """A fault of a call or of an ordering code."""
@@ -93,14 +96,24 @@ class Picture:
             file.write(self.svg)
 
 
-def handed(text: Text, name: str | None, folder: Path | None) -> tuple[str | None, str, str]:
-    """A text with its name and folder; of a path no text."""
+def handed(text: Text, name: str | None, folder: Path | None) -> Handed:
+    """A text with its name, its folder and the recordings that it holds; of a path no text."""
     if isinstance(text, str) and ("\n" in text or not text or ("=" in text and not os.path.exists(text))):
-        return text, name or "text", os.fspath(folder) if folder is not None else ""
+        return text, name or "text", os.fspath(folder) if folder is not None else "", {}
+    if isinstance(text, (str, os.PathLike)):
+        return None, os.fspath(text), "", {}
+    source = to_source(text)
     # Callers without a type checker.
-    if not isinstance(text, (str, os.PathLike)):  # pyright: ignore[reportUnnecessaryIsInstance]
-        raise TypeError(f"a text or the path of its file is expected, not {type(text).__name__}")
-    return None, os.fspath(text), ""
+    if source is None:
+        raise TypeError(
+            f"a project is an Axis, a list of axes, a text or the path of its file, not {_named(text)}"
+        )
+    own = source._handed()  # pyright: ignore[reportPrivateUsage]
+    return own[0], name or own[1], os.fspath(folder) if folder is not None else own[2], own[3]
+
+
+def _named(value: object) -> str:
+    return "an empty list" if isinstance(value, (list, tuple)) and not value else type(value).__name__  # pyright: ignore[reportUnknownArgumentType]
 
 
 def _written(value: Any) -> str:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from antrieb import _antrieb, answers
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
+from antrieb._axis import to_source
 from antrieb._call import Lang, Path, Text, handed, pairs_of, unit_text
+from antrieb._columns import columns
 
 __all__ = ["ArrowArray", "ArrowSchema", "ArrowStream", "Sweep", "Table", "sweep"]
 
@@ -111,8 +113,9 @@ def _options(
 
 def sweep(
     text: Text,
-    table: ArrowStream | ArrowArray,
+    table: ArrowStream | ArrowArray | Mapping[str, Any],
     *,
+    grid: bool = False,
     lang: Lang = "en",
     axis: str | None = None,
     check: answers.CheckId | Sequence[answers.CheckId] = (),
@@ -130,7 +133,10 @@ def sweep(
         text: The project as text, or the path of its file.
         table: Any Arrow table (pyarrow, polars, pandas, DuckDB, `antrieb.Table`). A heading is a key of the project with its
             unit, `load.inertia [kg m^2]`, `motion[1].time [s]`, `requirements.ambient [degC]`; words of the project such as
-            `motion[1].law` have none; `code` judges each row for one ordering code.
+            `motion[1].law` have none; `code` judges each row for one ordering code. Or columns by their keys, their values
+            with a unit: `{"motion.1.payload": antrieb.q([1, 2], "kg"), "motion.1.time": ["0.5 s", "0.8 s"]}`; entries count
+            from one.
+        grid: Judge every combination of the values of the columns, the last column fastest.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
@@ -149,6 +155,10 @@ def sweep(
         AntriebError: Every fault of the project, of the headings and of the cells, each with its place; a table whose answers
             exceed `memory`, before any row is judged.
     """
+    if isinstance(table, Mapping):
+        table = Table.from_pydict(columns(table, to_source(text), grid))
+    elif grid:
+        raise TypeError('grid=True takes columns by their keys, such as {"motion.1.payload": antrieb.q([1, 2], "kg")}')
     return _antrieb.Sweep.whole(
         handed(text, file, folder),
         table,

@@ -29,6 +29,7 @@ from typing import Any
 from antrieb import Sweep, __version__, answers
 from antrieb._arrow import ArrowArray, ArrowStream
 from antrieb._call import Lang, Path, Text, each_of, handed
+from antrieb._fault import fault
 
 Makes = Callable[[int, int], ArrowStream | ArrowArray]
 """Makes the tasks of a part from the id of its first and their number: the same table for the same ids."""
@@ -169,7 +170,9 @@ def specified(
     folder: Path | None = None,
 ) -> Spec:
     """What is the same for all parts, with the text of the project in it."""
-    written, name, beside = handed(text, file, folder)
+    written, name, beside, recordings = handed(text, file, folder)
+    if recordings:
+        raise fault(f"{name}: its recordings are in no file that a worker reads", "save the project where every worker sees it, and hand over its path")
     if written is None:
         path = pathlib.Path(name)
         written, beside = path.read_text(encoding="utf-8"), os.fspath(path.parent)

@@ -5,7 +5,9 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::intern;
 use pyo3::prelude::*;
 use questions::Progress;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -57,13 +59,16 @@ pub(super) fn forked_at_work() -> PyErr {
     )
 }
 
-/// A text or a file, as the functions of the package pass it: text, name, folder; a file without a text.
-pub(super) type Handed = (Option<String>, String, PathBuf);
+/// A text or a file, as the functions of the package pass it: text, name, folder, recordings by name; a file without a text.
+pub(super) type Handed = (Option<String>, String, PathBuf, BTreeMap<String, Vec<u8>>);
 
 /// Returns the text or the file that a function of the package passes.
-pub(super) fn text((text, name, folder): Handed) -> SourceText {
+pub(super) fn text((text, name, folder, held): Handed) -> SourceText {
     match text {
-        Some(text) => SourceText::Is { text, name, folder },
+        Some(text) => {
+            let held = held.into_iter().map(|(name, content)| (name, content.into()));
+            SourceText::Is { text, name, folder, recordings: Arc::new(held.collect()) }
+        }
         None => SourceText::At(PathBuf::from(name)),
     }
 }

@@ -17,6 +17,7 @@ use pyo3::types::{PyBool, PyBytes, PyCapsule, PyDict, PyFloat, PyInt, PyList, Py
 use quantities::Language;
 use questions::list::Unanswered;
 use questions::{Progress, Refusal};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -179,6 +180,7 @@ pub(crate) struct Sweep {
 struct MadeOf {
     name: String,
     folder: PathBuf,
+    recordings: BTreeMap<String, Vec<u8>>,
     schema: SchemaRef,
     pairs: Vec<(String, String)>,
     lang: String,
@@ -228,8 +230,8 @@ impl Sweep {
     /// Arguments that make the same sweep anew, in another process too: the text of the project in place of its path.
     #[getter]
     fn made_of(&self) -> (Handed, Table, Vec<(String, String)>, String, Option<String>) {
-        let MadeOf { name, folder, schema, pairs, lang, memory } = &self.made_of;
-        let handed = (Some(self.sweep.text().to_owned()), name.clone(), folder.clone());
+        let MadeOf { name, folder, recordings, schema, pairs, lang, memory } = &self.made_of;
+        let handed = (Some(self.sweep.text().to_owned()), name.clone(), folder.clone(), recordings.clone());
         let table = Table { schema: Arc::clone(schema), batches: Vec::new() };
         (handed, table, pairs.clone(), lang.clone(), memory.clone())
     }
@@ -278,7 +280,7 @@ impl Sweep {
         memory: Option<String>,
     ) -> PyResult<Self> {
         let language = Language::of_id(lang).unwrap_or_default();
-        let (of_text, name, folder) = &handed;
+        let (of_text, name, folder, recordings) = &handed;
         // The folder of a file stays valid in a process with another working folder.
         let folder = if of_text.is_some() {
             folder.clone()
@@ -288,6 +290,7 @@ impl Sweep {
         let made_of = MadeOf {
             name: name.clone(),
             folder: std::path::absolute(&folder).unwrap_or(folder),
+            recordings: recordings.clone(),
             schema: Arc::new(schema.clone()),
             pairs: pairs.clone(),
             lang: lang.to_owned(),

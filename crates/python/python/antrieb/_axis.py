@@ -1,0 +1,360 @@
+"""Axes and projects as objects: from text to objects, and back with the comments of the text."""
+
+# Values of other libraries and of files have no types until they are looked at; the classes of one package share what is private.
+# pyright: reportUnknownVariableType=false, reportUnknownMemberType=false, reportUnknownArgumentType=false
+# pyright: reportPrivateUsage=false
+
+from __future__ import annotations
+
+import os
+import pathlib
+import re
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from antrieb import _antrieb
+from antrieb._fault import fault
+from antrieb._section import Document, Load, Section, Segment, Unread, _class, _of_file, _steps, _written
+from antrieb._source import Handed, ProjectSource
+from antrieb._toml import changes, rendered
+
+if TYPE_CHECKING:
+    from antrieb.sections import Axis, Project
+
+
+class _Source(Section, ProjectSource):
+    """Objects with the text that they come from, and the recordings that they hold."""
+
+    __slots__ = ("_folder", "_name", "_recordings", "_text")
+
+    _text: str | None
+    """The text that they come from."""
+
+    _name: str
+    """What a fault calls it."""
+
+    _folder: str
+    """Where its recordings lie."""
+
+    _recordings: Mapping[str, bytes]
+    """Recordings that are in no file."""
+
+    def _begin(self, **given: Any) -> None:
+        super()._begin(**given)
+        self._of(None, "", "", {})
+
+    def _of(self, text: str | None, name: str, folder: str, recordings: Mapping[str, bytes]) -> Self:
+        for field, value in (("_text", text), ("_name", name), ("_folder", folder), ("_recordings", recordings)):
+            object.__setattr__(self, field, value)
+        return self
+
+    def _with(self, values: Mapping[str, Any]) -> Self:
+        return super()._with(values)._of(self._text, self._name, self._folder, self._recordings)
+
+    def _state(self) -> dict[str, Any]:
+        names = ("_values", "_text", "_name", "_folder", "_recordings")
+        return {name: getattr(self, name) for name in names}
+
+    def _is_like(self, other: Section) -> bool:
+        return isinstance(other, _Source) and self._recordings == other._recordings
+
+    def __hash__(self) -> int:
+        return hash(repr(self._document()))
+
+    def to_toml(self) -> str:
+        """Returns the text of the project file.
+
+        Where the objects come from a text, it is that text with what has changed: comments and order are kept.
+        """
+        document = self._document()
+        if self._text is None:
+            return rendered(document)
+        before = tomllib.loads(self._text)
+        if before == document:
+            return self._text
+        text = _antrieb.edited(self._text, list(changes(before, document)))
+        # An edit that is not exactly the change is none.
+        return text if text is not None and tomllib.loads(text) == document else rendered(document)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the project file, and beside it the recordings that are in no file."""
+        file = pathlib.Path(path)
+        file.write_text(self.to_toml(), encoding="utf-8")
+        for name, content in self._recordings.items():
+            (file.parent / name).write_bytes(content)
+
+    def _handed(self) -> Handed:
+        return self.to_toml(), self._name or "project", self._folder, self._recordings
+
+    def __str__(self) -> str:
+        return self.to_toml()
+
+
+class BaseAxis(_Source):
+    """What the generated class of an axis has beside its keywords."""
+
+    __slots__ = ()
+
+    _REQUIREMENTS: ClassVar[tuple[str, ...]] = ()
+
+    if TYPE_CHECKING:
+        name: str | None
+        mechanism: Load
+        motion: tuple[Segment, ...]
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """It as the only axis, as a project has several."""
+        return (self,)  # type: ignore[return-value]
+
+    def _begin(self, **given: Any) -> None:
+        if given.get("mechanism") is None:
+            raise TypeError(f"{type(self).__name__} takes a load or a mechanism, such as antrieb.Arm(…)")
+        if isinstance(given.get("name"), Load):
+            raise TypeError('the name comes first: Axis("tilt", Arm(…), [Move(…), …]); None leaves it out')
+        super()._begin(**given)
+
+    def _parts(self) -> Document:
+        """The tables of the axis, each motion as the file has it."""
+        found: Document = {}
+        required: Document = {}
+        for name, value in self._values.items():
+            if name in ("name", "single_move", "curve"):
+                continue
+            if name == "mechanism":
+                table, _, own = value._TABLE.partition(".")
+                found[table] = {own: value._document()} if own else value._document()
+            elif name == "motion":
+                whole: tuple[Segment, ...] = ()
+                for segment in value:
+                    whole = (*whole, segment._resolved(whole))
+                found["motion"] = [segment._document() for segment in whole]
+            elif name in self._REQUIREMENTS:
+                required[name] = _written(value)
+            else:
+                found[name] = value._document()
+        return {**found, **({"requirements": required} if required else {})}
+
+    def _named(self) -> Document:
+        return {name: self._values[name] for name in ("name", "single_move") if name in self._values}
+
+    def _document(self) -> Document:
+        head = self._named()
+        curve = {"curve": _written(self._values["curve"])} if "curve" in self._values else {}
+        return {"format": 1, **({"axis": head} if head else {}), **self._parts(), **curve}
+
+    def _replaced(self, steps: list[str | int], path: str, value: Any) -> Self:
+        first, *rest = steps
+        if first == "axis":
+            return self._replaced(rest, path, value)
+        if first == "requirements" and rest:
+            return self._replaced(rest, path, value)
+        if first in ("mechanism", "load") and len(rest) > 1 and rest[0] == self.mechanism._TABLE.partition(".")[2]:
+            rest = rest[1:]
+        return super()._replaced(["mechanism" if first == "load" else first, *rest], path, value)
+
+    def _path(self, path: str) -> str:
+        """A path as the file has it: `motion[1].payload`, `requirements.supply`."""
+        first, *rest = _steps(path)
+        if first in self._REQUIREMENTS:
+            first, rest = "requirements", [first, *rest]
+        table, _, own = self.mechanism._TABLE.partition(".")
+        if first in ("mechanism", "load"):
+            inner = rest[1:] if len(rest) > 1 and rest[0] == own else rest
+            first, rest = table, [*([own] if own else []), *inner]
+        return joined([first, *rest])
+
+    def _handed(self) -> Handed:
+        text, _, folder, recordings = super()._handed()
+        return text, self._name or self.name or "axis", folder, recordings
+
+    @classmethod
+    def _of_document(cls, document: Document, path: str) -> Self:
+        """An axis from the tables of its file."""
+        inside = document.get("mechanism", {})
+        required = document.get("requirements", {})
+        motion = document.get("motion")
+        if not isinstance(inside, dict) or not isinstance(required, dict) or not isinstance(motion, list):
+            raise Unread(f"{path}motion")
+        if len(inside) + ("load" in document) != 1:
+            raise Unread(f"{path}mechanism")
+        apart = ("load", "mechanism", "requirements", "motion")
+        own = {key: value for key, value in document.items() if key not in apart}
+        if any((key in cls._REQUIREMENTS) != (tables is required) for tables in (own, required) for key in tables):
+            raise Unread(f"{path}requirements")
+        values: dict[str, Any] = {}
+        for key, value in {**own, **required}.items():
+            if key not in cls._KEYS:
+                raise Unread(f"{path}{key}")
+            values[key] = _of_file(cls._KEYS[key], value, f"{path}{key}")
+        segments = tuple(_segment(each, f"{path}motion[{place}]") for place, each in enumerate(motion, 1))
+        made = cls.__new__(cls)
+        made._begin(mechanism=_mechanism(document, path), motion=segments, **values)
+        return made
+
+
+class BaseProject(_Source):
+    """What the generated class of a project has beside its keywords."""
+
+    __slots__ = ()
+
+    if TYPE_CHECKING:
+        axis: tuple[Axis, ...]
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The axes."""
+        return self.axis
+
+    def _begin(self, **given: Any) -> None:
+        super()._begin(**given)
+        recordings: dict[str, bytes] = {}
+        names: set[str | None] = set()
+        for axis in self.axis:
+            if axis.curve:
+                raise fault(f"axis {axis.name!r}: curves belong to the project", "give them to Project(…, curve=[…])")
+            if axis.name is None or axis.name in names:
+                raise fault(f"Project.axis: {'an axis has no name' if axis.name is None else f'two axes are named {axis.name!r}'}",
+                            'name each: Axis("tilt", …)')
+            names.add(axis.name)
+            if any(recordings.get(name, content) != content for name, content in axis._recordings.items()):
+                raise fault(f"axis {axis.name!r}: another axis has a recording of the same name")
+            recordings.update(axis._recordings)
+        folders = {axis._folder for axis in self.axis}
+        if len(folders) > 1:
+            raise fault("Project.axis: the axes come from several folders", "save them into one")
+        if not self.axis:
+            raise TypeError("Project takes one axis at least")
+        self._of(None, "", folders.pop(), recordings)
+
+    def _with(self, values: Mapping[str, Any]) -> Self:
+        made = super(_Source, self)._with(values)
+        recordings = {**self._recordings, **made._recordings}
+        return made._of(self._text, self._name, self._folder or made._folder, recordings)
+
+    def _document(self) -> Document:
+        axes = [{**axis._named(), **axis._parts()} for axis in self.axis]
+        curve = {"curve": _written(self._values["curve"])} if "curve" in self._values else {}
+        return {"format": 1, "axis": axes, **curve}
+
+    def __iter__(self) -> Iterator[Axis]:
+        return iter(self.axis)
+
+    def __len__(self) -> int:
+        return len(self.axis)
+
+    def __getitem__(self, which: int | str) -> Axis:
+        """An axis by its place from 0, as in a list, or by its name."""
+        if isinstance(which, str):
+            for axis in self.axis:
+                if axis.name == which:
+                    return axis
+            raise KeyError(which)
+        return self.axis[which]
+
+
+def joined(steps: Iterable[str | int]) -> str:
+    """Returns the parts of a path as the file has it: `motion[1].payload`."""
+    out = ""
+    for step in steps:
+        out += f"[{step}]" if isinstance(step, int) else f".{step}"
+    return out.lstrip(".")
+
+
+def _mechanism(document: Document, path: str) -> Load:
+    from antrieb import sections
+
+    for of in vars(sections).values():
+        if isinstance(of, type) and issubclass(of, Load) and of._KEYS:
+            table, _, own = of._TABLE.partition(".")
+            if table in document and (not own or own in document[table]):
+                value = document[table][own] if own else document[table]
+                if not isinstance(value, dict):
+                    break
+                return of._read(value, f"{path}{of._TABLE}")
+    raise Unread(f"{path}mechanism")
+
+
+def _segment(document: Any, path: str) -> Segment:
+    from antrieb import sections
+
+    if not isinstance(document, dict):
+        raise Unread(path)
+    law = document.get("law")
+    for of in vars(sections).values():
+        if isinstance(of, type) and issubclass(of, Segment) and of is not sections.Return and of._KEYS:
+            kind = of._KEYS.get("law")
+            if law == of._LAW or (kind is not None and law in kind.words):
+                return of._read(document, path)
+    raise Unread(f"{path}.law")
+
+
+def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] | None = None) -> Axis | Project:
+    """Returns the project of a text as objects: an `Axis`, or a `Project` where the text has `[[axis]]`.
+
+    Args:
+        text: The text of a project file.
+        name: What a fault calls it.
+        folder: Where the recordings lie that it names; without it the current folder.
+
+    Raises:
+        AntriebError: Every fault of the text, with its place.
+    """
+    from antrieb.questions import moves
+    from antrieb.sections import Axis, Project
+
+    called = name or "text"
+    try:
+        document = tomllib.loads(text.removeprefix("\ufeff"))
+        if document.pop("format", None) != 1:
+            raise Unread("format")
+        several = document.get("axis")
+        if isinstance(several, list):
+            if document.keys() - {"axis", "curve"}:
+                raise Unread("axis")
+            axes = [Axis._of_document(dict(each), f"axis[{place}].") for place, each in enumerate(several, 1)]
+            curve = [_class("Curve")._read(each, f"curve[{place}]") for place, each in enumerate(document.get("curve", []), 1)]
+            made: Axis | Project = Project(axes, curve=curve or None)  # type: ignore[arg-type]
+        else:
+            head = document.pop("axis", {})
+            if not isinstance(head, dict) or head.keys() - {"name", "single_move"}:
+                raise Unread("axis")
+            made = Axis._of_document({**document, **head}, "")
+    except (tomllib.TOMLDecodeError, Unread, TypeError, AttributeError, KeyError, ValueError) as found:
+        # The reader of the engine states every fault with its place and the nearest name.
+        moves(text if "\n" in text else text + "\n", file=called, folder=folder)
+        if isinstance(found, ValueError) and not isinstance(found, tomllib.TOMLDecodeError):
+            raise
+        raise fault(f"{called}: {found} cannot be read as objects", "hand over the text itself") from None
+    return made._of(text, name or "", os.fspath(folder) if folder is not None else "", made._recordings)
+
+
+def load(path: str | os.PathLike[str]) -> Axis | Project:
+    """Returns the project of a file as objects: an `Axis`, or a `Project` where the file has `[[axis]]`.
+
+    Raises:
+        AntriebError: Every fault of the file, with its place.
+        OSError: The file cannot be read.
+    """
+    file = pathlib.Path(path)
+    # Files that an editor of Windows wrote.
+    text = file.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+    return loads(text, name=os.fspath(path), folder=file.parent)
+
+
+def to_source(of: Any) -> ProjectSource | None:
+    """Returns what a question takes as a project: an axis, a project, or several axes; `None` for a text or a path."""
+    if isinstance(of, ProjectSource):
+        return of
+    each: list[Any] = list(of) if isinstance(of, (list, tuple)) else []
+    if each and all(isinstance(one, BaseAxis) for one in each):
+        from antrieb.sections import Project
+
+        only: ProjectSource = each[0]
+        return Project(each) if len(each) > 1 else only
+    return None
+
+
+NAME = re.compile(r"[^A-Za-z0-9_-]+")
+"""Signs of a name that no file should have."""

@@ -1,0 +1,467 @@
+"""Sections of a project as objects that do not change: what the generated classes have in common."""
+
+# Values of other libraries and of files have no types until they are looked at; the classes of one package share what is private.
+# pyright: reportUnknownVariableType=false, reportUnknownMemberType=false, reportUnknownArgumentType=false
+# pyright: reportPrivateUsage=false
+
+from __future__ import annotations
+
+import math
+import operator
+import os
+import typing
+from collections.abc import Callable, Iterable, Mapping
+from decimal import Decimal
+from typing import Any, ClassVar, NamedTuple, Self
+
+from antrieb._fault import fault, no_choice
+from antrieb._quantity import Q, of_pint, split, text_of
+
+Document = dict[str, Any]
+"""A table of a project file."""
+
+
+class Kind(NamedTuple):
+    """What a key holds."""
+
+    of: str
+    example: str = ""
+    words: tuple[str, ...] = ()
+    columns: int = 0
+    table: str = ""
+    of_key: str = ""
+
+
+class Section:
+    """A section: its fields are the keys that are given, as they are written; a key that is not given is `None`.
+
+    It does not change; `replace` makes another. Sections are equal if their files are.
+    """
+
+    __slots__ = ("_values",)
+
+    _KEYS: ClassVar[Mapping[str, Kind]] = {}
+    _PLACES: ClassVar[tuple[str, ...]] = ()
+    _TABLE: ClassVar[str] = ""
+
+    _values: dict[str, Any]
+
+    def _begin(self, **given: Any) -> None:
+        values: dict[str, Any] = {}
+        for name, value in given.items():
+            if value is None:
+                continue
+            kind = self._KEYS[name]
+            where = f"{type(self).__name__}.{name}"
+            if kind.of == "alias":
+                if given.get(kind.of_key) is not None:
+                    raise TypeError(f"{where} is another name of {kind.of_key}: give one of them")
+                name, kind = kind.of_key, self._KEYS[kind.of_key]
+            values[name] = _stored(kind, value, where)
+        order = list(self._KEYS)
+        object.__setattr__(self, "_values", dict(sorted(values.items(), key=lambda item: order.index(item[0]))))
+
+    def __getattr__(self, name: str) -> Any:
+        kind = type(self)._KEYS.get(name)
+        if kind is None or name.startswith("_"):
+            raise AttributeError(f"{type(self).__name__} has no field {name!r}")
+        return self._values.get(kind.of_key or name)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"{type(self).__name__} does not change; .replace({name}=…) makes another")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"{type(self).__name__} does not change; .replace({name}=None) makes another")
+
+    def __dir__(self) -> Iterable[str]:
+        return [*super().__dir__(), *self._KEYS]
+
+    def __eq__(self, other: object) -> bool:
+        return self._document() == other._document() if isinstance(other, Section) and self._is_like(other) else NotImplemented
+
+    def _is_like(self, other: Section) -> bool:
+        return type(self) is type(other)
+
+    def __hash__(self) -> int:
+        return hash(repr(self._document()))
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self
+
+    def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...]]:
+        return _unpickled, (type(self), self._state())
+
+    def _state(self) -> dict[str, Any]:
+        return {"_values": self._values}
+
+    def __repr__(self) -> str:
+        places = [repr(_shown(self._values.get(name))) for name in self._PLACES]
+        while places and places[-1] == "None":
+            places.pop()
+        taken = self._PLACES[: len(places)]
+        named = [f"{name}={_shown(value)!r}" for name, value in self._values.items() if name not in taken]
+        return f"{type(self).__name__}({', '.join(places + named)})"
+
+    def replace(self, changes: Mapping[str, Any] | None = None, /, **fields: Any) -> Self:
+        """Returns another with these fields; `None` takes one away.
+
+        Args:
+            changes: Fields by their path, such as `{"motion.1.payload": "8 kg"}`; entries count from one.
+            fields: Fields by their name.
+        """
+        found = self
+        for path, value in {**(changes or {}), **fields}.items():
+            found = found._replaced(_steps(path), path, value)
+        return found
+
+    def _replaced(self, steps: list[str | int], path: str, value: Any) -> Self:
+        name, *rest = steps
+        if not isinstance(name, str) or name not in self._KEYS:
+            raise unknown(path, str(name), self)
+        kind = self._KEYS[name]
+        name = kind.of_key or name
+        if rest:
+            value = _inside(self._values.get(name), rest, path, value)
+        return self._with({name: value})
+
+    def _with(self, values: Mapping[str, Any]) -> Self:
+        """Another with these values of its fields."""
+        made = type(self).__new__(type(self))
+        made._begin(**{**self._values, **values})
+        return made
+
+    def _document(self) -> Document:
+        """The table of the file."""
+        return {_key(name): _written(value) for name, value in self._values.items()}
+
+    @classmethod
+    def _read(cls, document: Document, path: str) -> Self:
+        """A section from its table.
+
+        Raises:
+            Unread: A key is unknown, or its value is of another kind.
+        """
+        made = cls.__new__(cls)
+        values: dict[str, Any] = {}
+        names = {_key(name): name for name, kind in cls._KEYS.items() if kind.of != "alias"}
+        for key, value in document.items():
+            if key not in names:
+                raise Unread(f"{path}.{key}")
+            values[names[key]] = _of_file(cls._KEYS[names[key]], value, f"{path}.{key}")
+        made._begin(**values)
+        return made
+
+
+class Load(Section):
+    """What moves at the output: a load, or a mechanism with its load."""
+
+    __slots__ = ()
+
+
+class Mechanism(Load):
+    """A mechanism between output and load."""
+
+    __slots__ = ()
+
+
+class Segment(Section):
+    """A segment of the motion."""
+
+    __slots__ = ()
+
+    _LAW: ClassVar[str] = ""
+
+    def _document(self) -> Document:
+        own = super()._document()
+        return {"law": self._LAW, **own} if self._LAW else own
+
+    def _resolved(self, before: tuple[Segment, ...]) -> Segment:
+        """The segment as the file has it, behind these."""
+        return self
+
+    @classmethod
+    def _read(cls, document: Document, path: str) -> Self:
+        return super()._read({key: value for key, value in document.items() if not (cls._LAW and key == "law")}, path)
+
+
+class ReturnMove(Segment):
+    """A move back to where the motion began."""
+
+    __slots__ = ()
+
+    def _resolved(self, before: tuple[Segment, ...]) -> Segment:
+        from antrieb.sections import Move
+
+        total, unit = distance_of(before, "Return")
+        laws = [segment.law for segment in before if isinstance(segment, Move)]
+        given = {"law": laws[-1] if laws else None, **self._values}
+        if given["law"] is None:
+            raise fault("Return: no move stands before it", 'write Move("modified_sine", distance="-90 deg", …)')
+        if total == 0:
+            raise fault("Return: the moves before it end where the motion began", "leave it out")
+        made = Move.__new__(Move)
+        made._begin(**given, distance=f"{_decimal(-total)} {unit}")
+        return made
+
+
+def distance_of(segments: Iterable[Segment], name: str) -> tuple[Decimal, str]:
+    """Returns the sum of the distances of segments, and their unit."""
+    total, units = Decimal(0), dict[str, None]()
+    for place, segment in enumerate(segments, 1):
+        document = segment._document()
+        if document["law"] == "dwell":
+            continue
+        found = split(str(document.get("distance", "")))
+        if found is None:
+            raise fault(
+                f"{name}: segment {place} before it states no plain distance", 'write the way back as Move(…, distance="-90 deg")'
+            )
+        total += found[0]
+        units[found[1]] = None
+    if len(units) > 1:
+        raise fault(
+            f"{name}: the moves before it state distances in {' and '.join(units)}", "write them in one unit, or the way back as a Move"
+        )
+    return total, next(iter(units), "")
+
+
+class Unread(Exception):
+    """A value of a file that is none of its key."""
+
+
+def unknown(path: str, name: str, of: Section) -> Exception:
+    """Returns the fault of a path without a key."""
+    return no_choice(path, name, [key for key, kind in of._KEYS.items() if kind.of != "alias"])
+
+
+def _unpickled(of: type[Section], state: dict[str, Any]) -> Section:
+    made = of.__new__(of)
+    for name, value in state.items():
+        object.__setattr__(made, name, value)
+    return made
+
+
+def _key(name: str) -> str:
+    """The name of a keyword in the file."""
+    return name.rstrip("_")
+
+
+def _shown(value: Any) -> Any:
+    """A value in a `repr`: tuples of entries as the lists that are written."""
+    return list(value) if isinstance(value, tuple) else value
+
+
+def _written(value: Any) -> Any:
+    if isinstance(value, Section):
+        return value._document()
+    return [_written(each) for each in value] if isinstance(value, tuple) else value
+
+
+def _decimal(number: Decimal) -> str:
+    text = format(number, "f")
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def _steps(path: str) -> list[str | int]:
+    """The parts of a path: `motion.1.payload` and `motion[1].payload` alike."""
+    parts = str(path).replace("[", ".").replace("]", "").split(".")
+    if any(part.isdigit() and int(part) == 0 for part in parts):
+        counted = ".".join(str(int(part) + 1) if part.isdigit() else part for part in parts)
+        raise fault(f"{path}: entries are counted from one", f'did you mean "{counted}"?')
+    return [int(part) if part.isdigit() else part for part in parts]
+
+
+def _inside(value: Any, rest: list[str | int], path: str, new: Any) -> Any:
+    """A value with a change inside of it."""
+    step, *more = rest
+    if isinstance(value, tuple):
+        if not isinstance(step, int):
+            raise fault(f"{path}: the entry is missing", f'write its number from 1 to {len(value)} before "{step}"')
+        if step > len(value):
+            raise fault(f"{path}: there are {len(value)} entries")
+        entry = _inside(value[step - 1], more, path, new) if more else new
+        return (*value[: step - 1], entry, *value[step:]) if entry is not None else (*value[: step - 1], *value[step:])
+    if isinstance(value, Section):
+        return value._replaced(rest, path, new)
+    raise fault(f"{path}: there is no such section in it", "give the section as a whole")
+
+
+def _stored(kind: Kind, value: Any, where: str) -> Any:
+    """Returns a value of a keyword as it is kept.
+
+    Raises:
+        TypeError: It is of another kind.
+        AntriebError: It is none of the words, or not finite.
+    """
+    return _STORED[kind.of](kind, value, where)
+
+
+def _quantity(kind: Kind, value: Any, where: str) -> str:
+    return text_of(value, where, kind.example)
+
+
+def _as_number(_: Kind, value: Any, where: str) -> float:
+    if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
+        value = value.item()
+    found = value if isinstance(value, Q) else of_pint(value)
+    if found is not None and found.unit == "" and not isinstance(found.value, tuple):
+        value = found.value
+    if isinstance(value, bool) or not isinstance(value, (int, float, Decimal)):
+        raise TypeError(f"{where} is a number, not {_called(value)}")
+    number = value if isinstance(value, int) else float(value)
+    if not math.isfinite(number):
+        raise fault(f"{where} is not finite: {number!r}")
+    return number
+
+
+def _integer(_: Kind, value: Any, where: str) -> int:
+    if isinstance(value, bool):
+        raise TypeError(f"{where} is a whole number, not {value}")
+    if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
+        value = value.item()
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise TypeError(f"{where} is a whole number, not {_called(value)}") from None
+
+
+def _bool(_: Kind, value: Any, where: str) -> bool:
+    if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
+        value = value.item()
+    if not isinstance(value, bool):
+        raise TypeError(f"{where} is True or False, not {_called(value)}")
+    return value
+
+
+def _text(_: Kind, value: Any, where: str) -> str:
+    if isinstance(value, os.PathLike):
+        return str(os.fspath(value))  # pyright: ignore[reportUnknownArgumentType, reportUnknownMemberType]
+    if not isinstance(value, str):
+        raise TypeError(f"{where} is a text, not {_called(value)}")
+    return str(value)
+
+
+def _word(kind: Kind, value: Any, where: str) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{where} is one of {', '.join(map(repr, kind.words))}, not {_called(value)}")
+    if value not in kind.words:
+        raise no_choice(where, value, kind.words)
+    return str(value)
+
+
+def _entries(value: Any, where: str, example: str) -> list[Any]:
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, (str, bytes, Mapping, Section)) or not isinstance(value, Iterable):
+        raise TypeError(f"{where} is a list such as {example}, not {_called(value)}")
+    return list(value)  # pyright: ignore[reportUnknownArgumentType, reportUnknownVariableType]
+
+
+def _words(kind: Kind, value: Any, where: str) -> tuple[str, ...]:
+    each = [value] if isinstance(value, str) else _entries(value, where, repr(list(kind.words[:2])))
+    return tuple(_word(kind, word, where) for word in each)
+
+
+def _numbers(kind: Kind, value: Any, where: str) -> tuple[float, ...]:
+    return tuple(_as_number(kind, each, where) for each in _entries(value, where, "[1.0, 2.5]"))
+
+
+def _texts(kind: Kind, value: Any, where: str) -> tuple[str, ...]:
+    example = '["cylinder diameter=300mm length=20mm density=7850kg/m^3"]'
+    return tuple(_text(kind, each, where) for each in _entries(value, where, example))
+
+
+def _rows(kind: Kind, value: Any, where: str) -> tuple[tuple[str, ...], ...]:
+    example = '[("0 s", "0 deg"), ("0.2 s", "30 deg")]'
+    found: list[tuple[str, ...]] = []
+    for place, row in enumerate(_entries(value, where, example), 1):
+        cells = _entries(row, f"{where}, row {place},", example)
+        if len(cells) != kind.columns:
+            raise TypeError(f"{where}, row {place}, has {len(cells)} cells instead of {kind.columns}; write {example}")
+        found.append(tuple(text_of(cell, f"{where}, row {place}", "0.2 s") for cell in cells))
+    return tuple(found)
+
+
+def _class(name: str) -> type[Section]:
+    from antrieb import sections
+
+    found: type[Section] = Segment if name == "Segment" else getattr(sections, name)
+    return found
+
+
+def _table(kind: Kind, value: Any, where: str) -> Section:
+    of = _class(kind.table)
+    if not isinstance(value, of):
+        example = "Move" if of is Segment else of.__name__
+        raise TypeError(f"{where} is {_article(of.__name__)} such as antrieb.{example}(…), not {_called(value)}")
+    return value
+
+
+def _tables(kind: Kind, value: Any, where: str) -> tuple[Section, ...]:
+    each = [value] if isinstance(value, Section) else _entries(value, where, f"[antrieb.{kind.table}(…)]")
+    return tuple(_table(kind, one, f"{where}[{place}]") for place, one in enumerate(each, 1))
+
+
+def _load(_: Kind, value: Any, where: str) -> Load:
+    if not isinstance(value, Load):
+        raise TypeError(f"{where} is a load or a mechanism such as antrieb.Arm(…), not {_called(value)}")
+    return value
+
+
+_STORED: dict[str, Callable[[Kind, Any, str], Any]] = {
+    "quantity": _quantity,
+    "number": _as_number,
+    "integer": _integer,
+    "bool": _bool,
+    "text": _text,
+    "word": _word,
+    "words": _words,
+    "numbers": _numbers,
+    "texts": _texts,
+    "rows": _rows,
+    "table": _table,
+    "tables": _tables,
+    "mechanism": _load,
+}
+
+
+def _called(value: Any) -> str:
+    return repr(value) if isinstance(value, (str, int, float)) else type(value).__name__
+
+
+def _article(name: str) -> str:
+    return f"an {name}" if name[0] in "AEIOU" else f"a {name}"
+
+
+_FILE_TYPES: dict[str, tuple[type, ...]] = {
+    "quantity": (str,),
+    "number": (int, float),
+    "integer": (int,),
+    "bool": (bool,),
+    "text": (str,),
+    "word": (str,),
+    "words": (list,),
+    "numbers": (list,),
+    "texts": (list,),
+    "rows": (list,),
+    "table": (dict,),
+    "tables": (list,),
+}
+
+
+def _of_file(kind: Kind, value: Any, path: str) -> Any:
+    """A value of a file for its keyword."""
+    if not isinstance(value, _FILE_TYPES[kind.of]) or (isinstance(value, bool) and kind.of != "bool"):
+        raise Unread(path)
+    # Checked above.
+    value = typing.cast(Any, value)
+    if kind.of == "table":
+        return _class(kind.table)._read(value, path)
+    if kind.of == "tables":
+        if not all(isinstance(each, dict) for each in value):
+            raise Unread(path)
+        return tuple(_class(kind.table)._read(each, f"{path}[{place}]") for place, each in enumerate(value, 1))
+    return value
