@@ -136,6 +136,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::server("screens", screens::as_they_were).in_chromium(),
     Way::both("widths", looks::widths),
     Way::both("paper", looks::on_paper).in_chromium(),
+    Way::both("first-page", looks::first_page),
     Way::both("accessibility", looks::accessibility),
     Way::both("phone", looks::a_phone),
     Way::both("theory", looks::a_chapter),

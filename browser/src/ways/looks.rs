@@ -43,6 +43,29 @@ pub(crate) fn on_paper(stage: &OpenPage<'_>) -> Worded {
     tab.on_paper(false)
 }
 
+/// The command and the key print the first page of the report instead of the window.
+pub(crate) fn first_page(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("arm", "de")?;
+    tab.run("window.prints = 0; window.print = () => { window.prints += 1; };", Vec::new())?;
+    let code = tab.text("#standing strong.code")?;
+    for (count, press) in [
+        (1, "document.querySelector('#print').click();"),
+        (2, "window.dispatchEvent(new KeyboardEvent('keydown', { key: 'p', ctrlKey: true, cancelable: true }));"),
+    ] {
+        tab.run(press, Vec::new())?;
+        tab.until(&format!("window.prints === {count}"))?;
+        let page = tab.eval("document.querySelector('#paper').textContent")?;
+        let page = page.as_str().unwrap_or_default();
+        for word in [code.as_str(), "Auslegungsbericht", "Maßgebender Nachweis", "Freigegeben"] {
+            expect(page.contains(word), || format!("no {word} on {page}"))?;
+        }
+        tab.run("window.dispatchEvent(new Event('afterprint'));", Vec::new())?;
+        tab.until("document.querySelector('#paper') === null")?;
+    }
+    Ok(())
+}
+
 /// Accessibility of the states of the gallery, in light and dark.
 pub(crate) fn accessibility(stage: &OpenPage<'_>) -> Worded {
     for state in &page::STATES {

@@ -259,7 +259,7 @@ fn simulated(
     };
     let mut chapter = chapter::simulation(&answer::simulation(&run, language), language);
     let pictures = [
-        ("simulation", figures::simulation(&run, None, language)),
+        ("simulation", figures::simulation(&run, None, &[], language)),
         ("control-loops", figures::control_loops(&run, language)),
     ];
     for (id, drawing) in pictures {

@@ -24,14 +24,20 @@ type Curve<'l> = (Tone, Option<Dash>, &'l str, fn(&TwinSample) -> f64);
 pub fn of_a_run(id: Option<&str>, run: &Simulated<'_>, language: Language) -> Drawing {
     match id {
         Some("control_loops") => control_loops(run, language),
-        _ => simulation(run, None, language),
+        _ => simulation(run, None, &[], language),
     }
 }
 
 /// Draws position, speed, torque, current, following error, DC link and temperatures over the run, or between two
-/// instants \[s\] of it.
+/// instants \[s\] of it. The scale of each panel contains the range in `also`, in the unit of the panel: that of another run to
+/// compare with.
 #[must_use]
-pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Language) -> Drawing {
+pub fn simulation(
+    run: &Simulated<'_>,
+    window: Option<(f64, f64)>,
+    also: &[(f64, f64)],
+    language: Language,
+) -> Drawing {
     let l = language;
     let (from, until) = window.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let first = run.course.partition_point(|sample| sample.time_s < from);
@@ -99,7 +105,12 @@ pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, language: Lan
     let time = PlaneAxis::new("t", SECOND.symbol).name(&capitalised(terms::time(l))).minor_ticks();
     let mut chart = StackedChart::new(time);
     let mut height = FRAME_MM;
-    for panel in panels {
+    let also = also.iter().copied().map(Some).chain(std::iter::repeat(None));
+    for (panel, also) in panels.into_iter().zip(also) {
+        let panel = match also {
+            Some(range) => panel.including(range),
+            None => panel,
+        };
         // Events are marked in every panel.
         let marks = run
             .events

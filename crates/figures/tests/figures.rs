@@ -307,7 +307,7 @@ fn a_simulation_and_its_control_loops_have_letters_to_read() {
     for language in LANGUAGES {
         let run = questions::list::simulate::of_the_project(&project, Some(&code), &Progress::endless(), language);
         let run = run.unwrap().unwrap();
-        for drawing in [figures::simulation(&run, None, language), figures::control_loops(&run, language)] {
+        for drawing in [figures::simulation(&run, None, &[], language), figures::control_loops(&run, language)] {
             assert!(!picture(&drawing, language).texts().is_empty());
         }
     }

@@ -30,7 +30,14 @@ function figures() { return new Map(all('#run-figures tr[data-figure]').map((row
 async function keep() {
   const found = await computed(asked(''));
   if (!found) return;
-  kept = { groups: found.groups, figures: figures(), scenario: $('#scenario')?.value };
+  const columns = found.groups.flatMap(({ y }) => y);
+  let number = 0;
+  // The range of each panel, which the picture of the next run contains.
+  const ranges = panels($('#plot-simulation')).map((panel) => {
+    const of = columns.slice(number, number += panel.querySelectorAll('g.line').length).flat();
+    return [Math.min, Math.max].map((most) => Number(of.reduce((a, b) => most(a, b)).toPrecision(6))).join(' ');
+  }).join(',');
+  kept = { groups: found.groups, figures: figures(), scenario: $('#scenario')?.value, ranges };
   shown();
 }
 function shown() {
@@ -42,6 +49,8 @@ function shown() {
   for (const row of all('#run-figures tr[data-figure]')) row.children[2].textContent = is ? kept.figures.get(row.dataset.figure) ?? '–' : '';
   const head = $('#run-figures thead th:nth-child(3)');
   if (head) head.textContent = is ? head.dataset.kept : '';
+  $('#kept-ranges').value = is ? kept.ranges : '';
+  $('#kept-legend').hidden = !is;
   for (const path of all('.kept-run')) path.remove();
   if (is) draw();
 }
@@ -60,7 +69,7 @@ function draw() {
       let d = '';
       for (let row = 0; row < column.x.length; row++) {
         if (column.x[row] < p.xMin || column.x[row] > p.xMax) continue;
-        const y = Math.min(p.bottom, Math.max(p.top, yOf(p, column.y[row])));
+        const y = yOf(p, column.y[row]);
         d += `${d ? 'L' : 'M'}${xOf(p, column.x[row]).toFixed(1)} ${y.toFixed(1)}`;
       }
       path.setAttribute('d', d);
@@ -69,6 +78,8 @@ function draw() {
     }
   }
 }
+// Another scenario has a scale of its own.
+document.addEventListener('change', ({ target }) => { if (target.id === 'scenario') $('#kept-ranges').value = ''; }, true);
 document.addEventListener('click', ({ target }) => {
   if (!target.closest?.('[data-keep-run]')) return;
   if (target.closest('[data-keep-run]').getAttribute('aria-pressed') === 'true') { kept = null; shown(); } else keep();

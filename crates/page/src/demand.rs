@@ -240,7 +240,7 @@ pub(crate) fn drawing(
         View::ErrorBudget => figures::torsion(project, candidate, l),
         View::Simulation if !crate::WHOLE => Err(NoFigure::OfARun),
         View::Simulation => crate::simulated::run(state, project, candidate, progress)
-            .map(|run| figures::simulation(&run, state.window, l))
+            .map(|run| figures::simulation(&run, state.window, &state.kept_ranges, l))
             .map_err(|_| NoFigure::OfARun),
         View::DataSheet | View::Wiring | View::Mounting | View::Commissioning | View::Encoder | View::Maintenance => {
             Err(NoFigure::OfARun)

@@ -139,6 +139,7 @@ pub(crate) fn keyboard(call: &Call<'_>) -> Markup {
         ("/", page::find(l)),
         ("?", page::keyboard(l)),
         ("Ctrl+S", page::save(l)),
+        ("Ctrl+P", page::print(l)),
         ("Ctrl+Z", page::undo(l)),
         ("Ctrl+Y", page::redo(l)),
         ("Esc", page::key_escape(l)),

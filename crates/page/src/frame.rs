@@ -47,7 +47,7 @@ fn scripts() -> Markup {
         // First: it adds the token to the requests of the others.
         script src="/assets/enter.js" {}
         script src="/assets/htmx.min.js" defer {}
-        @for name in ["page.js", "panes.js", "folder.js", "tools.js", "door.js", "sketch.js", "theory.js", "across.js", "table.js", "runs.js"] { script type="module" src={ "/assets/" (name) } {} }
+        @for name in ["page.js", "panes.js", "folder.js", "tools.js", "door.js", "sketch.js", "theory.js", "print.js", "across.js", "table.js", "runs.js"] { script type="module" src={ "/assets/" (name) } {} }
     }
 }
 

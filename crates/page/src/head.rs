@@ -118,6 +118,7 @@ fn file_items(file: &str, shell: &dyn Shell, language: Language) -> Markup {
         } @else { button type="button" id="open" data-open="" { (page::open(l)) } }
         label.field for="file" { span { (page::save_as(l)) } input id="file" name="file" form="state" type="text" size="18" value=(file) autocomplete="off" spellcheck="false" hx-morph-skip=""; }
         button type="button" id="save" data-save="" { (page::save(l)) span.key { "Ctrl+S" } }
+        button type="button" id="print" data-print="" { (page::print(l)) span.key { "Ctrl+P" } }
         button type="button" id="project" data-project="" { (page::project_file(l)) }
         button type="button" id="link" data-link="" { (page::link_to_this(l)) }
         button type="button" id="versions" data-versions="" { (page::versions(l)) }

@@ -31,6 +31,7 @@ mod locked;
 mod markup;
 mod names;
 mod overlay;
+mod paper;
 mod parts;
 mod pasted;
 mod recorded;
@@ -116,6 +117,7 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         (Method::Post, "/explain") => html(frame::explained(call, shell, progress)),
         (Method::Post, "/compare") => html(frame::compared(call, shell, progress)),
         (Method::Post, "/tools") if WHOLE => html(tools::pane(call, shell, progress)),
+        (Method::Post, "/paper") if WHOLE => html(paper::first_page(call, shell, progress)),
         (Method::Get, "/find") => html(find::found(call)),
         (Method::Get, "/gallery") if WHOLE => html(gallery::shown(call)),
         (Method::Get, "/keys") => html(find::keyboard(call)),
@@ -146,9 +148,9 @@ const WHOLE: bool = cfg!(feature = "interface");
 const MISDIRECTED: u16 = 421;
 
 /// Returns true for the requests that only the larger engine answers: `/api/`, tools, simulation, tolerances,
-/// recordings, versions, two versions in one, the gallery, and what would let a rejected actuator in.
+/// recordings, versions, two versions in one, the gallery, the printed page, and what would let a rejected actuator in.
 fn is_for_the_larger(call: &Call<'_>) -> bool {
-    let path = ["/tools", "/tolerances", "/versions", "/let-in", "/gallery", "/merge", RECORDING, PREVIEW];
+    let path = ["/tools", "/tolerances", "/versions", "/let-in", "/gallery", "/merge", "/paper", RECORDING, PREVIEW];
     let simulation = state::View::Simulation.id();
     call.path.starts_with("/api/")
         || path.contains(&call.path)

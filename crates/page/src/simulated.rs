@@ -43,6 +43,7 @@ pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candida
             }
           }
           @if found.is_ok() { button type="button" id="keep-run" data-keep-run="" aria-pressed="false" hx-morph-skip="" data-first=(views::keep_run(l)) data-other=(views::discard_run(l)) { (views::keep_run(l)) } }
+          @if found.is_ok() { input type="hidden" id="kept-ranges" name="kept" form="state" value=(list_of(&state.kept_ranges)); span id="kept-legend" hidden { span.kept-sample {} (views::kept_run(l)) } }
         }
         @match &found {
             Ok(run) => {
@@ -50,13 +51,18 @@ pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candida
                 (exceeded(&record, l))
                 (gains(state, &record))
                 (overlay::controls(run.summary.time_s, overlay::ShownTime::of(state.window), l))
-                (picture(state, "simulation", Ok(figures::simulation(run, state.window, l)), &none, &none))
+                (picture(state, "simulation", Ok(figures::simulation(run, state.window, &state.kept_ranges, l)), &none, &none))
                 (figures_of(&record, l))
                 (folded(&chapter::simulation(&record, l), "run", &[simulation::summary(l), simulation::gains(l)]))
             }
             Err(why) => p.empty { (capitalised(why)) },
         }
     }
+}
+
+/// Returns the ranges as the field of the form keeps them.
+fn list_of(ranges: &[(f64, f64)]) -> String {
+    ranges.iter().map(|(from, to)| format!("{from} {to}")).collect::<Vec<_>>().join(",")
 }
 
 /// Returns the exceeded limits of the run, above its picture; all figures and events are below it.

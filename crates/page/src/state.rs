@@ -31,6 +31,8 @@ pub(crate) struct PageState {
     pub(crate) all_axes: bool,
     /// Time window of the pictures over time \[s\]; `None` for the whole cycle.
     pub(crate) window: Option<(f64, f64)>,
+    /// Range of each panel in the kept run of the simulation, which the picture of the next run contains.
+    pub(crate) kept_ranges: Vec<(f64, f64)>,
     /// Point in the map of candidates; the nearest actuator is to be selected.
     near: Option<MapPoint>,
     /// Prefix of the paths of the axis: `axis[2].` if the project has several axes, else empty.
@@ -280,6 +282,7 @@ impl PageState {
             axis: field("axis").parse().unwrap_or(0),
             all_axes: field("axis") == ALL_AXES,
             window: window(&field("from"), &field("until")),
+            kept_ranges: ranges(&field("kept")),
             near: MapPoint::read(&field("near")),
             prefix: String::new(),
             code: code(&field("code")),
@@ -529,6 +532,18 @@ fn window(from: &str, until: &str) -> Option<(f64, f64)> {
     let (from, until): (f64, f64) = (from.parse().ok()?, until.parse().ok()?);
     (from.is_finite() && until.is_finite() && from >= 0.0 && from < until).then_some((from, until))
 }
+
+/// Returns the ranges of a list such as `0 12.5,-3 4`.
+fn ranges(text: &str) -> Vec<(f64, f64)> {
+    let range = |text: &str| {
+        let (from, to) = text.split_once(' ')?;
+        Some((from.parse().ok()?, to.parse().ok()?))
+    };
+    text.split(',').map_while(range).take(RANGES_MOST).collect()
+}
+
+/// Largest number of panels with a kept range.
+const RANGES_MOST: usize = 16;
 
 /// Largest number of compared actuators.
 pub(crate) const MARKED_MOST: usize = 5;

@@ -17,6 +17,8 @@ pub struct PlaneAxis {
     symbol: String,
     unit: String,
     fixed: Option<(f64, f64)>,
+    /// Values that the range contains besides the data.
+    also: Option<(f64, f64)>,
     zero: bool,
     tight: bool,
     minor: bool,
@@ -31,6 +33,7 @@ impl PlaneAxis {
             symbol: symbol.to_owned(),
             unit: unit.to_owned(),
             fixed: None,
+            also: None,
             zero: true,
             tight: false,
             minor: false,
@@ -71,6 +74,15 @@ impl PlaneAxis {
     pub fn range(mut self, from: f64, to: f64) -> Self {
         if from.is_finite() && to.is_finite() && from != to {
             self.fixed = Some((from.min(to), from.max(to)));
+        }
+        self
+    }
+
+    /// Extends the range of the data by these values, so that another chart can have the same range.
+    #[must_use]
+    pub fn including(mut self, from: f64, to: f64) -> Self {
+        if from.is_finite() && to.is_finite() {
+            self.also = Some((from, to));
         }
         self
     }
@@ -135,7 +147,8 @@ impl PlaneAxis {
         }
         let mut range: Option<(f64, f64)> = None;
         let zero = if self.zero || both_signs { Some(0.0) } else { None };
-        for value in data.iter().copied().chain(zero).filter(|value| value.abs() <= LARGEST) {
+        let also = self.also.into_iter().flat_map(|(from, to)| [from, to]);
+        for value in data.iter().copied().chain(also).chain(zero).filter(|value| value.abs() <= LARGEST) {
             range = Some(range.map_or((value, value), |(lo, hi)| (lo.min(value), hi.max(value))));
         }
         let (mut lo, mut hi) = range.unwrap_or((0.0, 1.0));

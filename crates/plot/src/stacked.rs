@@ -55,6 +55,13 @@ impl Panel {
         self
     }
 
+    /// Extends the range of the y axis by these values.
+    #[must_use]
+    pub fn including(mut self, (from, to): (f64, f64)) -> Self {
+        self.y = self.y.including(from, to);
+        self
+    }
+
     /// Adds an item. Items with a label are explained next to the title of the panel; a vertical reference has its
     /// label at the line.
     #[must_use]

@@ -30,7 +30,7 @@ pub fn project_fingerprint(text: &str, recordings: &[RecordingRead]) -> String {
 
 /// Returns the fingerprint of the catalogue: every cell as exported, errata included.
 #[must_use]
-pub(crate) fn catalogue_fingerprint() -> String {
+pub fn catalogue_fingerprint() -> String {
     let mut hasher = blake3::Hasher::new();
     hasher.update(EXPORT_COLUMNS.join("\t").as_bytes());
     for row in export_rows() {

@@ -185,6 +185,8 @@
   const decoded = (path) => { try { return decodeURIComponent(path); } catch { return path; } };
   window.fetch = async (address, options = {}) => {
     const url = new URL(address, location.href);
+    // The chapters of the theory are files beside the engine.
+    if (!isFile && url.pathname.startsWith(new URL('theory/', home).pathname)) return outside(address, options);
     const body = options.body === undefined || options.body === null ? new Response() : new Response(options.body);
     const media = new Headers(options.headers).get('content-type') ?? body.headers.get('content-type');
     const question = { post: options.method?.toUpperCase() === 'POST', path: decoded(url.pathname), query: url.search.slice(1), media };
@@ -205,6 +207,8 @@
   function links() {
     for (const link of document.querySelectorAll('a[href^="/?"]')) link.href = link.getAttribute('href').slice(1);
   }
+  // The example or the file that was opened stays in the address: it can be opened again, unlike an axis that was begun.
+  const begun = () => `?project${['new', 'open'].filter((name) => asked.has(name)).map((name) => `&${name}=${encodeURIComponent(asked.get(name))}`).join('')}`;
   async function show({ head, body }) {
     const text = new TextDecoder().decode(body);
     const page = head.media.startsWith('text/html') ? new DOMParser().parseFromString(text, 'text/html') : undefined;
@@ -221,7 +225,7 @@
     document.body.replaceWith(document.adoptNode(page.body));
     performance.mark('antrieb-answered');
     links();
-    if (document.querySelector('form#state')) { history.replaceState(null, '', location.pathname + '?project' + location.hash); remember(); }
+    if (document.querySelector('form#state')) { history.replaceState(null, '', location.pathname + begun() + location.hash); remember(); }
     await script('assets/htmx.min.js');
     for (const each of page.querySelectorAll('script[type=module]')) {
       const name = each.getAttribute('src').replace('/assets/', '');
@@ -250,8 +254,8 @@
     return answer({ post: false, path: '/', query: location.search.slice(1), media: null });
   }
   const parsed = document.readyState === 'loading' ? new Promise((done) => addEventListener('DOMContentLoaded', done)) : undefined;
-  const begun = first();
-  Promise.all([begun, parsed]).then(([reply]) => show(reply)).then(() => { html.dataset.ready = ''; }, (error) => {
+  const beginning = first();
+  Promise.all([beginning, parsed]).then(([reply]) => show(reply)).then(() => { html.dataset.ready = ''; }, (error) => {
     console.error(error);
     document.querySelector('#waiting').textContent = words('none');
   });

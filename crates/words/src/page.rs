@@ -51,6 +51,7 @@ texts! {
         | "Jede Achse über ihren eigenen Zyklus ab dessen Beginn; wie die Zyklen mehrerer Achsen zueinander liegen, steht nicht in der Datei.";
     open = "Open" | "Öffnen";
     save = "Save" | "Speichern";
+    print = "Print the first page of the report" | "Erste Seite des Berichts drucken";
     save_as = "File name" | "Dateiname";
     undo = "Undo" | "Rückgängig";
     redo = "Redo" | "Wiederholen";

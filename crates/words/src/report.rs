@@ -242,7 +242,7 @@ texts! {
     disclaimer =
         "Independent calculation, neither affiliated with nor endorsed by the manufacturer of the actuators. The signatories are responsible for the inputs and for the use of the results."
         | "Unabhängige Berechnung ohne Verbindung zum Hersteller der Antriebe und nicht von ihm geprüft. Die Verantwortung für Eingaben und Verwendung der Ergebnisse liegt bei den Unterzeichnenden.";
-    v_open = "Fits as far as checked" | "Geeignet, soweit geprüft";
+    v_open = "Fits; data missing" | "Geeignet; es fehlen Angaben";
     v_fits_text =
         "All checks were performed, none failed."
         | "Alle Nachweise sind geführt, keiner ist verletzt.";

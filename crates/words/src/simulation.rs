@@ -238,9 +238,9 @@ texts! {
         "{name}: crossover {crossover} Hz, phase margin {margin}°, bandwidth {bandwidth} Hz."
         | "{name}: Durchtrittsfrequenz {crossover} Hz, Phasenreserve {margin}°, Bandbreite {bandwidth} Hz.";
     wanted = "setpoint" | "Sollwert";
-    of_the_load = "of the load" | "der Last";
+    of_the_load = "load" | "Last";
     measured = "actual value in the drive" | "Istwert im Servoregler";
-    of_the_motor = "of the motor / ratio" | "des Motors/Untersetzung";
+    of_the_motor = "motor / ratio" | "Motor/Untersetzung";
     peak_of_a_phase = "peak of a phase" | "Scheitelwert eines Strangs";
     sensor = "winding temperature sensor" | "Wicklungsfühler";
     voltage = "voltage" | "Spannung";

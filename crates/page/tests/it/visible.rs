@@ -62,6 +62,7 @@ fn of_project(text: &str, language: Language, is_first: bool) -> Vec<Request> {
         found.push(of("/compare", &[("mark", "CHA-25A-100-H-C1024"), ("mark", "CHA-20A-50-H-M128S-B")]));
         found.push(of("/tolerances", &[("samples", "8")]));
         found.push(of("/versions", &[]));
+        found.push(of("/paper", &[]));
     }
     found
 }
