@@ -5,6 +5,7 @@ use fantoccini::actions::{InputSource, KeyAction, KeyActions, MOUSE_BUTTON_LEFT,
 use fantoccini::wd::{TimeoutConfiguration, WebDriverCompatibleCommand, WindowHandle};
 use fantoccini::{Client, Locator};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 use tokio::runtime::Runtime;
@@ -351,9 +352,23 @@ impl Tab {
         self.runtime.block_on(self.client.screenshot()).map_err(message)
     }
 
+    /// Returns the counters of the browser about the main thread of the page, by their names; `None` in Firefox.
+    pub(crate) fn counters(&self) -> Worded<Option<BTreeMap<String, f64>>> {
+        if self.make != Make::Chromium {
+            return Ok(None);
+        }
+        self.command("Performance.enable", json!({}))?;
+        let found = self.asked("Performance.getMetrics", json!({}))?;
+        let counter = |each: &Value| Some((each["name"].as_str()?.to_owned(), each["value"].as_f64()?));
+        Ok(Some(found["metrics"].as_array().into_iter().flatten().filter_map(counter).collect()))
+    }
+
     fn command(&self, name: &'static str, arguments: Value) -> Worded {
-        let command = OfTheBrowser { name, arguments };
-        self.runtime.block_on(self.client.issue_cmd(command)).map(drop).map_err(message)
+        self.asked(name, arguments).map(drop)
+    }
+
+    fn asked(&self, name: &'static str, arguments: Value) -> Worded<Value> {
+        self.runtime.block_on(self.client.issue_cmd(OfTheBrowser { name, arguments })).map_err(message)
     }
 }
 

@@ -31,10 +31,10 @@ pub(crate) fn times(stage: &OpenPage<'_>) -> Worded {
     }
     tab.open(&stage.shell.at("new=manual&lang=en"))?;
     stage.ready()?;
-    let (half, most) = keys(stage)?;
+    let (half, most, thread) = keys(stage)?;
     let weight = weight(stage)?;
     println!(
-        "       {}: first paint {:.0} ms, open to first answer {:.0} ms, key to page of one move {half:.0} ms (95 of 100 within {most:.0} ms), {} kB gzip",
+        "       {}: first paint {:.0} ms, open to first answer {:.0} ms, key to page of one move {half:.0} ms (95 of 100 within {most:.0} ms){thread}, {} kB gzip",
         stage.shell.name(),
         median(&mut painted),
         median(&mut opened),
@@ -47,17 +47,21 @@ pub(crate) fn times(stage: &OpenPage<'_>) -> Worded {
 pub(crate) fn times_of_a_table(stage: &OpenPage<'_>) -> Worded {
     stage.tab.open(&stage.shell.at("new=table&lang=en"))?;
     stage.ready()?;
-    let (half, most) = keys(stage)?;
-    println!("       {}: key to page of a table {half:.0} ms (95 of 100 within {most:.0} ms)", stage.shell.name());
+    let (half, most, thread) = keys(stage)?;
+    println!(
+        "       {}: key to page of a table {half:.0} ms (95 of 100 within {most:.0} ms){thread}",
+        stage.shell.name()
+    );
     Ok(())
 }
 
 /// Number of requests beyond one for each key: the size of the picture may change with the lines above it.
 const FURTHER_MOST: usize = 10;
 
-/// Measures the time from a key in a field to the updated page: median and 95th percentile \[ms\]. Fails if the page
-/// requests more than the keys need.
-fn keys(stage: &OpenPage<'_>) -> Worded<(f64, f64)> {
+/// Measures the time from a key in a field to the updated page: median and 95th percentile \[ms\], and in words the mean time
+/// of the main thread. Fails if the page requests more than the keys need.
+fn keys(stage: &OpenPage<'_>) -> Worded<(f64, f64, String)> {
+    let before = stage.tab.counters()?;
     let script = "const field = document.querySelector('#f-load-inertia') ?? document.querySelector('#fields input'); const taken = []; let works = 0; \
         const count = (event) => { works += event.detail.ctx.request.action.endsWith('/work') ? 1 : 0; }; \
         addEventListener('htmx:before:request', count); \
@@ -75,13 +79,22 @@ fn keys(stage: &OpenPage<'_>) -> Worded<(f64, f64)> {
         removeEventListener('htmx:before:request', count); \
         return { taken, works };";
     let found = stage.tab.run(script, vec![serde_json::json!(KEYS)])?;
+    let thread = before.zip(stage.tab.counters()?).map_or_else(String::new, |(before, after)| {
+        let each = |name: &str| (after.get(name).unwrap_or(&f64::NAN) - before.get(name).unwrap_or(&f64::NAN)) / KEYS as f64;
+        let [all, script, style, layout] =
+            ["TaskDuration", "ScriptDuration", "RecalcStyleDuration", "LayoutDuration"].map(|name| 1e3 * each(name));
+        let [styles, layouts] = ["RecalcStyleCount", "LayoutCount"].map(each);
+        format!(
+            ", main thread {all:.0} ms a key: script {script:.0}, {styles:.0} styles {style:.1}, {layouts:.0} layouts {layout:.1}"
+        )
+    });
     let taken = found.get("taken").cloned().unwrap_or_default();
     let works = found.get("works").and_then(serde_json::Value::as_u64).unwrap_or(u64::MAX);
     expect(works <= (KEYS + FURTHER_MOST) as u64, || format!("{works} requests for {KEYS} keys"))?;
     let mut taken: Vec<f64> = taken.as_array().into_iter().flatten().map(number).collect();
     expect(taken.len() == KEYS, || format!("{} of {KEYS} keys answered", taken.len()))?;
     let half = median(&mut taken);
-    Ok((half, taken.get(KEYS * 95 / 100).copied().unwrap_or_default()))
+    Ok((half, taken.get(KEYS * 95 / 100).copied().unwrap_or_default(), thread))
 }
 
 fn number(value: &serde_json::Value) -> f64 {
@@ -146,7 +159,7 @@ pub(crate) fn a_long_recording(stage: &OpenPage<'_>) -> Worded {
     let before = tab.eval(torque)?;
     stage.change("#f-load-inertia", "1.6 kg m^2")?;
     tab.until(&format!("{torque} !== {before}"))?;
-    let (half, most) = keys(stage)?;
+    let (half, most, thread) = keys(stage)?;
     // The instant moves at every frame for two seconds, once the picture of the last key is drawn: until then the
     // server occupies one of the cores.
     stage.ready()?;
@@ -163,7 +176,7 @@ pub(crate) fn a_long_recording(stage: &OpenPage<'_>) -> Worded {
     let moved = tab.run(script, Vec::new())?;
     let [frames, own] = [0, 1].map(|at| moved.get(at).map_or(f64::NAN, number));
     println!(
-        "       {}: {LONG} samples: key to numbers {half:.0} ms (95 of 100 within {most:.0} ms), {frames:.0} frames a second while the instant moves, {own:.1} ms of script and layout each",
+        "       {}: {LONG} samples: key to numbers {half:.0} ms (95 of 100 within {most:.0} ms){thread}, {frames:.0} frames a second while the instant moves, {own:.1} ms of script and layout each",
         stage.shell.name()
     );
     // The browser's own drawing without a graphics card is not counted.

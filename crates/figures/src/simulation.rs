@@ -32,12 +32,7 @@ pub fn of_a_run(id: Option<&str>, run: &Simulated<'_>, language: Language) -> Dr
 /// instants \[s\] of it. The scale of each panel contains the range in `also`, in the unit of the panel: that of another run to
 /// compare with.
 #[must_use]
-pub fn simulation(
-    run: &Simulated<'_>,
-    window: Option<(f64, f64)>,
-    also: &[(f64, f64)],
-    language: Language,
-) -> Drawing {
+pub fn simulation(run: &Simulated<'_>, window: Option<(f64, f64)>, also: &[(f64, f64)], language: Language) -> Drawing {
     let l = language;
     let (from, until) = window.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let first = run.course.partition_point(|sample| sample.time_s < from);

@@ -8,7 +8,9 @@ use axis::AxisProject;
 use maud::{Markup, html};
 use quantities::{Language, Measure, format_significant};
 use questions::list::check::reserve_unasked;
-use questions::texts::{by_importance, demand_figures, margin_share, objection_text, percent, reserve_lines, standing_text};
+use questions::texts::{
+    by_importance, demand_figures, margin_share, objection_text, percent, reserve_lines, standing_text,
+};
 use questions::{Candidate, Check, Progress, Verdict, catalogue_fingerprint, project_fingerprint};
 use std::collections::BTreeMap;
 use words::{assumption_text, capitalised, page, title_of_check, verdict_count, without_keys, without_limit};
