@@ -40,6 +40,7 @@ pub fn run(root: &Path) -> Result<(), Error> {
 /// Returns `true` for a document written in German.
 pub(crate) fn is_german(document: &str) -> bool {
     document.starts_with("docs/anleitung/")
+        || document.starts_with("docs/theorie/")
         || ["docs/reference/befehle.md", "docs/reference/projektdatei.md"].contains(&document)
 }
 

@@ -46,7 +46,7 @@ fn node(node: &Node, language: Language) -> Markup {
                 @if node.repeated { (terminal::see_above(language)) } @else {
                     (trust(node, language))
                     @if let Some(number) = node.page { ", " (page::page_of_the_manual(&number, language)) }
-                    @if let Some(name) = node.model { ", " a href={ "theory/" (name) ".html" } data-chapter="" hreflang="en" title=(capitalised(chapter_name(name, language))) { (page::theory(language)) } }
+                    @if let Some(name) = node.model { ", " a href={ (page::theory_folder(language)) (name) ".html" } data-chapter="" title=(capitalised(chapter_name(name, language))) { (page::theory(language)) } }
                 }
             }
             @if !node.repeated {

@@ -80,10 +80,19 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply
     if reply.media == HTML {
         let page = String::from_utf8(std::mem::take(&mut reply.body));
         reply.body = page.map_or_else(std::string::FromUtf8Error::into_bytes, |page| {
-            typeset::typeset(&page, call.language()).into_bytes()
+            typeset::typeset(&page, language_of(call)).into_bytes()
         });
     }
     reply
+}
+
+/// Returns the language of an answer: that of a chapter by its address, else that of the call.
+fn language_of(call: &Call<'_>) -> quantities::Language {
+    #[cfg(feature = "theory")]
+    if let Some(language) = theory::language_of(call.path) {
+        return language;
+    }
+    call.language()
 }
 
 fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
@@ -94,8 +103,8 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         return assets::asset(name);
     }
     #[cfg(feature = "theory")]
-    if let Some(name) = call.path.strip_prefix("/theory/") {
-        return theory::file(name, call.language());
+    if let Some(file) = theory::file(call.path) {
+        return file;
     }
     #[cfg(feature = "interface")]
     if api::is_path(call.path) {

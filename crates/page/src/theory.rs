@@ -1,8 +1,9 @@
 //! Theory behind the models: the chapters of `docs/theory`, to which the derivation of a number leads.
 //!
-//! They are in English. The server sends them, and the writer of the static folder writes them as files; the engine in
-//! the browser does not contain them. Sections for developers are in the books of the repository alone; keys of the project file and
-//! checks appear with the names that the page gives them.
+//! Each chapter exists in both languages, at an address of its own: `/theory/gear.html` in English, `/theory/de/gear.html` in German. The
+//! server sends them, and the writer of the static folder writes them as files; the engine in the browser does not contain them.
+//! Sections for developers are in the books of the repository alone; keys of the project file and checks appear with the names that the
+//! page gives them.
 
 use crate::call::Reply;
 use crate::find::walk;
@@ -14,37 +15,67 @@ use quantities::Language;
 use questions::CheckId;
 use words::{capitalised, chapter_name, check_title, page};
 
-/// Chapters with their texts, and the pictures in them.
+/// Files of the theory with their texts, in the order of [`Language::ALL`].
 macro_rules! files {
-    ($folder:literal: $($name:literal)*) => { [$(($name, include_str!(concat!("../../../docs/theory/", $folder, $name)))),*] };
+    ($folder:literal: $($name:literal)*) => { [$(($name, [
+        include_str!(concat!("../../../docs/theory/", $folder, $name)),
+        include_str!(concat!("../../../docs/theorie/", $folder, $name)),
+    ])),*] };
 }
 
-const CHAPTERS: [(&str, &str); 24] = files![
+/// Texts of a file, in the order of [`Language::ALL`].
+type Texts = [&'static str; 2];
+
+const CHAPTERS: [(&str, Texts); 24] = files![
     "": "battery.md" "brake.md" "continuous-torque.md" "current.md" "demand.md" "energy.md" "error-budget.md" "feedback.md"
     "flange-loads.md" "gear.md" "mechanisms.md" "moments.md" "motion-laws.md" "output-bearing.md" "overload.md"
     "recorded-motion.md" "screw-joint.md" "short-time-torque.md" "stage.md" "sweep.md" "thermal.md" "tolerances.md" "twin.md" "voltage.md"
 ];
-const PICTURES: [(&str, &str); 2] = files!["pictures/": "continuous-20A.svg" "heat-shares.svg"];
+const PICTURES: [(&str, Texts); 2] = files!["pictures/": "continuous-20A.svg" "heat-shares.svg"];
 
-/// Returns the names of all files below `/theory/`.
-pub fn theory_files() -> impl Iterator<Item = String> {
-    let chapters = CHAPTERS.iter().map(|(name, _)| name.replace(".md", ".html"));
-    chapters.chain(PICTURES.iter().map(|(name, _)| format!("pictures/{name}")))
+/// Returns the text in a language.
+fn text_in(texts: &Texts, language: Language) -> &'static str {
+    Language::ALL.iter().zip(texts).find(|(each, _)| **each == language).map_or("", |(_, text)| text)
 }
 
-/// Returns a file of the theory.
-pub(crate) fn file(name: &str, language: Language) -> Reply {
-    if let Some((_, svg)) = name.strip_prefix("pictures/").and_then(|name| PICTURES.iter().find(|(of, _)| *of == name))
+/// Returns the paths of all files of the theory, in both languages.
+pub fn theory_files() -> impl Iterator<Item = String> {
+    Language::ALL.into_iter().flat_map(|language| {
+        let folder = page::theory_folder(language);
+        let chapters = CHAPTERS.iter().map(move |(name, _)| format!("{folder}{}", name.replace(".md", ".html")));
+        chapters.chain(PICTURES.iter().map(move |(name, _)| format!("{folder}pictures/{name}")))
+    })
+}
+
+/// Returns language and name of a file of the theory by its path; the folders of the languages lie within that of the first one.
+fn named(path: &str) -> Option<(Language, &str)> {
+    let path = path.strip_prefix('/')?;
+    Language::ALL
+        .into_iter()
+        .rev()
+        .find_map(|language| Some((language, path.strip_prefix(page::theory_folder(language))?)))
+}
+
+/// Returns the language of a file of the theory by its path; `None` for any other path.
+pub(crate) fn language_of(path: &str) -> Option<Language> {
+    named(path).map(|(language, _)| language)
+}
+
+/// Returns a file of the theory by its path; `None` for a path outside the theory.
+pub(crate) fn file(path: &str) -> Option<Reply> {
+    let (language, name) = named(path)?;
+    if let Some((_, texts)) =
+        name.strip_prefix("pictures/").and_then(|name| PICTURES.iter().find(|(of, _)| *of == name))
     {
-        return Reply::of(200, "image/svg+xml", *svg);
+        return Some(Reply::of(200, "image/svg+xml", text_in(texts, language)));
     }
     let chapter = name
         .strip_suffix(".html")
         .and_then(|name| CHAPTERS.iter().find(|(of, _)| of.strip_suffix(".md") == Some(name)));
-    match chapter {
-        Some((name, text)) => Reply::of(200, crate::HTML, shown(name, text, language)),
+    Some(match chapter {
+        Some((name, texts)) => Reply::of(200, crate::HTML, shown(name, text_in(texts, language), language)),
         None => Reply::text(404, page::no_such_page(language)),
-    }
+    })
 }
 
 /// Headings of the sections that describe the program to its developers.
@@ -53,19 +84,21 @@ const FOR_DEVELOPERS: [&str; 4] = ["In the code", "Cost", "Speed", "Four at a ti
 /// Returns a chapter as a page; the drawer of the workbench shows its article.
 fn shown(name: &str, text: &str, language: Language) -> String {
     let l = language;
-    let (title, body) = set(text);
+    let (title, body) = set(text, l);
     let none = html! {};
-    let head = crate::frame::head(&none, &format!("{title} – antrieb"), "../assets/page.css", &none);
+    // The way up from the folder of the language.
+    let up = "../".repeat(page::theory_folder(l).matches('/').count());
+    let head = crate::frame::head(&none, &format!("{title} – antrieb"), &format!("{up}assets/page.css"), &none);
     html! {
         (DOCTYPE)
         html lang=(l.id()) {
             (head)
             body.theory {
-                header id="head" { h1 { a.brand href="../" { (crate::markup::logo()) "antrieb" } } }
+                header id="head" { h1 { a.brand href=(up) { (crate::markup::logo()) "antrieb" } } }
                 main {
-                    p.small { (page::chapter_in_english(l)) }
+                    p.small { (page::about_the_theory(l)) }
                     (chapters(name, l))
-                    article id="theory" lang="en" { (PreEscaped(body)) }
+                    article id="theory" { (PreEscaped(body)) }
                 }
             }
         }
@@ -87,9 +120,8 @@ fn chapters(own: &str, language: Language) -> Markup {
 }
 
 /// Returns the words for program text of a chapter: the label of a key, the title of a check; `None` for a quotation.
-fn in_words(code: &str) -> Option<String> {
-    // The chapters are in the first language.
-    let l = Language::default();
+fn in_words(code: &str, language: Language) -> Option<String> {
+    let l = language;
     let last = |path: &str| path.rsplit('.').next() == Some(code);
     let of_check = || CheckId::ALL.iter().find(|id| id.id() == code).map(|id| check_title(*id, l));
     let of_key = || {
@@ -116,8 +148,8 @@ fn in_words(code: &str) -> Option<String> {
 
 /// Returns title and text of a chapter as HTML: headings have anchors, links within the theory lead to its pages, other
 /// links become plain words, and HTML in the text is shown literally.
-fn set(text: &str) -> (String, String) {
-    let mut events: Vec<Event<'_>> = for_engineers(Parser::new_ext(text, Options::ENABLE_TABLES).collect());
+fn set(text: &str, language: Language) -> (String, String) {
+    let mut events = for_engineers(Parser::new_ext(text, Options::ENABLE_TABLES).collect(), language);
     let mut title = String::new();
     let mut heading: Option<(usize, String)> = None;
     let mut anchors = Vec::new();
@@ -168,7 +200,7 @@ fn set(text: &str) -> (String, String) {
 }
 
 /// Returns a chapter without the sections for developers; formulas, which stand indented, as text, so that their symbols are set.
-fn for_engineers(events: Vec<Event<'_>>) -> Vec<Event<'_>> {
+fn for_engineers(events: Vec<Event<'_>>, language: Language) -> Vec<Event<'_>> {
     let mut kept: Vec<Event<'_>> = Vec::with_capacity(events.len());
     let mut is_left_out = false;
     let mut is_formula = false;
@@ -191,7 +223,9 @@ fn for_engineers(events: Vec<Event<'_>>) -> Vec<Event<'_>> {
                 is_formula = false;
                 Event::InlineHtml(CowStr::Borrowed(FORMULA_END))
             }
-            Event::Code(code) => in_words(code).map_or_else(|| event.clone(), |words| Event::Text(words.into())),
+            Event::Code(code) => {
+                in_words(code, language).map_or_else(|| event.clone(), |words| Event::Text(words.into()))
+            }
             event => event.clone(),
         });
     }
@@ -219,60 +253,4 @@ fn anchor(words: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
-
-    use super::*;
-
-    fn names(folder: &str, ending: &str) -> Vec<String> {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/theory").join(folder);
-        let files = std::fs::read_dir(folder).unwrap().flatten().map(|file| file.file_name().into_string().unwrap());
-        let mut found: Vec<String> = files.filter(|name| name.ends_with(ending)).collect();
-        found.sort();
-        found
-    }
-
-    #[test]
-    fn every_chapter_and_every_picture_is_there() {
-        assert_eq!(CHAPTERS.map(|(name, _)| name.to_owned()).to_vec(), names("", ".md"));
-        assert_eq!(PICTURES.map(|(name, _)| name.to_owned()).to_vec(), names("pictures", ".svg"));
-        for name in theory_files() {
-            assert_eq!(file(&name, Language::default()).status, 200, "{name}");
-        }
-        assert_eq!(file("../gear.html", Language::default()).status, 404);
-    }
-
-    /// Requires that every anchor that a chapter links to is a heading of its page.
-    #[test]
-    fn links_within_the_theory_lead_somewhere() {
-        let pages: Vec<(String, String)> = CHAPTERS
-            .iter()
-            .map(|(name, text)| (name.replace(".md", ".html"), shown(name, text, Language::En)))
-            .collect();
-        let mut seen = 0;
-        for (own, page) in &pages {
-            for address in page.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
-                let Some((file, anchor)) = address.split_once('#') else { continue };
-                let file = if file.is_empty() { own } else { file };
-                let (_, target) = pages.iter().find(|(name, _)| name == file).unwrap();
-                assert!(target.contains(&format!("id=\"{anchor}\"")), "{own}: {address}");
-                seen += 1;
-            }
-            let note = [".rs`", "crates/", ".rs<", "In the code"].iter().find(|note| page.contains(**note));
-            assert!(note.is_none(), "{own}: a note for developers outside the section In the code: {note:?}");
-            assert!(!page.contains(".md\"") && page.contains("<h1 id="), "{own}");
-        }
-        assert!(seen > 5, "{seen}");
-    }
-
-    #[test]
-    fn html_in_a_chapter_is_shown_as_it_is_written() {
-        let (title, body) = set("# A *b* `c`\n\nx <b>y</b> [in](gear.md#a) [out](../x.md) [far](https://e.org)\n");
-        assert_eq!(title, "A b c");
-        assert!(
-            body.contains("id=\"a-b-c\"") && body.contains("&lt;b&gt;y") && body.contains("href=\"gear.html#a\""),
-            "{body}"
-        );
-        assert!(!body.contains("x.md") && !body.contains("e.org"), "{body}");
-    }
-}
+mod tests;

@@ -37,7 +37,7 @@ pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<
         ("THIRD-PARTY.md".to_owned(), notices.into()),
     ];
     let assets = page::ASSETS.iter().map(|(name, _)| format!("assets/{name}"));
-    for name in assets.chain(page::theory_files().map(|name| format!("theory/{name}"))) {
+    for name in assets.chain(page::theory_files()) {
         let path = format!("/{name}");
         let call =
             Call { method: Method::Get, path: &path, query: "", media: None, body: &[], language: Language::default() };

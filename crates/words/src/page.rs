@@ -222,9 +222,10 @@ texts! {
     on_a_phone = "on a phone" | "auf dem Telefon";
     theory = "theory" | "Theorie";
     chapters_of_the_theory = "Chapters of the theory" | "Kapitel der Theorie";
-    chapter_in_english =
+    theory_folder = "theory/" | "theory/de/";
+    about_the_theory =
         "The models of antrieb with their equations, sources and limits."
-        | "Die Modelle von antrieb mit Gleichungen, Quellen und Gültigkeitsgrenzen. Das Kapitel liegt auf Englisch vor.";
+        | "Die Modelle von antrieb mit Gleichungen, Quellen und Gültigkeitsgrenzen.";
     worst_instant(time) = "at {time} s" | "bei {time} s";
     what_would_fit = "What would fit" | "Was geeignet wäre";
     searching_remedies = "Searching for changes with which an actuator fits …" | "Änderungen werden gesucht, mit denen ein Antrieb geeignet ist …";

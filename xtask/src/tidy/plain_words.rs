@@ -13,10 +13,11 @@ const SECTION: &str = "### Words that are not used";
 /// Section of STYLE.md with the terms replaced by those of the glossary.
 const TERMS: &str = "### Terms that are not used";
 /// Texts of the product for its readers: documents, then data with texts in both languages.
-const READ: [&str; 7] = [
+const READ: [&str; 8] = [
     "README.md",
     "docs/guide/",
     "docs/anleitung/",
+    "docs/theorie/",
     "docs/concepts/",
     "data/cha/facts/",
     "data/cha/code.toml",

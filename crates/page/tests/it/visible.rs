@@ -242,7 +242,7 @@ fn faults_show_words() {
 #[test]
 fn chapters_of_the_theory_show_words() {
     let chapters: Vec<String> =
-        theory_files().filter(|file| file.ends_with(".html")).map(|file| format!("/theory/{file}")).collect();
+        theory_files().filter(|file| file.ends_with(".html")).map(|file| format!("/{file}")).collect();
     let chapters = chapters
         .iter()
         .map(|path| -> Request { (Box::leak(path.clone().into_boxed_str()), String::new(), Vec::new()) });
