@@ -21,7 +21,7 @@ const WIDTH: f64 = 640.0;
 pub(super) fn picture(drawing: &Drawing, name: &str, theme: Theme, language: Language) -> Markup {
     let (width, height) = drawing.size_mm;
     let style = Style::new(Size::pixels(WIDTH, WIDTH * height / width)).theme(theme).language(language).id(name);
-    html! { figure.plot { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
+    html! { figure.plot { (PreEscaped(drawing.render(&style).into_svg())) } }
 }
 
 pub(super) fn curve(inquiry: &Inquiry<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {

@@ -79,6 +79,17 @@ fn choice(name: &str, words: &[&str], language: Language) -> FieldEntry {
     FieldEntry::Choice(words.iter().map(said).collect())
 }
 
+/// Returns a text without its example in quotes, and the example.
+fn without_example(about: &str) -> (Cow<'_, str>, Option<&str>) {
+    const LEADS: [&str; 4] = [", such as \"", ", for example \"", ", etwa \"", ", zum Beispiel \""];
+    let found = LEADS.iter().find_map(|lead| {
+        let (before, behind) = about.split_once(lead)?;
+        let (example, after) = behind.split_once('"')?;
+        Some((format!("{before}{after}"), example))
+    });
+    found.map_or((Cow::Borrowed(about), None), |(about, example)| (Cow::Owned(about), Some(example)))
+}
+
 impl ToolField {
     /// Creates the field of a key of a file, with its words, or with an example of its value in grey.
     pub(super) fn of_key(path: &str, label: &str, key: &Key, language: Language) -> Self {
@@ -105,7 +116,9 @@ impl ToolField {
         };
         let about = (argument.about)(language);
         let about = if argument.repeated { page::one_a_line(&about, language) } else { about.to_owned() };
+        let (about, example) = without_example(&about);
         let mut field = Self::new(argument.name, &about, entry);
+        field.ghost = example.map(|example| page::for_example(&example, language));
         if let list::ArgumentKind::Word(words) = argument.kind {
             // The list of the words of the command line stands in the choice.
             field.remark = field.remark.filter(|remark| !words().iter().all(|word| remark.contains(word)));
