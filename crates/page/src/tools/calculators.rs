@@ -21,7 +21,7 @@ const WIDTH: f64 = 640.0;
 pub(super) fn picture(drawing: &Drawing, name: &str, theme: Theme, language: Language) -> Markup {
     let (width, height) = drawing.size_mm;
     let style = Style::new(Size::pixels(WIDTH, WIDTH * height / width)).theme(theme).language(language).id(name);
-    html! { figure.plot { (PreEscaped(drawing.render(&style).into_svg())) } }
+    html! { figure.plot { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
 }
 
 pub(super) fn curve(inquiry: &Inquiry<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
@@ -129,7 +129,7 @@ pub(super) fn wiring(inquiry: &Inquiry<'_>, scene: &Scene<'_>) -> Result<Markup,
         .map(|connector| {
             let drawing = figures::mating_face(&found.code, connector, figures::PinTexts::Full, l);
             let style = Style::new(drawing.size()).theme(scene.theme).language(l).id(connector.role.id());
-            html! { figure.plot.small { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
+            html! { figure.plot.small { (PreEscaped(drawing.render(&style).into_svg())) } }
         })
         .collect();
     Ok(html! { div.faces { @for each in &drawings { (each) } } (laid_out(&chapter::wiring(&record, Vec::new(), l))) })
