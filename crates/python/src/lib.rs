@@ -11,9 +11,11 @@ mod held;
 mod module;
 mod pool;
 mod sweep;
+mod values;
 
 pub use ask::{CallOutcome, CallSource, QuestionCall, SourceText};
 pub use edited::{TextChange, edited};
 pub use held::{HeldFiles, Recordings};
 pub use pool::{ForkedAtWork, forked, within};
 pub use sweep::{SweepCall, checked};
+pub use values::{ValueFault, value_faults};

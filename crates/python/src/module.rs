@@ -4,7 +4,7 @@ mod call;
 mod capsules;
 mod table;
 
-use crate::{CallOutcome, ForkedAtWork, QuestionCall, TextChange, within};
+use crate::{CallOutcome, ForkedAtWork, QuestionCall, TextChange, ValueFault, within};
 use call::{Handed, forked_at_work, interruptible, refused, text};
 use pyo3::prelude::*;
 use quantities::Language;
@@ -40,6 +40,12 @@ mod _antrieb {
             CallOutcome::Answered(reply) => Ok((reply.media, reply.body.into())),
             CallOutcome::Refused(record) => Err(refused(py, &record)),
         }
+    }
+
+    /// Returns the faults of the values of a project text that lacks other parts: line, fault, and what is expected.
+    #[pyfunction]
+    fn value_faults(text: &str) -> Vec<ValueFault> {
+        crate::value_faults(text, Language::En)
     }
 
     /// Returns a project text with changes that keep its comments: path, value as typed (empty for a table), and whether a

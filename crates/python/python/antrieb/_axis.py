@@ -115,6 +115,11 @@ class BaseAxis(_Source):
             raise TypeError('the name comes first: Axis("tilt", Arm(…), [Move(…), …]); None leaves it out')
         super()._begin(**given)
 
+    def _heads(self, values: Mapping[str, Any]) -> list[tuple[str, list[str]]]:
+        own = [name for name in values if name not in self._REQUIREMENTS]
+        required = [name for name in values if name in self._REQUIREMENTS]
+        return [("format = 1\n[axis]\n", own), ("format = 1\n[requirements]\n", required)]
+
     def _parts(self) -> Document:
         """The tables of the axis, each motion as the file has it."""
         found: Document = {}

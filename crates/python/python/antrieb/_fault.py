@@ -17,6 +17,13 @@ def fault(message: str, hint: str | None = None) -> AntriebError:
     return AntriebError({"errors": [{"message": message, "hint": hint}]})
 
 
+def faults(found: Sequence[tuple[str, str | None]]) -> AntriebError:
+    """Returns the exception with several faults."""
+    from antrieb._call import AntriebError
+
+    return AntriebError({"errors": [{"message": message, "hint": hint} for message, hint in found]})
+
+
 def no_choice(name: str, value: str, words: Sequence[str]) -> AntriebError:
     """Returns the exception for a word that is none of these."""
     near = difflib.get_close_matches(value, words, 1)

@@ -93,8 +93,41 @@ Quantity = str | Q | PintQuantity
 SHOWN = 6
 """Numbers of an array that its `repr` shows."""
 
-_FUNNY = {"turn": "rev", "revolutions_per_minute": "rpm", "°": "deg", "Δ°C": "K", "delta_degC": "K", "%": "%"}
+_UNITS = {
+    "turn": "rev",
+    "revolutions_per_minute": "rpm",
+    "°": "deg",
+    "Δ°C": "K",
+    "delta_degC": "K",
+    "g_0": "g",
+    "A*min": "A/(1/min)",
+}
 """Units as pint writes them, where a project file writes them otherwise."""
+
+_WORDS = {
+    "kilogram": "kg",
+    "arcminute": "arcmin",
+    "arcsecond": "arcsec",
+    "degree_Celsius": "degC",
+    "delta_degree_Celsius": "K",
+    "kelvin": "K",
+    "revolutions_per_minute": "rpm",
+    "turn": "rev",
+    "pound": "lb",
+    "force_pound": "lbf",
+    "standard_gravity": "g",
+    "radian": "rad",
+    "degree": "deg",
+    "second": "s",
+    "minute": "min",
+    "hour": "h",
+    "meter": "m",
+    "millimeter": "mm",
+}
+_PREFIXES = {"": "", "milli": "m", "micro": "u", "kilo": "k", "mega": "M"}
+_SYMBOLS = {"ampere": "A", "volt": "V", "ohm": "ohm", "watt": "W", "joule": "J", "hertz": "Hz", "henry": "H", "newton": "N"}
+_WORDS.update({prefix + word: short + sign for word, sign in _SYMBOLS.items() for prefix, short in _PREFIXES.items()})
+_WORD = re.compile(r"[A-Za-z_]{3,}")
 
 
 def q(value: Any, unit: Any) -> Q:
@@ -157,24 +190,101 @@ def _number(value: float) -> str:
 
 def _of_pint(unit: Any) -> str:
     """Returns a unit of pint as a project file has it: a product of names with an explicit sign."""
-    text = format(unit, "~C")
-    if text in _FUNNY:
-        return _FUNNY[text]
+    text = format(unit, "~C").replace(" ", "")
+    if text in _UNITS:
+        return _UNITS[text]
     if text == "dimensionless":
         return ""
-    parts = re.split(r"([*/]+|\(|\)|[0-9.-]+)", text.replace(" ", ""))
-    return "".join(_FUNNY.get(part, "^" if part == "**" else part) for part in parts)
+    parts = re.split(r"([*/]+|\(|\)|[0-9.-]+)", text)
+    return "".join(_UNITS.get(part, "^" if part == "**" else part) for part in parts)
 
 
 def of_pint(value: Any) -> Q | None:
     """Returns a quantity of pint as numbers with their unit; `None` for anything else."""
     if isinstance(value, Q) or not (hasattr(value, "magnitude") and hasattr(value, "units")):
         return None
-    return Q(_numbers(value.magnitude, "magnitude"), _of_pint(value.units))
+    unit, numbers = _of_pint(value.units), _numbers(value.magnitude, "magnitude")
+    if unit == "g" and "gram" in format(value.units, "C"):
+        # As an acceleration the sign would be that of gravity.
+        return Q(tuple(map(_thousandth, numbers)) if isinstance(numbers, tuple) else _thousandth(numbers), "kg")
+    return Q(numbers, unit)
+
+
+def _thousandth(number: float) -> float:
+    return float(Decimal(repr(number)) / 1000) if math.isfinite(number) else number
+
+
+class Converted(str):
+    """A quantity of pint in its own unit, and in that of the example if no project file has its own."""
+
+    __slots__ = ("other",)
+
+    other: str
+
+
+_OF_PINT = {"g": "g_0", "1/min": "rpm", "V/1000 1/min": "V/rpm", "A/(1/min)": "A/rpm"}
+"""Units of examples as pint reads them."""
+
+_ANGLES = re.compile(r"radian|degree|turn|revolution|arc|rpm")
+
+
+def _converted(value: Any, found: Q, name: str, examples: Sequence[str]) -> str:
+    """Returns a quantity of pint as a text.
+
+    Raises:
+        AntriebError: It measures something else.
+    """
+    text = Converted(found.texts[0])
+    text.other = str(text)
+    registry = getattr(value, "_REGISTRY", None)
+    if registry is None or not hasattr(value, "is_compatible_with"):
+        return text
+    for example in examples:
+        known = example.split(" ", 1)[1]
+        try:
+            of = registry.parse_units(_OF_PINT.get(known, known).replace(" ", "*"))
+            fits = value.is_compatible_with(of)
+        except Exception:
+            # A registry of the user that lacks the unit.
+            return text
+        if fits and "1/min" in known and not _ANGLES.search(format(value.units, "C")):
+            # 1/s of pint may mean revolutions or radians; only what a project file reads is taken.
+            return text
+        if fits:
+            number = float(value.to(of).magnitude)
+            text.other = f"{_number(number * 1000 if known.startswith('V/1000') else number)} {known}"
+            return text
+    raise fault(f"{name}: {text} does not have a unit as {' or '.join(examples)} has", f'write {name.rsplit(".", 1)[-1]}="{examples[0]}"')
 
 
 _PLAIN = re.compile(r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-−]?\d+)?)\s*(.*?)\s*", re.DOTALL)
-_LATEX = ((r"\ ", " "), (r"\cdot", "*"), (r"\mathrm", ""), (r"\frac{1}", "1/"), ("\\[", ""), ("\\]", ""), ("$", ""))
+_LATEX = (
+    (r"\\mathrm\{([^{}]*)\}", r"\1"),
+    (r"\^\{([^{}]*)\}", r"^\1"),
+    (r"\\cdot", "*"),
+    (r"\\_", "_"),
+    (r"\\[ ,;]|~", " "),
+    (r"\\[\[\]]|\$", ""),
+)
+_FRACTION = re.compile(r"\\frac\{([^{}]*)\}\{([^{}]*)\}")
+_HTML = re.compile(r"<sup>([^<]*)</sup>")
+
+
+def _plain(text: str) -> str:
+    """Returns a text that pint wrote, in any of its formats, as a project file has it."""
+    if "\\" in text:
+        for latex, plain in _LATEX:
+            text = re.sub(latex, plain, text)
+        text = _FRACTION.sub(lambda found: f"{found[1]}/{found[2].replace('*', '/')}", text)
+    text = _HTML.sub(r"^\1", text)
+    found = _PLAIN.fullmatch(text)
+    if found is None:
+        return text
+    unit = _WORD.sub(lambda word: _WORDS.get(word[0], word[0]), found[2])
+    unit = "1/" + unit.removeprefix("/").lstrip() if unit.startswith("/") else unit
+    if re.fullmatch(r"A[ *·]+min", unit):
+        unit = "A/(1/min)"
+    return text if unit == found[2] else f"{found[1]} {unit}"
 
 
 def split(text: str) -> tuple[Decimal, str] | None:
@@ -185,19 +295,15 @@ def split(text: str) -> tuple[Decimal, str] | None:
     return Decimal(found[1].replace("−", "-")), found[2]
 
 
-def text_of(value: Any, name: str, example: str) -> str:
-    """Returns a quantity as a project file has it.
+def text_of(value: Any, name: str, example: str, other: str = "") -> str:
+    """Returns a quantity as a project file has it; `other` is an example of the second quantity that is permitted.
 
     Raises:
         TypeError: It is none, or several; the message names the argument and what to write.
-        AntriebError: It is not finite.
+        AntriebError: It is not finite, or measures something else.
     """
     if isinstance(value, str):
-        if "\\" in value:
-            for latex, plain in _LATEX:
-                value = value.replace(latex, plain)
-            value = value.replace("{", "").replace("}", "")
-        return str(value)
+        return _plain(str(value))
     found = value if isinstance(value, Q) else of_pint(value)
     if found is None:
         raise TypeError(_expected(value, name, example))
@@ -205,7 +311,9 @@ def text_of(value: Any, name: str, example: str) -> str:
         raise TypeError(f"{name} is one quantity such as {example!r}, not {len(found)}; antrieb.sweep takes several")
     if not math.isfinite(found.value):
         raise fault(f"{name} is not finite: {found.value!r}", f'write {name.rsplit(".", 1)[-1]}="{example}"')
-    return found.texts[0]
+    if isinstance(value, Q):
+        return value.texts[0]
+    return _converted(value, found, name, [each for each in (example, other) if each])
 
 
 def _expected(value: Any, name: str, example: str) -> str:
@@ -218,7 +326,7 @@ def _expected(value: Any, name: str, example: str) -> str:
         written = f'{last}="{value!r} {unit[1]}"'
         return f"{name}: {value!r} has no unit; write {written}, or {last}=antrieb.q({value!r}, \"{unit[1]}\")"
     item = getattr(value, "item", None)
-    if unit and item is not None and getattr(value, "ndim", 0) == 0:
+    if unit and item is not None and getattr(value, "ndim", 0) == 0 and not isinstance(item(), type(value)):
         return _expected(item(), name, example)
     return f'{name} is a quantity with its unit, such as {last}="{example}", not {type(value).__name__}'
 

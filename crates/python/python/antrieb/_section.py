@@ -9,13 +9,16 @@ from __future__ import annotations
 import math
 import operator
 import os
+import re
 import typing
 from collections.abc import Callable, Iterable, Mapping
 from decimal import Decimal
 from typing import Any, ClassVar, NamedTuple, Self
 
-from antrieb._fault import fault, no_choice
-from antrieb._quantity import Q, of_pint, split, text_of
+from antrieb import _antrieb
+from antrieb._fault import fault, faults, no_choice
+from antrieb._quantity import Converted, Q, of_pint, split, text_of
+from antrieb._toml import value_text as _value
 
 Document = dict[str, Any]
 """A table of a project file."""
@@ -26,6 +29,7 @@ class Kind(NamedTuple):
 
     of: str
     example: str = ""
+    other: str = ""
     words: tuple[str, ...] = ()
     columns: int = 0
     table: str = ""
@@ -58,8 +62,40 @@ class Section:
                     raise TypeError(f"{where} is another name of {kind.of_key}: give one of them")
                 name, kind = kind.of_key, self._KEYS[kind.of_key]
             values[name] = _stored(kind, value, where)
+        self._check(values)
+        values = {name: str(value) if isinstance(value, Converted) else value for name, value in values.items()}
         order = list(self._KEYS)
         object.__setattr__(self, "_values", dict(sorted(values.items(), key=lambda item: order.index(item[0]))))
+
+    def _check(self, values: dict[str, Any]) -> None:
+        """Checks the values alone; one whose unit is unknown is replaced by its conversion.
+
+        Raises:
+            AntriebError: Every value that no project may have.
+        """
+        simple = {name: _written(value) for name, value in values.items() if self._KEYS[name].of in _SIMPLE}
+        for head, names in self._heads(simple):
+            lines = {place: name for place, name in enumerate(names, head.count("\n") + 1)}
+            text = head + "".join(f"{_key(name)} = {_value(simple[name])}\n" for name in names)
+            found = _antrieb.value_faults(text) if names else []
+            converted = {name: values[name].other for name in names if isinstance(values[name], Converted)}
+            again = {name: text for name, text in converted.items() if name in {lines.get(line) for line, *_ in found} and text != values[name]}
+            if again:
+                # A unit of another library that no project file has.
+                values.update(again)
+                return self._check(values)
+            if found:
+                own = type(self).__name__
+                raise faults([(_about(own, lines.get(line, ""), message), hint) for line, message, hint in found])
+
+    def _heads(self, values: Mapping[str, Any]) -> list[tuple[str, list[str]]]:
+        """The head of the table that has values, and their names."""
+        first, _, rest = self._TABLE.partition(".")
+        one = "[[{}]]\n" if first in ("motion", "curve") else "[{}]\n"
+        head = "format = 1\n" + (one.format(first) if first in ("motion", "curve") or not rest else "")
+        if rest:
+            head += ("[[{}]]\n" if rest.endswith("body") else "[{}]\n").format(self._TABLE)
+        return [(head, list(values))]
 
     def __getattr__(self, name: str) -> Any:
         kind = type(self)._KEYS.get(name)
@@ -173,6 +209,10 @@ class Segment(Section):
     __slots__ = ()
 
     _LAW: ClassVar[str] = ""
+
+    def _heads(self, values: Mapping[str, Any]) -> list[tuple[str, list[str]]]:
+        ((head, names),) = super()._heads(values)
+        return [(head + (f'law = "{self._LAW}"\n' if self._LAW else ""), names)]
 
     def _document(self) -> Document:
         own = super()._document()
@@ -300,7 +340,7 @@ def _stored(kind: Kind, value: Any, where: str) -> Any:
 
 
 def _quantity(kind: Kind, value: Any, where: str) -> str:
-    return text_of(value, where, kind.example)
+    return text_of(value, where, kind.example, kind.other)
 
 
 def _as_number(_: Kind, value: Any, where: str) -> float:
@@ -409,6 +449,17 @@ def _load(_: Kind, value: Any, where: str) -> Load:
     if not isinstance(value, Load):
         raise TypeError(f"{where} is a load or a mechanism such as antrieb.Arm(…), not {_called(value)}")
     return value
+
+
+_SIMPLE = ("quantity", "number", "numbers", "integer", "text", "word", "rows", "texts")
+"""Kinds whose values are checked alone; sections inside are checked when they are made."""
+
+
+def _about(own: str, name: str, message: str) -> str:
+    """A fault of a value with the name of its argument in place of its path."""
+    where = f"{own}.{name}"
+    path = re.match(r"`[^`]*`: ?", message)
+    return f"{where}: {message[path.end() :] if path else message}"
 
 
 _STORED: dict[str, Callable[[Kind, Any, str], Any]] = {

@@ -20,7 +20,7 @@ def _table(table: dict[str, Any], path: str) -> Iterator[str]:
     inner = {key: value for key, value in table.items() if _is_table(value)}
     for key, value in table.items():
         if key not in inner:
-            yield f"{key} = {_value(value)}"
+            yield f"{key} = {value_text(value)}"
     for key, value in inner.items():
         below = f"{path}.{key}" if path else key
         for each in value if isinstance(value, list) else [value]:
@@ -35,13 +35,14 @@ def _is_table(value: Any) -> bool:
     return isinstance(value, dict) or (isinstance(value, list) and bool(value) and all(isinstance(each, dict) for each in value))
 
 
-def _value(value: Any) -> str:
+def value_text(value: Any) -> str:
+    """Returns a value as TOML."""
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, list):
-        return f"[{', '.join(map(_value, value))}]"
+        return f"[{', '.join(map(value_text, value))}]"
     return repr(value)
 
 
@@ -88,4 +89,4 @@ def _typed(value: Any) -> str:
         if is_rows:
             return "\n".join("; ".join(map(str, row)) for row in value)
         return ("\n" if any("=" in str(each) for each in value) else ", ").join(map(str, value))
-    return _value(value) if not isinstance(value, str) else value
+    return value_text(value) if not isinstance(value, str) else value

@@ -197,7 +197,7 @@ def sweep(
 
     Args:
         text: The project as text, or the path of its file.
-        table: Table of the rows, CSV or Parquet; headings such as "motion[1].time [s]", "requirements.ambient [degC]", "code".
+        table: Table of the rows, CSV or Parquet; headings such as "motion[1].time [s]", "requirements.ambient [°C]", "code".
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         check: All ordering codes of every row with verdict and utilisation of this check; may be repeated.
@@ -1240,7 +1240,7 @@ def commission(
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
         for_: Format of the settings: sinamics, cia402, plain.
-        ambient: Temperature at which winding and sensors are measured (20 degC).
+        ambient: Temperature at which winding and sensors are measured (20 °C).
 
     Returns:
         The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
@@ -1298,7 +1298,7 @@ def commission_checklist(
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        ambient: Temperature at which winding and sensors are measured (20 degC).
+        ambient: Temperature at which winding and sensors are measured (20 °C).
 
     Returns:
         The bytes of the file.
@@ -1643,7 +1643,7 @@ def mount(
     Args:
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        bore: Bore for both pilots: a tolerance zone such as K7, or limit deviations such as "+12/-3 um"; default: H7, as recommended in the manual.
+        bore: Bore for both pilots: a tolerance zone such as K7, or limit deviations such as "+12/-3 µm"; default: H7, as recommended in the manual.
         bore_load: Bore of the load, if different.
         bore_housing: Bore of the machine, if different.
 
@@ -1683,7 +1683,7 @@ def mount_project(
         text: The project as text, or the path of its file.
         code: Ordering code.
         lang: Language of the texts: `en` or `de`.
-        bore: Bore for both pilots: a tolerance zone such as K7, or limit deviations such as "+12/-3 um"; default: H7, as recommended in the manual.
+        bore: Bore for both pilots: a tolerance zone such as K7, or limit deviations such as "+12/-3 µm"; default: H7, as recommended in the manual.
         bore_load: Bore of the load, if different.
         bore_housing: Bore of the machine, if different.
         axis: Only this axis of a project with several.

@@ -74,7 +74,7 @@ class Body(Section):
         "density": Kind("quantity", example="7850 kg/m^3"),
         "distance": Kind("quantity", example="50 mm"),
         "angle": Kind("quantity", example="90 deg"),
-        "count": Kind("integer"),
+        "count": Kind("integer", example="3"),
     }
 
     shape: Literal["cylinder", "disc", "tube", "box", "cone", "sphere", "point", "rod"]
@@ -159,8 +159,8 @@ class Turntable(Mechanism):
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     body: tuple[Body, ...] | None
@@ -236,8 +236,8 @@ class Arm(Mechanism):
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     shape: Literal["rod", "bar", "taper", "point"] | None
@@ -322,13 +322,13 @@ class Screw(Mechanism):
         "inclination": Kind("quantity", example="90 deg"),
         "counterweight": Kind("quantity", example="3.2 kg"),
         "friction_force": Kind("quantity", example="500 N"),
-        "friction_coefficient": Kind("number"),
+        "friction_coefficient": Kind("number", example="0.05"),
         "process_force": Kind("quantity", example="500 N"),
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     lead: str
@@ -406,13 +406,13 @@ class Belt(Mechanism):
         "inclination": Kind("quantity", example="90 deg"),
         "counterweight": Kind("quantity", example="3.2 kg"),
         "friction_force": Kind("quantity", example="500 N"),
-        "friction_coefficient": Kind("number"),
+        "friction_coefficient": Kind("number", example="0.05"),
         "process_force": Kind("quantity", example="500 N"),
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     pulley_diameter: str
@@ -489,13 +489,13 @@ class Conveyor(Mechanism):
         "inertia": Kind("quantity", example="1.3 kg m^2"),
         "inclination": Kind("quantity", example="90 deg"),
         "friction_force": Kind("quantity", example="500 N"),
-        "friction_coefficient": Kind("number"),
+        "friction_coefficient": Kind("number", example="0.05"),
         "process_force": Kind("quantity", example="500 N"),
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     roller_diameter: str
@@ -574,8 +574,8 @@ class SliderCrank(Mechanism):
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     crank: str
@@ -675,14 +675,14 @@ class TableMechanism(Mechanism):
     __slots__ = ()
     _TABLE = "mechanism.table"
     _KEYS = {
-        "points": Kind("rows", columns=3),
+        "points": Kind("rows", example="[[\"0 deg\", \"1.3 kg m^2\", \"5 N m\"], [\"90 deg\", \"1.6 kg m^2\", \"0 N m\"]]", columns=3),
         "start_angle": Kind("quantity", example="90 deg"),
         "angle": Kind("alias", of_key="start_angle"),
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     points: tuple[tuple[str, ...], ...]
@@ -734,19 +734,19 @@ class Hoist(Mechanism):
     _TABLE = "mechanism.hoist"
     _KEYS = {
         "drum_diameter": Kind("quantity", example="320 mm"),
-        "falls": Kind("integer"),
+        "falls": Kind("integer", example="2"),
         "mass": Kind("quantity", example="3.2 kg"),
         "inertia": Kind("quantity", example="1.3 kg m^2"),
         "rope_mass": Kind("quantity", example="4 kg"),
         "hanging": Kind("quantity", example="6 m"),
-        "sheave_efficiency": Kind("number"),
+        "sheave_efficiency": Kind("number", example="0.98"),
         "counterweight": Kind("quantity", example="3.2 kg"),
         "process_force": Kind("quantity", example="500 N"),
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     drum_diameter: str
@@ -834,8 +834,8 @@ class Winder(Mechanism):
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     winding: Literal["up", "off"] | None
@@ -911,7 +911,7 @@ class ScissorLift(Mechanism):
     __slots__ = ()
     _TABLE = "mechanism.scissor_lift"
     _KEYS = {
-        "stages": Kind("integer"),
+        "stages": Kind("integer", example="2"),
         "arm_length": Kind("quantity", example="1.2 m"),
         "lead": Kind("quantity", example="10 mm"),
         "arm_angle": Kind("quantity", example="20 deg"),
@@ -922,8 +922,8 @@ class ScissorLift(Mechanism):
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     stages: int | None
@@ -1015,8 +1015,8 @@ class FourBar(Mechanism):
         "friction_torque": Kind("quantity", example="5 N m"),
         "viscous_friction": Kind("quantity", example="0.5 N m s/rad"),
         "external_torque": Kind("quantity", example="5 N m"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "efficiency": Kind("number", example="0.9"),
+        "efficiency_back": Kind("number", example="0.8"),
     }
 
     ground: str
@@ -1201,9 +1201,9 @@ class RecordedRatio(Section):
     __slots__ = ()
     _TABLE = "motion.recorded_ratio"
     _KEYS = {
-        "position": Kind("number"),
-        "speed": Kind("number"),
-        "torque": Kind("number"),
+        "position": Kind("number", example="80"),
+        "speed": Kind("number", example="80"),
+        "torque": Kind("number", example="80"),
     }
 
     position: float | None
@@ -1276,12 +1276,12 @@ class Move(Segment):
     _PLACES = ("law",)
     _KEYS = {
         "law": Kind("word", words=("trapezoid", "triangle", "jerk", "polynomial_5", "modified_sine", "modified_trapezoid", "simple_sine", "inclined_sine", "parabola", "constant", "open",)),
-        "speed": Kind("quantity", example="40 1/min"),
-        "distance": Kind("quantity", example="90 deg"),
+        "speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
+        "distance": Kind("quantity", example="90 deg", other="50 mm"),
         "time": Kind("quantity", example="0.1 s"),
-        "acceleration": Kind("quantity", example="42 rad/s^2"),
-        "jerk": Kind("quantity", example="900 rad/s^3"),
-        "end_speed": Kind("quantity", example="40 1/min"),
+        "acceleration": Kind("quantity", example="42 rad/s^2", other="9.81 m/s^2"),
+        "jerk": Kind("quantity", example="900 rad/s^3", other="50 m/s^3"),
+        "end_speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "payload": Kind("quantity", example="3.2 kg"),
         "payload_inertia": Kind("quantity", example="1.3 kg m^2"),
         "process_force": Kind("quantity", example="500 N"),
@@ -1355,11 +1355,11 @@ class Return(ReturnMove):
     _TABLE = "motion"
     _KEYS = {
         "law": Kind("word", words=("trapezoid", "triangle", "jerk", "polynomial_5", "modified_sine", "modified_trapezoid", "simple_sine", "inclined_sine", "parabola", "constant", "open",)),
-        "speed": Kind("quantity", example="40 1/min"),
+        "speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "time": Kind("quantity", example="0.1 s"),
-        "acceleration": Kind("quantity", example="42 rad/s^2"),
-        "jerk": Kind("quantity", example="900 rad/s^3"),
-        "end_speed": Kind("quantity", example="40 1/min"),
+        "acceleration": Kind("quantity", example="42 rad/s^2", other="9.81 m/s^2"),
+        "jerk": Kind("quantity", example="900 rad/s^3", other="50 m/s^3"),
+        "end_speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "payload": Kind("quantity", example="3.2 kg"),
         "payload_inertia": Kind("quantity", example="1.3 kg m^2"),
         "process_force": Kind("quantity", example="500 N"),
@@ -1430,7 +1430,7 @@ class Manual(Segment):
     _LAW = "manual"
     _PLACES = ("speed",)
     _KEYS = {
-        "speed": Kind("quantity", example="40 1/min"),
+        "speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "accelerate": Kind("quantity", example="0.1 s"),
         "run": Kind("quantity", example="0.1 s"),
         "brake": Kind("quantity", example="0.1 s"),
@@ -1569,7 +1569,7 @@ class Recorded(Segment):
         "from_": Kind("quantity", example="0.1 s"),
         "to": Kind("quantity", example="0.1 s"),
         "smoothing": Kind("quantity", example="20 ms"),
-        "standstill": Kind("quantity", example="0.1 1/min"),
+        "standstill": Kind("quantity", example="0.1 1/min", other="0.5 m/s"),
         "gaps": Kind("word", words=("allow",)),
         "held_values": Kind("word", words=("interpolate",)),
         "time_stamps": Kind("word", words=("even",)),
@@ -1663,19 +1663,19 @@ class Points(Segment):
     _LAW = "points"
     _PLACES = ("points",)
     _KEYS = {
-        "end_speed": Kind("quantity", example="40 1/min"),
+        "end_speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "payload": Kind("quantity", example="3.2 kg"),
         "payload_inertia": Kind("quantity", example="1.3 kg m^2"),
         "process_force": Kind("quantity", example="500 N"),
         "process_torque": Kind("quantity", example="5 N m"),
         "bearing": Kind("table", table="FlangeLoads"),
-        "points": Kind("rows", columns=2),
+        "points": Kind("rows", example="[[\"0 s\", \"0 deg\"], [\"0.2 s\", \"30 deg\"], [\"0.5 s\", \"90 deg\"]]", columns=2),
         "master_speed": Kind("quantity", example="40 1/min"),
         "spline": Kind("word", words=("cubic", "quintic",)),
         "ends": Kind("word", words=("rest", "natural", "periodic", "stated",)),
-        "start_speed": Kind("quantity", example="40 1/min"),
-        "start_acceleration": Kind("quantity", example="42 rad/s^2"),
-        "end_acceleration": Kind("quantity", example="42 rad/s^2"),
+        "start_speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
+        "start_acceleration": Kind("quantity", example="42 rad/s^2", other="9.81 m/s^2"),
+        "end_acceleration": Kind("quantity", example="42 rad/s^2", other="9.81 m/s^2"),
     }
 
     end_speed: str | None
@@ -1749,7 +1749,7 @@ class Web(Segment):
     _LAW = "web"
     _PLACES = ("speed",)
     _KEYS = {
-        "speed": Kind("quantity", example="40 1/min"),
+        "speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "accelerate": Kind("quantity", example="0.1 s"),
         "brake": Kind("quantity", example="0.1 s"),
         "payload": Kind("quantity", example="3.2 kg"),
@@ -1809,10 +1809,10 @@ class Stage(Section):
     _TABLE = "stage"
     _KEYS = {
         "kind": Kind("word", words=("belt", "gear", "coupling",)),
-        "ratio": Kind("number"),
-        "ratios": Kind("numbers"),
-        "efficiency": Kind("number"),
-        "efficiency_back": Kind("number"),
+        "ratio": Kind("number", example="2.5"),
+        "ratios": Kind("numbers", example="[1.0, 2.5]"),
+        "efficiency": Kind("number", example="0.95"),
+        "efficiency_back": Kind("number", example="0.9"),
         "inertia_driving": Kind("quantity", example="1.3 kg m^2"),
         "inertia_driven": Kind("quantity", example="1.3 kg m^2"),
         "stiffness": Kind("quantity", example="67000 N m/rad"),
@@ -1881,12 +1881,12 @@ class Bearing(Section):
         "radial_distance": Kind("quantity", example="50 mm"),
         "axial_force": Kind("quantity", example="500 N"),
         "axial_distance": Kind("quantity", example="50 mm"),
-        "load_factor": Kind("number"),
+        "load_factor": Kind("number", example="1.2"),
         "operating_condition": Kind("word", words=("normal", "shock", "high_accuracy",)),
         "mechanism": Kind("word", words=("add", "replace", "ignore",)),
         "overhang": Kind("quantity", example="50 mm"),
         "payload_overhang": Kind("quantity", example="50 mm"),
-        "flange_share": Kind("number"),
+        "flange_share": Kind("number", example="0.5"),
         "belt_tension": Kind("quantity", example="500 N"),
         "pressure_angle": Kind("quantity", example="20 deg"),
         "helix_angle": Kind("quantity", example="15 deg"),
@@ -2006,7 +2006,7 @@ class Actuator(Section):
     _TABLE = "actuator"
     _KEYS = {
         "name": Kind("text"),
-        "ratio": Kind("number"),
+        "ratio": Kind("number", example="50"),
         "torque_max": Kind("quantity", example="5 N m"),
         "speed_max": Kind("quantity", example="40 1/min"),
         "speed_motor_max": Kind("quantity", example="6000 1/min"),
@@ -2023,16 +2023,16 @@ class Actuator(Section):
         "torque_constant_motor": Kind("quantity", example="16.5 N m/A"),
         "voltage_constant_motor": Kind("quantity", example="23 V/1000 1/min"),
         "resistance_ll": Kind("quantity", example="5.9 ohm"),
-        "winding_temperature_max": Kind("quantity", example="40 degC"),
+        "winding_temperature_max": Kind("quantity", example="40 °C"),
         "inductance_ll": Kind("quantity", example="8 mH"),
-        "pole_pairs": Kind("integer"),
+        "pole_pairs": Kind("integer", example="5"),
         "mass": Kind("quantity", example="3.2 kg"),
         "length": Kind("quantity", example="120 mm"),
         "hollow_shaft": Kind("quantity", example="18 mm"),
         "dc_link_max": Kind("quantity", example="560 V"),
         "terminal_voltage_min": Kind("quantity", example="560 V"),
-        "short_time_curve": Kind("rows", columns=2),
-        "continuous_curve": Kind("rows", columns=2),
+        "short_time_curve": Kind("rows", example="[[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]", columns=2),
+        "continuous_curve": Kind("rows", example="[[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]", columns=2),
     }
 
     name: str
@@ -2115,7 +2115,7 @@ class Actuator(Section):
             torque_constant_motor: K_TM, torque constant of the motor, per A rms. Torque constant such as `"16.5 N m/A"`, above zero.
             voltage_constant_motor: K_EM, voltage constant of the motor, line to line, rms. Voltage constant such as `"23 V/1000 1/min"`, above zero.
             resistance_ll: R_LL, resistance line to line at 20 °C. Resistance such as `"5.9 ohm"`, above zero.
-            winding_temperature_max: Maximum winding temperature, at which the voltage is checked; default: the shutdown threshold of the catalogue. Temperature such as `"40 degC"`.
+            winding_temperature_max: Maximum winding temperature, at which the voltage is checked; default: the shutdown threshold of the catalogue. Temperature such as `"40 °C"`.
             inductance_ll: L_LL, inductance line to line. Inductance such as `"8 mH"`, above zero.
             pole_pairs: P, number of pole pairs. 1 to 100.
             mass: M, mass. Mass such as `"3.2 kg"`, above zero.
@@ -2187,21 +2187,21 @@ class Measured(Section):
         "feedback_accuracy": Kind("quantity", example="90 deg"),
         "winding_time_constant": Kind("quantity", example="0.1 s"),
         "housing_time_constant": Kind("quantity", example="0.1 s"),
-        "flange_inertia_share": Kind("number"),
-        "gear_damping_ratio": Kind("number"),
-        "breakaway_ratio": Kind("number"),
-        "kinematic_share_1": Kind("number"),
-        "kinematic_share_2": Kind("number"),
-        "kinematic_share_4": Kind("number"),
-        "kinematic_share_out": Kind("number"),
+        "flange_inertia_share": Kind("number", example="0.02"),
+        "gear_damping_ratio": Kind("number", example="0.03"),
+        "breakaway_ratio": Kind("number", example="1.2"),
+        "kinematic_share_1": Kind("number", example="0.15"),
+        "kinematic_share_2": Kind("number", example="0.5"),
+        "kinematic_share_4": Kind("number", example="0.1"),
+        "kinematic_share_out": Kind("number", example="0.25"),
         "sensor_lag": Kind("quantity", example="0.1 s"),
         "ptc_lag": Kind("quantity", example="0.1 s"),
-        "ptc_response_temperature": Kind("quantity", example="40 degC"),
+        "ptc_response_temperature": Kind("quantity", example="40 °C"),
         "link_energy": Kind("quantity", example="100 J"),
         "supply_resistance": Kind("quantity", example="5.9 ohm"),
         "brake_resistor": Kind("quantity", example="5.9 ohm"),
-        "chopper_on": Kind("number"),
-        "chopper_off": Kind("number"),
+        "chopper_on": Kind("number", example="1.15"),
+        "chopper_off": Kind("number", example="1.12"),
         "stop_stiffness": Kind("quantity", example="67000 N m/rad"),
         "current_noise": Kind("quantity", example="2.1 A"),
         "load_inertia": Kind("quantity", example="1.3 kg m^2"),
@@ -2342,7 +2342,7 @@ class Measured(Section):
             kinematic_share_out: Share once per turn of the output. 0 to 1.
             sensor_lag: Time constant of the KTY in the winding. Time such as `"0.1 s"`, zero or more.
             ptc_lag: Time constant of the PTC in the winding. Time such as `"0.1 s"`, zero or more.
-            ptc_response_temperature: Response temperature of the PTC. Temperature such as `"40 degC"`, above zero.
+            ptc_response_temperature: Response temperature of the PTC. Temperature such as `"40 °C"`, above zero.
             link_energy: Energy in the DC link at nominal supply voltage. Energy such as `"100 J"`, above zero.
             supply_resistance: Internal resistance of the DC link supply. Resistance such as `"5.9 ohm"`, zero or more.
             brake_resistor: Braking resistor. Resistance such as `"5.9 ohm"`, above zero.
@@ -2417,7 +2417,7 @@ class Twin(Section):
         "at": Kind("quantity", example="0.3 s"),
         "reaction": Kind("word", words=("ramp", "brake", "coast",)),
         "failure": Kind("word", words=("track", "amplitude", "cable", "check", "error_bit", "data_line",)),
-        "cycles": Kind("integer"),
+        "cycles": Kind("integer", example="10"),
         "cold": Kind("bool"),
         "friction": Kind("bool"),
         "hysteresis": Kind("bool"),
@@ -2535,7 +2535,7 @@ class Curve(Section):
     _KEYS = {
         "kind": Kind("word", words=("continuous", "s3_50", "s3_25", "short_time",)),
         "code": Kind("text"),
-        "points": Kind("rows", columns=2),
+        "points": Kind("rows", example="[[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]", columns=2),
         "source": Kind("text"),
     }
 
@@ -2641,14 +2641,14 @@ class Axis(BaseAxis):
         "supply": Kind("quantity", example="560 V"),
         "mains": Kind("quantity", example="400 V"),
         "mains_phases": Kind("word", words=("single", "three",)),
-        "mains_deviation": Kind("number"),
-        "modulation_reserve": Kind("number"),
-        "ambient": Kind("quantity", example="40 degC"),
+        "mains_deviation": Kind("number", example="0.1"),
+        "modulation_reserve": Kind("number", example="0.9"),
+        "ambient": Kind("quantity", example="40 °C"),
         "altitude": Kind("quantity", example="800 m"),
-        "altitude_derating": Kind("number"),
+        "altitude_derating": Kind("number", example="0.9"),
         "protection": Kind("word", words=("IP00", "IP10", "IP12", "IP13", "IP20", "IP21", "IP22", "IP23", "IP43", "IP44", "IP54", "IP55", "IP56", "IP64", "IP65", "IP66", "IP67", "IP68", "IP69",)),
-        "humidity_min": Kind("number"),
-        "humidity_max": Kind("number"),
+        "humidity_min": Kind("number", example="0.3"),
+        "humidity_max": Kind("number", example="0.75"),
         "vibration": Kind("quantity", example="2 g"),
         "shock": Kind("quantity", example="15 g"),
         "mounting": Kind("word", words=("horizontal", "flange_up", "flange_down", "changing",)),
@@ -2663,8 +2663,8 @@ class Axis(BaseAxis):
         "resolution_max": Kind("quantity", example="5 arcsec"),
         "absolute": Kind("bool"),
         "stop_angle_max": Kind("quantity", example="90 deg"),
-        "emergency_stops": Kind("integer"),
-        "holding_safety": Kind("number"),
+        "emergency_stops": Kind("integer", example="200"),
+        "holding_safety": Kind("number", example="1.5"),
         "service_life": Kind("quantity", example="20000 h"),
         "regeneration_power_max": Kind("quantity", example="250 W"),
         "operation_per_day": Kind("quantity", example="10 h"),
@@ -2672,7 +2672,7 @@ class Axis(BaseAxis):
         "battery_life_min": Kind("quantity", example="20000 h"),
         "collision_torque": Kind("quantity", example="5 N m"),
         "collision_time": Kind("quantity", example="0.1 s"),
-        "collisions": Kind("integer"),
+        "collisions": Kind("integer", example="10"),
         "position_loop": Kind("word", words=("motor", "output",)),
         "dc_link_rise": Kind("quantity", example="40 V"),
         "special_application": Kind("word", words=("aerospace", "explosive_atmosphere", "nuclear", "vacuum", "household", "medical", "human_contact", "lifting_of_persons", "amusement",)),
@@ -2819,7 +2819,7 @@ class Axis(BaseAxis):
             mains_phases: Number of mains phases; default: three.
             mains_deviation: Relative deviation of the mains voltage in both directions; default 0.1. 0 to 0.5.
             modulation_reserve: Share of U_DC/√2 that the drive can provide as fundamental; default 0.9, listed as assumed. 0.5 to 1.
-            ambient: Ambient temperature in operation; default: the range of the manufacturer's data, listed as assumed. Temperature such as `"40 degC"`.
+            ambient: Ambient temperature in operation; default: the range of the manufacturer's data, listed as assumed. Temperature such as `"40 °C"`.
             altitude: Altitude of the place of installation above sea level. Length such as `"800 m"`.
             altitude_derating: Share of the continuous torque that is available at this altitude, as confirmed by the manufacturer; the manual states none. 0.1 to 1.
             protection: Required degree of protection (EN 60034-5).

@@ -270,18 +270,21 @@ fn kind_of(member: &Member) -> String {
         let each: Vec<String> = words.iter().map(|word| quoted(word)).collect();
         format!(", words=({},)", each.join(", "))
     };
+    let shown = |example: &str| format!(", example={}", quoted(example));
     let (of, more) = match key.kind {
-        Kind::Quantity(..) | Kind::Along(..) => {
-            ("quantity", format!(", example={}", quoted(example.trim_matches('"'))))
+        Kind::Along(_, along, _) => {
+            let other = format!(", other={}", quoted(along.example()));
+            ("quantity", shown(example.trim_matches('"')) + &other)
         }
-        Kind::Number(..) => ("number", String::new()),
-        Kind::Numbers(..) => ("numbers", String::new()),
-        Kind::Integer(..) => ("integer", String::new()),
+        Kind::Quantity(..) => ("quantity", shown(example.trim_matches('"'))),
+        Kind::Number(..) => ("number", shown(&example)),
+        Kind::Numbers(..) => ("numbers", shown(&example)),
+        Kind::Integer(..) => ("integer", shown(&example)),
         Kind::Bool => ("bool", String::new()),
         Kind::Text => ("text", String::new()),
         Kind::OneOf(all) => ("word", words(&member.words.clone().unwrap_or_else(|| all.to_vec()))),
         Kind::ListOf(all) => ("words", words(all)),
-        Kind::Rows(columns) => ("rows", format!(", columns={}", columns.len())),
+        Kind::Rows(columns) => ("rows", format!("{}, columns={}", shown(&example), columns.len())),
         Kind::Bodies => ("texts", String::new()),
         Kind::Table(_) => ("table", format!(", table={}", quoted(&table_class(member)))),
         Kind::Variants(_) | Kind::OneOrMany(..) => ("tables", format!(", table={}", quoted(&table_class(member)))),

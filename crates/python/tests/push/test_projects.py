@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import json
 import math
 import pathlib
 import pickle
@@ -30,28 +31,26 @@ def axis(**fields: typing.Any) -> an.Axis:
     return an.Axis("tilt", an.Arm(mass="6 kg", length="0.5 m", angle="-20 deg"), motion, **{"brake": True, "supply": "560 V", **fields})
 
 
-def sample(kind: typing.Any, chance: random.Random, depth: int = 0) -> typing.Any:
+def sample(kind: typing.Any, chance: random.Random) -> typing.Any:
     """A value that a keyword can have."""
     match kind.of:
         case "quantity":
             number, unit = kind.example.split(" ", 1)
             return f"{round(float(number) * chance.uniform(0.5, 2), 3)} {unit}"
-        case "number":
-            return round(chance.uniform(0, 1), 4)
+        case "number" | "integer":
+            return json.loads(kind.example)
         case "numbers":
-            return tuple(round(chance.uniform(1, 3), 3) for _ in range(3))
-        case "integer":
-            return chance.randint(1, 9)
+            return tuple(json.loads(kind.example))
         case "bool":
             return chance.random() < 0.5
         case "text":
-            return chance.choice(["plain", 'with "quotes"', "back\\slash", "äöü — ±", "tab\tand\x7f", "# no comment"])
+            return chance.choice(["plain", 'with "quotes"', "back\\slash", "äöü — ±", "# no comment", "a = [b]"])
         case "word":
             return chance.choice(kind.words)
         case "words":
             return tuple(chance.sample(kind.words, min(2, len(kind.words))))
         case "rows":
-            return tuple(tuple(f"{chance.randint(0, 9)} s" for _ in range(kind.columns)) for _ in range(3))
+            return tuple(tuple(row) for row in json.loads(kind.example))
         case "texts":
             return ("disc diameter=300mm length=20mm mass=5kg", "point mass=3kg distance=550mm")
         case "table":
@@ -287,6 +286,38 @@ class Quantities(unittest.TestCase):
                         an.Section._begin(of.__new__(of), **{name: 3})
         with self.assertRaisesRegex(TypeError, 'write mass="30 kg"'):
             an.Arm(mass=30)  # type: ignore[arg-type]
+
+    def test_a_fault_of_a_value_names_its_argument(self) -> None:
+        for make, words in (
+            (lambda: an.Arm(mass="30", length="1 m"), r"Arm\.mass: the unit is missing"),
+            (lambda: an.Arm(mass="30 kg", length="1 kg"), r"Arm\.length: .*mass"),
+            (lambda: an.Arm(mass="-3 kg", length="1 m"), r"Arm\.mass"),
+            (lambda: an.Move("trapezoid", distance="10 N"), r"Move\.distance"),
+            (lambda: an.Bearing(radial_force="85 m*N"), r"Bearing\.radial_force: .*torque"),
+            (lambda: an.Stage(kind="belt", efficiency=1.5), r"Stage\.efficiency"),
+            (lambda: an.Hoist(drum_diameter="300 mm", mass="1 kg", falls=0), r"Hoist\.falls"),
+            (lambda: axis(ambient="30 K", supply="5"), r"Axis\.supply"),
+            (lambda: axis(humidity_max=float("nan")), r"Axis\.humidity_max"),
+            (lambda: an.Points([("0 s", "0 deg"), ("1 s", "3 kg"), ("2 s", "0 deg")], spline="cubic", ends="rest"), r"Points\.points"),
+            (lambda: an.Turntable(bodies=["disc diameter=3"]), r"Turntable"),
+            (lambda: an.Dwell("1 s", hold="brak"), r'Dwell\.hold: "brak".*brake'),
+        ):
+            with self.subTest(words=words), self.assertRaisesRegex(an.AntriebError, words):
+                make()
+
+    def test_texts_of_pint_are_read(self) -> None:
+        for text, plain in (
+            ("60 meter * newton", "60 m * N"),
+            ("60 meter\u00b7newton", "60 m\u00b7N"),
+            ("1.5 kilonewton * meter", "1.5 kN * m"),
+            (r"60\ \mathrm{m} \cdot \mathrm{N}", "60 m * N"),
+        ):
+            self.assertEqual(an.size(axis(collision_torque=text), top=1), an.size(axis(collision_torque=plain), top=1))
+        self.assertEqual(an.Arm(mass="30 kilogram", length="1 m").mass, "30 kg")
+        self.assertEqual(an.Load(inertia=r"1.3\ \mathrm{kilogram} \cdot \mathrm{meter}^{2}").inertia, "1.3 kg * m^2")
+        self.assertEqual(an.Load(inertia="1.3 kg m<sup>2</sup>").inertia, "1.3 kg m^2")
+        self.assertEqual(an.Move("trapezoid", speed="40.0 / minute").speed, "40.0 1/min")
+        self.assertEqual(an.Stage(kind="belt", stiffness=r"5\ \frac{\mathrm{m} \cdot \mathrm{N}}{\mathrm{rad}}").stiffness, "5 m * N/rad")
 
     def test_numbers_are_written_as_they_are(self) -> None:
         self.assertEqual(an.Arm(mass=an.q(30, "kg")).mass, "30 kg")
