@@ -9,7 +9,7 @@ pub enum TextChange<'t> {
     Value(&'t str),
     /// An empty table, or an empty entry of a list.
     Table,
-    /// Nothing under this path any more.
+    /// Absence of what was under this path.
     Gone,
 }
 

@@ -44,8 +44,8 @@ mod _antrieb {
 
     /// Returns the faults of the values of a project text that lacks other parts: line, fault, and what is expected.
     #[pyfunction]
-    fn value_faults(text: &str) -> Vec<ValueFault> {
-        crate::value_faults(text, Language::En)
+    fn value_faults(text: &str, lang: &str) -> Vec<ValueFault> {
+        crate::value_faults(text, Language::of_id(lang).unwrap_or_default())
     }
 
     /// Returns a project text with changes that keep its comments: path, value as typed (empty for a table), and whether a

@@ -77,7 +77,7 @@ class Section:
         for head, names in self._heads(simple):
             lines = {place: name for place, name in enumerate(names, head.count("\n") + 1)}
             text = head + "".join(f"{_key(name)} = {_value(simple[name])}\n" for name in names)
-            found = _antrieb.value_faults(text) if names else []
+            found = _antrieb.value_faults(text, "en") if names else []
             converted = {name: values[name].other for name in names if isinstance(values[name], Converted)}
             again = {name: text for name, text in converted.items() if name in {lines.get(line) for line, *_ in found} and text != values[name]}
             if again:

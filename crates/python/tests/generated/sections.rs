@@ -90,8 +90,10 @@ pub(super) fn module() -> String {
             });
         }
         let mut found = plain(&mechanism(each.name), "Mechanism", each, &format!("mechanism.{}", each.name));
-        if let Some(at) = found.keys.iter().position(|member| member.key.name == "start_angle") {
-            let mut angle = Member { other_name_of: Some("start_angle"), ..found.keys[at].clone() };
+        if let Some(at) = found.keys.iter().position(|member| member.key.name == "start_angle")
+            && let Some(start) = found.keys.get(at).cloned()
+        {
+            let mut angle = Member { other_name_of: Some("start_angle"), ..start };
             angle.key.name = "angle";
             found.keys.insert(at + 1, angle);
         }
@@ -129,8 +131,9 @@ pub(super) fn module() -> String {
     out
 }
 
+#[allow(clippy::expect_used, reason = "without the key the module must not be written")]
 fn find(keys: &'static [Key], name: &str) -> Key {
-    *keys.iter().find(|key| key.name == name).unwrap_or(&keys[0])
+    *keys.iter().find(|key| key.name == name).expect("the description has the key")
 }
 
 fn about(key: &Key) -> String {
@@ -384,12 +387,12 @@ fn signature(members: &[&Member]) -> String {
         let usual = if member.is_required { "" } else { " | None = None" };
         format!("        {}: {}{usual},\n", name(member.key.name), type_of(member))
     };
-    let mut out: String = members.iter().filter(|member| member.has_place).map(|member| line(member)).collect();
+    let mut out: String = members.iter().filter(|member| member.has_place).map(&line).collect();
     let mut named = members.iter().filter(|member| !member.has_place).peekable();
     if named.peek().is_some() {
         out.push_str("        *,\n");
     }
-    out.extend(named.map(|member| line(member)));
+    out.extend(named.map(line));
     out
 }
 

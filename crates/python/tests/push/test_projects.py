@@ -175,7 +175,7 @@ class Projects(unittest.TestCase):
 
     def test_a_faulty_text_is_refused_with_its_places(self) -> None:
         text = (EXAMPLES / "turntable.toml").read_text(encoding="utf-8")
-        for wrong in ("[requirements", text.replace("[requirements]", "[requirments]"), text.replace('time = "', 'tme = "', 1),
+        for wrong in ("[requirements", text.replace("[requirements]", "[requirement]"), text.replace('time = "', 'times = "', 1),
                       text.replace("format = 1", "format = 2"), text.replace('"', "", 2), text + "\n[load]\ninertia = \"1 kg m^2\"\n"):
             with self.assertRaises(an.AntriebError) as found:
                 an.loads(wrong)
@@ -223,7 +223,7 @@ class Sweeps(unittest.TestCase):
             ({"motion.1.payload": ["1 kg", "200 g"]}, "g and kg"),
             ({"motion.1.payload": an.q([1, 2], "kg"), "motion.1.time": ["1 s"]}, "grid=True"),
             ({"motion.1.payload": [1, 2]}, "unit"),
-            ({"motion.1.paylod": an.q([1], "kg")}, "payload"),
+            ({"motion.1.payloads": an.q([1], "kg")}, "payload"),
             ({"motion.1.payload [kg]": an.q([1], "kg")}, "unit already"),
         ):
             with self.subTest(table=table), self.assertRaisesRegex(an.AntriebError, words):
@@ -268,7 +268,7 @@ class Arrays(unittest.TestCase):
             ({"position": one, "torque": one, "torque_unit": 3}, "unit"),
             ({"torque": one}, "position or speed"),
             ({"position": [[0.0], [0.1, 0.2], [0.0]], "torque": one}, "lengths"),
-            ({"position": one, "torque": one, "suply": "560 V"}, "suply"),
+            ({"position": one, "torque": one, "supplies": "560 V"}, "supplies"),
         ]
         for given, words in cases:
             with self.subTest(words=words), self.assertRaisesRegex((TypeError, an.AntriebError), words):
@@ -300,7 +300,7 @@ class Quantities(unittest.TestCase):
             (lambda: axis(humidity_max=float("nan")), r"Axis\.humidity_max"),
             (lambda: an.Points([("0 s", "0 deg"), ("1 s", "3 kg"), ("2 s", "0 deg")], spline="cubic", ends="rest"), r"Points\.points"),
             (lambda: an.Turntable(bodies=["disc diameter=3"]), r"Turntable"),
-            (lambda: an.Dwell("1 s", hold="brak"), r'Dwell\.hold: "brak".*brake'),
+            (lambda: an.Dwell("1 s", hold="brakes"), r'Dwell\.hold: "brakes".*brake'),
         ):
             with self.subTest(words=words), self.assertRaisesRegex(an.AntriebError, words):
                 make()

@@ -1,0 +1,116 @@
+"""The guides as they are read: each block runs in an empty folder, in order; the types of their code hold."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import io
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import typing
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[4]
+GUIDES = [ROOT / "docs" / "guide" / "python.md", ROOT / "docs" / "anleitung" / "python.md"]
+NOTEBOOK = ROOT / "examples" / "three-tasks.ipynb"
+
+NIGHTLY = ("dask", "ray")
+"""What only the tests of a night install."""
+
+
+class Block(typing.NamedTuple):
+    """A block of code, with the mark in the line above it."""
+
+    mark: str
+    code: str
+
+
+def blocks(guide: pathlib.Path) -> list[Block]:
+    """The blocks of Python of a guide."""
+    found = re.findall(r"(?:<!-- (\w+(?:: \w+)?) -->\n)?```python\n(.*?)^```$", guide.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+    return [Block(mark, code) for mark, code in found]
+
+
+def lines(code: str) -> int:
+    """How many lines of a block are code."""
+    return sum(bool(line.strip()) and not line.lstrip().startswith("#") for line in code.splitlines())
+
+
+def run(parts: list[str], folder: str) -> str:
+    """Runs parts of one program in a folder; what it prints."""
+    names: dict[str, typing.Any] = {"__name__": "guide"}
+    printed = io.StringIO()
+    with contextlib.chdir(folder), contextlib.redirect_stdout(printed):
+        for part in parts:
+            exec(compile(part, "<guide>", "exec"), names)
+    return printed.getvalue()
+
+
+class Guides(unittest.TestCase):
+    """The guides in both languages."""
+
+    def test_every_block_runs_from_an_empty_folder(self) -> None:
+        for guide in GUIDES:
+            with self.subTest(guide=guide.parent.name), tempfile.TemporaryDirectory() as folder:
+                parts = blocks(guide)
+                self.assertGreater(len(parts), 8)
+                printed = run([block.code for block in parts if not block.mark.startswith("script")], folder)
+                self.assertIn("CHA-", printed)
+                self.assertTrue({"axis.toml", "axis.pdf", "cycle.svg"} <= set(os.listdir(folder)))
+                scripts = [block for block in parts if block.mark.startswith("script")]
+                self.assertEqual([block.mark for block in scripts], ["script", "script: joblib", "script: dask", "script: ray"])
+                for block in scripts:
+                    library = block.mark.removeprefix("script").removeprefix(": ")
+                    if library in NIGHTLY and not importlib.util.find_spec(library):
+                        continue
+                    file = pathlib.Path(folder) / "script.py"
+                    file.write_text(block.code, encoding="utf-8")
+                    done = subprocess.run([sys.executable, str(file)], cwd=folder, capture_output=True, check=False, timeout=300)
+                    self.assertEqual(done.returncode, 0, done.stderr.decode())
+                    self.assertEqual(done.stdout.count(b"'CHA-"), 3, done.stdout)
+
+    def test_both_languages_have_the_same_code(self) -> None:
+        bare = [[re.sub(r" *#.*|lang=\"de\", |, lang=\"de\"", "", block.code) for block in blocks(guide)] for guide in GUIDES]
+        self.assertEqual(bare[0], bare[1])
+
+    def test_each_task_takes_ten_lines_at_most(self) -> None:
+        for guide in GUIDES:
+            tasks = [block.code for block in blocks(guide) if block.mark == "task"]
+            self.assertEqual(len(tasks), 3)
+            for task in tasks:
+                self.assertLessEqual(lines(task), 10, task)
+
+    def test_the_types_of_the_code_hold(self) -> None:
+        checkers = [[sys.executable, "-m", "mypy", "--strict"], [sys.executable, "-m", "basedpyright", "--pythonpath", sys.executable]]
+        for guide in GUIDES:
+            parts = [block for block in blocks(guide) if block.mark in ("", "task", "script")]
+            with tempfile.TemporaryDirectory() as folder:
+                own = [block.code for block in parts if block.mark != "script"]
+                (pathlib.Path(folder) / "guide.py").write_text("\n".join(own), encoding="utf-8")
+                for number, block in enumerate(block for block in parts if block.mark == "script"):
+                    (pathlib.Path(folder) / f"script{number}.py").write_text(block.code, encoding="utf-8")
+                # The types of pint itself are partially unknown.
+                settings = {"typeCheckingMode": "strict", "reportUnknownMemberType": False, "reportUnknownArgumentType": False}
+                (pathlib.Path(folder) / "pyrightconfig.json").write_text(json.dumps(settings), encoding="utf-8")
+                for checker in checkers:
+                    with self.subTest(guide=guide.parent.name, checker=checker[2]):
+                        done = subprocess.run([*checker, "."], cwd=folder, capture_output=True, check=False, text=True)
+                        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_the_notebook_runs_from_an_empty_folder(self) -> None:
+        notebook = json.loads(NOTEBOOK.read_text(encoding="utf-8"))
+        code = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        self.assertTrue(all(not cell.get("outputs") for cell in notebook["cells"]))
+        tasks = [part for part in code if lines(part) > 2]
+        self.assertEqual([lines(part) <= 10 for part in tasks], [True] * len(tasks))
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertIn("CHA-", run(code, folder))
+
+
+if __name__ == "__main__":
+    unittest.main()
