@@ -118,5 +118,14 @@ pub(crate) fn a_chapter(stage: &OpenPage<'_>) -> Worded {
     tab.click("#detail-back")?;
     tab.click("#detail-back")?;
     tab.there("#detail msqrt")?;
+    tab.keys(&key::ESCAPE.to_string())?;
+    // A German page leads to German chapters, and these to each other.
+    stage.example("belt", "de")?;
+    stage.unfold()?;
+    tab.click("#check-continuous_torque button.plain")?;
+    tab.click("#detail a[href='theory/de/continuous-torque.html']")?;
+    tab.there("#detail #theory #schätzung")?;
+    tab.click("#detail #theory a[href*='/theory/de/'][href$='.html']")?;
+    tab.there("#detail #theory #kreuzvalidierung")?;
     tab.keys(&key::ESCAPE.to_string())
 }

@@ -51,9 +51,14 @@ pub(crate) fn vals(values: &[(&str, &str)]) -> String {
 
 /// Returns the label of a key as the left pane shows it; `None` if the path names no key.
 pub(crate) fn label_of(path: &str, language: Language) -> Option<String> {
+    label_within(path, language).map(|label| capitalised(&label))
+}
+
+/// Returns the label of a key as it stands within a sentence; `None` if the path names no key.
+pub(crate) fn label_within(path: &str, language: Language) -> Option<String> {
     // The keys of a file with several axes stand under `axis[N]`.
     let inside = path.strip_prefix("axis[").and_then(|rest| rest.split_once("].")).map_or(path, |(_, inside)| inside);
-    Some(capitalised(&short_label(about_text(key_at(inside)?.about, language))))
+    Some(short_label(about_text(key_at(inside)?.about, language)))
 }
 
 /// Returns a sentence about the file: text between grave accents is a quotation of it; a key is shown by its label.

@@ -7,7 +7,7 @@
 
 use crate::call::Reply;
 use crate::find::walk;
-use crate::markup::label_of;
+use crate::markup::label_within;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use project::KEYS;
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, LinkType, Options, Parser, Tag, TagEnd};
@@ -129,21 +129,12 @@ fn in_words(code: &str, language: Language) -> Option<String> {
         let is_name = code.bytes().all(|byte| byte == b'_' || byte.is_ascii_lowercase()) && code.contains('_');
         walk(KEYS, "", &mut |path, _| {
             if found.is_none() && is_name && last(path) {
-                found = label_of(path, l);
+                found = label_within(path, l);
             }
         });
         found
     };
-    let label = |label: String| {
-        let mut letters = label.chars();
-        let is_word = letters.clone().nth(1).is_some_and(char::is_lowercase);
-        if is_word {
-            letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
-        } else {
-            label
-        }
-    };
-    of_check().or_else(|| label_of(code, l).or_else(of_key).map(label))
+    of_check().or_else(|| label_within(code, l)).or_else(of_key)
 }
 
 /// Returns title and text of a chapter as HTML: headings have anchors, links within the theory lead to its pages, other
@@ -214,20 +205,24 @@ fn for_engineers(events: Vec<Event<'_>>, language: Language) -> Vec<Event<'_>> {
         if is_left_out {
             continue;
         }
-        kept.push(match event {
+        match event {
             Event::Start(Tag::CodeBlock(CodeBlockKind::Indented)) => {
                 is_formula = true;
-                Event::InlineHtml(CowStr::Borrowed(FORMULA))
+                kept.push(Event::InlineHtml(CowStr::Borrowed(FORMULA)));
             }
             Event::End(TagEnd::CodeBlock) if is_formula => {
                 is_formula = false;
-                Event::InlineHtml(CowStr::Borrowed(FORMULA_END))
+                kept.push(Event::InlineHtml(CowStr::Borrowed(FORMULA_END)));
             }
-            Event::Code(code) => {
-                in_words(code, language).map_or_else(|| event.clone(), |words| Event::Text(words.into()))
-            }
-            event => event.clone(),
-        });
+            // A label is quoted: a sentence does not inflect it.
+            Event::Code(code) => match in_words(code, language) {
+                Some(words) => {
+                    kept.extend([Event::Start(Tag::Emphasis), Event::Text(words.into()), Event::End(TagEnd::Emphasis)])
+                }
+                None => kept.push(event.clone()),
+            },
+            event => kept.push(event.clone()),
+        }
     }
     kept
 }

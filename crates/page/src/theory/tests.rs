@@ -276,3 +276,13 @@ fn html_in_a_chapter_is_shown_as_it_is_written() {
     );
     assert!(!body.contains("x.md") && !body.contains("e.org"), "{body}");
 }
+
+#[test]
+fn a_key_and_a_check_are_quoted_as_the_page_names_them() {
+    let text = "# A\n\nx `rope_mass` `brake_holding` `rod`\n";
+    let (_, german) = set(text, Language::De);
+    assert!(german.contains("<em>Masse ") && german.contains("<em>Haltemoment der Bremse</em>"), "{german}");
+    assert!(german.contains("<code>rod</code>"), "{german}");
+    let (_, english) = set(text, Language::En);
+    assert!(english.contains("<em>mass ") && english.contains("<em>brake, holding torque</em>"), "{english}");
+}
