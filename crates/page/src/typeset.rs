@@ -101,7 +101,10 @@ fn signs(text: &str) -> Cow<'_, str> {
             (" × ", 3)
         } else if behind.starts_with("...") {
             ("…", 3)
-        } else if behind.starts_with('-') && last.is_none_or(|last| matches!(last, ' ' | '(')) && is_digit(behind.chars().nth(1)) {
+        } else if behind.starts_with('-')
+            && last.is_none_or(|last| matches!(last, ' ' | '('))
+            && is_digit(behind.chars().nth(1))
+        {
             ("−", 1)
         } else {
             (behind.get(..1).unwrap_or_default(), 1)
@@ -120,7 +123,9 @@ fn words_of(text: &str, form: Form, language: Language, out: &mut String) {
         out.push_str(text);
         return;
     }
-    let is_part = |sign: char| sign.is_alphanumeric() || matches!(sign, '_' | '.' | '[' | ']');
+    // An exponent belongs to the symbol, not to its index.
+    let is_exponent = |sign: char| matches!(sign, '²' | '³' | '¹' | '⁰' | '⁴'..='⁹');
+    let is_part = |sign: char| sign.is_alphanumeric() && !is_exponent(sign) || matches!(sign, '_' | '.' | '[' | ']');
     let mut rest = text;
     while let Some(from) = rest.find(is_part) {
         let (before, tail) = rest.split_at(from);
@@ -219,6 +224,7 @@ mod tests {
             ("<p>T_rms of 3.5 Nm.</p>", "<p>T<sub>rms</sub> of 3.5 Nm.</p>"),
             ("<p>J_out_brake, F_A,dyn(max)</p>", "<p>J<sub>out,brake</sub>, F<sub>A,dyn(max)</sub></p>"),
             ("<p>P_cu(K)</p>", "<p>P<sub>cu</sub>(K)</p>"),
+            ("<p>ω_1²/2, T_rms², r_k⁴</p>", "<p>ω<sub>1</sub>²/2, T<sub>rms</sub>², r<sub>k</sub>⁴</p>"),
             ("<p>K_1,K_2 tau_m</p>", "<p>K<sub>1</sub>,K<sub>2</sub> τ<sub>m</sub></p>"),
             ("<p>14A-E-I_max-100 lift_80.toml v_1.csv</p>", "<p>14A-E-I_max-100 lift_80.toml v_1.csv</p>"),
             ("<code>T_rms</code><p title=\"T_rms\">x</p>", "<code>T_rms</code><p title=\"T\u{202f}rms\">x</p>"),
