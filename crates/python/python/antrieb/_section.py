@@ -268,6 +268,10 @@ def distance_of(segments: Iterable[Segment], name: str) -> tuple[Decimal, str]:
     return total, next(iter(units), "")
 
 
+ENTRIES_SHOWN = 20
+"""Entries of a list that a `repr` shows."""
+
+
 class Unread(Exception):
     """A value of a file that is none of its key."""
 
@@ -290,8 +294,10 @@ def _key(name: str) -> str:
 
 
 def _shown(value: Any) -> Any:
-    """A value in a `repr`: tuples of entries as the lists that are written."""
-    return list(value) if isinstance(value, tuple) else value
+    """A value in a `repr`: tuples of entries as the lists that are written; of many the first and the last."""
+    if not isinstance(value, tuple):
+        return value
+    return list(value) if len(value) <= ENTRIES_SHOWN else [*value[:2], ..., value[-1]]
 
 
 def _written(value: Any) -> Any:

@@ -19,36 +19,26 @@ from typing import Any, NamedTuple
 import antrieb
 from antrieb._heat import Axis, drawn
 
-ARM = """format = 1
-[axis]
-name = "loading arm"
-[mechanism.arm]
-inertia = "0.55 kg m^2"
-mass = "6 kg"
-centre_distance = "220 mm"
-payload_distance = "450 mm"
-axis_tilt = "90 deg"
-start_angle = "-20 deg"
-friction_torque = "1.5 N m"
-[[motion]]
-law = "modified_sine"
-distance = "100 deg"
-time = "1.2 s"
-payload = "2.5 kg"
-[[motion]]
-law = "modified_sine"
-distance = "-100 deg"
-time = "1.2 s"
-[[motion]]
-law = "dwell"
-time = "0.5 s"
-hold = "motor"
-[bearing]
-overhang = "60 mm"
-[requirements]
-supply = "560 V"
-ambient = "30 degC"
-"""
+ARM = antrieb.Axis(
+    "loading arm",
+    antrieb.Arm(
+        inertia="0.55 kg m^2",
+        mass="6 kg",
+        centre_distance="220 mm",
+        payload_distance="450 mm",
+        axis_tilt="90 deg",
+        start_angle="-20 deg",
+        friction_torque="1.5 N m",
+    ),
+    [
+        antrieb.Move("modified_sine", distance="100 deg", time="1.2 s", payload="2.5 kg"),
+        antrieb.Return(time="1.2 s"),
+        antrieb.Dwell("0.5 s", hold="motor"),
+    ],
+    bearing=antrieb.Bearing(overhang="60 mm"),
+    supply="560 V",
+    ambient="30 degC",
+)
 
 
 def library(name: str) -> Any:
@@ -71,23 +61,18 @@ def one_axis(folder: pathlib.Path) -> None:
 
 
 def payload_and_time(payloads: list[float], times: list[float]) -> antrieb.Table:
-    """Every payload with every time of a move: one row each."""
+    """Every payload with every time of a move, there and back: one row each."""
     pairs = [(payload, time) for payload in payloads for time in times]
-    return antrieb.Table.from_pydict(
-        {
-            "motion[1].payload [kg]": [payload for payload, _ in pairs],
-            "motion[1].time [s]": [time for _, time in pairs],
-            "motion[2].time [s]": [time for _, time in pairs],
-        }
-    )
+    time = antrieb.q([time for _, time in pairs], "s")
+    load = antrieb.q([payload for payload, _ in pairs], "kg")
+    return antrieb.sweep(ARM, {"motion.1.payload": load, "motion.1.time": time, "motion.2.time": time})
 
 
 def heat_map(folder: pathlib.Path) -> antrieb.Table:
     """How many actuators fit over payload and time of a move, and of which size the best is."""
     payloads = [0.25 * step for step in range(25)]
     times = [0.4 + 0.05 * step for step in range(25)]
-    table = payload_and_time(payloads, times)
-    best = antrieb.sweep(ARM, table)
+    best = payload_and_time(payloads, times)
     columns = best.to_pydict()
     # What fits if an estimate holds counts too.
     fit: list[int] = [sum(both) for both in zip(columns["fit"], columns["fit_if_estimate"], strict=True)]
@@ -144,29 +129,32 @@ JOINTS: list[tuple[str, float, float, float, float, float, bool]] = [
 ]
 
 
-def joint(name: str, mass: float, centre: float, reach: float, angle: float, time: float, weighs: bool) -> str:
+def joint(name: str, mass: float, centre: float, reach: float, angle: float, time: float, weighs: bool) -> antrieb.Axis:
     """One joint as an axis: there, back, and a pause; the payload at the reach of the tool."""
     own = mass * centre**2 * 1.3
-    if weighs:
-        mechanism = (
-            f'[axis.mechanism.arm]\ninertia = "{own:.4f} kg m^2"\nmass = "{mass} kg"\n'
-            f'centre_distance = "{centre} m"\npayload_distance = "{reach} m"\naxis_tilt = "90 deg"\nstart_angle = "0 deg"\n'
-        )
-        carried, held = f'payload = "{PAYLOAD_KG} kg"\n', '[axis.bearing]\noverhang = "50 mm"\n'
-    else:
-        mechanism = f'[axis.load]\ninertia = "{own + PAYLOAD_KG * reach**2:.4f} kg m^2"\nfriction_torque = "1 N m"\n'
-        carried, held = "", ""
-    move = '[[axis.motion]]\nlaw = "modified_sine"\ndistance = "{} deg"\ntime = "{} s"\n'
-    return (
-        f'[[axis]]\nname = "{name}"\n{mechanism}{move.format(angle, time)}{carried}{move.format(-angle, time)}{carried}'
-        f'[[axis.motion]]\nlaw = "dwell"\ntime = "0.6 s"\nhold = "motor"\n{held}'
-        f'[axis.requirements]\nsupply = "560 V"\nambient = "30 degC"\nbrake = true\n'
+    carried = antrieb.q(PAYLOAD_KG, "kg") if weighs else None
+    load = antrieb.Load(inertia=f"{own + PAYLOAD_KG * reach**2:.4f} kg m^2", friction_torque="1 N m")
+    arm = antrieb.Arm(
+        inertia=f"{own:.4f} kg m^2",
+        mass=antrieb.q(mass, "kg"),
+        centre_distance=antrieb.q(centre, "m"),
+        payload_distance=antrieb.q(reach, "m"),
+        axis_tilt="90 deg",
+        start_angle="0 deg",
     )
+    motion = [
+        antrieb.Move("modified_sine", distance=antrieb.q(angle, "deg"), time=antrieb.q(time, "s"), payload=carried),
+        antrieb.Return(time=antrieb.q(time, "s"), payload=carried),
+        antrieb.Dwell("0.6 s", hold="motor"),
+    ]
+    bearing = antrieb.Bearing(overhang="50 mm") if weighs else None
+    mechanism = arm if weighs else load
+    return antrieb.Axis(name, mechanism, motion, bearing=bearing, supply="560 V", ambient="30 degC", brake=True)
 
 
 def robot() -> None:
     """Size the six joints of a robot at once."""
-    sizing = antrieb.size("format = 1\n" + "".join(joint(*each) for each in JOINTS), file="robot.toml", top=1)
+    sizing = antrieb.size([joint(*each) for each in JOINTS], top=1)
     mass = 0.0
     for each in sizing.axes:
         best = each.ranking[0] if each.ranking else None

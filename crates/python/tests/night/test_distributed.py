@@ -23,7 +23,9 @@ from ray.cluster_utils import Cluster
 
 import antrieb
 from antrieb import distributed
-from antrieb.examples import ARM
+from antrieb import examples
+
+ARM = examples.ARM.to_toml()
 
 CLUSTER = pathlib.Path(__file__).resolve().parents[4] / "examples" / "cluster"
 ROWS = 1_500

@@ -10,7 +10,9 @@ import polars as pl
 import pyarrow as pa
 
 import antrieb
-from antrieb.examples import ARM
+from antrieb import examples
+
+ARM = examples.ARM.to_toml()
 
 COLUMNS = {"motion[1].payload [kg]": [0.5, 2.0, 4.0, 9.0], "motion[1].time [s]": [0.6, 0.8, 1.0, 1.2]}
 

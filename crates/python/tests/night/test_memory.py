@@ -12,7 +12,9 @@ import unittest
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from antrieb.examples import ARM
+from antrieb import examples
+
+ARM = examples.ARM.to_toml()
 
 MOST_BYTES = 500 << 20
 PART = 50_000

@@ -17,7 +17,9 @@ import pyarrow.parquet
 
 import antrieb
 from antrieb import distributed
-from antrieb.examples import ARM
+from antrieb import examples
+
+ARM = examples.ARM.to_toml()
 
 INERTIA = "mechanism.arm.inertia [kg m^2]"
 PAYLOAD = "motion[1].payload [kg]"
