@@ -56,6 +56,7 @@ pub use report::PRESS;
 pub use source::SourceFile;
 use std::ffi::OsString;
 use std::time::Duration;
+pub use waiting::rows_line;
 
 /// Answers a call of the command line, whose first word is the name of the program; returns the exit code.
 #[must_use]

@@ -41,7 +41,8 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     let ready = match opened {
         Ok((table, batches)) => {
             let options = args.options(inquiry.catalogue, batches.has_decimal_commas(), language)?;
-            let head = BatchHead::read(text, projects, &batches.schema(), options);
+            let mut head = BatchHead::read(text, projects, &batches.schema(), options);
+            head.refuse_unwritable(&batches.schema(), language);
             table.checked(batches, head, project_files.clone()).map(|(sweep, rows)| (table, sweep, rows))
         }
         Err(unread) => Err(Unanswered::combined(projects.err().into_iter().chain([unread]).collect())),
@@ -59,6 +60,10 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     saver.ready(&[out])?;
     let parts = SweepParts::of(&run, out, &run.mark()?, sweep.rows_within(call.memory(), PART))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
+    let carried = sweep.carried().collect::<Vec<_>>().join(", ");
+    if !carried.is_empty() {
+        talk += &format!("{}\n", sweeps::carried(&carried, language));
+    }
     talk += &parts.remark(rows);
     if let Err(why) = parts.judged(&table, &sweep, rows, inquiry) {
         return Err(parts.ended(why));

@@ -7,8 +7,8 @@ use std::io::IsTerminal;
 use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
-use std::time::Duration;
-use words::terminal;
+use std::time::{Duration, Instant};
+use words::{sweeps, terminal};
 
 /// Time after which the progress is shown.
 const QUIET: Duration = Duration::from_secs(1);
@@ -81,11 +81,55 @@ fn show(is_done: &Receiver<()>, progress: &Progress, language: Language) {
     if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
         bar.set_style(style);
     }
+    let mut begun: Option<(Instant, usize)> = None;
     while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
-        bar.set_message(message(progress, language));
+        let text = match (ROWS.get(), progress.progress()) {
+            (Some(kept), (done, Some(all))) => {
+                let (begin, first) = *begun.get_or_insert_with(|| (Instant::now(), done));
+                let seconds = begin.elapsed().as_secs_f64();
+                let rate = per_second(done.saturating_sub(first) as u64, seconds);
+                rows_at(kept + done as u64, kept + all as u64, rate, language)
+            }
+            _ => message(progress, language),
+        };
+        bar.set_message(text);
         bar.tick();
     }
     bar.finish_and_clear();
+}
+
+/// Number of rows that a sweep keeps of an earlier call; set if the steps of the work are rows.
+static ROWS: OnceLock<u64> = OnceLock::new();
+
+/// Shows the progress as rows from now on; `kept` is the number of rows of an earlier call.
+pub(crate) fn count_rows(kept: u64) {
+    let _ = ROWS.set(kept);
+}
+
+/// Returns the progress of a sweep in one line: completed rows, rows per second and the time left.
+#[must_use]
+pub fn rows_line(done: u64, all: u64, seconds: f64, language: Language) -> String {
+    rows_at(done, all, per_second(done, seconds), language)
+}
+
+#[allow(clippy::cast_precision_loss, reason = "counts of rows")]
+fn per_second(done: u64, seconds: f64) -> f64 {
+    if seconds > 0.0 { done as f64 / seconds } else { 0.0 }
+}
+
+fn rows_at(done: u64, all: u64, rate: f64, language: Language) -> String {
+    if rate <= 0.0 || !rate.is_finite() {
+        return sweeps::rows_begun(&done, &all, language);
+    }
+    #[allow(clippy::cast_precision_loss, reason = "counts of rows")]
+    let left = (all.saturating_sub(done) as f64 / rate).ceil();
+    let left = match left {
+        left if left < 100.0 => format!("{left:.0} s"),
+        left if left < 6000.0 => format!("{:.0} min", (left / 60.0).ceil()),
+        left => format!("{} h", format_number(left / 3600.0, 1, language)),
+    };
+    let rate = format_number(rate, if rate < 10.0 { 1 } else { 0 }, language);
+    sweeps::rows_done(&done, &all, &rate, &left, language)
 }
 
 /// Returns the text of the progress, with the completed share if it is known.
@@ -107,5 +151,20 @@ impl Drop for Waiting {
             // The progress line is removed before the answer is written.
             let _ = thread.join();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_states_rows_rate_and_time_left() {
+        let line = |done, all, seconds| rows_line(done, all, seconds, Language::En);
+        assert_eq!(line(0, 5000, 0.0), "0 of 5000 rows");
+        assert_eq!(line(1000, 5000, 2.0), "1000 of 5000 rows · 500 rows/s · 8 s left");
+        assert_eq!(line(10, 5000, 4.0), "10 of 5000 rows · 2.5 rows/s · 34 min left");
+        assert_eq!(line(1, 50000, 1.0), "1 of 50000 rows · 1.0 rows/s · 13.9 h left");
+        assert_eq!(rows_line(1, 50_000, 1.0, Language::De), "1 von 50000 Zeilen · 1,0 Zeilen/s · noch 13,9 h");
     }
 }

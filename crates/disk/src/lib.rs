@@ -15,7 +15,7 @@ mod unfinished;
 pub use parts::{Parts, PartsTrouble};
 pub use read::{Links, ProjectFiles, read_within};
 pub use save::{Unsaved, Unwritten, ready, save, save_by};
-pub use unfinished::end;
+pub use unfinished::{LastWords, end};
 #[cfg(unix)]
 pub use unfinished::{end_on_signals, refuse_large_files};
 

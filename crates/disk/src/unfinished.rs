@@ -4,12 +4,45 @@
 //! assigns: 128 plus the number of the signal. A kill cannot be handled: the hidden file that it leaves is removed by a
 //! save in the same folder after a minute.
 
+#[cfg(unix)]
+use std::io::IsTerminal as _;
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::NamedTempFile;
 
 /// Temporary files of this process that are not renamed yet.
 static FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Message that a signal prints before it ends the program.
+static LAST_WORDS: Mutex<Option<Box<dyn Fn() -> String + Send>>> = Mutex::new(None);
+
+/// Guard of a message that a signal prints before it ends the program.
+pub struct LastWords;
+
+impl LastWords {
+    /// Sets the message, such as the way to continue interrupted work.
+    #[must_use]
+    pub fn set(message: impl Fn() -> String + Send + 'static) -> Self {
+        *LAST_WORDS.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(message));
+        Self
+    }
+}
+
+impl Drop for LastWords {
+    fn drop(&mut self) {
+        *LAST_WORDS.lock().unwrap_or_else(PoisonError::into_inner) = None;
+    }
+}
+
+/// Prints the message of [`LastWords`], if there is one, below a line that shows the progress.
+#[cfg(unix)]
+#[allow(clippy::print_stderr, reason = "the program ends with it")]
+fn print_last_words() {
+    if let Some(message) = &*LAST_WORDS.lock().unwrap_or_else(PoisonError::into_inner) {
+        let clear = if std::io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
+        eprintln!("{clear}{}", message());
+    }
+}
 
 /// A save in progress.
 pub(crate) struct Unfinished;
@@ -56,6 +89,7 @@ pub fn end_on_signals() {
         let Ok(mut signals) = Signals::new([SIGHUP, SIGINT, SIGTERM]) else { return };
         drop(std::thread::spawn(move || {
             if let Some(signal) = signals.forever().next() {
+                print_last_words();
                 end(128 + signal);
             }
         }));

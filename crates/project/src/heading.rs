@@ -282,6 +282,32 @@ pub fn nearest_heading(written: &str, stated: &[&str]) -> Option<Hint> {
     nearest_key(parts(written).0.as_ref(), stated)
 }
 
+/// Returns `true` if a heading is not meant as a key: it states no unit and no path, and no key has a similar name. Such a
+/// column identifies rows, as `id` or `joint` do.
+#[must_use]
+pub fn is_label(written: &str) -> bool {
+    let (name, unit) = parts(written);
+    let name = name.to_lowercase();
+    let is_path = name.contains(['.', '[']) && !name.contains(char::is_whitespace);
+    if unit.is_some() || name.is_empty() || is_path || name.chars().count() > HEADING_SHOWN {
+        return false;
+    }
+    let mut all = Vec::new();
+    columns(KEYS, "", "[1]", &mut all);
+    let other_name = other_name(&name);
+    let plain = |text: &str| text.replace([' ', '_', '-'], ".");
+    let is_meant = |path: &String| {
+        let last = path.rsplit('.').next().unwrap_or(path);
+        let is_near = |found: &str, own: &str| {
+            let letters = strsim::damerau_levenshtein(found, own);
+            letters == 0 || (own.len() > NAME_LEAST && letters * NAME_LEAST <= own.len())
+        };
+        let is_akin = name.len() >= NAME_LEAST && last.strip_prefix(&*name).is_some_and(|rest| rest.starts_with('_'));
+        is_akin || other_name == Some(last) || is_near(&name, last) || is_near(&plain(&name), &plain(path))
+    };
+    !all.iter().any(is_meant)
+}
+
 /// Letters by which a key of another table must be nearer than a key that the project states.
 const FOREIGN: usize = 2;
 

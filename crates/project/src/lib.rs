@@ -92,7 +92,7 @@ pub use diagnostic::{Diagnostic, place};
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, written};
 pub use encoding::decoded;
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
-pub use heading::{Counted, Heading, Objection, nearest_heading};
+pub use heading::{Counted, Heading, Objection, is_label, nearest_heading};
 pub use hint::Hint;
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use key::{ColumnDimensions, Key, Kind, Variants, example};

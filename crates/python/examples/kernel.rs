@@ -21,8 +21,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let inertia = of(|row| 0.05 + f64::from(row % 1000) / 200.0);
     let time = of(|row| 0.5 + f64::from((row / 1000) % 1000) / 666.0);
     let table = RecordBatch::try_from_iter([("load.inertia [kg m^2]", inertia), ("motion[1].time [s]", time)])?;
-    let call =
-        SweepCall { text: SourceText::At(PathBuf::from(project)), pairs: vec![], memory: None, language: Language::En };
+    let call = SweepCall {
+        text: SourceText::At(PathBuf::from(project)),
+        pairs: vec![],
+        memory: None,
+        repeats: sweep_io::Repeats::Labels,
+        language: Language::En,
+    };
     let begin = Instant::now();
     let why = |why: questions::list::Unanswered| why.record(None, Language::En);
     let sweep = call.prepared(&table.schema(), std::slice::from_ref(&table)).map_err(why)?;

@@ -7,6 +7,7 @@
 mod ask;
 mod edited;
 mod held;
+mod labels;
 #[cfg(feature = "extension")]
 mod module;
 mod pool;
@@ -16,6 +17,7 @@ mod values;
 pub use ask::{CallOutcome, CallSource, QuestionCall, SourceText};
 pub use edited::{TextChange, edited};
 pub use held::{HeldFiles, Recordings};
-pub use pool::{ForkedAtWork, forked, within};
+pub use labels::labels;
+pub use pool::{ForkedAtWork, forked, leave, settle, within};
 pub use sweep::{SweepCall, checked};
 pub use values::{ValueFault, value_faults};

@@ -5,10 +5,11 @@ mod capsules;
 mod table;
 
 use crate::{CallOutcome, ForkedAtWork, QuestionCall, TextChange, ValueFault, within};
-use call::{Handed, forked_at_work, interruptible, refused, text};
+use call::{Handed, Watch, forked_at_work, interruptible, refused, text};
 use pyo3::prelude::*;
 use quantities::Language;
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Native part of antrieb, called by the functions of the package.
 #[pymodule(gil_used = false)]
@@ -35,8 +36,8 @@ mod _antrieb {
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, language)))?;
         let texts = texts.into_iter().map(text).collect();
         let call = QuestionCall { command, texts, pairs, deadline, memory, language };
-        let progress = call.progress();
-        match interruptible(py, &progress, deadline, || call.answer(&progress))? {
+        let watch = Watch::of(Arc::new(call.progress()), deadline);
+        match interruptible(py, &watch, move |progress| call.answer(progress))? {
             CallOutcome::Answered(reply) => Ok((reply.media, reply.body.into())),
             CallOutcome::Refused(record) => Err(refused(py, &record)),
         }
@@ -65,6 +66,31 @@ mod _antrieb {
     #[pyfunction]
     fn run(py: Python<'_>, call: Vec<std::ffi::OsString>) -> PyResult<u8> {
         py.detach(|| within(|| antrieb::run(call))).map_err(|ForkedAtWork| forked_at_work())
+    }
+
+    /// Returns the progress of a sweep in one line: completed rows, rows per second and the time left; `seconds` is the time
+    /// since the first row.
+    #[pyfunction]
+    fn progress_line(done: u64, all: u64, seconds: f64, lang: &str) -> String {
+        antrieb::rows_line(done, all, seconds, Language::of_id(lang).unwrap_or_default())
+    }
+
+    /// Returns the words by which answers are shown, by their names.
+    #[pyfunction]
+    fn labels(lang: &str) -> Vec<(&'static str, &'static str)> {
+        crate::labels(Language::of_id(lang).unwrap_or_default())
+    }
+
+    /// Returns the symbol of a figure as it is displayed: `theta_w` is `ϑ_w`.
+    #[pyfunction]
+    fn symbol(name: &str) -> String {
+        words::symbol_shown(name)
+    }
+
+    /// Waits before a fork until interrupted calls have ended.
+    #[pyfunction]
+    fn settle(py: Python<'_>) {
+        py.detach(crate::settle);
     }
 
     /// Notes that this process is the child of a fork.

@@ -7,6 +7,8 @@
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
 /// Pool of this process.
 static POOL: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
@@ -17,12 +19,41 @@ static AT_WORK: AtomicUsize = AtomicUsize::new(0);
 /// Set if this process was forked while a call was running.
 static IS_BROKEN: AtomicBool = AtomicBool::new(false);
 
+/// Threads of interrupted calls, which end at their next step.
+static LEFT: Mutex<Vec<JoinHandle<()>>> = Mutex::new(Vec::new());
+
+/// Longest time that a fork waits for interrupted calls.
+const SETTLING: Duration = Duration::from_secs(10);
+
 /// Error of a process that was forked while another thread was running a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ForkedAtWork;
 
+/// Leaves a cancelled call to its thread.
+pub fn leave(worker: JoinHandle<()>) {
+    let mut left = LEFT.lock().unwrap_or_else(PoisonError::into_inner);
+    left.retain(|thread| !thread.is_finished());
+    left.push(worker);
+}
+
+/// Waits before a fork until interrupted calls have ended: no caller knows of them, and a child could not work beside them.
+pub fn settle() {
+    let begin = Instant::now();
+    let is_over = || {
+        let left = LEFT.lock().unwrap_or_else(PoisonError::into_inner);
+        left.iter().all(JoinHandle::is_finished)
+    };
+    while !is_over() && begin.elapsed() < SETTLING {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
 /// Records that this process is the child of a fork, before anything else runs in it.
 pub fn forked() {
+    if let Ok(mut left) = LEFT.try_lock() {
+        // Those threads do not exist here.
+        left.drain(..).for_each(std::mem::forget);
+    }
     if AT_WORK.swap(0, Ordering::SeqCst) > 0 {
         IS_BROKEN.store(true, Ordering::SeqCst);
     } else if let Some(pool) = lock().take() {

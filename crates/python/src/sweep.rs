@@ -8,7 +8,7 @@ use questions::embedded_catalogue;
 use questions::list::sweep::{Args, ENTRY};
 use questions::list::{Argument, Given, Unanswered};
 use std::borrow::Cow;
-use sweep_io::{BatchHead, BatchSweep, TableFaults};
+use sweep_io::{BatchHead, BatchSweep, Repeats, TableFaults};
 
 /// Argument that is passed as a value and not by name.
 const TABLE: &str = "table";
@@ -22,6 +22,8 @@ pub struct SweepCall {
     pub pairs: Vec<(String, String)>,
     /// Limit of the memory for recordings and answers, as written.
     pub memory: Option<String>,
+    /// Columns of the table that the answer repeats.
+    pub repeats: Repeats,
     /// Language of the texts.
     pub language: Language,
 }
@@ -49,7 +51,7 @@ impl SweepCall {
         let source = file.source();
         let text = source.text(self.language)?;
         let files = Box::new(file.files.clone());
-        let mut head = BatchHead::of((&source.name, text), &*files, table, options);
+        let mut head = BatchHead::of((&source.name, text), &*files, table, self.repeats, options);
         numbered(batches).for_each(|(batch, first_row)| head.check(batch, first_row));
         head.ready(TABLE, files)
     }

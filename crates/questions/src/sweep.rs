@@ -9,6 +9,7 @@ mod cells;
 pub mod csv;
 mod head;
 mod judged;
+mod labels;
 pub mod sample;
 mod summary;
 mod template;
@@ -17,6 +18,7 @@ use cells::Decimals;
 pub use cells::{CellFault, Cells, TableFaults};
 pub use head::Head;
 pub use judged::{Best, Every, Judged, OnFront};
+pub use labels::TableColumns;
 pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
 
 use crate::codes::read_code;

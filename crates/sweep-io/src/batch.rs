@@ -1,13 +1,17 @@
 //! Judgement of record batches.
 
 use crate::columns::cells;
+use arrow_array::cast::AsArray;
+use arrow_array::types::UInt64Type;
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
+use arrow_select::take::take;
 use axis::{AxisProject, Files};
 use project::TabularFault;
+use quantities::Language;
 use quantities::unit::MILLIMETRE;
 use questions::list::Unanswered;
-use questions::sweep::{self, Answer, Best, Every, Judged, OnFront, Options, TableFaults, Wanted};
+use questions::sweep::{self, Answer, Best, CODE, Every, Judged, OnFront, Options, TableColumns, TableFaults, Wanted};
 use questions::{CheckId, Progress, Refusal};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -16,32 +20,88 @@ use std::sync::Arc;
 pub struct BatchSweep {
     sweep: sweep::Sweep,
     schema: SchemaRef,
+    columns: TableColumns,
+    /// Number of columns of the table.
+    width: usize,
 }
 
 /// The head of a table before its cells are read: [`sweep::Head`] over record batches.
 pub struct BatchHead {
     head: sweep::Head,
     schema: SchemaRef,
+    columns: TableColumns,
+    width: usize,
+}
+
+/// Columns of a table that are repeated in its answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Repeats {
+    /// Columns that are no keys, such as names of rows.
+    #[default]
+    Labels,
+    /// All columns.
+    Inputs,
 }
 
 impl BatchHead {
     /// Reads a project, by its name and text, and the headings of a table for it.
     #[must_use]
-    pub fn of(project: (&str, &str), files: &dyn Files, table: &Schema, options: Options) -> Self {
-        let schema = answered(&options.wanted);
-        Self { head: sweep::Head::of(project, files, &headings(table), options), schema }
+    pub fn of(project: (&str, &str), files: &dyn Files, table: &Schema, repeats: Repeats, options: Options) -> Self {
+        Self::with(table, repeats, options, |headings, options| sweep::Head::of(project, files, headings, options))
     }
 
     /// Reads the headings of a table for a project, by its text and its axes or the reason why they cannot be read.
     #[must_use]
     pub fn read(text: &str, projects: Result<Vec<AxisProject>, Unanswered>, table: &Schema, options: Options) -> Self {
-        let schema = answered(&options.wanted);
-        Self { head: sweep::Head::read(text, projects, &headings(table), options), schema }
+        Self::with(table, Repeats::Labels, options, |headings, options| {
+            sweep::Head::read(text, projects, headings, options)
+        })
+    }
+
+    fn with(
+        table: &Schema,
+        repeats: Repeats,
+        options: Options,
+        read: impl FnOnce(&[&str], Options) -> sweep::Head,
+    ) -> Self {
+        let (answers, language) = (answered(&options.wanted), options.language);
+        let names: Vec<&str> = table.fields().iter().map(|field| field.name().as_str()).collect();
+        let mut columns = TableColumns::of(&names);
+        let keys: Vec<&str> = columns.keys.iter().filter_map(|place| names.get(*place).copied()).collect();
+        let mut head = read(&keys, options);
+        if repeats == Repeats::Inputs {
+            let inputs = columns.keys.iter().filter_map(|place| Some((*place, (*names.get(*place)?).to_owned())));
+            // Codes of the table are those of the answer.
+            columns.carried.extend(inputs.filter(|(_, name)| name.trim() != CODE));
+            columns.carried.sort();
+        }
+        let own: Vec<&str> = answers.fields().iter().map(|field| field.name().as_str()).collect();
+        columns.faults(&own, language).for_each(|fault| head.refuse(fault));
+        let carried = columns.carried.iter().filter_map(|(place, name)| {
+            let field = table.fields().get(*place)?;
+            Some(Arc::new(Field::new(name, field.data_type().clone(), true)))
+        });
+        let schema = Arc::new(Schema::new(answers.fields().iter().cloned().chain(carried).collect::<Vec<_>>()));
+        Self { head, schema, columns, width: table.fields().len() }
+    }
+
+    /// Refuses carried columns whose cells cannot be written to a file and read from it.
+    pub fn refuse_unwritable(&mut self, table: &Schema, language: Language) {
+        for (place, name) in &self.columns.carried {
+            let Some(field) = table.fields().get(*place) else { continue };
+            let is_written =
+                field.data_type().is_numeric() || matches!(field.data_type(), DataType::Utf8 | DataType::Boolean);
+            if !is_written {
+                let fault = TabularFault::CellType { path: name.clone(), found: field.data_type().to_string() };
+                let fault = (project::Fault::Tabular(fault), None);
+                self.head.refuse(sweep::CellFault::of(name, None, &fault, language));
+            }
+        }
     }
 
     /// Checks the cells of a batch, whose first row has this number.
     pub fn check(&mut self, batch: &RecordBatch, first_row: u64) {
-        self.head.check(&cells(batch), first_row);
+        self.head.check(&cells(batch, &self.columns.keys), first_row);
     }
 
     /// Adds the fault of a row that is not a row of the table, by its number.
@@ -65,7 +125,8 @@ impl BatchHead {
     /// # Errors
     /// Every fault of the project, of the headings and of the checked cells; `table` is the name of the table.
     pub fn ready(self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<BatchSweep, Unanswered> {
-        Ok(BatchSweep { sweep: self.head.ready(table, files)?, schema: self.schema })
+        let Self { head, schema, columns, width } = self;
+        Ok(BatchSweep { sweep: head.ready(table, files)?, schema, columns, width })
     }
 }
 
@@ -79,6 +140,17 @@ impl BatchSweep {
     /// Returns the keys of the headings in their order, entries of lists counted from one.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
         self.sweep.keys()
+    }
+
+    /// Returns the names of the columns that are repeated in the answer.
+    pub fn carried(&self) -> impl Iterator<Item = &str> {
+        self.columns.carried.iter().map(|(_, name)| name.as_str())
+    }
+
+    /// Returns the number of columns of its tables.
+    #[must_use]
+    pub const fn width(&self) -> usize {
+        self.width
     }
 
     /// Returns the text of the project.
@@ -143,7 +215,7 @@ impl BatchSweep {
 
     /// Adds every fault of the cells of a batch, whose first row has this number.
     pub fn check(&self, batch: &RecordBatch, first_row: u64, faults: &mut TableFaults) {
-        self.sweep.check(&cells(batch), first_row, faults);
+        self.sweep.check(&cells(batch, &self.columns.keys), first_row, faults);
     }
 
     /// Returns the answers of a batch, whose first row has this number; a row that cannot be judged has the reason as
@@ -152,13 +224,23 @@ impl BatchSweep {
     /// # Errors
     /// [`Refusal::Stopped`] after a cancellation.
     pub fn batch(&self, batch: &RecordBatch, first_row: u64, progress: &Progress) -> Result<RecordBatch, Unanswered> {
-        let answers = self.sweep.judge(&cells(batch), progress).map_err(Refusal::from)?;
-        let columns = match &self.sweep.options().wanted {
+        let answers = self.sweep.judge(&cells(batch, &self.columns.keys), progress).map_err(Refusal::from)?;
+        let mut columns = match &self.sweep.options().wanted {
             Wanted::Best => best(&answers, first_row),
             Wanted::Every(checks) => every(&answers, first_row, checks),
             Wanted::Front => front(&answers, first_row),
         };
-        RecordBatch::try_new(self.schema(), columns).map_err(|error| Unanswered::message(error.to_string()))
+        let broken = |error: arrow_schema::ArrowError| Unanswered::message(error.to_string());
+        if !self.columns.carried.is_empty() {
+            // An answer has several lines for a row.
+            let rows = columns.first().and_then(|rows| rows.as_primitive_opt::<UInt64Type>().cloned());
+            let rows: UInt64Array = rows.iter().flatten().map(|row| row.map(|row| row - first_row)).collect();
+            for place in self.columns.carried.iter().map(|(place, _)| *place) {
+                let Some(column) = batch.columns().get(place) else { continue };
+                columns.push(take(column, &rows, None).map_err(broken)?);
+            }
+        }
+        RecordBatch::try_new(self.schema(), columns).map_err(broken)
     }
 }
 
@@ -171,10 +253,6 @@ const BYTES_HELD: usize = 24;
 
 /// Largest number of rows that are judged at once for a whole table.
 const ROWS_OF_PART: usize = 1 << 14;
-
-fn headings(table: &Schema) -> Vec<&str> {
-    table.fields().iter().map(|field| field.name().as_str()).collect()
-}
 
 /// Returns the columns of the answers.
 fn answered(wanted: &Wanted) -> SchemaRef {

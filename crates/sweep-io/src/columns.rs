@@ -8,9 +8,9 @@ use arrow_schema::DataType;
 use questions::sweep::Cells;
 use std::borrow::Cow;
 
-/// Returns the cells of a batch, column by column.
-pub(crate) fn cells(batch: &RecordBatch) -> Vec<Cells<'static>> {
-    batch.columns().iter().map(of_column).collect()
+/// Returns the cells of some columns of a batch, column by column.
+pub(crate) fn cells(batch: &RecordBatch, places: &[usize]) -> Vec<Cells<'static>> {
+    places.iter().filter_map(|place| batch.columns().get(*place)).map(of_column).collect()
 }
 
 /// Returns the cells of a column: every numeric type as numbers, texts and booleans as texts.
@@ -19,8 +19,10 @@ fn of_column(column: &ArrayRef) -> Cells<'static> {
     let other = || Cells::Other(found.to_string(), column.len());
     match found {
         DataType::Null => Cells::Numbers(vec![None; column.len()]),
-        found if found.is_numeric() => cast(column, &DataType::Float64)
-            .map_or_else(|_| other(), |numbers| Cells::Numbers(numbers.as_primitive::<Float64Type>().iter().collect())),
+        found if found.is_numeric() => cast(column, &DataType::Float64).map_or_else(
+            |_| other(),
+            |numbers| Cells::Numbers(numbers.as_primitive::<Float64Type>().iter().map(known).collect()),
+        ),
         DataType::Boolean => {
             let text = |flag: bool| Cow::Borrowed(if flag { "true" } else { "false" });
             Cells::Texts(column.as_boolean().iter().map(|flag| flag.map(text)).collect())
@@ -32,6 +34,11 @@ fn of_column(column: &ArrayRef) -> Cells<'static> {
         }
         _ => other(),
     }
+}
+
+/// Returns a number; one that is none is an empty cell, as libraries of tables write it.
+fn known(number: Option<f64>) -> Option<f64> {
+    number.filter(|number| !number.is_nan())
 }
 
 fn texts(column: &ArrayRef) -> Option<Cells<'static>> {

@@ -7,7 +7,7 @@ mod columns;
 mod files;
 mod tally;
 
-pub use batch::{BatchHead, BatchSweep};
+pub use batch::{BatchHead, BatchSweep, Repeats};
 pub use files::{Answers, Batches, Format, NoBatch, part};
 pub use questions::sweep::{CODE, CellFault, Options, TableFaults, Wanted};
 pub use tally::count;

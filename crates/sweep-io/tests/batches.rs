@@ -2,12 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, missing_docs, reason = "a test fails loudly")]
 
 use arrow_array::cast::AsArray;
-use arrow_array::types::{Float64Type, UInt32Type, UInt64Type};
+use arrow_array::types::{Float64Type, Int64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
 use axis::NoFiles;
 use questions::Progress;
 use std::sync::Arc;
-use sweep_io::{BatchHead, BatchSweep, Options, TableFaults, Wanted};
+use sweep_io::{BatchHead, BatchSweep, Options, Repeats, TableFaults, Wanted};
 
 const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\
     law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
@@ -18,7 +18,9 @@ fn batch(columns: Vec<(&str, ArrayRef)>) -> RecordBatch {
 
 fn sweep(batch: &RecordBatch, wanted: Wanted) -> BatchSweep {
     let options = Options { wanted, ..Options::default() };
-    BatchHead::of(("axis.toml", MOVE), &NoFiles, &batch.schema(), options).ready("tasks", Box::new(NoFiles)).unwrap()
+    BatchHead::of(("axis.toml", MOVE), &NoFiles, &batch.schema(), Repeats::default(), options)
+        .ready("tasks", Box::new(NoFiles))
+        .unwrap()
 }
 
 #[test]
@@ -156,10 +158,11 @@ fn a_table_whose_answers_exceed_the_memory_is_refused_before_work() {
 #[test]
 fn a_table_with_a_refused_heading_is_not_read_to_its_end() {
     let cells = || Arc::new(Float64Array::from(vec![1.0; 1000])) as ArrayRef;
-    for columns in [vec![("nonsense", cells())], vec![("nonsense", cells()), ("load.inertia [kg m^2]", cells())]] {
+    for columns in [vec![("nonsense", cells())], vec![("load.nonsense", cells()), ("load.inertia [kg m^2]", cells())]] {
         let is_one_a_key = columns.len() > 1;
         let table = batch(columns);
-        let mut head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+        let mut head =
+            BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Repeats::default(), Options::default());
         assert_eq!(head.is_enough(), !is_one_a_key);
         head.check(&table, 0);
         assert!(head.is_enough());
@@ -177,7 +180,7 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
         ("load.friction_torque", Arc::new(Float64Array::from(vec![1.0]))),
         ("motion[1].time [kg]", Arc::new(Float64Array::from(vec![1.0]))),
     ]);
-    let head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+    let head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Repeats::default(), Options::default());
     let faults = head.ready("tasks", Box::new(NoFiles)).err().unwrap().faults(None, Options::default().language).errors;
     let ids: Vec<_> = faults.iter().filter_map(|fault| Some((fault.id?, fault.heading.clone()?))).collect();
     assert_eq!(
@@ -195,7 +198,8 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
         ("motion[1].time [s]", Arc::new(StringArray::from(vec![Some("0.5"), None]))),
         ("motion[1].law", Arc::new(StringArray::from(vec!["trapezoid", "trapezoyd"]))),
     ]);
-    let mut head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Options::default());
+    let mut head =
+        BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Repeats::default(), Options::default());
     head.check(&table, 7);
     let faults = head.ready("tasks", Box::new(NoFiles)).err().unwrap().faults(None, Options::default().language).errors;
     let found: Vec<_> = faults.iter().map(|fault| (fault.id.unwrap(), fault.row)).collect();
@@ -209,4 +213,45 @@ fn every_fault_of_headings_and_cells_is_reported_at_once() {
     sweep(&table, Wanted::Best).check(&table, 70, &mut faults);
     let found: Vec<_> = faults.listed.iter().map(|fault| (fault.id, fault.row)).collect();
     assert_eq!(found, [("not_a_number", Some(71)), ("no_value", Some(70)), ("code_spelling", Some(71))]);
+}
+
+#[test]
+fn labels_and_inputs_are_repeated_beside_every_line_of_a_row() {
+    let table = batch(vec![
+        ("id", Arc::new(StringArray::from(vec![Some("a"), None, Some("c")])) as ArrayRef),
+        ("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![1.0, -1.0, 2.0]))),
+        ("station", Arc::new(Int64Array::from(vec![7, 8, 9]))),
+    ]);
+    for wanted in [Wanted::Best, Wanted::Front, Wanted::Every(vec![])] {
+        let options = Options { wanted, ..Options::default() };
+        for (repeats, names) in
+            [(Repeats::Labels, &["id", "station"][..]), (Repeats::Inputs, &["id", "load.inertia [kg m^2]", "station"])]
+        {
+            let head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), repeats, options.clone());
+            let sweep = head.ready("tasks", Box::new(NoFiles)).unwrap();
+            assert_eq!(sweep.carried().collect::<Vec<_>>(), names);
+            // The second and third row, whose numbers do not begin at zero.
+            let answer = sweep.batch(&table.slice(1, 2), 41, &Progress::endless()).unwrap();
+            let rows = answer.column(0).as_primitive::<UInt64Type>();
+            let (ids, stations) = (answer.column_by_name("id").unwrap(), answer.column_by_name("station").unwrap());
+            for line in 0..answer.num_rows() {
+                assert_eq!(
+                    stations.as_primitive::<Int64Type>().value(line),
+                    i64::try_from(rows.value(line)).unwrap() - 33
+                );
+                assert_eq!(ids.is_null(line), rows.value(line) == 41);
+            }
+            assert!(answer.num_rows() >= 2);
+        }
+    }
+}
+
+#[test]
+fn a_label_with_a_name_of_the_answer_is_refused() {
+    let table = batch(vec![
+        ("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![1.0])) as ArrayRef),
+        ("row", Arc::new(Int64Array::from(vec![7]))),
+    ]);
+    let head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Repeats::Labels, Options::default());
+    assert!(head.ready("tasks", Box::new(NoFiles)).is_err());
 }

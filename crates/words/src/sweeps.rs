@@ -66,9 +66,22 @@ texts! {
     answers_too_large(rows, memory, most) =
         "the table has {rows} rows, whose answers exceed the permitted memory of {memory} MiB: raise the limit (memory, such as 2 GiB), or pass at most {most} rows at a time to Sweep.batch"
         | "die Tabelle hat {rows} Zeilen, deren Antworten den zulässigen Speicher von {memory} MiB überschreiten: Grenze erhöhen (memory, etwa 2 GiB) oder höchstens {most} Zeilen auf einmal an Sweep.batch übergeben";
+    column_of_the_answer(name) =
+        "the answer has a column `{name}` already" | "die Antwort hat schon eine Spalte `{name}`";
+    rename_it = "rename the column of the table" | "die Spalte der Tabelle umbenennen";
+    carried(names) = "carried into the answer: {names}" | "in die Antwort übernommen: {names}";
+    rows_done(done, all, rate, left) =
+        "{done} of {all} rows · {rate} rows/s · {left} left" | "{done} von {all} Zeilen · {rate} Zeilen/s · noch {left}";
+    rows_begun(done, all) = "{done} of {all} rows" | "{done} von {all} Zeilen";
     kept(folder) =
         "completed parts are kept in {folder}; the same call continues from them"
         | "fertige Teile bleiben in {folder}; derselbe Aufruf setzt mit ihnen fort";
+    interrupted(rows, all, folder) =
+        "interrupted: the answers of {rows} of {all} rows are kept in {folder}; the same call continues from them"
+        | "abgebrochen: die Antworten von {rows} von {all} Zeilen bleiben in {folder}; derselbe Aufruf setzt mit ihnen fort";
+    interrupted_early(part) =
+        "interrupted before the first part of {part} rows was complete: the same call starts again"
+        | "abgebrochen, bevor der erste Teil von {part} Zeilen fertig war: derselbe Aufruf beginnt von vorn";
     too_many_samples(count, most) =
         "{count} rows; at most {most} are written" | "{count} Zeilen; geschrieben werden höchstens {most}";
     sample_key(written) =

@@ -11,6 +11,8 @@ use std::ffi::OsString;
 use std::fs::File;
 use std::io::{BufWriter, Write as _};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use sweep_io::{Answers, BatchSweep, Batches, Format, NoBatch};
 use words::{SaveTrouble, file_trouble, save_trouble, sweeps};
 
@@ -98,6 +100,10 @@ impl SweepParts {
             return Ok(());
         }
         inquiry.progress.expect_steps(usize::try_from(rows - first).unwrap_or(usize::MAX));
+        crate::waiting::count_rows(first);
+        let kept = Arc::new(AtomicU64::new(first));
+        let _words = disk::LastWords::set(self.last_words(rows, &kept));
+        disk::end_on_signals();
         let mut batches = table.open(first, self.rows)?;
         while first < rows {
             let batch = batches.next(self.language).map_err(|why| table.refused(&why.text(self.language)))?;
@@ -106,9 +112,19 @@ impl SweepParts {
             let bytes = sweep_io::part(&answers).map_err(|why| self.unread(&why))?;
             self.parts.write(index, &bytes).map_err(|trouble| self.failed(trouble))?;
             first += batch.num_rows() as u64;
+            kept.store(first, Ordering::Relaxed);
             index += 1;
         }
         Ok(())
+    }
+
+    /// Returns the message about the rows that an interrupted run keeps.
+    fn last_words(&self, rows: u64, kept: &Arc<AtomicU64>) -> impl Fn() -> String + Send + 'static {
+        let (kept, folder, part, language) = (Arc::clone(kept), path_text(&self.folder), self.rows, self.language);
+        move || match kept.load(Ordering::Relaxed) {
+            0 => sweeps::interrupted_early(&part, language),
+            kept => sweeps::interrupted(&kept, &rows, &folder, language),
+        }
     }
 
     /// Ends a run without an output: finished parts stay, and the reason names them; an empty folder is removed.

@@ -15,20 +15,28 @@ a function of the same name; the answers are those of `--json` as the dataclasse
 of the interpreter, other threads go on meanwhile, and an interrupt ends it.
 """
 
+import importlib as _importlib
 import os as _os
+from typing import TYPE_CHECKING as _TYPE_CHECKING
+from typing import Any as _Any
 
-from antrieb import _antrieb, answers
+from antrieb import _antrieb
 from antrieb import questions as questions
 from antrieb import sections as sections
 from antrieb._antrieb import VERSION as __version__
 from antrieb._arrays import axes_from_arrays
 from antrieb._axis import load, loads
-from antrieb._call import AntriebError, Fault, Lang, Path, Picture, Text
+from antrieb._call import AntriebError, Lang, Path, Picture, Text
 from antrieb._quantity import Q, Quantity, q
+from antrieb._record import Record, Rows
 from antrieb._section import Section
 from antrieb.questions import *  # noqa: F403
 from antrieb.sections import *  # noqa: F403
-from antrieb._table import ArrowArray, ArrowSchema, ArrowStream, Sweep, Table, sweep
+from antrieb._table import ArrowArray, ArrowSchema, ArrowStream, Sweep, Table, TableLike, sweep
+
+if _TYPE_CHECKING:
+    from antrieb import answers as answers
+    from antrieb._call import Fault as Fault
 
 __all__ = [
     "AntriebError",
@@ -41,9 +49,12 @@ __all__ = [
     "Picture",
     "Q",
     "Quantity",
+    "Record",
+    "Rows",
     "Section",
     "Sweep",
     "Table",
+    "TableLike",
     "Text",
     "__version__",
     "answers",
@@ -58,4 +69,14 @@ __all__ += sections.__all__
 
 # The threads of this process are not those of its children.
 if hasattr(_os, "register_at_fork"):
-    _os.register_at_fork(after_in_child=_antrieb.forked)
+    _os.register_at_fork(before=_antrieb.settle, after_in_child=_antrieb.forked)
+
+
+def __getattr__(name: str) -> _Any:
+    # The classes of the answers are made when they are first used.
+    if name == "answers":
+        return _importlib.import_module("antrieb.answers")
+    if name == "Fault":
+        answers = _importlib.import_module("antrieb.answers")
+        return answers.Fault | answers.CodeFault
+    raise AttributeError(f"module 'antrieb' has no attribute {name!r}")

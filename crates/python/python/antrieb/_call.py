@@ -7,12 +7,21 @@ import operator
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from datetime import date
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from antrieb import _antrieb, answers
+from antrieb import _antrieb, _origin
 from antrieb._axis import to_source
 from antrieb._decode import decoder
+from antrieb._lazy import lazy
 from antrieb._source import Handed, ProjectSource
+
+if TYPE_CHECKING:
+    from antrieb import answers
+
+    Fault = answers.Fault | answers.CodeFault
+    """A fault of a call or of an ordering code."""
+else:
+    answers = lazy("antrieb.answers")
 
 Lang = Literal["en", "de"]
 """The language of texts."""
@@ -23,9 +32,6 @@ Path = str | os.PathLike[str]
 Text = str | os.PathLike[str] | ProjectSource | Sequence[ProjectSource]
 """A project as an `Axis`, a `Project` or a list of axes; or a text, or the path of its file: a `str` of one line is a path,
 unless it has a `=` and no file has that name."""
-
-Fault = answers.Fault | answers.CodeFault
-"""A fault of a call or of an ordering code."""
 
 JSON = "application/json"
 SVG = "image/svg+xml"
@@ -169,15 +175,20 @@ def ask(
     deadline: str | None = None,
     memory: str | None = None,
 ) -> Any:
-    """The answer to a question of the list; a record as the type `of`."""
+    """The answer to a question of the list; a record as the type that `of` returns."""
     names = (file,) if len(texts) == 1 else ("old", "new")
     sources = [handed(text, name, folder) for text, name in zip(texts, names, strict=False)]
-    given = pairs_of([*pairs, ("lang", lang)])
+    pairs_given = list(pairs)
+    given = pairs_of([*pairs_given, ("lang", lang)])
     media, body = _antrieb.ask(
         command, sources, given, lang, unit_text("deadline", deadline), unit_text("memory", memory)
     )
     if media == JSON:
-        return decoder(of)(json.loads(body))
+        answer = decoder(of())(json.loads(body))
+        if len(texts) == 1:
+            named = {"file": file, "folder": folder, "memory": memory}
+            _origin.attach(answer, _origin.Origin.of(texts[0], pairs_given, lang, **named))
+        return answer
     if media == SVG:
         return Picture(body.decode())
     if media.startswith(TEXTS):

@@ -10,6 +10,8 @@ import typing
 from collections.abc import Callable
 from typing import Any, Literal
 
+from antrieb._record import Rows
+
 Decoder = Callable[[Any], Any]
 
 
@@ -25,6 +27,8 @@ def decoder(of: Any) -> Decoder:
         return _record(of)
     if origin is list:
         return _list(typing.get_args(of)[0])
+    if origin is Rows:
+        return _rows(typing.get_args(of)[0])
     if origin is dict:
         return _map(typing.get_args(of)[1])
     if origin is typing.Union or isinstance(of, types.UnionType):
@@ -43,6 +47,14 @@ def _list(of: Any) -> Decoder:
     return decode
 
 
+def _rows(of: Any) -> Decoder:
+    def decode(values: list[Any]) -> Rows[Any]:
+        each = decoder(of)
+        return Rows(each(value) for value in values)
+
+    return decode
+
+
 def _map(of: Any) -> Decoder:
     def decode(values: dict[str, Any]) -> dict[str, Any]:
         each = decoder(of)
@@ -53,7 +65,7 @@ def _map(of: Any) -> Decoder:
 
 def _union(kinds: tuple[Any, ...]) -> Decoder:
     records: list[Any] = [kind for kind in kinds if dataclasses.is_dataclass(kind)]
-    lists: list[Any] = [kind for kind in kinds if typing.get_origin(kind) is list]
+    lists: list[Any] = [kind for kind in kinds if typing.get_origin(kind) in (list, Rows)]
     if not records and not lists:
         return _as_it_is
 

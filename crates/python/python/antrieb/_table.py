@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
-from antrieb import _antrieb, answers
+from antrieb import _antrieb
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 from antrieb._axis import to_source
 from antrieb._call import Lang, Path, Text, handed, pairs_of, unit_text
 from antrieb._columns import columns
+from antrieb._progress import Progress, observed
+from antrieb._tables import TableLike, arrow
 
-__all__ = ["ArrowArray", "ArrowSchema", "ArrowStream", "Sweep", "Table", "sweep"]
+if TYPE_CHECKING:
+    from antrieb import answers
+
+__all__ = ["ArrowArray", "ArrowSchema", "ArrowStream", "Sweep", "Table", "TableLike", "sweep"]
 
 
 class Sweep:
@@ -26,6 +31,7 @@ class Sweep:
         axis: Only this axis of a project with several.
         check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
         front: The actuators that no other beats in mass, length and reserve; without `check`.
+        inputs: The answers repeat the columns of the table; without it those that are no keys, such as `id`.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         memory: Limit of the memory for the recordings, and for the answers of a call, such as `1 GiB`; 512 MiB without it.
@@ -39,19 +45,21 @@ class Sweep:
     def __init__(
         self,
         text: Text,
-        schema: ArrowStream | ArrowArray | ArrowSchema,
+        schema: ArrowSchema | TableLike,
         *,
         lang: Lang = "en",
         axis: str | None = None,
         check: answers.CheckId | Sequence[answers.CheckId] = (),
         front: bool = False,
+        inputs: bool = False,
         file: str | None = None,
         folder: Path | None = None,
         memory: str | None = None,
     ) -> None:
         options = _options(axis, check, front, lang)
+        columns: Any = schema if hasattr(schema, "__arrow_c_schema__") else arrow(schema, "schema")
         self._sweep = _antrieb.Sweep(
-            handed(text, file, folder), schema, options, lang, unit_text("memory", memory)
+            handed(text, file, folder), columns, options, lang, unit_text("memory", memory), _flag("inputs", inputs)
         )
 
     def __reduce__(self) -> tuple[Callable[..., Sweep], tuple[Any, ...]]:
@@ -70,6 +78,11 @@ class Sweep:
         return self._sweep.keys
 
     @property
+    def carried(self) -> list[str]:
+        """The columns of a table that the answers repeat."""
+        return self._sweep.carried
+
+    @property
     def recordings(self) -> list[str]:
         """The recordings that the project names."""
         return self._sweep.recordings
@@ -84,13 +97,14 @@ class Sweep:
         """The columns of the answers, as an empty table."""
         return self._sweep.answers
 
-    def table(self, table: ArrowStream | ArrowArray, *, deadline: str | None = None) -> Table:
+    def table(self, table: TableLike, *, deadline: str | None = None, progress: Progress = False) -> Table:
         """The answers of all rows; `AntriebError` with every fault of the cells, and for more rows than `rows_most`, before any row is judged."""
-        return self._sweep.table(table, unit_text("deadline", deadline))
+        with observed(progress, "en") as observer:
+            return self._sweep.table(arrow(table), unit_text("deadline", deadline), observer)
 
-    def batch(self, batch: ArrowStream | ArrowArray, first_row: int = 0) -> Table:
+    def batch(self, batch: TableLike, first_row: int = 0) -> Table:
         """The answers of a part of a table, at most `rows_most` rows, whose first row has this number; a fault of a cell is in the column `error`."""
-        return self._sweep.batch(batch, first_row)
+        return self._sweep.batch(arrow(batch, "batch"), first_row)
 
 
 def unpacked(stream: bytes) -> Table:
@@ -105,6 +119,12 @@ def _again(of: type[Sweep], *made_of: Any) -> Sweep:
     return sweep
 
 
+def _flag(name: str, value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise TypeError(f"{name} is True or False, not {type(value).__name__}")
+    return value
+
+
 def _options(
     axis: str | None, check: answers.CheckId | Sequence[answers.CheckId], front: bool, lang: Lang
 ) -> list[tuple[str, str]]:
@@ -113,17 +133,19 @@ def _options(
 
 def sweep(
     text: Text,
-    table: ArrowStream | ArrowArray | Mapping[str, Any],
+    table: TableLike,
     *,
     grid: bool = False,
     lang: Lang = "en",
     axis: str | None = None,
     check: answers.CheckId | Sequence[answers.CheckId] = (),
     front: bool = False,
+    inputs: bool = False,
     file: str | None = None,
     folder: Path | None = None,
     deadline: str | None = None,
     memory: str | None = None,
+    progress: Progress = False,
 ) -> Table:
     """Judge many axes: a project, and a table whose columns are keys of it.
 
@@ -131,20 +153,24 @@ def sweep(
 
     Args:
         text: The project as text, or the path of its file.
-        table: Any Arrow table (pyarrow, polars, pandas, DuckDB, `antrieb.Table`). A heading is a key of the project with its
-            unit, `load.inertia [kg m^2]`, `motion[1].time [s]`, `requirements.ambient [degC]`; words of the project such as
-            `motion[1].law` have none; `code` judges each row for one ordering code. Or columns by their keys, their values
-            with a unit: `{"motion.1.payload": antrieb.q([1, 2], "kg"), "motion.1.time": ["0.5 s", "0.8 s"]}`; entries count
+        table: A dictionary of columns, a list of dictionaries, a data frame of pandas or polars, a relation of DuckDB, a structured
+            array of NumPy, or any table of Arrow. A heading is a key of the project with its unit, `load.inertia [kg m^2]`,
+            `motion[1].time [s]`, `requirements.ambient [degC]`; words of the project such as `motion[1].law` have none; `code`
+            judges each row for one ordering code. Columns that are no keys, such as `id`, are repeated in the answer.
+            Or columns by their keys, their values with a unit: `{"motion.1.payload": antrieb.q([1, 2], "kg")}`; entries count
             from one.
         grid: Judge every combination of the values of the columns, the last column fastest.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
         front: The actuators that no other beats in mass, length and reserve; without `check`.
+        inputs: The answers repeat the columns of the table; without it those that are no keys, such as `id`.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`.
         memory: Limit of the memory for the recordings, and for the answers of a call, such as `1 GiB`; 512 MiB without it.
+        progress: `True` for a line on the terminal with rows, rate and time left, or a function that is called with the number
+            of judged rows and of all rows.
 
     Returns:
         An Arrow table, a row for each row: `row` (from 0), `fit` (how many actuators fit within every limit),
@@ -156,14 +182,18 @@ def sweep(
             exceed `memory`, before any row is judged.
     """
     if isinstance(table, Mapping):
-        table = Table.from_pydict(columns(table, to_source(text), grid))
+        table = columns(cast("Mapping[str, Any]", table), to_source(text), grid)
     elif grid:
         raise TypeError('grid=True takes columns by their keys, such as {"motion.1.payload": antrieb.q([1, 2], "kg")}')
-    return _antrieb.Sweep.whole(
-        handed(text, file, folder),
-        table,
-        _options(axis, check, front, lang),
-        lang,
-        unit_text("memory", memory),
-        unit_text("deadline", deadline),
-    )
+    options = _options(axis, check, front, lang)
+    with observed(progress, lang) as observer:
+        return _antrieb.Sweep.whole(
+            handed(text, file, folder),
+            arrow(table),
+            options,
+            lang,
+            unit_text("memory", memory),
+            _flag("inputs", inputs),
+            unit_text("deadline", deadline),
+            observer,
+        )

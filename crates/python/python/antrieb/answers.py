@@ -7,13 +7,17 @@ not finite, a field that an answer leaves out is `None`. The unit of a figure en
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
+from antrieb._origin import judged_nearest
+from antrieb._record import Explainable, Record, Rows
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Sizing:
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Sizing(Record):
     """`size`: judgement of the catalogue for an axis."""
 
     axis: str
@@ -32,18 +36,18 @@ class Sizing:
     """Sum of `fit` and `fit_if_estimate`."""
     rule: str
     """Criterion of the ranking, as text."""
-    ranking: list[Ranked]
+    ranking: Rows[Ranked]
     """Best fitting actuators, in the requested number."""
-    rejected: list[Rejection]
+    rejected: Rows[Rejection]
     """Actuators that do not fit, by smallest excess."""
     nearest_miss: str | None = None
     """Ordering code with the smallest excess among those that do not fit but meet every requirement and are of the
 right class of voltage and place; `null` if there is none."""
     own: Assessed | None = None
     """Project's own actuator."""
-    would_fit_with: list[WouldFit] | None = None
+    would_fit_with: Rows[WouldFit] | None = None
     """Values of the gearing with which an actuator would fit, one change at a time; only if nothing fits."""
-    assumptions: list[AssumptionEntry]
+    assumptions: Rows[AssumptionEntry]
     """Assumptions."""
     stage: Stage | None = None
     """Stage between actuator and mechanism; only if the project has one."""
@@ -51,13 +55,33 @@ right class of voltage and place; `null` if there is none."""
     """Motion resulting from the project."""
 
     @property
-    def axes(self) -> list[Sizing]:
+    def axes(self) -> Rows[Sizing]:
         """It as the answer of its only axis, as `AxesOfSizing` has those of several."""
-        return [self]
+        return Rows([self])
+
+    @property
+    def best(self) -> Ranked | Judgement:
+        """The best fitting actuator; if none fits the one with the smallest excess, as `check` judges it.
+
+        Raises:
+            LookupError: Nothing fits, and no actuator meets the requirements and is of the right class.
+        """
+        return self.ranking[0] if self.ranking else judged_nearest(self)
+
+    @property
+    def candidates(self) -> Rows[Ranked | Rejection]:
+        """The fitting actuators by rank, then those that do not fit by their excess."""
+        return Rows([*self.ranking, *self.rejected])
+
+    def __iter__(self) -> Iterator[Ranked | Rejection]:
+        return iter(self.candidates)
+
+    def __getitem__(self, key: int | str, /) -> Ranked | Rejection:
+        return self.candidates[key]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Ranked:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Ranked(Record):
     """An actuator that fits, with its rank."""
 
     code: str | None = None
@@ -79,7 +103,7 @@ class Ranked:
     """Names of the fields of the code that are on request only."""
     demand: Demand | None = None
     """Demand on the actuator; `null` without J_out."""
-    checks: list[Check]
+    checks: Rows[Check]
     """The checks, in a fixed order."""
     objections: list[str]
     """Requirements not met and rules violated, as text."""
@@ -91,9 +115,15 @@ requirements."""
     rank: int
     """Rank, from 1."""
 
+    def __iter__(self) -> Iterator[Check]:
+        return iter(self.checks)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Demand:
+    def __getitem__(self, key: int | str, /) -> Check:
+        return self.checks[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Demand(Record):
     """The demand; if the manual's equations describe the axis, their figures together with the exact integrals."""
 
     mode: DemandMode
@@ -117,7 +147,7 @@ the three torques, `moves` and `integral` are omitted."""
     """Torque during deceleration."""
     units: Units
     """Units of the figures."""
-    moves: list[MoveTorques] | None = None
+    moves: Rows[MoveTorques] | None = None
     """Torques of each move; only with several moves."""
     governing_move: int | None = None
     """Number of the move with the largest torque, from 1; only with several moves."""
@@ -125,8 +155,8 @@ the three torques, `moves` and `integral` are omitted."""
     """Figures by exact integration, which the checks use."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class MoveTorques:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class MoveTorques(Record):
     """Torques in the three phases of a move of the manual's form, in its direction, in Nm."""
 
     T_1: float | None
@@ -137,8 +167,8 @@ class MoveTorques:
     """Torque during deceleration."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class IntegralDemand:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class IntegralDemand(Record):
     """Figures of the demand by exact integration."""
 
     T_rms: float | None
@@ -155,8 +185,8 @@ class IntegralDemand:
     """`integral` in every case."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Check:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Check(Explainable):
     """Result of one check."""
 
     id: CheckId
@@ -196,8 +226,8 @@ class Check:
     """Ids of the errata that value or limit depend on; their evidence is in `notes`. Omitted if there are none."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Tolerance:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Tolerance(Record):
     """Effect of the project's tolerances on an actuator."""
 
     samples: int
@@ -218,12 +248,18 @@ class Tolerance:
     """Distribution of the highest utilisation over the samples."""
     worst_corner: WorstCorner
     """Worst point found."""
-    influence: list[Influence]
+    influence: Rows[Influence]
     """Influence of each quantity on the utilisation, the largest share first; empty if it does not vary."""
 
+    def __iter__(self) -> Iterator[Influence]:
+        return iter(self.influence)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Quantiles:
+    def __getitem__(self, key: int | str, /) -> Influence:
+        return self.influence[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Quantiles(Record):
     """Quantiles of the highest utilisation; `null` for an infinite one."""
 
     p05: float | None
@@ -236,8 +272,8 @@ class Quantiles:
     """Largest value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WorstCorner:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WorstCorner(Record):
     """The worst point within the tolerances."""
 
     verdict: Fit
@@ -246,16 +282,22 @@ class WorstCorner:
     """Highest utilisation at this point."""
     check: CheckId | None = None
     """Id of the governing check: the failing one with the largest excess, else the one with the highest utilisation."""
-    values: list[ToleratedValue]
+    values: Rows[ToleratedValue]
     """Value of each quantity at this point."""
     is_corner: bool
     """`false`: a sample inside the bands is worse than every corner, and this is the sample."""
     exhaustive: bool
     """`true`: every corner was evaluated; `false`: more than ten quantities, the corner was searched."""
 
+    def __iter__(self) -> Iterator[ToleratedValue]:
+        return iter(self.values)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ToleratedValue:
+    def __getitem__(self, key: int | str, /) -> ToleratedValue:
+        return self.values[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ToleratedValue(Record):
     """A quantity with a tolerance at some point."""
 
     quantity: str
@@ -266,8 +308,8 @@ class ToleratedValue:
     """Unit as written."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Influence:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Influence(Record):
     """Influence of a quantity on the utilisation."""
 
     quantity: str
@@ -276,8 +318,8 @@ class Influence:
     """Share of the explained variance."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Rejection:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Rejection(Record):
     """Summary of the reasons for a rejection."""
 
     code: str
@@ -299,8 +341,8 @@ actuator."""
     """Requirements not met and rules violated, as text."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Assessed:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Assessed(Record):
     """An actuator with the effect of the project's tolerances."""
 
     code: str | None = None
@@ -322,7 +364,7 @@ class Assessed:
     """Names of the fields of the code that are on request only."""
     demand: Demand | None = None
     """Demand on the actuator; `null` without J_out."""
-    checks: list[Check]
+    checks: Rows[Check]
     """The checks, in a fixed order."""
     objections: list[str]
     """Requirements not met and rules violated, as text."""
@@ -332,9 +374,15 @@ requirements."""
     tolerance: Tolerance | None = None
     """Effect of the tolerances; only if the project has some."""
 
+    def __iter__(self) -> Iterator[Check]:
+        return iter(self.checks)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WouldFit:
+    def __getitem__(self, key: int | str, /) -> Check:
+        return self.checks[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WouldFit(Record):
     """A value with which an actuator would fit."""
 
     key: str
@@ -355,8 +403,8 @@ class WouldFit:
     """`true` if the code fits unless a gear rating of another manufacturer applies."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AssumptionEntry:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AssumptionEntry(Record):
     """An assumption, made where the project states nothing."""
 
     key: str | None = None
@@ -367,18 +415,24 @@ class AssumptionEntry:
     """The assumption as text."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Stage:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Stage(Record):
     """The stage between actuator and mechanism."""
 
     ratio: float | None
     """Ratio in use."""
-    ratios: list[StageRatio]
+    ratios: Rows[StageRatio]
     """Results for each ratio of the project."""
 
+    def __iter__(self) -> Iterator[StageRatio]:
+        return iter(self.ratios)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StageRatio:
+    def __getitem__(self, key: int | str, /) -> StageRatio:
+        return self.ratios[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class StageRatio(Record):
     """Result for a ratio of the stage."""
 
     ratio: float | None
@@ -391,19 +445,25 @@ class StageRatio:
     """Number of actuators that fit, including those that depend on an estimate."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Motion:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Motion(Record):
     """The motion: every segment with its given and its resulting values."""
 
     units: Units
     """Units of time, distance, speed and acceleration, those of a linear axis linear, and of the loads that a segment
 states."""
-    segments: list[Segment]
+    segments: Rows[Segment]
     """Segments in their order."""
 
+    def __iter__(self) -> Iterator[Segment]:
+        return iter(self.segments)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Segment:
+    def __getitem__(self, key: int | str, /) -> Segment:
+        return self.segments[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Segment(Record):
     """One segment."""
 
     law: str
@@ -433,8 +493,8 @@ of the segment; omitted if no segment states one."""
     """Data read from the file; only for a recorded segment."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Recording:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Recording(Record):
     """Data read from the file of a recorded segment."""
 
     file: str
@@ -449,14 +509,20 @@ class Recording:
     """Number of samples left out before the window."""
     left_out_after: int
     """Number of samples left out after the window."""
-    columns: list[RecordedColumn]
+    columns: Rows[RecordedColumn]
     """Columns read."""
     unused: list[str]
     """Headings of the columns that are not used."""
 
+    def __iter__(self) -> Iterator[RecordedColumn]:
+        return iter(self.columns)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RecordedColumn:
+    def __getitem__(self, key: int | str, /) -> RecordedColumn:
+        return self.columns[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class RecordedColumn(Record):
     """A column of a recording."""
 
     role: ColumnRole
@@ -469,18 +535,24 @@ class RecordedColumn:
     """Source of the unit."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AxesOfSizing:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxesOfSizing(Record):
     """Answers for several axes."""
 
     verdict: Fit
     """Worst verdict of the axes."""
-    axes: list[Sizing]
+    axes: Rows[Sizing]
     """Answer for each axis."""
 
+    def __iter__(self) -> Iterator[Sizing]:
+        return iter(self.axes)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Judgement:
+    def __getitem__(self, key: int | str, /) -> Sizing:
+        return self.axes[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Judgement(Record):
     """`check`: one actuator, every check with its margin."""
 
     code: str | None = None
@@ -502,7 +574,7 @@ class Judgement:
     """Names of the fields of the code that are on request only."""
     demand: Demand | None = None
     """Demand on the actuator; `null` without J_out."""
-    checks: list[Check]
+    checks: Rows[Check]
     """The checks, in a fixed order."""
     objections: list[str]
     """Requirements not met and rules violated, as text."""
@@ -517,23 +589,29 @@ requirements."""
     """Reserves of the actuator."""
     tolerance: Tolerance | None = None
     """Effect of the tolerances of the project; only if it has some."""
-    assumptions: list[AssumptionEntry]
+    assumptions: Rows[AssumptionEntry]
     """Assumptions."""
 
     @property
-    def axes(self) -> list[Judgement]:
+    def axes(self) -> Rows[Judgement]:
         """It as the answer of its only axis, as `AxesOfJudgement` has those of several."""
-        return [self]
+        return Rows([self])
+
+    def __iter__(self) -> Iterator[Check]:
+        return iter(self.checks)
+
+    def __getitem__(self, key: int | str, /) -> Check:
+        return self.checks[key]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Reserve:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Reserve(Record):
     """Largest change of one quantity, all others unchanged, at which the actuator still fits (or would fit); `null` if
 nothing within reach fits or everything does. Each value has four digits and is judged as stated: with it no check
 fails, one step of the last digit further one does. The search proceeds in steps of 10 %, temperatures in steps of 5
 K; a narrower gap between two regions that fit is not detected."""
 
-    limits: list[NeededLimit] | None = None
+    limits: Rows[NeededLimit] | None = None
     """Values of limits of the project, rounded to four digits on the sufficient side, with which the actuator would
 fit, all together; only if nothing but these limits rejects it."""
     load_factor: float | None = None
@@ -554,8 +632,8 @@ fit, all together; only if nothing but these limits rejects it."""
     """Quantities not searched because of the cost; `null` if all were."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NeededLimit:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class NeededLimit(Record):
     """A limit of the project that would have to be changed."""
 
     key: str
@@ -566,8 +644,8 @@ class NeededLimit:
     """Unit of the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NotSought:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class NotSought(Record):
     """Quantities not searched: each step of the search would compute the load of a long recording again."""
 
     quantities: list[str]
@@ -581,18 +659,24 @@ motion laws and of the loads on the flange."""
     """Reason as text."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AxesOfJudgement:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxesOfJudgement(Record):
     """Answers for several axes."""
 
     verdict: Fit
     """Worst verdict of the axes."""
-    axes: list[Judgement]
+    axes: Rows[Judgement]
     """Answer for each axis."""
 
+    def __iter__(self) -> Iterator[Judgement]:
+        return iter(self.axes)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SweepSummary:
+    def __getitem__(self, key: int | str, /) -> Judgement:
+        return self.axes[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SweepSummary(Record):
     """Summary of the answers to the rows of a table."""
 
     file: str | None = None
@@ -605,18 +689,18 @@ class SweepSummary:
     """Rows for which one fits only if an estimate holds."""
     fitting: int
     """The sum of both."""
-    none_fits: list[MissedBy]
+    none_fits: Rows[MissedBy]
     """Rows for which none fits, by the governing check of the nearest miss, most first."""
-    not_judged: list[NotJudged]
+    not_judged: Rows[NotJudged]
     """Rows that are not judged, by the reason, most first."""
     further: int
     """Rows with further reasons."""
-    answers: list[SweepRow]
+    answers: Rows[SweepRow]
     """The answers of the rows; empty where a file holds them."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class MissedBy:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class MissedBy(Record):
     """Rows that miss by a check."""
 
     check: str | None = None
@@ -627,8 +711,8 @@ class MissedBy:
     """Number of rows."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NotJudged:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class NotJudged(Record):
     """Rows that are not judged for a reason."""
 
     message: str
@@ -637,8 +721,8 @@ class NotJudged:
     """Number of rows."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SweepRow:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SweepRow(Record):
     """The answer of a row."""
 
     row: int
@@ -657,27 +741,33 @@ class SweepRow:
     """Why the row is not judged."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Explanations:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Explanations(Record):
     """`explain`: the checks of an actuator with their derivations."""
 
     axis: str
     """Name of the axis."""
     code: str
     """Ordering code, or name of the project's own actuator."""
-    checks: list[Explained]
+    checks: Rows[Explained]
     """The requested checks."""
-    assumptions: list[AssumptionEntry]
+    assumptions: Rows[AssumptionEntry]
     """Assumptions."""
 
     @property
-    def axes(self) -> list[Explanations]:
+    def axes(self) -> Rows[Explanations]:
         """It as the answer of its only axis, as `AxesOfExplanations` has those of several."""
-        return [self]
+        return Rows([self])
+
+    def __iter__(self) -> Iterator[Explained]:
+        return iter(self.checks)
+
+    def __getitem__(self, key: int | str, /) -> Explained:
+        return self.checks[key]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Explained:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Explained(Record):
     """A check with the derivation of its value and its limit."""
 
     id: CheckId
@@ -719,8 +809,8 @@ class Explained:
     """Derivation of its figures."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Derivation:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Derivation(Record):
     """Derivations of both sides of a check."""
 
     value: Node | None = None
@@ -729,8 +819,8 @@ class Derivation:
     """Derivation of the limit."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Node:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Node(Record):
     """A figure and its derivation."""
 
     symbol: str
@@ -749,16 +839,16 @@ class Node:
     """Grade of the figure; `null` for the steps of a computation, which have the grade of their inputs."""
     source: str
     """Source of the figure: cell, equation, model or key."""
-    errata: list[CitedErratum] | None = None
+    errata: Rows[CitedErratum] | None = None
     """Errata that the figure depends on; omitted if there are none."""
     repeated: bool | None = None
     """`true` if the figure is derived above already; omitted otherwise."""
-    operands: list[Node] | None = None
+    operands: Rows[Node] | None = None
     """Inputs of the figure; omitted if there are none."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CitedErratum:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CitedErratum(Record):
     """An erratum that a figure depends on."""
 
     id: str
@@ -767,18 +857,24 @@ class CitedErratum:
     """Text of the manual, value used, and reason."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AxesOfExplanations:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxesOfExplanations(Record):
     """Answers for several axes."""
 
     verdict: Fit
     """Worst verdict of the axes."""
-    axes: list[Explanations]
+    axes: Rows[Explanations]
     """Answer for each axis."""
 
+    def __iter__(self) -> Iterator[Explanations]:
+        return iter(self.axes)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Simulation:
+    def __getitem__(self, key: int | str, /) -> Explanations:
+        return self.axes[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Simulation(Record):
     """`simulate`: behaviour of the digital twin of an axis."""
 
     axis: str
@@ -811,21 +907,21 @@ class Simulation:
     """Figures of the run."""
     averaged: Figures | None = None
     """Figures of an operation over days with the mean losses of the cycle; `null` if no days are requested."""
-    verdicts: list[SimulatedVerdict]
+    verdicts: Rows[SimulatedVerdict]
     """Figures with a limit."""
-    events: list[SimulatedEvent]
+    events: Rows[SimulatedEvent]
     """Events in chronological order."""
     encoder_failure: EncoderFailure | None = None
     """Failure of the encoder; `null` if there is none."""
-    comparison: list[Compared]
+    comparison: Rows[Compared]
     """Results of sizing and twin with the reason for the difference; for the cycle only."""
-    loops: list[ControlLoop]
+    loops: Rows[ControlLoop]
     """Control loops, the innermost first."""
     gains: Figures
     """Gains in use."""
     gains_by_rule: bool
     """`true` if the gains follow from the rule; `false` if the project states some."""
-    parameters: list[ModelParameter]
+    parameters: Rows[ModelParameter]
     """Parameters of the model."""
     notes: list[str]
     """Assumptions and omissions, as text."""
@@ -833,13 +929,13 @@ class Simulation:
     """File of the recorded signals; `null` if none was written."""
 
     @property
-    def axes(self) -> list[Simulation]:
+    def axes(self) -> Rows[Simulation]:
         """It as the answer of its only axis, as `AxesOfSimulation` has those of several."""
-        return [self]
+        return Rows([self])
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Figure:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Figure(Record):
     """A figure with its unit."""
 
     title: str
@@ -850,8 +946,8 @@ class Figure:
     """Unit of the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SimulatedVerdict:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SimulatedVerdict(Record):
     """A figure with its limit."""
 
     id: RunCheckId
@@ -872,8 +968,8 @@ class SimulatedVerdict:
     """Source of the limit."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SimulatedEvent:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SimulatedEvent(Record):
     """An event of the run."""
 
     time: float | None
@@ -884,8 +980,8 @@ class SimulatedEvent:
     """Name of the event."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderFailure:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderFailure(Record):
     """A failing encoder, and its detection by the servo drive."""
 
     failure: str
@@ -900,8 +996,8 @@ class EncoderFailure:
     """Failure and detection as text."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Compared:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Compared(Record):
     """A figure of the sizing next to that of the twin."""
 
     id: CheckId
@@ -918,8 +1014,8 @@ class Compared:
     """Reason for the difference, as text."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ControlLoop:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ControlLoop(Record):
     """A control loop with its margins."""
 
     id: Loop
@@ -938,8 +1034,8 @@ class ControlLoop:
     """`true` if the loop is stable."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ModelParameter:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ModelParameter(Record):
     """A parameter of the model."""
 
     key: str
@@ -956,18 +1052,24 @@ class ModelParameter:
     """Source of the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AxesOfSimulation:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxesOfSimulation(Record):
     """Answers for several axes."""
 
     verdict: Fit
     """Worst verdict of the axes."""
-    axes: list[Simulation]
+    axes: Rows[Simulation]
     """Answer for each axis."""
 
+    def __iter__(self) -> Iterator[Simulation]:
+        return iter(self.axes)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Identification:
+    def __getitem__(self, key: int | str, /) -> Simulation:
+        return self.axes[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Identification(Record):
     """Parameters of load and motor estimated from a recorded run."""
 
     axis: str
@@ -976,13 +1078,13 @@ class Identification:
     """Ordering code, or the name of the project's own actuator."""
     samples: int
     """Rows of the run."""
-    estimates: list[Identified95]
+    estimates: Rows[Identified95]
     """Estimates that the run separates from each other."""
-    open: list[LeftOpen]
+    open: Rows[LeftOpen]
     """Parameters without an estimate."""
-    signals: list[SignalDatum]
+    signals: Rows[SignalDatum]
     """Zeros, delays and filters of the signals, which the estimates take into account."""
-    doubts: list[Doubted]
+    doubts: Rows[Doubted]
     """Signals that seem to have another unit, sign or side than their columns; while there are any, the estimates are not those of the
 axis, `overrides` is empty, and the exit status is 1."""
     overrides: str
@@ -991,8 +1093,8 @@ axis, `overrides` is empty, and the exit status is 1."""
     """Method, assumptions and what is left out, in words."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Identified95:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Identified95(Record):
     """An estimate with its interval."""
 
     id: str
@@ -1011,8 +1113,8 @@ class Identified95:
     """The interval is apart from zero, and narrow enough for a line of the project."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class LeftOpen:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class LeftOpen(Record):
     """A parameter that a run does not determine."""
 
     id: str
@@ -1023,8 +1125,8 @@ class LeftOpen:
     """Reason, in words."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SignalDatum:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SignalDatum(Record):
     """A zero, a delay or a filter of a signal of the run."""
 
     id: str
@@ -1043,8 +1145,8 @@ class SignalDatum:
     """The value is apart from zero."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Doubted:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Doubted(Record):
     """A signal that does not fit its column."""
 
     id: str
@@ -1055,33 +1157,39 @@ class Doubted:
     """Observation and advice, in words."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Comparison:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Comparison(Record):
     """`compare`: several actuators for the same axis."""
 
     axis: str
     """Name of the axis."""
-    candidates: list[Head]
+    candidates: Rows[Head]
     """The actuators, in the requested order."""
     better: int | None = None
     """Index of the actuator with the best rank, from 0."""
-    demand: list[DatumRow]
+    demand: Rows[DatumRow]
     """Demand on each actuator."""
-    data: list[DatumRow]
+    data: Rows[DatumRow]
     """Data of each actuator."""
-    errata: list[CitedErratum]
+    errata: Rows[CitedErratum]
     """Errata that touch the data."""
-    checks: list[CheckRow]
+    checks: Rows[CheckRow]
     """Comparison check by check."""
 
     @property
-    def axes(self) -> list[Comparison]:
+    def axes(self) -> Rows[Comparison]:
         """It as the answer of its only axis, as `AxesOfComparison` has those of several."""
-        return [self]
+        return Rows([self])
+
+    def __iter__(self) -> Iterator[CheckRow]:
+        return iter(self.checks)
+
+    def __getitem__(self, key: int | str, /) -> CheckRow:
+        return self.checks[key]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Head:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Head(Record):
     """An actuator in a comparison."""
 
     code: str
@@ -1098,8 +1206,8 @@ class Head:
     """Requirements not met and rules violated, as text."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DatumRow:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class DatumRow(Record):
     """A figure for each actuator."""
 
     symbol: str
@@ -1112,8 +1220,8 @@ class DatumRow:
     """Ids of the errata that touch the value of each actuator."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CheckRow:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CheckRow(Record):
     """A check for each actuator."""
 
     id: CheckId
@@ -1126,18 +1234,24 @@ class CheckRow:
     """Results per actuator, `null` if an actuator has no such check."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AxesOfComparison:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxesOfComparison(Record):
     """Answers for several axes."""
 
     verdict: Fit
     """Worst verdict of the axes."""
-    axes: list[Comparison]
+    axes: Rows[Comparison]
     """Answer for each axis."""
 
+    def __iter__(self) -> Iterator[Comparison]:
+        return iter(self.axes)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Difference:
+    def __getitem__(self, key: int | str, /) -> Comparison:
+        return self.axes[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Difference(Record):
     """`diff`: effect of another revision of a project on an actuator."""
 
     axis: str
@@ -1154,21 +1268,27 @@ class Difference:
     """Best ordering code for the first project."""
     best_after: str | None = None
     """Best ordering code for the second project."""
-    demand: list[DatumChange]
+    demand: Rows[DatumChange]
     """Demand before and after."""
-    checks: list[CheckChange]
+    checks: Rows[CheckChange]
     """Comparison check by check."""
-    inputs: list[InputChange]
+    inputs: Rows[InputChange]
     """Values of the project files that differ."""
 
     @property
-    def axes(self) -> list[Difference]:
+    def axes(self) -> Rows[Difference]:
         """It as the answer of its only axis, as `AxesOfDifference` has those of several."""
-        return [self]
+        return Rows([self])
+
+    def __iter__(self) -> Iterator[CheckChange]:
+        return iter(self.checks)
+
+    def __getitem__(self, key: int | str, /) -> CheckChange:
+        return self.checks[key]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DatumChange:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class DatumChange(Record):
     """A figure before and after."""
 
     symbol: str
@@ -1181,8 +1301,8 @@ class DatumChange:
     """Value in the second project."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CheckChange:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CheckChange(Record):
     """A check before and after."""
 
     id: CheckId
@@ -1199,8 +1319,8 @@ class CheckChange:
     """Result in the second project."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class InputChange:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class InputChange(Record):
     """A value that differs between two project files."""
 
     path: str
@@ -1211,18 +1331,24 @@ class InputChange:
     """Value as written in the second file; `null` if it is missing there."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AxesOfDifference:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxesOfDifference(Record):
     """Answers for several axes."""
 
     verdict: Fit
     """Worst verdict of the axes."""
-    axes: list[Difference]
+    axes: Rows[Difference]
     """Answer for each axis."""
 
+    def __iter__(self) -> Iterator[Difference]:
+        return iter(self.axes)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Table:
+    def __getitem__(self, key: int | str, /) -> Difference:
+        return self.axes[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Table(Record):
     """`export --table`: one table of the results."""
 
     table: str
@@ -1231,14 +1357,20 @@ class Table:
     """Title of the table."""
     about: str
     """Content of the table."""
-    columns: list[TableColumn]
+    columns: Rows[TableColumn]
     """Descriptions of the columns."""
     rows: list[TableRow]
     """One record per row, by the names of the columns."""
 
+    def __iter__(self) -> Iterator[TableColumn]:
+        return iter(self.columns)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TableColumn:
+    def __getitem__(self, key: int | str, /) -> TableColumn:
+        return self.columns[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class TableColumn(Record):
     """A column of a table."""
 
     name: str
@@ -1253,8 +1385,8 @@ class TableColumn:
     """Meaning and source of the values."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CodeReading:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CodeReading(Record):
     """`code parse`: a code with every field explained."""
 
     valid: bool
@@ -1267,14 +1399,20 @@ class CodeReading:
     """Availability of the code."""
     on_request: list[str]
     """Names of the fields that are on request only."""
-    fields: list[CodeField]
+    fields: Rows[CodeField]
     """The nine fields, in their order."""
     notes: list[str]
     """Remarks on data that the tables of the manual do not cover."""
 
+    def __iter__(self) -> Iterator[CodeField]:
+        return iter(self.fields)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CodeField:
+    def __getitem__(self, key: int | str, /) -> CodeField:
+        return self.fields[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CodeField(Record):
     """A field of a code."""
 
     field: Field
@@ -1289,8 +1427,8 @@ class CodeField:
     """Place in the given text, in bytes: start and exclusive end; `null` if the field is left out."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ListedCode:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ListedCode(Record):
     """`code list`: a valid code."""
 
     code: str
@@ -1301,30 +1439,36 @@ class ListedCode:
     """Names of the fields that are on request only."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Completion:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Completion(Record):
     """`code complete`: open fields of a partial code."""
 
-    fields: list[OpenField]
+    fields: Rows[OpenField]
     """The fields except series and special design."""
-    codes: list[ListedCode]
+    codes: Rows[ListedCode]
     """Resulting codes."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class OpenField:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class OpenField(Record):
     """A field of a partial code."""
 
     field: Field
     """Id of the field."""
     name: str
     """Name of the field."""
-    choices: list[Choice]
+    choices: Rows[Choice]
     """Permitted words."""
 
+    def __iter__(self) -> Iterator[Choice]:
+        return iter(self.choices)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Choice:
+    def __getitem__(self, key: int | str, /) -> Choice:
+        return self.choices[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Choice(Record):
     """A permitted word of a field."""
 
     token: str
@@ -1333,36 +1477,42 @@ class Choice:
     """Availability of the field in at least one code with this word."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Sheet:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Sheet(Record):
     """`data`: the values that the manual states for an actuator."""
 
     code: str
     """Ordering code."""
     notes: list[str]
     """Remarks on data not covered by the tables, as text."""
-    sections: list[SheetSection]
+    sections: Rows[SheetSection]
     """One section per table, in the order of the manual."""
 
+    def __iter__(self) -> Iterator[SheetSection]:
+        return iter(self.sections)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SheetSection:
+    def __getitem__(self, key: int | str, /) -> SheetSection:
+        return self.sections[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SheetSection(Record):
     """Values of one table of the manual."""
 
     table: str
     """Number of the table."""
     title: str
     """Title of the table."""
-    values: list[SheetValue]
+    values: Rows[SheetValue]
     """Values for this code."""
-    notices: list[SheetNote]
+    notices: Rows[SheetNote]
     """Notices on the table as a whole."""
     errata: list[str]
     """Ids of the errata that concern the table instead of a single cell."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SheetValue:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SheetValue(Record):
     """A value stated in the manual."""
 
     symbol: str
@@ -1388,12 +1538,18 @@ code."""
     """Value used by checks if it is not `value`."""
     text: str | None = None
     """Text of the value in the language of the answer; `null` for a number."""
-    notes: list[SheetNote]
+    notes: Rows[SheetNote]
     """Notes on the row."""
 
+    def __iter__(self) -> Iterator[SheetNote]:
+        return iter(self.notes)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SheetNote:
+    def __getitem__(self, key: int | str, /) -> SheetNote:
+        return self.notes[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SheetNote(Record):
     """A note on a value or a table."""
 
     mark: str | None = None
@@ -1404,21 +1560,21 @@ class SheetNote:
     """Text of the note in the project's own words."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Wiring:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Wiring(Record):
     """`wiring`: connections of an actuator."""
 
     code: str
     """Ordering code."""
-    connectors: list[Connector]
+    connectors: Rows[Connector]
     """Connectors of the actuator."""
-    cables: list[Cable]
+    cables: Rows[Cable]
     """Cables listed in the manual."""
-    not_available: list[NotAvailable]
+    not_available: Rows[NotAvailable]
     """Parts that do not exist for this code, or not in the manual."""
-    notes: list[WiringNote]
+    notes: Rows[WiringNote]
     """Further statements of the tables and their notes."""
-    rules: list[Fact]
+    rules: Rows[Fact]
     """Rules and hazards, the gravest first."""
     voltage_drop: VoltageDrops | None = None
     """Voltage drop on the wires; `null` unless a length was given."""
@@ -1426,8 +1582,8 @@ class Wiring:
     """Ids of the errata that concern the data shown."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Connector:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Connector(Record):
     """A connector of the actuator."""
 
     role: ConnectorRole
@@ -1448,16 +1604,16 @@ class Connector:
     """Length of the mating connector as in the manual; `null` if it states none."""
     unit: str
     """Unit of diameter and length."""
-    pins: list[ConnectorPin]
+    pins: Rows[ConnectorPin]
     """Pins; empty if the manual states none for this code."""
-    ambiguous: list[AmbiguousColour]
+    ambiguous: Rows[AmbiguousColour]
     """Colours shared by several wires: identify the wire by its pin."""
     tables: list[str]
     """Tables of the connector and of its pins."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ConnectorPin:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ConnectorPin(Record):
     """A pin of a connector."""
 
     pin: str
@@ -1482,8 +1638,8 @@ class ConnectorPin:
     """Ids of the errata that concern the pin."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AmbiguousColour:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AmbiguousColour(Record):
     """A colour shared by several wires."""
 
     colour: str
@@ -1492,8 +1648,8 @@ class AmbiguousColour:
     """Pins whose wires have the colour."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Cable:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Cable(Record):
     """A cable."""
 
     role: CableRole
@@ -1516,8 +1672,8 @@ class Cable:
     """Ids of the errata that concern the material number."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NotAvailable:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class NotAvailable(Record):
     """A part that does not exist."""
 
     id: str
@@ -1528,8 +1684,8 @@ class NotAvailable:
     """Table that shows it."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WiringNote:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WiringNote(Record):
     """A statement of the notes of a table."""
 
     text: str
@@ -1540,8 +1696,8 @@ class WiringNote:
     """Table concerned; `null` for several."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Fact:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Fact(Record):
     """A hazard, a rule or a limit, in the project's own words."""
 
     id: str
@@ -1552,16 +1708,22 @@ class Fact:
     """Step of the work to which it applies; `null` if it always applies."""
     text: str
     """Text of the fact."""
-    values: list[FactValue]
+    values: Rows[FactValue]
     """Figures in the text."""
     source: str
     """Source of the fact."""
     grade: Grade
     """Grade of the fact."""
 
+    def __iter__(self) -> Iterator[FactValue]:
+        return iter(self.values)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FactValue:
+    def __getitem__(self, key: int | str, /) -> FactValue:
+        return self.values[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class FactValue(Record):
     """A figure of a fact."""
 
     id: str | None = None
@@ -1574,24 +1736,30 @@ class FactValue:
     """Kind of bound."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class VoltageDrops:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class VoltageDrops(Record):
     """Voltage drop on the wires of a cable."""
 
     length_m: float | None
     """Length of the cable."""
     cross_section_mm2: float | None = None
     """Cross-section of a wire; `null` if none was given."""
-    circuits: list[VoltageDrop]
+    circuits: Rows[VoltageDrop]
     """The circuits."""
     assumptions: str
     """Assumptions, as text."""
     resistivity_source: str
     """Source of the resistivity of copper."""
 
+    def __iter__(self) -> Iterator[VoltageDrop]:
+        return iter(self.circuits)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class VoltageDrop:
+    def __getitem__(self, key: int | str, /) -> VoltageDrop:
+        return self.circuits[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class VoltageDrop(Record):
     """Voltage drop in one circuit, outward and return wire."""
 
     circuit: Circuit
@@ -1626,8 +1794,8 @@ class VoltageDrop:
     """Grade of the voltage drop."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WiringCheck:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WiringCheck(Record):
     """`wiring --check`: comparison of a pin list with the manual."""
 
     code: str
@@ -1638,12 +1806,18 @@ class WiringCheck:
     """Number of rows in the list."""
     agreeing: int
     """Number of rows that agree with the manual."""
-    findings: list[WiringFinding]
+    findings: Rows[WiringFinding]
     """Differences by line."""
 
+    def __iter__(self) -> Iterator[WiringFinding]:
+        return iter(self.findings)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WiringFinding:
+    def __getitem__(self, key: int | str, /) -> WiringFinding:
+        return self.findings[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WiringFinding(Record):
     """A difference between list and manual."""
 
     id: str
@@ -1664,8 +1838,8 @@ class WiringFinding:
     """Action to take."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Encoder:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Encoder(Record):
     """`encoder`: output of the encoders of a code at an angle."""
 
     code: str
@@ -1680,7 +1854,7 @@ class Encoder:
     """Manufacturer's name of the encoder, as in the manual."""
     shaft: EncoderShaft
     """Shaft of the encoder."""
-    words: list[EncoderWord]
+    words: Rows[EncoderWord]
     """Words sent; empty without a serial interface."""
     signals: dict[str, EncoderSignal]
     """Signals by name."""
@@ -1693,11 +1867,11 @@ resolver."""
     """Output of the output encoder, option EC; `null` without it."""
     decoded: DecodedWord | None = None
     """Result of `decode`; `null` if no word was given."""
-    assumptions: list[EncoderAssumption]
+    assumptions: Rows[EncoderAssumption]
     """Assumptions of the simulation on points that the manual leaves open."""
     notes: list[str]
     """Remarks on the position."""
-    rules: list[Fact]
+    rules: Rows[Fact]
     """Rules of the manual on direction and battery."""
     errata: list[str]
     """Errata that concern the data."""
@@ -1705,8 +1879,8 @@ resolver."""
     """File of the trace; `null` if none was written."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderShaft:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderShaft(Record):
     """The shaft of an encoder."""
 
     turns: int
@@ -1727,8 +1901,8 @@ class EncoderShaft:
     """Whole steps since zero: interpolated to 8 bit, or every edge; `null` for a resolver."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderWord:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderWord(Record):
     """A word of a serial interface."""
 
     name: str
@@ -1743,7 +1917,7 @@ class EncoderWord:
     """Checksum; `null` if it has none."""
     command: str | None = None
     """Mode command in the order sent; `null` if none is sent."""
-    fields: list[WordField]
+    fields: Rows[WordField]
     """Fields in the order sent."""
     clocks_before: int
     """Number of clock periods of a transmission before its first bit, in a trace."""
@@ -1754,9 +1928,15 @@ class EncoderWord:
     calculation_us: float | None = None
     """Longest time until the position is ready \\[us\\]; `null` if unknown."""
 
+    def __iter__(self) -> Iterator[WordField]:
+        return iter(self.fields)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WordField:
+    def __getitem__(self, key: int | str, /) -> WordField:
+        return self.fields[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WordField(Record):
     """A field of a word."""
 
     name: str
@@ -1772,13 +1952,13 @@ command."""
     """Value of the field."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderSignal:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderSignal(Record):
     """A signal of an encoder."""
 
     meaning: str
     """Meaning of the signal."""
-    pins: list[EncoderPin]
+    pins: Rows[EncoderPin]
     """Pins, plus end first."""
     form: SignalForm
     """Representation of the value."""
@@ -1799,9 +1979,15 @@ class EncoderSignal:
     curve: EncoderCurve | None = None
     """Values over the angle; `null` if it does not depend on the angle."""
 
+    def __iter__(self) -> Iterator[EncoderPin]:
+        return iter(self.pins)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderPin:
+    def __getitem__(self, key: int | str, /) -> EncoderPin:
+        return self.pins[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderPin(Record):
     """A pin of a signal."""
 
     pin: str
@@ -1810,8 +1996,8 @@ class EncoderPin:
     """Signal as in the manual."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderCurve:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderCurve(Record):
     """A signal over the angle of its shaft."""
 
     offset_deg: list[float | None]
@@ -1820,8 +2006,8 @@ class EncoderCurve:
     """Values at these angles."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderCarrier:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderCarrier(Record):
     """Voltages of a resolver over time."""
 
     frequency_khz: float | None
@@ -1836,8 +2022,8 @@ class EncoderCarrier:
     """Cosine winding \\[V\\]."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderState:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderState(Record):
     """Output of one encoder."""
 
     connector: ConnectorRole
@@ -1846,7 +2032,7 @@ class EncoderState:
     """Manufacturer's name of the encoder, as in the manual."""
     shaft: EncoderShaft
     """Shaft of the encoder."""
-    words: list[EncoderWord]
+    words: Rows[EncoderWord]
     """Words sent; empty without a serial interface."""
     signals: dict[str, EncoderSignal]
     """Signals by name."""
@@ -1856,9 +2042,15 @@ resolver."""
     table_of_pins: str | None = None
     """Table of the pins."""
 
+    def __iter__(self) -> Iterator[EncoderWord]:
+        return iter(self.words)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DecodedWord:
+    def __getitem__(self, key: int | str, /) -> EncoderWord:
+        return self.words[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class DecodedWord(Record):
     """A decoded word."""
 
     name: str | None = None
@@ -1871,7 +2063,7 @@ class DecodedWord:
     """Bits of the word."""
     valid: bool
     """`true` if the word has no fault."""
-    fields: list[WordField]
+    fields: Rows[WordField]
     """Fields; empty if the length is wrong."""
     turns: int | None = None
     """Turns; `null` if the word is wrong or no position."""
@@ -1879,12 +2071,12 @@ class DecodedWord:
     """Angle within the turn \\[deg\\]; `null` if the word is wrong or no position."""
     encoder_error: bool | None = None
     """`true` if the encoder reports an error; `null` if the word is wrong or has no error bit."""
-    faults: list[WordFault]
+    faults: Rows[WordFault]
     """Faults of the word."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WordFault:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class WordFault(Record):
     """A fault of a word."""
 
     id: str
@@ -1895,8 +2087,8 @@ class WordFault:
     """Point to check."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderAssumption:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderAssumption(Record):
     """An assumption on a point that the manual leaves open."""
 
     id: EncoderAssumed
@@ -1907,18 +2099,24 @@ class EncoderAssumption:
     """Grade of the assumption."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Errata:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Errata(Record):
     """`errata`: the requested errata."""
 
     about: str | None = None
     """Subject of the query: a code, a table, an id; `null` for all errata."""
-    errata: list[Erratum]
+    errata: Rows[Erratum]
     """Errata in the order of the data."""
 
+    def __iter__(self) -> Iterator[Erratum]:
+        return iter(self.errata)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Erratum:
+    def __getitem__(self, key: int | str, /) -> Erratum:
+        return self.errata[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Erratum(Record):
     """One erratum."""
 
     id: str
@@ -1947,8 +2145,8 @@ class Erratum:
     """Evidence with figures."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ErratumCell:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ErratumCell(Record):
     """The cell concerned by an erratum."""
 
     symbol: str
@@ -1963,8 +2161,8 @@ class ErratumCell:
     """Further condition of the row."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CatalogueCell:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CatalogueCell(Record):
     """`catalogue export`: a cell in long form."""
 
     drive: str
@@ -1989,8 +2187,8 @@ class CatalogueCell:
     """Ids of the errata that concern the value, joined by `;`."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Torsion:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Torsion(Record):
     """`torsion`: twist angle of a gear under a torque."""
 
     code: str
@@ -2014,16 +2212,22 @@ class Torsion:
     lost_motion: float | None = None
     """Maximum lost motion under a few per cent of the rated torque in both directions; `null` if the manual states
 none."""
-    exceeds: list[TorqueExceeded]
+    exceeds: Rows[TorqueExceeded]
     """Limits of actuator and gear that the torque exceeds; the curve is not stated beyond them."""
     units: Units
     """Units of torque, stiffness and angles."""
     source: str
     """Source of the curve."""
 
+    def __iter__(self) -> Iterator[TorqueExceeded]:
+        return iter(self.exceeds)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TorqueExceeded:
+    def __getitem__(self, key: int | str, /) -> TorqueExceeded:
+        return self.exceeds[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class TorqueExceeded(Record):
     """A limit that a torque exceeds."""
 
     symbol: str
@@ -2038,8 +2242,8 @@ class TorqueExceeded:
     """Ids of the errata that concern the limit."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DriveObject:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class DriveObject(Record):
     """An object of CiA 402 with its value."""
 
     index: str
@@ -2066,38 +2270,38 @@ class DriveObject:
     """Ids of the errata that concern the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Commissioning:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Commissioning(Record):
     """Known values for the commissioning of a code."""
 
     code: str
     """Ordering code."""
     for_: str
     """Format of the values for the servo drive: `sinamics`, `plain`."""
-    hazards: list[Fact]
+    hazards: Rows[Fact]
     """Hazards and conditions, the gravest first."""
-    parameters: list[CommissionParameter]
+    parameters: Rows[CommissionParameter]
     """Known values."""
-    gaps: list[CommissionGap]
+    gaps: Rows[CommissionGap]
     """Values that a servo drive requires and no source states, with advice."""
-    sinamics: list[DriveParameter]
+    sinamics: Rows[DriveParameter]
     """Parameters of a SINAMICS drive; empty for another format."""
-    encoder: list[EncoderValue]
+    encoder: Rows[EncoderValue]
     """Values stated for the encoders."""
     commutation: list[str]
     """Determination of the angle between encoder and rotor, step by step."""
-    thresholds: list[SensorThreshold]
+    thresholds: Rows[SensorThreshold]
     """Thresholds of the temperature sensors in degrees and ohms."""
     overload: OverloadSupervision
     """Settings of the overload supervision."""
-    lists: list[CommissionList]
+    lists: Rows[CommissionList]
     """Checklists: before power, first motion, after a day."""
-    errata: list[CitedErratum]
+    errata: Rows[CitedErratum]
     """Errata of the values shown, with their evidence."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CommissionParameter:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CommissionParameter(Record):
     """A value to enter in a servo drive."""
 
     id: str
@@ -2122,8 +2326,8 @@ class CommissionParameter:
     """Ids of the errata that concern the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CommissionGap:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CommissionGap(Record):
     """A value that a servo drive requires and no source states."""
 
     id: str
@@ -2132,8 +2336,8 @@ class CommissionGap:
     """Missing value, and advice."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DriveParameter:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class DriveParameter(Record):
     """A parameter of a SINAMICS drive."""
 
     number: str
@@ -2154,8 +2358,8 @@ class DriveParameter:
     """Ids of the errata that concern the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EncoderValue:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class EncoderValue(Record):
     """A value stated for an encoder."""
 
     side: str
@@ -2180,8 +2384,8 @@ class EncoderValue:
     """Ids of the errata that concern the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SensorThreshold:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class SensorThreshold(Record):
     """A threshold of a temperature sensor."""
 
     sensor: str
@@ -2202,8 +2406,8 @@ class SensorThreshold:
     """Ids of the errata that concern the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class OverloadSupervision:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class OverloadSupervision(Record):
     """Settings of the overload supervision."""
 
     stall_current: float | None = None
@@ -2212,16 +2416,22 @@ class OverloadSupervision:
     """Time constant of the winding in s, from the project's model; the manual states none."""
     grade: Grade
     """Grade of the time constant."""
-    trips: list[OverloadTrip]
+    trips: Rows[OverloadTrip]
     """Response times of a first-order supervision from the cold state."""
     text: str
     """Basis of the values, as text."""
     errata: list[str]
     """Ids of the errata that concern the stall current."""
 
+    def __iter__(self) -> Iterator[OverloadTrip]:
+        return iter(self.trips)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class OverloadTrip:
+    def __getitem__(self, key: int | str, /) -> OverloadTrip:
+        return self.trips[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class OverloadTrip(Record):
     """Response of the overload supervision."""
 
     factor: float | None
@@ -2230,20 +2440,26 @@ class OverloadTrip:
     """Response time in s."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CommissionList:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CommissionList(Record):
     """A checklist."""
 
     step: Step
     """`before_power`, `first_motion` or `after_a_day`."""
     title: str
     """Title of the checklist."""
-    entries: list[CommissionEntry]
+    entries: Rows[CommissionEntry]
     """Entries of the checklist."""
 
+    def __iter__(self) -> Iterator[CommissionEntry]:
+        return iter(self.entries)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CommissionEntry:
+    def __getitem__(self, key: int | str, /) -> CommissionEntry:
+        return self.entries[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CommissionEntry(Record):
     """An entry of a checklist."""
 
     id: str
@@ -2272,8 +2488,8 @@ class CommissionEntry:
     """Ids of the errata that concern the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Recorded:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Recorded(Record):
     """`commission --record`: measured values with their verdicts."""
 
     code: str
@@ -2284,14 +2500,14 @@ class Recorded:
     """Number of measurements out of their band."""
     not_checked: int
     """Number of measurements that are not judged."""
-    measurements: list[RecordedValue]
+    measurements: Rows[RecordedValue]
     """The measurements."""
-    errata: list[CitedErratum]
+    errata: Rows[CitedErratum]
     """Errata of the expected values, with their evidence."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RecordedValue:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class RecordedValue(Record):
     """One measurement with its verdict."""
 
     id: str
@@ -2328,11 +2544,11 @@ class RecordedValue:
     """Ids of the errata that concern the value."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Inertia:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Inertia(Record):
     """`inertia`: solid bodies about the axis."""
 
-    bodies: list[Body]
+    bodies: Rows[Body]
     """The bodies."""
     J: float | None
     """Moment of inertia of all bodies about the axis."""
@@ -2345,9 +2561,15 @@ class Inertia:
     units: Units
     """Units of the figures."""
 
+    def __iter__(self) -> Iterator[Body]:
+        return iter(self.bodies)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Body:
+    def __getitem__(self, key: int | str, /) -> Body:
+        return self.bodies[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Body(Record):
     """One body, or several equal ones at equal angles."""
 
     shape: str
@@ -2368,8 +2590,8 @@ class Body:
     """Moment of inertia of all equal bodies about the axis."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Centre:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Centre(Record):
     """A centre of gravity in polar coordinates about the axis."""
 
     r: float | None
@@ -2378,20 +2600,26 @@ class Centre:
     """Direction of the centre of gravity."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Curves:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Curves(Record):
     """`curve`: the curves of the torque-speed plane."""
 
     code: str
     """Ordering code."""
     units: Units
     """Units of speed, torque, voltage and duty factor."""
-    curves: list[Curve]
+    curves: Rows[Curve]
     """The curves."""
 
+    def __iter__(self) -> Iterator[Curve]:
+        return iter(self.curves)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Curve:
+    def __getitem__(self, key: int | str, /) -> Curve:
+        return self.curves[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Curve(Record):
     """One curve of the torque-speed plane."""
 
     kind: CurveKind
@@ -2412,43 +2640,61 @@ class Curve:
     """Source of the curve."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Bearings:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Bearings(Record):
     """`bearing`: output bearing of each size under the loads of the project."""
 
-    sizes: list[BearingOfSize]
+    sizes: Rows[BearingOfSize]
     """Results for every size."""
 
     @property
-    def axes(self) -> list[Bearings]:
+    def axes(self) -> Rows[Bearings]:
         """It as the answer of its only axis, as `AxesOfBearings` has those of several."""
-        return [self]
+        return Rows([self])
+
+    def __iter__(self) -> Iterator[BearingOfSize]:
+        return iter(self.sizes)
+
+    def __getitem__(self, key: int | str, /) -> BearingOfSize:
+        return self.sizes[key]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class BearingOfSize:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class BearingOfSize(Record):
     """Output bearing of one size."""
 
     size: str
     """Size of the actuator."""
     fits: bool
     """`true` if none of the checks fails."""
-    checks: list[Check]
+    checks: Rows[Check]
     """Checks of the bearing."""
 
+    def __iter__(self) -> Iterator[Check]:
+        return iter(self.checks)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AxesOfBearings:
+    def __getitem__(self, key: int | str, /) -> Check:
+        return self.checks[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxesOfBearings(Record):
     """Answers for several axes."""
 
     verdict: Fit
     """Worst verdict of the axes."""
-    axes: list[Bearings]
+    axes: Rows[Bearings]
     """Answer for each axis."""
 
+    def __iter__(self) -> Iterator[Bearings]:
+        return iter(self.axes)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Battery:
+    def __getitem__(self, key: int | str, /) -> Bearings:
+        return self.axes[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Battery(Record):
     """`battery`: life of the encoder's battery."""
 
     life: float | None
@@ -2467,8 +2713,8 @@ class Battery:
     """Source of the life."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Mount:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Mount(Record):
     """`mount`: fits, tolerances, dimensions and bolted joints of an actuator."""
 
     code: str
@@ -2479,24 +2725,24 @@ class Mount:
     """Units of the figures, by field."""
     notes: list[str]
     """Remarks on data not covered by the tables, and on the basis of the figures, as text."""
-    pilots: list[Pilot]
+    pilots: Rows[Pilot]
     """Pilots with their bores, load side first."""
-    tolerances: list[MountValue]
+    tolerances: Rows[MountValue]
     """Tolerances of the output flange."""
-    dimensions: list[MountValue]
+    dimensions: Rows[MountValue]
     """Dimensions, mass, mounting plate, degree of protection."""
     lifting_gear: bool | None = None
     """`true` if the mass requires lifting gear; `null` if the manual states no mass for the code."""
-    joints: list[Joint]
+    joints: Rows[Joint]
     """Bolted joints, load side first."""
-    facts: list[Fact]
+    facts: Rows[Fact]
     """Requirements of the manual, in the order of a machine's life."""
-    errata: list[CitedErratum]
+    errata: Rows[CitedErratum]
     """Errata of the values above."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Pilot:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Pilot(Record):
     """A pilot with its bore."""
 
     side: Side
@@ -2535,8 +2781,8 @@ class Pilot:
     """Sources of the figures."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class MountValue:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class MountValue(Record):
     """A value stated in the manual."""
 
     symbol: str
@@ -2555,8 +2801,8 @@ class MountValue:
     """Ids of the errata that touch it."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Joint:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Joint(Record):
     """A bolted joint."""
 
     side: Side
@@ -2585,12 +2831,18 @@ class Joint:
     """Ids of the errata that touch the tightening torque."""
     transmissible_errata: list[str]
     """Ids of the errata that touch the torque that the joint transmits."""
-    cases: list[JointCase]
+    cases: Rows[JointCase]
     """Results for each load."""
 
+    def __iter__(self) -> Iterator[JointCase]:
+        return iter(self.cases)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class JointCase:
+    def __getitem__(self, key: int | str, /) -> JointCase:
+        return self.cases[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class JointCase(Record):
     """A joint under a load."""
 
     case: LoadCase
@@ -2625,8 +2877,8 @@ class JointCase:
     """Missing data for a verdict, as text."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Upkeep:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Upkeep(Record):
     """`upkeep`: maintenance tasks and their dates."""
 
     code: str
@@ -2639,28 +2891,28 @@ class Upkeep:
     """First day of service."""
     today: str | None = None
     """Reference day of the plan; `null` if not stated."""
-    plan: list[Planned]
+    plan: Rows[Planned]
     """Plan by date."""
     battery: Battery | None = None
     """Life of the encoder's battery; `null` without one, or if the hours of operation are not stated."""
     notes: list[str]
     """Assumptions, and points that the manual does not state, as text."""
-    storage: list[Fact]
+    storage: Rows[Fact]
     """Facts on transport and storage."""
-    service: list[Fact]
+    service: Rows[Fact]
     """Facts on service."""
-    shutdown: list[Fact]
+    shutdown: Rows[Fact]
     """Facts on shutdown, in the order of the steps."""
-    disposal: list[Fact]
+    disposal: Rows[Fact]
     """Facts on disposal."""
-    errata: list[CitedErratum]
+    errata: Rows[CitedErratum]
     """Errata of the text that the plan depends on."""
     calendar: str | None = None
     """ICalendar file of the plan; `null` if none was written."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Planned:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Planned(Record):
     """A task of the plan."""
 
     task: Task
@@ -2689,21 +2941,21 @@ class Planned:
     """Grade of the date; `null` if it follows from an interval stated by the user."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Glossary:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Glossary(Record):
     """Words and symbols, all or the requested ones."""
 
-    words: list[GlossaryWord]
+    words: Rows[GlossaryWord]
     """Terms of the product, one per thing."""
-    terms: list[GlossaryTerm]
+    terms: Rows[GlossaryTerm]
     """Symbols of the tables."""
-    symbols: list[GlossarySymbol]
+    symbols: Rows[GlossarySymbol]
     """Symbols of the derivations and of the values for a servo drive. A symbol with several meanings has several
 entries."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class GlossaryWord:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class GlossaryWord(Record):
     """A word of the product."""
 
     id: str
@@ -2716,8 +2968,8 @@ class GlossaryWord:
     """Meaning, in the requested language."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class GlossaryTerm:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class GlossaryTerm(Record):
     """A symbol of the tables."""
 
     symbol: str
@@ -2734,8 +2986,8 @@ class GlossaryTerm:
     """Remark in the requested language; may be empty."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class GlossarySymbol:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class GlossarySymbol(Record):
     """A symbol of the derivations of `explain`, or of the values of `commission`."""
 
     symbol: str
@@ -2748,28 +3000,40 @@ class GlossarySymbol:
     """German meaning."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Units2:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Units2(Record):
     """Units by the quantity that they measure."""
 
-    quantities: list[Measured]
+    quantities: Rows[Measured]
     """The quantities."""
 
+    def __iter__(self) -> Iterator[Measured]:
+        return iter(self.quantities)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Measured:
+    def __getitem__(self, key: int | str, /) -> Measured:
+        return self.quantities[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Measured(Record):
     """A quantity with its units."""
 
     quantity: str
     """Name in the language of the call."""
     si_unit: str
     """The unit in which `si` and `zero` are stated, in the spelling of project files."""
-    units: list[UnitRead]
+    units: Rows[UnitRead]
     """Units, the usual one first."""
 
+    def __iter__(self) -> Iterator[UnitRead]:
+        return iter(self.units)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class UnitRead:
+    def __getitem__(self, key: int | str, /) -> UnitRead:
+        return self.units[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class UnitRead(Record):
     """A unit and how it is read."""
 
     unit: str
@@ -2786,16 +3050,22 @@ class UnitRead:
     """Zero of it in SI: nonzero for degrees Celsius alone."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Licences:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Licences(Record):
     """Licence of the program and of the third-party work in it."""
 
-    texts: list[LicenceText]
+    texts: Rows[LicenceText]
     """Licence texts, the program's own first."""
 
+    def __iter__(self) -> Iterator[LicenceText]:
+        return iter(self.texts)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class LicenceText:
+    def __getitem__(self, key: int | str, /) -> LicenceText:
+        return self.texts[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class LicenceText(Record):
     """A licence text as in the repository."""
 
     name: str
@@ -2804,8 +3074,8 @@ class LicenceText:
     """Complete text, in Markdown if the name ends in `.md`."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CommissionWritten:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CommissionWritten(Record):
     """`commission --out`, `--checklist` or `--blank`: a file written."""
 
     file: str
@@ -2816,16 +3086,16 @@ class CommissionWritten:
     """Size of the file in bytes."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FilesWritten:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class FilesWritten(Record):
     """`new --out`: the files written."""
 
     files: list[str]
     """Paths of the files."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ReportWritten:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ReportWritten(Record):
     """`report`: the file written."""
 
     file: str
@@ -2834,14 +3104,14 @@ class ReportWritten:
     """Ordering code, or name of the project's own actuator; omitted for several axes."""
     verdict: Fit
     """Verdict on the actuator, or the worst verdict of several."""
-    axes: list[AxisWritten] | None = None
+    axes: Rows[AxisWritten] | None = None
     """Axes with their actuators; only with several axes."""
     bytes: int
     """Size of the file in bytes."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AxisWritten:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class AxisWritten(Record):
     """An axis in a report."""
 
     axis: str
@@ -2852,8 +3122,8 @@ class AxisWritten:
     """Verdict on the actuator."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ExportWritten:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class ExportWritten(Record):
     """`export --out`: the file written."""
 
     file: str
@@ -2862,14 +3132,14 @@ class ExportWritten:
     """Ordering code, or name of the project's own actuator."""
     verdict: Fit
     """Verdict on the actuator."""
-    tables: list[TableWritten]
+    tables: Rows[TableWritten]
     """Tables in the file."""
-    left_out: list[TableWritten]
+    left_out: Rows[TableWritten]
     """Tables left out because they are too long for a sheet of a workbook."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TableWritten:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class TableWritten(Record):
     """A table in a file."""
 
     name: str
@@ -2878,8 +3148,8 @@ class TableWritten:
     """Number of rows."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PlotWritten:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class PlotWritten(Record):
     """`plot`: the picture written."""
 
     figure: str
@@ -2902,24 +3172,24 @@ class PlotWritten:
     """Description of the picture, for screen readers."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CodeFaults:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CodeFaults(Record):
     """An invalid code or partial code: written instead of the answer."""
 
     valid: bool
     """`false` in every such answer."""
     text: str
     """Text as given."""
-    errors: list[CodeFault]
+    errors: Rows[CodeFault]
     """Faults in the order of the text."""
     nearest: list[str]
     """Nearest valid codes with data in the manual."""
-    nearest_codes: list[ListedCode]
+    nearest_codes: Rows[ListedCode]
     """Nearest valid codes with their availability."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CodeFault:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CodeFault(Record):
     """A fault of a code."""
 
     id: str
@@ -2938,18 +3208,24 @@ class CodeFault:
     """Ordering table with the violated rule; `null` for a fault of the spelling."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Faults:
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Faults(Record):
     """Faults of a request; a command that cannot answer writes this record instead of its answer, and exits with 2."""
 
-    errors: list[Fault]
+    errors: Rows[Fault]
     """Faults in the order of the file."""
-    nearest_codes: list[ListedCode] | None = None
+    nearest_codes: Rows[ListedCode] | None = None
     """Nearest valid codes, if one of the faults is a wrong ordering code."""
 
+    def __iter__(self) -> Iterator[Fault]:
+        return iter(self.errors)
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Fault:
+    def __getitem__(self, key: int | str, /) -> Fault:
+        return self.errors[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Fault(Record):
     """One fault; id, option, file and place are omitted if there is none."""
 
     id: str | None = None
@@ -3134,7 +3410,7 @@ ErratumStatus = Literal["corrected", "flagged"]
 
 `flagged`: The value of the manual stays and is flagged"""
 
-CommissionAnswer = list[DriveObject] | Commissioning
+CommissionAnswer = Rows[DriveObject] | Commissioning
 """`commission`: the list of objects with `--for cia402`, else the whole sheet."""
 
 CurveKind = Literal["continuous", "S3", "short_time"]

@@ -11,10 +11,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import date as Day
-from typing import Literal, overload
+from typing import TYPE_CHECKING, Literal, overload
 
-from antrieb import answers
 from antrieb._call import Lang, Path, Picture, Text, ask
+from antrieb._lazy import lazy
+
+if TYPE_CHECKING:
+    from antrieb import answers
+else:
+    answers = lazy("antrieb.answers")
 
 
 
@@ -88,7 +93,7 @@ def size(
         AntriebError: Every fault of the call.
     """
     answer: answers.Sizing | answers.AxesOfSizing = ask(
-        answers.Sizing | answers.AxesOfSizing,
+        lambda: answers.Sizing | answers.AxesOfSizing,
         "size",
         (text,),
         [("axis", axis), ("top", top), ("all", all), ("samples", samples), ("seed", seed)],
@@ -167,7 +172,7 @@ def check(
         AntriebError: Every fault of the call.
     """
     answer: answers.Judgement | answers.AxesOfJudgement = ask(
-        answers.Judgement | answers.AxesOfJudgement,
+        lambda: answers.Judgement | answers.AxesOfJudgement,
         "check",
         (text,),
         [("axis", axis), ("code", code), ("samples", samples), ("seed", seed)],
@@ -214,7 +219,7 @@ def sweep(
         AntriebError: Every fault of the call.
     """
     answer: answers.SweepSummary = ask(
-        answers.SweepSummary,
+        lambda: answers.SweepSummary,
         "sweep",
         (text,),
         [("axis", axis), ("table", table), ("check", check), ("front", front)],
@@ -289,7 +294,7 @@ def explain(
         AntriebError: Every fault of the call.
     """
     answer: answers.Explanations | answers.AxesOfExplanations = ask(
-        answers.Explanations | answers.AxesOfExplanations,
+        lambda: answers.Explanations | answers.AxesOfExplanations,
         "explain",
         (text,),
         [("axis", axis), ("code", code), ("check", check)],
@@ -484,7 +489,7 @@ def simulate(
         AntriebError: Every fault of the call.
     """
     answer: answers.Simulation | answers.AxesOfSimulation | str | bytes = ask(
-        answers.Simulation | answers.AxesOfSimulation,
+        lambda: answers.Simulation | answers.AxesOfSimulation,
         "simulate",
         (text,),
         [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("failure", failure), ("cycles", cycles), ("cold", cold), ("days", days), ("hours-per-day", hours_per_day), ("every", every), ("signals", signals), ("format", format), ("figure", figure), ("theme", theme), ("width", width), ("height", height), ("seed", seed)],
@@ -529,7 +534,7 @@ def identify(
         AntriebError: Every fault of the call.
     """
     answer: answers.Identification = ask(
-        answers.Identification,
+        lambda: answers.Identification,
         "identify",
         (text,),
         [("axis", axis), ("code", code), ("trace", trace)],
@@ -596,7 +601,7 @@ def report(
         AntriebError: Every fault of the call.
     """
     answer: bytes = ask(
-        object,
+        lambda: object,
         "report",
         (text,),
         [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date), ("revision", revision), ("title", title), ("number", number), ("author", author), ("company", company), ("customer", customer), ("order", order), ("change", change), ("archive", archive)],
@@ -667,7 +672,7 @@ def compare(
         AntriebError: Every fault of the call.
     """
     answer: answers.Comparison | answers.AxesOfComparison = ask(
-        answers.Comparison | answers.AxesOfComparison,
+        lambda: answers.Comparison | answers.AxesOfComparison,
         "compare",
         (text,),
         [("axis", axis), ("code", code)],
@@ -738,7 +743,7 @@ def diff(
         AntriebError: Every fault of the call.
     """
     answer: answers.Difference | answers.AxesOfDifference = ask(
-        answers.Difference | answers.AxesOfDifference,
+        lambda: answers.Difference | answers.AxesOfDifference,
         "diff",
         (old, new,),
         [("axis", axis), ("code", code)],
@@ -847,7 +852,7 @@ def export(
         AntriebError: Every fault of the call.
     """
     answer: answers.Table | str | bytes = ask(
-        answers.Table,
+        lambda: answers.Table,
         "export",
         (text,),
         [("axis", axis), ("code", code), ("table", table), ("format", format), ("top", top), ("revision", revision), ("date", date)],
@@ -878,7 +883,7 @@ def code_parse(
         AntriebError: Every fault of the call.
     """
     answer: answers.CodeReading = ask(
-        answers.CodeReading,
+        lambda: answers.CodeReading,
         "code parse",
         (),
         [("code", code)],
@@ -907,7 +912,7 @@ def code_list(
         AntriebError: Every fault of the call.
     """
     answer: list[answers.ListedCode] = ask(
-        list[answers.ListedCode],
+        lambda: list[answers.ListedCode],
         "code list",
         (),
         [("pattern", pattern), ("available", available)],
@@ -934,7 +939,7 @@ def code_complete(
         AntriebError: Every fault of the call.
     """
     answer: answers.Completion = ask(
-        answers.Completion,
+        lambda: answers.Completion,
         "code complete",
         (),
         [("code", code)],
@@ -961,7 +966,7 @@ def data(
         AntriebError: Every fault of the call.
     """
     answer: answers.Sheet = ask(
-        answers.Sheet,
+        lambda: answers.Sheet,
         "data",
         (),
         [("code", code)],
@@ -992,7 +997,7 @@ def wiring(
         AntriebError: Every fault of the call.
     """
     answer: answers.Wiring = ask(
-        answers.Wiring,
+        lambda: answers.Wiring,
         "wiring",
         (),
         [("code", code), ("length", length), ("cross-section", cross_section)],
@@ -1029,7 +1034,7 @@ def wiring_check(
         AntriebError: Every fault of the call.
     """
     answer: answers.WiringCheck = ask(
-        answers.WiringCheck,
+        lambda: answers.WiringCheck,
         "wiring --check",
         (text,),
         [("code", code)],
@@ -1076,7 +1081,7 @@ def encoder(
         AntriebError: Every fault of the call.
     """
     answer: answers.Encoder = ask(
-        answers.Encoder,
+        lambda: answers.Encoder,
         "encoder",
         (),
         [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", battery_lost), ("error", error), ("decode", decode)],
@@ -1117,7 +1122,7 @@ def encoder_vcd(
         AntriebError: Every fault of the call.
     """
     answer: str = ask(
-        object,
+        lambda: object,
         "encoder --vcd",
         (),
         [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("time", time), ("endat", endat), ("connector", connector)],
@@ -1144,7 +1149,7 @@ def errata(
         AntriebError: Every fault of the call.
     """
     answer: answers.Errata = ask(
-        answers.Errata,
+        lambda: answers.Errata,
         "errata",
         (),
         [("about", about)],
@@ -1187,7 +1192,7 @@ def catalogue_export(
         AntriebError: Every fault of the call.
     """
     answer: list[answers.CatalogueCell] | str = ask(
-        list[answers.CatalogueCell],
+        lambda: list[answers.CatalogueCell],
         "catalogue export",
         (),
         [("format", format)],
@@ -1218,7 +1223,7 @@ def torsion(
         AntriebError: Every fault of the call.
     """
     answer: answers.Torsion = ask(
-        answers.Torsion,
+        lambda: answers.Torsion,
         "torsion",
         (),
         [("code", code), ("torque", torque), ("angle", angle)],
@@ -1249,7 +1254,7 @@ def commission(
         AntriebError: Every fault of the call.
     """
     answer: answers.CommissionAnswer = ask(
-        answers.CommissionAnswer,
+        lambda: answers.CommissionAnswer,
         "commission",
         (),
         [("code", code), ("for", for_), ("ambient", ambient)],
@@ -1278,7 +1283,7 @@ def commission_out(
         AntriebError: Every fault of the call.
     """
     answer: str = ask(
-        object,
+        lambda: object,
         "commission --out",
         (),
         [("code", code), ("for", for_)],
@@ -1307,7 +1312,7 @@ def commission_checklist(
         AntriebError: Every fault of the call.
     """
     answer: bytes = ask(
-        object,
+        lambda: object,
         "commission --checklist",
         (),
         [("code", code), ("ambient", ambient)],
@@ -1334,7 +1339,7 @@ def commission_blank(
         AntriebError: Every fault of the call.
     """
     answer: str = ask(
-        object,
+        lambda: object,
         "commission --blank",
         (),
         [("code", code)],
@@ -1371,7 +1376,7 @@ def commission_record(
         AntriebError: Every fault of the call.
     """
     answer: answers.Recorded = ask(
-        answers.Recorded,
+        lambda: answers.Recorded,
         "commission --record",
         (text,),
         [("code", code)],
@@ -1402,7 +1407,7 @@ def inertia(
         AntriebError: Every fault of the call.
     """
     answer: answers.Inertia = ask(
-        answers.Inertia,
+        lambda: answers.Inertia,
         "inertia",
         (),
         [("body", body)],
@@ -1431,7 +1436,7 @@ def curve(
         AntriebError: Every fault of the call.
     """
     answer: answers.Curves = ask(
-        answers.Curves,
+        lambda: answers.Curves,
         "curve",
         (),
         [("code", code), ("voltage", voltage)],
@@ -1480,7 +1485,7 @@ def plot(
         AntriebError: Every fault of the call.
     """
     answer: Picture = ask(
-        object,
+        lambda: object,
         "plot",
         (text,),
         [("axis", axis), ("code", code), ("figure", figure), ("by", by), ("theme", theme), ("width", width), ("height", height)],
@@ -1547,7 +1552,7 @@ def bearing(
         AntriebError: Every fault of the call.
     """
     answer: answers.Bearings | answers.AxesOfBearings = ask(
-        answers.Bearings | answers.AxesOfBearings,
+        lambda: answers.Bearings | answers.AxesOfBearings,
         "bearing",
         (text,),
         [("axis", axis)],
@@ -1588,7 +1593,7 @@ def moves(
         AntriebError: Every fault of the call.
     """
     answer: answers.Motion = ask(
-        answers.Motion,
+        lambda: answers.Motion,
         "moves",
         (text,),
         [("axis", axis)],
@@ -1621,7 +1626,7 @@ def battery(
         AntriebError: Every fault of the call.
     """
     answer: answers.Battery = ask(
-        answers.Battery,
+        lambda: answers.Battery,
         "battery",
         (),
         [("hours-per-day", hours_per_day), ("storage", storage)],
@@ -1654,7 +1659,7 @@ def mount(
         AntriebError: Every fault of the call.
     """
     answer: answers.Mount = ask(
-        answers.Mount,
+        lambda: answers.Mount,
         "mount",
         (),
         [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing)],
@@ -1699,7 +1704,7 @@ def mount_project(
         AntriebError: Every fault of the call.
     """
     answer: answers.Mount = ask(
-        answers.Mount,
+        lambda: answers.Mount,
         "mount --project",
         (text,),
         [("code", code), ("bore", bore), ("bore-load", bore_load), ("bore-housing", bore_housing), ("axis", axis)],
@@ -1740,7 +1745,7 @@ def upkeep(
         AntriebError: Every fault of the call.
     """
     answer: answers.Upkeep = ask(
-        answers.Upkeep,
+        lambda: answers.Upkeep,
         "upkeep",
         (),
         [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today)],
@@ -1779,7 +1784,7 @@ def upkeep_ical(
         AntriebError: Every fault of the call.
     """
     answer: str = ask(
-        object,
+        lambda: object,
         "upkeep --ical",
         (),
         [("code", code), ("delivered", delivered), ("storage", storage), ("hours-per-day", hours_per_day), ("inspect", inspect), ("today", today), ("name", name)],
@@ -1816,7 +1821,7 @@ def new(
         AntriebError: Every fault of the call.
     """
     answer: str = ask(
-        object,
+        lambda: object,
         "new",
         (),
         [("kind", kind), ("example", example), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
@@ -1843,7 +1848,7 @@ def glossary(
         AntriebError: Every fault of the call.
     """
     answer: answers.Glossary = ask(
-        answers.Glossary,
+        lambda: answers.Glossary,
         "glossary",
         (),
         [("term", term)],
@@ -1870,7 +1875,7 @@ def units(
         AntriebError: Every fault of the call.
     """
     answer: answers.Units2 = ask(
-        answers.Units2,
+        lambda: answers.Units2,
         "units",
         (),
         [("quantity", quantity)],
@@ -1895,7 +1900,7 @@ def licences(
         AntriebError: Every fault of the call.
     """
     answer: answers.Licences = ask(
-        answers.Licences,
+        lambda: answers.Licences,
         "licences",
         (),
         [],
@@ -1922,7 +1927,7 @@ def schema(
         AntriebError: Every fault of the call.
     """
     answer: dict[str, object] = ask(
-        dict[str, object],
+        lambda: dict[str, object],
         "schema",
         (),
         [("answers", answers)],

@@ -1,54 +1,88 @@
 //! Calls from Python: work beside the interpreter, and exceptions.
 
-use crate::{ForkedAtWork, SourceText, within};
+use crate::{ForkedAtWork, SourceText, leave, within};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::intern;
 use pyo3::prelude::*;
 use questions::Progress;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Interval at which a call checks for an interrupt.
+/// Interval at which a call checks for an interrupt and reports its progress.
 const TICK: Duration = Duration::from_millis(20);
 
-/// Runs work on a thread of its own while the interpreter continues; an interrupt or a deadline ends it before its next
-/// step.
-pub(super) fn interruptible<T: Send>(
+/// Time after an interrupt in which the work ends by itself; later it is left to its thread, which ends at its next step.
+const GRACE: Duration = Duration::from_millis(60);
+
+/// A call while it works: cancellation, time limit and the Python function that is called with its progress.
+pub(super) struct Watch<'p> {
+    pub(super) progress: Arc<Progress>,
+    pub(super) deadline: Option<Duration>,
+    pub(super) observer: Option<&'p Bound<'p, PyAny>>,
+}
+
+impl Watch<'_> {
+    /// Returns a call without a function for its progress.
+    pub(super) const fn of(progress: Arc<Progress>, deadline: Option<Duration>) -> Self {
+        Self { progress, deadline, observer: None }
+    }
+
+    /// Handles signals, and calls the function with the number of completed steps and of all, once the number of all is
+    /// known.
+    fn look(&self, py: Python<'_>) -> PyResult<()> {
+        py.check_signals()?;
+        match (self.observer, self.progress.progress()) {
+            (Some(observer), (done, Some(all))) => observer.call1((done.min(all), all)).map(drop),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Runs work on a thread of its own while the interpreter continues; an interrupt, an exception of the function for the
+/// progress or a deadline ends it before its next step.
+pub(super) fn interruptible<T: Send + 'static>(
     py: Python<'_>,
-    progress: &Progress,
-    deadline: Option<Duration>,
-    work: impl FnOnce() -> T + Send,
+    watch: &Watch<'_>,
+    work: impl FnOnce(&Progress) -> T + Send + 'static,
 ) -> PyResult<T> {
     let begin = Instant::now();
-    py.detach(|| {
-        std::thread::scope(|scope| {
-            let (done, is_done) = channel::<()>();
-            let worker = scope.spawn(move || {
-                let _done = done;
-                within(work)
-            });
-            let mut interrupted = None;
-            while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
-                if deadline.is_some_and(|most| begin.elapsed() > most) {
-                    progress.expire();
-                }
-                if interrupted.is_none()
-                    && let Err(interrupt) = Python::attach(|py| py.check_signals())
-                {
-                    interrupted = Some(interrupt);
-                    progress.cancel();
-                }
+    let (done, is_done) = channel();
+    // A receiver is of one thread; the lock is never waited for.
+    let is_done = Mutex::new(is_done);
+    let wait = |time: Duration| is_done.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(time);
+    let progress = Arc::clone(&watch.progress);
+    let worker = std::thread::Builder::new().spawn(move || {
+        // Without a receiver the call was interrupted.
+        let _ = done.send(within(|| work(&progress)));
+    })?;
+    loop {
+        match py.detach(|| wait(TICK)) {
+            Ok(found) => {
+                // Only the end of the work is reported to be the end.
+                let ended = if found.is_ok() { watch.look(py) } else { Ok(()) };
+                ended?;
+                return found.map_err(|ForkedAtWork| forked_at_work());
             }
-            let found = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            match interrupted {
-                Some(interrupt) => Err(interrupt),
-                None => found.map_err(|ForkedAtWork| forked_at_work()),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => match py.detach(|| worker.join()) {
+                Err(panic) => std::panic::resume_unwind(panic),
+                Ok(()) => return Err(PyRuntimeError::new_err("the work ended without an answer")),
+            },
+        }
+        if watch.deadline.is_some_and(|most| begin.elapsed() > most) {
+            watch.progress.expire();
+        }
+        if let Err(interrupt) = watch.look(py) {
+            watch.progress.cancel();
+            if matches!(py.detach(|| wait(GRACE)), Err(RecvTimeoutError::Timeout)) {
+                leave(worker);
             }
-        })
-    })
+            return Err(interrupt);
+        }
+    }
 }
 
 /// Returns the exception of a process that was forked while a call was running.

@@ -1,6 +1,6 @@
 //! Tables and sweeps as Python objects.
 
-use super::call::{Handed, interruptible, refused, text};
+use super::call::{Handed, Watch, interruptible, refused, text};
 use crate::SweepCall;
 use crate::module::capsules;
 use crate::sweep::checked;
@@ -20,6 +20,7 @@ use questions::{Progress, Refusal};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use sweep_io::Repeats;
 
 /// A table of Arrow: what reads Arrow takes it as it is.
 #[pyclass(frozen, module = "antrieb")]
@@ -36,8 +37,11 @@ impl Table {
         let mut fields = Vec::new();
         let mut arrays: Vec<ArrayRef> = Vec::new();
         for (heading, values) in columns {
-            let array = column(&values.cast_into::<PyList>()?)?;
-            fields.push(Field::new(heading.extract::<String>()?, array.data_type().clone(), true));
+            let heading = heading.extract::<String>()?;
+            let array = listed(&values).and_then(|values| column(&values));
+            let array = array
+                .map_err(|error| PyTypeError::new_err(format!("column '{heading}': {}", error.value(columns.py()))))?;
+            fields.push(Field::new(heading, array.data_type().clone(), true));
             arrays.push(array);
         }
         let schema: SchemaRef = Arc::new(Schema::new(fields));
@@ -51,6 +55,56 @@ impl Table {
     #[getter]
     fn column_names(&self) -> Vec<String> {
         self.schema.fields().iter().map(|field| field.name().clone()).collect()
+    }
+
+    /// Lists by the headings of their columns.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.to_pydict(py)
+    }
+
+    /// The first rows, as lists by the headings of their columns.
+    fn first<'py>(&self, py: Python<'py>, rows: usize) -> PyResult<Bound<'py, PyDict>> {
+        let mut left = rows;
+        let batches = self.batches.iter().map_while(|batch| {
+            let part = batch.slice(0, left.min(batch.num_rows()));
+            left -= part.num_rows();
+            (part.num_rows() > 0).then_some(part)
+        });
+        Self { schema: Arc::clone(&self.schema), batches: batches.collect() }.to_pydict(py)
+    }
+
+    /// A dictionary for each row.
+    fn to_dicts<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        frames(slf, "to_dicts")
+    }
+
+    /// The table as a data frame of pandas.
+    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        frames(slf, "to_pandas")
+    }
+
+    /// The table as a data frame of polars.
+    fn to_polars<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        frames(slf, "to_polars")
+    }
+
+    /// A column by its heading, a row by its place.
+    fn __getitem__<'py>(slf: &Bound<'py, Self>, key: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import(intern!(slf.py(), "antrieb._frames"))?.getattr("item")?.call1((slf, key))
+    }
+
+    /// The rows as dictionaries.
+    fn __iter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        Ok(frames(slf, "to_dicts")?.try_iter()?.into_any())
+    }
+
+    /// Tables are equal if their columns and values are.
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| self.is_equal(other.get()))
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        frames(slf, "html")
     }
 
     /// Lists by the headings of their columns.
@@ -70,8 +124,8 @@ impl Table {
         self.batches.iter().map(RecordBatch::num_rows).sum()
     }
 
-    fn __repr__(&self) -> String {
-        format!("<Table of {} rows: {}>", self.__len__(), self.column_names().join(", "))
+    fn __repr__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        frames(slf, "text")
     }
 
     /// A table out of the bytes that `__reduce__` hands over.
@@ -122,6 +176,37 @@ impl Table {
     }
 }
 
+impl Table {
+    fn is_equal(&self, other: &Self) -> bool {
+        let whole = |table: &Self| arrow_select::concat::concat_batches(&table.schema, &table.batches);
+        self.schema == other.schema && whole(self).ok() == whole(other).ok()
+    }
+}
+
+/// Calls a function of the package for a table.
+fn frames<'py>(table: &Bound<'py, Table>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    table.py().import(intern!(table.py(), "antrieb._frames"))?.getattr(name)?.call1((table,))
+}
+
+/// Returns the values of a column as a list.
+fn listed<'py>(values: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyList>> {
+    if let Ok(list) = values.cast::<PyList>() {
+        return Ok(list.clone());
+    }
+    if values.is_instance_of::<PyString>() || values.is_instance_of::<PyBytes>() || values.try_iter().is_err() {
+        let found = values.get_type().name()?;
+        return Err(PyTypeError::new_err(format!("a list with a value for each row is expected, not {found}")));
+    }
+    if values.hasattr("tolist")? {
+        return Ok(values.call_method0("tolist")?.cast_into::<PyList>()?);
+    }
+    let list = PyList::empty(values.py());
+    for value in values.try_iter()? {
+        list.append(value?)?;
+    }
+    Ok(list)
+}
+
 fn broken(error: arrow_schema::ArrowError) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
@@ -160,16 +245,36 @@ fn append(values: &Bound<'_, PyList>, array: &ArrayRef) -> PyResult<()> {
             DataType::UInt32 => values.append(array.as_primitive::<UInt32Type>().value(row))?,
             DataType::Int64 => values.append(array.as_primitive::<Int64Type>().value(row))?,
             DataType::Boolean => values.append(array.as_boolean().value(row))?,
-            other => return Err(PyTypeError::new_err(format!("a column of {other} is read by a library of Arrow"))),
+            _ => values.append(other(array, row, py)?)?,
         }
     }
     Ok(())
 }
 
+/// Returns the value of a column that the table repeats: a number or a text.
+fn other<'py>(array: &ArrayRef, row: usize, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    let one = array.slice(row, 1);
+    let kind = array.data_type();
+    let is_whole = kind.is_integer();
+    let of = if is_whole {
+        DataType::Int64
+    } else if kind.is_numeric() {
+        DataType::Float64
+    } else {
+        DataType::Utf8
+    };
+    let value = arrow_cast::cast(&one, &of).map_err(broken)?;
+    Ok(match of {
+        DataType::Int64 => value.as_primitive::<Int64Type>().value(0).into_pyobject(py)?.into_any(),
+        DataType::Float64 => PyFloat::new(py, value.as_primitive::<Float64Type>().value(0)).into_any(),
+        _ => PyString::new(py, value.as_string::<i32>().value(0)).into_any(),
+    })
+}
+
 /// A sweep over tables of the same columns: the project is read once.
 #[pyclass(frozen, module = "antrieb._antrieb")]
 pub(crate) struct Sweep {
-    sweep: sweep_io::BatchSweep,
+    sweep: Arc<sweep_io::BatchSweep>,
     /// Limit of the memory for recordings and answers \[byte\].
     memory: u64,
     language: Language,
@@ -185,6 +290,7 @@ struct MadeOf {
     pairs: Vec<(String, String)>,
     lang: String,
     memory: Option<String>,
+    inputs: bool,
 }
 
 #[pymethods]
@@ -196,29 +302,40 @@ impl Sweep {
         pairs: Vec<(String, String)>,
         lang: &str,
         memory: Option<String>,
+        inputs: bool,
     ) -> PyResult<Self> {
-        Self::of(schema.py(), handed, (&*capsules::schema(schema)?, &[]), pairs, lang, memory)
+        Self::of(schema.py(), handed, (&capsules::schema(schema)?, &[]), pairs, lang, (memory, inputs))
     }
 
     /// The answers of the rows of a table, in their order, by a sweep of its own: the table is read once.
     #[staticmethod]
-    fn whole(
+    #[allow(clippy::too_many_arguments, reason = "those of the function of the package")]
+    fn whole<'py>(
         handed: Handed,
-        table: &Bound<'_, PyAny>,
+        table: &Bound<'py, PyAny>,
         pairs: Vec<(String, String)>,
         lang: &str,
         memory: Option<String>,
+        inputs: bool,
         deadline: Option<&str>,
+        progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Table> {
         let py = table.py();
         let (schema, batches) = capsules::table(table)?;
-        Self::of(py, handed, (&schema, &batches), pairs, lang, memory)?.judged(py, &batches, deadline, false)
+        let sweep = Self::of(py, handed, (&schema, &batches), pairs, lang, (memory, inputs))?;
+        sweep.judged(py, batches, deadline, progress.as_ref(), false)
     }
 
     /// The keys of the columns, entries of lists counted from one.
     #[getter]
     fn keys(&self) -> Vec<String> {
         self.sweep.keys().map(str::to_owned).collect()
+    }
+
+    /// The columns of the table that the answers repeat.
+    #[getter]
+    fn carried(&self) -> Vec<String> {
+        self.sweep.carried().map(str::to_owned).collect()
     }
 
     /// The recordings that the project names.
@@ -229,11 +346,12 @@ impl Sweep {
 
     /// Arguments that make the same sweep anew, in another process too: the text of the project in place of its path.
     #[getter]
-    fn made_of(&self) -> (Handed, Table, Vec<(String, String)>, String, Option<String>) {
-        let MadeOf { name, folder, recordings, schema, pairs, lang, memory } = &self.made_of;
+    #[allow(clippy::type_complexity, reason = "the arguments of the constructor")]
+    fn made_of(&self) -> (Handed, Table, Vec<(String, String)>, String, Option<String>, bool) {
+        let MadeOf { name, folder, recordings, schema, pairs, lang, memory, inputs } = &self.made_of;
         let handed = (Some(self.sweep.text().to_owned()), name.clone(), folder.clone(), recordings.clone());
         let table = Table { schema: Arc::clone(schema), batches: Vec::new() };
-        (handed, table, pairs.clone(), lang.clone(), memory.clone())
+        (handed, table, pairs.clone(), lang.clone(), memory.clone(), *inputs)
     }
 
     /// The largest number of rows whose answers a call returns.
@@ -249,12 +367,17 @@ impl Sweep {
     }
 
     /// The answers of the rows of a table, in their order.
-    #[pyo3(signature = (table, deadline))]
-    fn table(&self, table: &Bound<'_, PyAny>, deadline: Option<&str>) -> PyResult<Table> {
+    #[pyo3(signature = (table, deadline, progress))]
+    fn table<'py>(
+        &self,
+        table: &Bound<'py, PyAny>,
+        deadline: Option<&str>,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Table> {
         let py = table.py();
         let (schema, batches) = capsules::table(table)?;
         self.is_of(py, &schema)?;
-        self.judged(py, &batches, deadline, true)
+        self.judged(py, batches, deadline, progress.as_ref(), true)
     }
 
     /// The answers of one batch whose first row has this number; a fault of a cell is in the column `error`.
@@ -262,9 +385,9 @@ impl Sweep {
         let py = batch.py();
         let (schema, batches) = capsules::table(batch)?;
         self.is_of(py, &schema)?;
-        let progress = Progress::endless();
-        let found =
-            interruptible(py, &progress, None, || self.sweep.whole(&batches, first_row, self.memory, &progress))?;
+        let (sweep, memory) = (Arc::clone(&self.sweep), self.memory);
+        let watch = Watch::of(Arc::new(Progress::endless()), None);
+        let found = interruptible(py, &watch, move |progress| sweep.whole(&batches, first_row, memory, progress))?;
         let batches = found.map_err(|why| refused(py, &why.record(None, self.language)))?;
         Ok(Table { schema: self.sweep.schema(), batches })
     }
@@ -274,10 +397,10 @@ impl Sweep {
     fn of(
         py: Python<'_>,
         handed: Handed,
-        (schema, batches): (&Schema, &[RecordBatch]),
+        (schema, batches): (&SchemaRef, &[RecordBatch]),
         pairs: Vec<(String, String)>,
         lang: &str,
-        memory: Option<String>,
+        (memory, inputs): (Option<String>, bool),
     ) -> PyResult<Self> {
         let language = Language::of_id(lang).unwrap_or_default();
         let (of_text, name, folder, recordings) = &handed;
@@ -291,29 +414,42 @@ impl Sweep {
             name: name.clone(),
             folder: std::path::absolute(&folder).unwrap_or(folder),
             recordings: recordings.clone(),
-            schema: Arc::new(schema.clone()),
+            schema: Arc::clone(schema),
             pairs: pairs.clone(),
             lang: lang.to_owned(),
             memory: memory.clone(),
+            inputs,
         };
-        let call = SweepCall { text: text(handed), pairs, memory, language };
-        let ready = || Ok((call.prepared(schema, batches)?, call.memory_allowed()?));
-        let ready = interruptible(py, &Progress::endless(), None, ready)?;
+        let repeats = if inputs { Repeats::Inputs } else { Repeats::Labels };
+        let call = SweepCall { text: text(handed), pairs, memory, repeats, language };
+        let (schema, batches) = (Arc::clone(schema), batches.to_vec());
+        let ready = move |_: &Progress| Ok((call.prepared(&schema, &batches)?, call.memory_allowed()?));
+        let ready = interruptible(py, &Watch::of(Arc::new(Progress::endless()), None), ready)?;
         let (sweep, memory) = ready.map_err(|why: Unanswered| refused(py, &why.record(None, language)))?;
-        Ok(Self { sweep, memory, language, made_of })
+        Ok(Self { sweep: Arc::new(sweep), memory, language, made_of })
     }
 
     /// Returns the answers; checks the cells first if required.
-    fn judged(&self, py: Python<'_>, batches: &[RecordBatch], deadline: Option<&str>, checks: bool) -> PyResult<Table> {
+    fn judged(
+        &self,
+        py: Python<'_>,
+        batches: Vec<RecordBatch>,
+        deadline: Option<&str>,
+        observer: Option<&Bound<'_, PyAny>>,
+        checks: bool,
+    ) -> PyResult<Table> {
         let deadline = deadline.map(|text| antrieb::deadline_of(text, self.language)).transpose();
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, self.language)))?;
         let progress = if deadline.is_some() { Progress::limited() } else { Progress::endless() };
-        let found = interruptible(py, &progress, deadline, || {
+        let (sweep, memory) = (Arc::clone(&self.sweep), self.memory);
+        let work = move |progress: &Progress| {
             if checks {
-                checked(&self.sweep, batches)?;
+                checked(&sweep, &batches)?;
             }
-            self.sweep.whole(batches, 0, self.memory, &progress)
-        })?;
+            progress.expect_steps(batches.iter().map(RecordBatch::num_rows).sum());
+            sweep.whole(&batches, 0, memory, progress)
+        };
+        let found = interruptible(py, &Watch { progress: Arc::new(progress), deadline, observer }, work)?;
         let waited_s = deadline.map(|most| most.as_secs_f64());
         let batches = found.map_err(|why| refused(py, &why.record(waited_s, self.language)))?;
         Ok(Table { schema: self.sweep.schema(), batches })
@@ -321,7 +457,7 @@ impl Sweep {
 
     /// Checks that a table has the columns for which the sweep was prepared.
     fn is_of(&self, py: Python<'_>, schema: &Schema) -> PyResult<()> {
-        if self.sweep.keys().count() == schema.fields().len() {
+        if self.sweep.width() == schema.fields().len() {
             return Ok(());
         }
         let why = Unanswered::Refused(Refusal::NoData, None);

@@ -21,10 +21,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import date as Day
-from typing import Literal, overload
+from typing import TYPE_CHECKING, Literal, overload
 
-from antrieb import answers
 from antrieb._call import Lang, Path, Picture, Text, ask
+from antrieb._lazy import lazy
+
+if TYPE_CHECKING:
+    from antrieb import answers
+else:
+    answers = lazy("antrieb.answers")
 
 "#;
 
@@ -106,7 +111,13 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
     let pairs: Vec<String> =
         entry.arguments.iter().map(|each| format!("({}, {})", quoted(each.name), name(each.name))).collect();
     let of = record_type(entry, schema).unwrap_or_else(|| "object".to_owned());
-    let mut given = vec![of, quoted(entry.command), texts, format!("[{}]", pairs.join(", ")), "lang".to_owned()];
+    let mut given = vec![
+        format!("lambda: {of}"),
+        quoted(entry.command),
+        texts,
+        format!("[{}]", pairs.join(", ")),
+        "lang".to_owned(),
+    ];
     let own: &[&str] = match sources.len() {
         0 => &[],
         1 => &["file", "folder", "deadline", "memory"],

@@ -15,8 +15,12 @@ not finite, a field that an answer leaves out is `None`. The unit of a figure en
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
+
+from antrieb._origin import judged_nearest
+from antrieb._record import Explainable, Record, Rows
 
 "#;
 
@@ -94,7 +98,8 @@ fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
     let required: BTreeSet<&str> =
         shape.get("required").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str).collect();
     let own = class(definition);
-    let mut out = format!("\n\n@dataclass(frozen=True, slots=True, kw_only=True)\nclass {own}:\n");
+    let base = if own == "Check" { "Explainable" } else { "Record" };
+    let mut out = format!("\n\n@dataclass(frozen=True, slots=True, kw_only=True, repr=False)\nclass {own}({base}):\n");
     let about = described(shape).map_or_else(|| format!("{own}."), sentence);
     let _ = writeln!(out, "    \"\"\"{}\"\"\"\n", doc(&about));
     for (field, shape) in fields {
@@ -110,11 +115,63 @@ fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
     if let Some(axis) = one_axis(definition, schema) {
         let _ = write!(
             out,
-            "\n    @property\n    def axes(self) -> list[{axis}]:\n        \"\"\"It as the answer of its only axis, as \
-             `AxesOf{axis}` has those of several.\"\"\"\n        return [self]\n"
+            "\n    @property\n    def axes(self) -> Rows[{axis}]:\n        \"\"\"It as the answer of its only axis, as \
+             `AxesOf{axis}` has those of several.\"\"\"\n        return Rows([self])\n"
+        );
+    }
+    if own == "Sizing" {
+        out.push_str(CANDIDATES);
+    }
+    if let Some((field, of)) = entries(&own, fields, &required, schema) {
+        let _ = write!(
+            out,
+            "\n    def __iter__(self) -> Iterator[{of}]:\n        return iter(self.{field})\n\n    def __getitem__(self, key: int \
+             | str, /) -> {of}:\n        return self.{field}[key]\n"
         );
     }
     out
+}
+
+/// Properties of the answer of `size`.
+const CANDIDATES: &str = r#"
+    @property
+    def best(self) -> Ranked | Judgement:
+        """The best fitting actuator; if none fits the one with the smallest excess, as `check` judges it.
+
+        Raises:
+            LookupError: Nothing fits, and no actuator meets the requirements and is of the right class.
+        """
+        return self.ranking[0] if self.ranking else judged_nearest(self)
+
+    @property
+    def candidates(self) -> Rows[Ranked | Rejection]:
+        """The fitting actuators by rank, then those that do not fit by their excess."""
+        return Rows([*self.ranking, *self.rejected])
+"#;
+
+/// Returns the list of records over which a record iterates, and its type: its axes, checks or candidates, else its only
+/// list of records.
+fn entries(
+    own: &str,
+    fields: &Map<String, Value>,
+    required: &BTreeSet<&str>,
+    schema: &Schema,
+) -> Option<(String, String)> {
+    if own == "Sizing" {
+        return Some(("candidates".to_owned(), "Ranked | Rejection".to_owned()));
+    }
+    let lists: Vec<(String, String)> = fields
+        .iter()
+        .filter(|(field, _)| required.contains(field.as_str()))
+        .filter_map(|(field, shape)| {
+            let of = of_shape(shape, schema, false);
+            let inside = of.strip_prefix("Rows[")?.strip_suffix(']')?;
+            Some((name(field), inside.to_owned()))
+        })
+        .collect();
+    let named = |wanted: &str| lists.iter().find(|(field, _)| field == wanted).cloned();
+    let only = (lists.len() == 1).then(|| lists.first().cloned()).flatten();
+    named("axes").or_else(|| named("checks")).or_else(|| named("candidates")).or(only)
 }
 
 /// Returns the class of a record that answers about one axis and has no field of this name itself.
@@ -181,7 +238,14 @@ pub(super) fn of_shape(shape: &Value, schema: &Schema, of_module: bool) -> Strin
             "number" => "float".to_owned(),
             "boolean" => "bool".to_owned(),
             "null" => "None".to_owned(),
-            "array" => format!("list[{}]", shape.get("items").map_or_else(|| "object".to_owned(), within)),
+            "array" => {
+                let of = shape.get("items").map_or_else(|| "object".to_owned(), within);
+                let name = of.strip_prefix("answers.").unwrap_or(&of);
+                let is_of_records = schema.definitions.iter().any(|(definition, shape)| {
+                    !is_inlined(definition) && is_record(shape) && class(definition) == name
+                });
+                if is_of_records && !of_module { format!("Rows[{of}]") } else { format!("list[{of}]") }
+            }
             "object" => {
                 let values = shape.get("additionalProperties").filter(|values| values.is_object());
                 format!("dict[str, {}]", values.map_or_else(|| "object".to_owned(), within))

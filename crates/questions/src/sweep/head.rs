@@ -168,6 +168,12 @@ impl Head {
         }
     }
 
+    /// Adds a fault of the headings.
+    pub fn refuse(&mut self, fault: CellFault) {
+        self.is_misread = true;
+        self.faults.add(fault);
+    }
+
     /// Adds the fault that the line with this row number is no row of the table.
     pub fn refuse_line(&mut self, fault: TabularFault, row: u64) {
         self.faults.add(CellFault::of("", Some(row), &(Fault::Tabular(fault), None), self.options.language));

@@ -1,0 +1,96 @@
+"""Origin of an answer: the call that it comes from, so that a check can be explained."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from antrieb._record import Record
+
+if TYPE_CHECKING:
+    from antrieb.answers import Explained, Explanations, Judgement, Sizing
+
+
+@dataclasses.dataclass(frozen=True, slots=True)
+class Origin:
+    """The arguments of a call about a project."""
+
+    text: Any
+    given: Mapping[str, Any]
+    code: str | None = None
+    axis: str | None = None
+
+    @classmethod
+    def of(cls, text: Any, pairs: Any, lang: str, **named: Any) -> Origin:
+        """The origin of the answers of a call; a path keeps its meaning in another folder."""
+        path: Any = text
+        if isinstance(text, (str, os.PathLike)) and os.path.exists(path):
+            path = os.path.abspath(path)
+        given = {name: value for name, value in pairs if name == "axis" and value is not None}
+        given.update({name: value for name, value in named.items() if value is not None})
+        return cls(path, {**given, "lang": lang})
+
+
+def attach(answer: Any, origin: Origin) -> None:
+    """Attach the origin to a record and the records in it that are shown or explained."""
+    if not isinstance(answer, Record):
+        return
+    code = getattr(answer, "code", None) or origin.code
+    axis = getattr(answer, "axis", None) or origin.axis
+    if (code, axis) != (origin.code, origin.axis):
+        origin = dataclasses.replace(origin, code=code, axis=axis)
+    object.__setattr__(answer, "_origin", origin)
+    for name in ("axes", "ranking", "own", "checks"):
+        # A record of one axis has itself as its axes.
+        if name == "axes" and not type(answer).__name__.startswith("AxesOf"):
+            continue
+        part: Any = getattr(answer, name, None)
+        parts: Any = [part] if isinstance(part, Record) else part or []
+        for each in parts:
+            attach(each, origin)
+
+
+def language(record: Any) -> str:
+    """The language of a record; English where it is not known."""
+    origin = getattr(record, "_origin", None)
+    return str(origin.given["lang"]) if isinstance(origin, Origin) else "en"
+
+
+def judged_nearest(sizing: Sizing) -> Judgement:
+    """The actuator with the smallest excess, judged by the question `check` of its project."""
+    from antrieb import questions
+
+    origin = getattr(sizing, "_origin", None)
+    if sizing.nearest_miss is None or not isinstance(origin, Origin):
+        raise LookupError(f"{sizing.axis}: nothing fits; candidates lists every actuator with the reason")
+    ask: Any = questions.check
+    axes: list[Judgement] = ask(origin.text, sizing.nearest_miss, **origin.given).axes
+    for answer in axes:
+        if answer.axis == sizing.axis:
+            return answer
+    raise ValueError("the project has changed since this answer; repeat the question")
+
+
+def explained(check: Any, deadline: str | None) -> Explained:
+    """The derivation of a check by the question `explain` of its project."""
+    from antrieb import questions
+
+    origin = getattr(check, "_origin", None)
+    if not isinstance(origin, Origin):
+        raise ValueError("the check is not part of an answer about a project; write antrieb.explain(project, code, check=…)")
+    given = {name: value for name, value in origin.given.items() if name != "axis"}
+    if deadline is not None:
+        given["deadline"] = deadline
+    of_axis = {"axis": origin.axis} if "axis" in origin.given else {}
+    ask: Any = questions.explain
+    axes: list[Explanations] = ask(origin.text, origin.code, check=check.id, **of_axis, **given).axes
+    for answer in axes:
+        if len(axes) > 1 and answer.axis != origin.axis:
+            continue
+        for each in answer.checks:
+            if each.id == check.id and (each.value, each.limit) == (check.value, check.limit):
+                attach(each, dataclasses.replace(origin))
+                return each
+    raise ValueError(f"the project has changed since this answer: {check.id} has other figures now; repeat the question")

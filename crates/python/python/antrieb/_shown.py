@@ -1,0 +1,396 @@
+"""Answers as text of at most 20 lines, and as HTML for a notebook."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable, Sequence
+from html import escape
+from typing import Any, cast
+
+from antrieb import _antrieb, _mathml
+from antrieb._origin import language
+from antrieb._record import Record, Rows, _flat, _names, _names_of  # pyright: ignore[reportPrivateUsage]
+
+LINES = 20
+"""Lines of a text."""
+
+WIDTH = 100
+"""Characters of a line."""
+
+ROWS_OF_HTML = 40
+
+Cells = list[list[str]]
+
+
+@functools.cache
+def words(lang: str) -> dict[str, str]:
+    """The words of a language by their names."""
+    return dict(_antrieb.labels(lang))
+
+
+def number(value: Any, lang: str, digits: int = 4) -> str:
+    """A number with so many digits, in German with a comma."""
+    if not isinstance(value, (int, float)) or isinstance(value, bool):
+        return "" if value is None else str(value)
+    if isinstance(value, int) or not math.isfinite(value):
+        return str(value)
+    size = abs(value)
+    text = f"{value:.{digits}g}" if size == 0 or 1e-4 <= size < 10**digits else f"{value:.0f}" if 1 <= size < 1e15 else f"{value:.{digits}g}"
+    return text.replace(".", ",") if lang == "de" else text
+
+
+def percent(value: Any, lang: str) -> str:
+    """A utilisation in percent."""
+    return "" if value is None else (f"{100 * value:.1f}".replace(".", ",") if lang == "de" else f"{100 * value:.1f}")
+
+
+def cut(text: str, width: int = WIDTH) -> str:
+    """A text of one line, shortened."""
+    text = " ".join(text.split())
+    return text if len(text) <= width else text[: width - 1] + "…"
+
+
+def table(head: Sequence[str], rows: Cells, right: Sequence[bool]) -> list[str]:
+    """The lines of a table."""
+    whole = [list(head), *rows]
+    wide = [max(len(row[at]) for row in whole) for at in range(len(head))]
+    lines: list[str] = []
+    for row in whole:
+        cells = [cell.rjust(width) if is_right else cell.ljust(width) for cell, width, is_right in zip(row, wide, right, strict=True)]
+        lines.append(cut_end("  ".join(cells)))
+    lines.insert(1, cut_end("  ".join("─" * width for width in wide)))
+    return lines
+
+
+def cut_end(line: str) -> str:
+    """A line without blanks at its end, shortened."""
+    line = line.rstrip()
+    return line if len(line) <= WIDTH else line[: WIDTH - 1] + "…"
+
+
+# ---- what is shown of a record
+
+
+class View:
+    """Title, verdict and table of a record."""
+
+    __slots__ = ("bars", "head", "lines", "more", "right", "rows", "title", "verdict")
+
+    def __init__(
+        self, title: str, verdict: str, lines: list[str], head: list[str], rows: Cells, right: list[bool], more: int, bars: list[tuple[str, float, str]]
+    ) -> None:
+        self.title, self.verdict, self.lines = title, verdict, lines
+        self.head, self.rows, self.right, self.more, self.bars = head, rows, right, more, bars
+
+    def text(self) -> str:
+        """The text of the terminal."""
+        lines = [cut(self.title), *(cut(line) for line in self.lines)]
+        if self.rows:
+            room = LINES - len(lines) - 4
+            left = max(0, len(self.rows) - room)
+            lines += ["", *table(self.head, self.rows[:room], self.right)]
+            if left + self.more:
+                lines.append(f"… {left + self.more}")
+        return "\n".join(lines)
+
+    def html(self) -> str:
+        """The same for a notebook, with bars of the utilisation."""
+        colour = {"fits": "#1a7f37", "pass": "#1a7f37", "does_not_fit": "#b42318", "fail": "#b42318"}.get(self.verdict, "#8a5a00")
+        parts = [f'<div class="antrieb"><p><strong style="color:{colour}">{escape(self.title)}</strong>']
+        parts.extend(f"<br>{escape(line)}" for line in self.lines if line)
+        parts.append("</p>")
+        if self.bars:
+            parts.append(_bars(self.bars[:12]))
+        if self.rows:
+            parts.append(_html_table(self.head, self.rows[:ROWS_OF_HTML], self.right))
+            left = max(0, len(self.rows) - ROWS_OF_HTML) + self.more
+            if left:
+                parts.append(f"<p>… {left}</p>")
+        parts.append("</div>")
+        return "".join(parts)
+
+
+def _sizing(record: Any, lang: str) -> View:
+    word = words(lang)
+    best = record.answer
+    title = f"{record.axis}: {best}: {word[record.verdict]}" if best else f"{record.axis}: {word['none_fits']}"
+    counts = f"{word['fits']}: {record.fit} · {word['fits_if_estimate']}: {record.fit_if_estimate} · {word['candidates']}: {record.judged}"
+    lines = [counts]
+    if not best and record.nearest_miss:
+        lines.append(f"{word['nearest_miss']}: {record.nearest_miss}")
+    if record.assumptions:
+        lines.append(f"{word['assumptions']}: " + "; ".join(f"{each.key} = {each.value}" for each in record.assumptions))
+    rows: Cells = []
+    bars: list[tuple[str, float, str]] = []
+    shown: list[Any] = [*record.ranking] or [*record.rejected]
+    for each in shown:
+        tightest = getattr(each, "tightest", None) or getattr(each, "check", None) or ""
+        titles = {check.id: check.title for check in getattr(each, "checks", [])}
+        name = each.code or getattr(each, "name", None) or ""
+        demand = getattr(each, "demand", None)
+        rows.append([
+            name,
+            percent(each.utilisation, lang),
+            titles.get(tightest, tightest),
+            number(getattr(demand, "T_rms", None), lang),
+            number(getattr(each, "mass_kg", None), lang, 3),
+        ])
+        if each.utilisation is not None:
+            bars.append((name, each.utilisation, "fits" if record.ranking else "does_not_fit"))
+    head = [word["code"], word["utilisation"], word["tightest"], "T_rms Nm", "m kg"]
+    right = [False, True, False, True, True]
+    if not record.ranking:
+        # Of those that do not fit neither demand nor mass is listed.
+        head, rows, right = head[:3], [row[:3] for row in rows], right[:3]
+    of = record.fit + record.fit_if_estimate if record.ranking else record.judged
+    return View(title, record.verdict, lines, head, rows, right, max(0, of - len(shown)), bars)
+
+
+def _judged(record: Any, lang: str) -> View:
+    word = words(lang)
+    axis = getattr(record, "axis", None)
+    name = record.code or record.name or ""
+    title = ": ".join(part for part in (axis, name, word[record.verdict]) if part)
+    order = sorted(record.checks, key=lambda check: (check.verdict != "fail", not check.margin, -(check.utilisation or 0.0)))
+    rows = [_check_row(check, lang) for check in order]
+    bars = [(check.title, check.utilisation, check.verdict) for check in order if check.margin and check.utilisation is not None]
+    lines = list(record.objections)
+    return View(title, record.verdict, lines, _check_head(lang), rows, [False, False, True, True, False, True], 0, bars)
+
+
+def _check_head(lang: str) -> list[str]:
+    word = words(lang)
+    return [word["check"], word["verdict"], word["value"], word["limit"], word["unit"], word["utilisation"]]
+
+
+def _check_row(check: Any, lang: str) -> list[str]:
+    unit = "" if check.unit in (None, "1") else check.unit
+    verdict = words(lang)[check.verdict]
+    return [check.title, verdict, number(check.value, lang), number(check.limit, lang), unit, percent(check.utilisation, lang)]
+
+
+def _check(record: Any, lang: str) -> View:
+    row = _check_row(record, lang)
+    title = f"{record.title}: {row[1]}" + (f", {row[5]} %" if row[5] else "")
+    lines = [f"{row[2]} {row[4]} ({words(lang)['limit']} {row[3]} {row[4]})" if row[2] else "", record.source or "", *record.notes]
+    return View(title, record.verdict, [line for line in lines if line.strip()], [], [], [], 0, [])
+
+
+def _axes(record: Any, lang: str) -> View:
+    word = words(lang)
+    rows: Cells = []
+    for each in record.axes:
+        of = getattr(each, "answer", None) or getattr(each, "code", None) or ""
+        verdict = getattr(each, "verdict", None)
+        best = each.ranking[0] if getattr(each, "ranking", None) else each
+        share = getattr(best, "utilisation", None)
+        rows.append([each.axis, of, word.get(str(verdict), str(verdict or "")), percent(share, lang)])
+    verdicts = {getattr(each, "verdict", None) for each in record.axes}
+    verdict = "does_not_fit" if "does_not_fit" in verdicts else next(iter(verdicts)) if len(verdicts) == 1 else "fits_if_estimate"
+    head = [word["axis"], word["code"], word["verdict"], word["utilisation"]]
+    return View(f"{len(rows)} × {word['axis']}", str(verdict), [], head, rows, [False, False, False, True], 0, [])
+
+
+def _any(record: Any, lang: str) -> View:
+    lines: list[str] = []
+    for name in _names(type(record)):
+        value = getattr(record, name)
+        if value is None or value == []:
+            continue
+        lines.append(cut(f"  {name}: {_brief(value, lang)}"))
+    shown, left = lines[: LINES - 2], len(lines) - (LINES - 2)
+    if left > 0:
+        shown.append(f"  … {left}")
+    return View(type(record).__name__, "", ["  " + line.strip() for line in shown], [], [], [], 0, [])
+
+
+def _brief(value: Any, lang: str) -> str:
+    values: Any = value
+    if isinstance(value, Record):
+        names = _names_of(value)
+        figures = [f"{name} {number(each, lang)}" for name, each in _flat(value).items() if isinstance(each, (float, bool, int))]
+        return " · ".join([*names[:1], *figures[:4]]) or type(value).__name__
+    if isinstance(value, list):
+        if values and isinstance(values[0], Record):
+            return f"{len(values)} × {type(values[0]).__name__}: " + ", ".join((_names_of(each) or ["…"])[0] for each in values[:6])
+        return ", ".join(_brief(each, lang) for each in values[:12]) + (f", … {len(values) - 12}" if len(values) > 12 else "")
+    if isinstance(value, dict):
+        pairs = list(cast("dict[str, Any]", value).items())[:8]
+        return ", ".join(f"{key} {_brief(each, lang)}" for key, each in pairs)
+    return number(value, lang) if isinstance(value, float) else str(value)
+
+
+VIEWS: dict[str, Callable[[Any, str], View]] = {
+    "Sizing": _sizing,
+    "Judgement": _judged,
+    "Ranked": _judged,
+    "Assessed": _judged,
+    "Check": _check,
+}
+
+
+def _view(record: Any) -> View:
+    lang, name = language(record), type(record).__name__
+    if name.startswith("AxesOf"):
+        return _axes(record, lang)
+    return VIEWS.get(name, _any)(record, lang)
+
+
+def text(record: Any) -> str:
+    """A record in at most 20 lines."""
+    if type(record).__name__ == "Explained":
+        lines = tree(record).split("\n")
+        left = len(lines) - LINES + 1
+        return "\n".join(lines if left <= 1 else [*lines[: LINES - 1], f"… {left}: print(…)"])
+    return _view(record).text()
+
+
+def full(record: Any) -> str:
+    """A record as `print` shows it: of a derivation the whole tree."""
+    return tree(record) if type(record).__name__ == "Explained" else text(record)
+
+
+def html(record: Any) -> str:
+    """A record in a notebook."""
+    return _html_tree(record) if type(record).__name__ == "Explained" else _view(record).html()
+
+
+# ---- lists of records
+
+COLUMNS = 6
+
+
+def _rows_view(rows: Any) -> tuple[list[str], Cells, list[bool]]:
+    lang = next((language(each) for each in rows), "en")
+    if rows and all(type(each).__name__ in ("Check", "Explained") for each in rows):
+        return _check_head(lang), [_check_row(each, lang) for each in rows], [False, False, True, True, False, True]
+    columns = rows._columns()
+    names = [name for name, values in columns.items() if any(value is not None for value in values)]
+    # The first column names the row.
+    names.sort(key=lambda name: (name not in ("id", "code", "name", "axis", "key", "symbol"),))
+    names = names[:COLUMNS]
+    is_number = [all(value is None or isinstance(value, (int, float)) for value in columns[name]) for name in names]
+    cells = [[cut(number(columns[name][at], lang), 32) for name in names] for at in range(len(rows))]
+    return names, cells, is_number
+
+
+def text_of_rows(rows: Any) -> str:
+    """A list of records in at most 20 lines."""
+    if not rows:
+        return "[]"
+    if not all(isinstance(each, Record) for each in rows):
+        return cut(str([*rows]), 2 * WIDTH)
+    head, cells, right = _rows_view(rows)
+    room = LINES - 3
+    lines = table(head, cells[:room], right)
+    if len(cells) > room:
+        lines.append(f"… {len(cells) - room}")
+    return "\n".join(lines)
+
+
+def html_of_rows(rows: Any) -> str:
+    """A list of records in a notebook."""
+    if not rows or not all(isinstance(each, Record) for each in rows):
+        return escape(text_of_rows(rows))
+    head, cells, right = _rows_view(rows)
+    more = f"<p>… {len(cells) - ROWS_OF_HTML}</p>" if len(cells) > ROWS_OF_HTML else ""
+    return _html_table(head, cells[:ROWS_OF_HTML], right) + more
+
+
+def _html_table(head: Sequence[str], rows: Cells, right: Sequence[bool]) -> str:
+    align = ["right" if each else "left" for each in right]
+
+    def of(tag: str, row: Sequence[str]) -> str:
+        cells = zip(row, align, strict=True)
+        return "".join(f'<{tag} style="text-align:{side}">{escape(cell)}</{tag}>' for cell, side in cells)
+
+    body = "".join(f"<tr>{of('td', row)}</tr>" for row in rows)
+    return f"<table><thead><tr>{of('th', head)}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _bars(bars: Sequence[tuple[str, float, str]]) -> str:
+    """Bars of utilisations with the limit as a line."""
+    colours = {"fits": "#2f7d4f", "pass": "#2f7d4f", "fail": "#b42318", "does_not_fit": "#b42318"}
+    left, wide, high = 210, 300, 18
+    most = max(1.25, min(2.0, max(share for _, share, _ in bars)))
+    at = left + wide / most
+    height = high * len(bars) + 8
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{left + wide + 60}" height="{height}" font-family="sans-serif" font-size="12" role="img">'
+    ]
+    for place, (name, share, verdict) in enumerate(bars):
+        y = high * place + 4
+        width = wide * min(max(share, 0.0), most) / most
+        parts.append(f'<text x="{left - 8}" y="{y + 12}" text-anchor="end" fill="currentColor">{escape(cut(name, 30))}</text>')
+        parts.append(f'<rect x="{left}" y="{y + 2}" width="{width:.1f}" height="{high - 5}" fill="{colours.get(verdict, "#b8860b")}"/>')
+        parts.append(f'<text x="{left + width + 5:.1f}" y="{y + 12}" fill="currentColor">{100 * share:.1f} %</text>')
+    parts.append(f'<path d="M{at:.1f} 0V{height}" stroke="currentColor" stroke-dasharray="3 3"/></svg>')
+    return "".join(parts)
+
+
+# ---- derivations
+
+
+def _amount(node: Any, lang: str) -> str:
+    unit = "" if node.unit == "1" else f" {node.unit}"
+    return number(node.value, lang, 6) + unit
+
+
+def _trust(node: Any, lang: str) -> str:
+    word = words(lang)
+    if node.repeated:
+        return word["see_above"]
+    return ", ".join(part for part in (word.get(node.grade or "", node.grade or ""), node.source) if part)
+
+
+def tree(record: Any) -> str:
+    """The derivation of a check as a tree."""
+    lang = language(record)
+    lines = _check(record, lang).text().split("\n")[:1]
+    for word, root in (("required", record.derivation.value), ("permitted", record.derivation.limit)):
+        if root is not None:
+            lines.append(f"  {words(lang)[word]}")
+            _branch(root, "    ", lines, lang)
+    lines.extend(f"  {note}" for note in record.notes)
+    return "\n".join(lines)
+
+
+def _branch(node: Any, indent: str, lines: list[str], lang: str) -> None:
+    term = f"  {node.term}" if node.term else ""
+    lines.append(f"{indent}{_antrieb.symbol(node.symbol)} = {_amount(node, lang)}{term}  [{_trust(node, lang)}]")
+    if not node.repeated:
+        lines.extend(f"{indent}  = {each}" for each in (node.formula, node.figures) if each)
+    operands: list[Any] = node.operands or []
+    for each in operands:
+        _branch(each, indent + "    ", lines, lang)
+
+
+def _html_tree(record: Any) -> str:
+    lang = language(record)
+    parts = [f'<div class="antrieb"><p><strong>{escape(_check(record, lang).title)}</strong></p>']
+    for word, root in (("required", record.derivation.value), ("permitted", record.derivation.limit)):
+        if root is not None:
+            parts.append(f"<p>{escape(words(lang)[word])}</p>")
+            _html_branch(root, parts, lang, True)
+    parts.extend(f"<p>{escape(note)}</p>" for note in record.notes)
+    return "".join(parts) + "</div>"
+
+
+def _html_branch(node: Any, parts: list[str], lang: str, is_open: bool) -> None:
+    symbol = _mathml.math(_antrieb.symbol(node.symbol))
+    head = f"{symbol} = {escape(_amount(node, lang))} {escape(node.term or '')} <small>[{escape(_trust(node, lang))}]</small>"
+    formula = "" if node.repeated or not node.formula else f"<div>= {_mathml.math(node.formula)}</div>"
+    figures = "" if node.repeated or not node.figures else f"<div>= {escape(node.figures)}</div>"
+    if not (formula or figures or node.operands):
+        parts.append(f'<div style="margin-left:1.5em">{head}</div>')
+        return
+    opened = ' open=""' if is_open else ""
+    parts.append(f'<details style="margin-left:1em"{opened}><summary>{head}</summary>{formula}{figures}')
+    operands: list[Any] = node.operands or []
+    for each in operands:
+        _html_branch(each, parts, lang, False)
+    parts.append("</details>")
+
+
+__all__ = ["Rows", "full", "html", "html_of_rows", "text", "text_of_rows", "tree"]

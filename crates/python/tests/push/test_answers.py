@@ -1,0 +1,224 @@
+"""Answers: shown in a few lines, found by code and id, handed over, explained, copied."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import pathlib
+import pickle
+import re
+import subprocess
+import sys
+import tempfile
+import typing
+import unittest
+import xml.etree.ElementTree as ET
+
+import antrieb
+from antrieb import _mathml, answers, questions
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
+PROJECTS = sorted(EXAMPLES.glob("*.toml"))
+CODE = "CHA-25A-50-H-C1024"
+PROJECT = EXAMPLES / "indexing-table.toml"
+
+
+def parts(value: typing.Any) -> typing.Iterator[typing.Any]:
+    """A record and every record and list in it."""
+    if isinstance(value, antrieb.Record):
+        yield value
+        for each in dataclasses.fields(value):  # type: ignore[arg-type]
+            yield from parts(getattr(value, each.name))
+    elif isinstance(value, list):
+        if isinstance(value, antrieb.Rows):
+            yield value
+        for each in value[:3]:
+            yield from parts(each)
+
+
+def every_answer() -> list[typing.Any]:
+    """Answers of many questions."""
+    code = "CHA-25A-100-H-M512P-B"
+    found: list[typing.Any] = [antrieb.size(path, top=3) for path in PROJECTS]
+    found += [
+        antrieb.check(PROJECT, CODE, lang="de"),
+        antrieb.size(PROJECT, lang="de", all=True),
+        antrieb.explain(PROJECT, CODE),
+        antrieb.compare(PROJECT, [CODE, "CHA-25A-80-H-C1024"]),
+        antrieb.simulate(PROJECT, CODE),
+        antrieb.data(code),
+        antrieb.wiring(code),
+        antrieb.encoder(code),
+        antrieb.commission(code),
+        antrieb.code(code),
+        antrieb.errata(),
+        antrieb.curve(code, voltage="560 V"),
+    ]
+    return found
+
+
+class Shown(unittest.TestCase):
+    """Text and HTML."""
+
+    def test_every_answer_and_every_part_of_it_is_shown_in_few_lines(self) -> None:
+        for answer in every_answer():
+            for part in parts(answer):
+                with self.subTest(type(part).__name__):
+                    text = repr(part)
+                    self.assertLessEqual(len(text.split("\n")), 20, text)
+                    self.assertLessEqual(max(map(len, text.split("\n"))), 200, text)
+                    html = getattr(part, "_repr_html_", str)()
+                    self.assertLess(len(html), 400_000)
+                    if html.startswith("<div"):
+                        ET.fromstring(html.replace("<br>", "<br/>"))
+
+    def test_the_answer_of_size_says_verdict_and_ranking(self) -> None:
+        (sizing,) = antrieb.size(PROJECT).axes
+        text = str(sizing)
+        self.assertIn(f"{sizing.axis}: {sizing.answer}: fits", text.split("\n")[0])
+        for each in sizing.ranking[:5]:
+            self.assertIn(str(each.code), text)
+        self.assertIn("<svg", sizing._repr_html_())
+        self.assertIn("geeignet", str(antrieb.size(PROJECT, lang="de")))
+
+    def test_a_formula_of_every_derivation_is_mathematics(self) -> None:
+        whole = 0
+        formulas: set[str] = set()
+
+        def walk(node: typing.Any) -> None:
+            formulas.add(node.formula or "x")
+            for each in node.operands or []:
+                walk(each)
+
+        for path in PROJECTS[:8]:
+            for axis in antrieb.explain(path, "CHA-32A-50-H-C1024").axes:
+                for check in axis.checks:
+                    for side in (check.derivation.value, check.derivation.limit):
+                        if side is not None:
+                            walk(side)
+        for formula in formulas:
+            found = _mathml.math(formula)
+            ET.fromstring(found)
+            whole += found.startswith("<math")
+        self.assertGreater(whole, 40)
+
+    def test_formulas_bind_as_written(self) -> None:
+        for text, expected in (
+            ("a/b·c", "<mfrac><mrow><mi>a</mi></mrow><mrow><mi>b</mi></mrow></mfrac><mo>·</mo><mi>c</mi>"),
+            ("a·b/c", "<mfrac><mrow><mi>a</mi><mo>·</mo><mi>b</mi></mrow><mrow><mi>c</mi></mrow></mfrac>"),
+            ("(a + b)/(c − d)", "<mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mrow><mi>c</mi><mo>−</mo><mi>d</mi></mrow></mfrac>"),
+            ("I_0²", "<msup><mrow><msub><mi>I</mi><mtext>0</mtext></msub></mrow><mn>2</mn></msup>"),
+            ("√(a)", "<msqrt><mrow><mi>a</mi></mrow></msqrt>"),
+        ):
+            self.assertEqual(_mathml.math(text), f'<math alttext="{text}"><mrow>{expected}</mrow></math>')
+        self.assertEqual(_mathml.math("the larger of both"), "<span>the larger of both</span>")
+
+
+class Found(unittest.TestCase):
+    """Indexing and iteration."""
+
+    def test_by_code_and_check(self) -> None:
+        (sizing,) = antrieb.size(PROJECT, all=True).axes
+        code = sizing.ranking[3].code
+        assert code
+        self.assertIs(sizing[code], sizing.ranking[3])
+        self.assertIs(sizing.ranking[code].checks["thermal"], next(c for c in sizing.ranking[3].checks if c.id == "thermal"))
+        self.assertEqual([each.code for each in sizing], [each.code for each in sizing.candidates])
+        self.assertEqual(len(sizing.candidates), sizing.judged)
+        self.assertIs(sizing.best, sizing.ranking[0])
+        self.assertTrue(sizing)
+        for wrong in ("CHA-32A-50-H-C102", "thermall"):
+            with self.assertRaisesRegex(KeyError, "did you mean|there are"):
+                sizing[wrong]
+        both = antrieb.size(EXAMPLES / "two-axes.toml")
+        assert isinstance(both, answers.AxesOfSizing)
+        self.assertIs(both["lift"], both.axes[1])
+        judged = antrieb.check(PROJECT, CODE)
+        assert isinstance(judged, answers.Judgement)
+        self.assertEqual([check.id for check in judged], [check.id for check in judged.checks])
+        self.assertEqual(judged["thermal"].id, "thermal")
+
+    def test_a_name_of_several_entries_is_not_guessed(self) -> None:
+        (sizing,) = antrieb.size(PROJECT, top=1).axes
+        twice = antrieb.Rows([*sizing.ranking, *sizing.ranking])
+        with self.assertRaisesRegex(KeyError, "2 entries"):
+            twice[str(sizing.answer)]
+
+    def test_where_nothing_fits_the_best_is_the_smallest_excess(self) -> None:
+        heavy = PROJECT.read_text(encoding="utf-8").replace('inertia = "', 'inertia = "9', 1)
+        (sizing,) = antrieb.size(heavy).axes
+        self.assertIsNone(sizing.answer)
+        self.assertEqual(sizing.best.code, sizing.nearest_miss)
+        self.assertEqual(sizing.best.verdict, "does_not_fit")
+        self.assertTrue(sizing.best.checks["peak_torque"].explain())
+
+
+class HandedOver(unittest.TestCase):
+    """Dictionaries, copies, derivations."""
+
+    def test_a_dictionary_has_the_fields(self) -> None:
+        (sizing,) = antrieb.size(PROJECT, top=2).axes
+        found = sizing.to_dict()
+        self.assertEqual(found, dataclasses.asdict(sizing))
+        self.assertEqual(type(found["ranking"][0]), dict)
+        rows = sizing.candidates.to_dicts()
+        self.assertEqual(len(rows), len(sizing.candidates))
+        columns = sizing.ranking._columns()
+        self.assertEqual(columns["code"], [each.code for each in sizing.ranking])
+        self.assertEqual(columns["demand.T_rms"], [each.demand.T_rms if each.demand else None for each in sizing.ranking])
+
+    def test_answers_are_pickled_copied_and_equal(self) -> None:
+        for answer in every_answer():
+            with self.subTest(type(answer).__name__):
+                again = pickle.loads(pickle.dumps(answer))
+                self.assertEqual(again, answer)
+                self.assertIs(type(again), type(answer))
+                self.assertEqual(repr(again), repr(answer))
+                self.assertEqual(copy.copy(answer), answer)
+                self.assertEqual(copy.deepcopy(answer), answer)
+
+    def test_a_check_is_explained_from_anywhere(self) -> None:
+        both = antrieb.size(EXAMPLES / "two-axes.toml", lang="de")
+        check = both.axes[1].best.checks["peak_torque"]
+        found = pickle.loads(pickle.dumps(both)).axes[1].best.checks["peak_torque"].explain()
+        self.assertEqual((found.value, found.limit), (check.value, check.limit))
+        self.assertIn("gefordert", str(found))
+        self.assertGreater(len(str(found).split("\n")), 5)
+        self.assertIn("<math", found._repr_html_())
+        code = both.axes[1].best.code
+        (direct,) = antrieb.explain(EXAMPLES / "two-axes.toml", code, axis="lift", check="peak_torque", lang="de").axes
+        self.assertEqual(direct.checks[0], found)
+
+    def test_a_check_of_a_changed_project_is_not_explained(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "axis.toml")
+            text = PROJECT.read_text(encoding="utf-8")
+            path.write_text(text, encoding="utf-8")
+            check = antrieb.check(path, CODE).axes[0].checks["peak_torque"]
+            path.write_text(text.replace('inertia = "', 'inertia = "1', 1), encoding="utf-8")
+            with self.assertRaisesRegex(ValueError, "has changed"):
+                check.explain()
+        alone = dataclasses.replace(check)
+        with self.assertRaisesRegex(ValueError, "antrieb.explain"):
+            alone.explain()
+
+
+class Import(unittest.TestCase):
+    """The first line of a program."""
+
+    def test_the_classes_of_the_answers_are_made_when_they_are_used(self) -> None:
+        script = (
+            "import sys, antrieb; assert 'antrieb.answers' not in sys.modules; assert antrieb.answers.Sizing; "
+            "assert antrieb.Fault; import antrieb.__main__"
+        )
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_hints_of_every_function_can_be_read(self) -> None:
+        for name in questions.__all__:
+            self.assertTrue(typing.get_type_hints(getattr(questions, name)))
+        self.assertTrue(re.match(r"\d", antrieb.__version__))
+
+
+if __name__ == "__main__":
+    unittest.main()

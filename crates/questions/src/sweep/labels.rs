@@ -1,0 +1,120 @@
+//! Columns of a table that are no keys: they identify its rows and are carried into the answer.
+#![allow(clippy::result_large_err, reason = "a fault is found once for a table, not for each of its rows")]
+
+use super::{CODE, CellFault};
+use project::is_label;
+use quantities::{Language, seen};
+use words::sweeps;
+
+/// Name of a first column without a heading, as spreadsheets and data frames write the numbers of their rows.
+const INDEX: &str = "index";
+
+/// Columns of a table by their places.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct TableColumns {
+    /// Places of the keys, of the codes, and of headings that are refused.
+    pub keys: Vec<usize>,
+    /// Places and names of the columns that are carried.
+    pub carried: Vec<(usize, String)>,
+}
+
+impl TableColumns {
+    /// Separates the columns of a table by their headings. A table without any key has no columns to carry: its headings are
+    /// read as keys.
+    #[must_use]
+    pub fn of(headings: &[&str]) -> Self {
+        let mut found = Self::default();
+        for (place, heading) in headings.iter().enumerate() {
+            let name = heading.trim();
+            if name.is_empty() && place == 0 {
+                found.carried.push((place, INDEX.to_owned()));
+            } else if name != CODE && is_label(name) {
+                found.carried.push((place, name.to_owned()));
+            } else {
+                found.keys.push(place);
+            }
+        }
+        if found.keys.is_empty() {
+            return Self { keys: (0..headings.len()).collect(), carried: Vec::new() };
+        }
+        found
+    }
+
+    /// Returns the faults of carried columns whose names the answer has already.
+    pub fn faults<'f>(&'f self, answers: &'f [&str], language: Language) -> impl Iterator<Item = CellFault> + 'f {
+        let names = move |at: usize| self.carried.iter().take(at).map(|(_, name)| name.as_str());
+        self.carried.iter().enumerate().filter_map(move |(at, (_, name))| {
+            let is_taken = answers.contains(&name.as_str()) || names(at).any(|other| other == name);
+            is_taken.then(|| CellFault {
+                heading: seen(name).into_owned(),
+                row: None,
+                id: "column_twice",
+                message: sweeps::column_of_the_answer(&seen(name), language),
+                hint: Some(sweeps::rename_it(language).to_owned()),
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_are_carried_and_what_may_be_a_key_is_not() {
+        let labels = [
+            "id",
+            "ID",
+            "joint",
+            "machine",
+            "station",
+            "part_no",
+            "trial",
+            "case",
+            "robot",
+            "Unnamed: 0",
+            "customer",
+            "serial",
+            "Maschine Nr.",
+            "Achse",
+            "variant",
+            "line",
+            "uuid",
+            "__index_level_0__",
+        ];
+        for label in labels {
+            let found = TableColumns::of(&["load.inertia [kg m^2]", label]);
+            assert_eq!((found.keys, found.carried), (vec![0], vec![(1, label.to_owned())]), "{label}");
+        }
+        for meant in [
+            "inertia",
+            "Inertia",
+            "inertja",
+            "load inertia",
+            "load_inertia",
+            "payload",
+            "payload [kg]",
+            "ambient",
+            "friction",
+            "motion[1].tim [s]",
+            "load.x",
+            "code",
+            "duration",
+            "stroke",
+            "overhang",
+        ] {
+            let found = TableColumns::of(&["load.mass [kg]", meant]);
+            assert_eq!(found.keys, [0, 1], "{meant}");
+        }
+        let found = TableColumns::of(&["", "load.inertia [kg m^2]"]);
+        assert_eq!(found.carried, [(0, "index".to_owned())]);
+        assert_eq!(TableColumns::of(&["id", "joint"]).keys, [0, 1]);
+    }
+
+    #[test]
+    fn a_name_of_the_answer_is_refused() {
+        let found = TableColumns::of(&["load.inertia [kg m^2]", "row", "id", "id "]);
+        let faults: Vec<String> = found.faults(&["row", "fit"], Language::En).map(|fault| fault.heading).collect();
+        assert_eq!(faults, ["row", "id"]);
+    }
+}
