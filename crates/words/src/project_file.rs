@@ -95,7 +95,7 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("leave_out", "application", "field of application", "Anwendungsbereich"),
     ("for", "sinamics", "SINAMICS (Siemens)", "SINAMICS (Siemens)"),
     ("for", "cia402", "CiA 402 (CANopen, EtherCAT)", "CiA 402 (CANopen, EtherCAT)"),
-    ("for", "plain", "of no particular maker", "herstellerneutral"),
+    ("for", "plain", "of no particular manufacturer", "herstellerneutral"),
     ("shape", "bar", "bar with a width", "Balken mit Breite"),
     ("shape", "taper", "tapering to a point", "spitz zulaufend"),
     ("spline", "cubic", "third degree", "dritter Grad"),
