@@ -70,12 +70,12 @@ class _Source(Section, ProjectSource):
         document = self._document()
         if self._text is None:
             return rendered(document)
-        before = tomllib.loads(self._text)
+        before = _without_empty(tomllib.loads(self._text))
         if before == document:
             return self._text
         text = _antrieb.edited(self._text, list(changes(before, document)))
         # An edit that is not exactly the change is none.
-        return text if text is not None and tomllib.loads(text) == document else rendered(document)
+        return text if text is not None and _without_empty(tomllib.loads(text)) == document else rendered(document)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the project file, and beside it the recordings that are in no file."""
@@ -259,6 +259,15 @@ class BaseProject(_Source):
         return self.axis[which]
 
 
+def _without_empty(document: Document) -> Document:
+    """A document without tables that state nothing: an axis keeps none of its requirements without values."""
+    found = {key: value for key, value in document.items() if value != {} or key not in ("requirements", "axis")}
+    several = found.get("axis")
+    if isinstance(several, list):
+        found["axis"] = [_without_empty(each) for each in several]
+    return found
+
+
 def joined(steps: Iterable[str | int]) -> str:
     """Returns the parts of a path as the file has it: `motion[1].payload`."""
     out = ""
@@ -309,6 +318,9 @@ def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] 
     from antrieb.questions import moves
     from antrieb.sections import Axis, Project
 
+    # Callers without a type checker.
+    if not isinstance(text, str):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise TypeError(f"loads takes the text of a project file, not {type(text).__name__}; load takes its path")
     called = name or "text"
     try:
         document = tomllib.loads(text.removeprefix("\ufeff"))
@@ -353,7 +365,10 @@ def to_source(of: Any) -> ProjectSource | None:
     if isinstance(of, ProjectSource):
         return of
     each: list[Any] = list(of) if isinstance(of, (list, tuple)) else []
-    if each and all(isinstance(one, BaseAxis) for one in each):
+    for place, one in enumerate(each, 1):
+        if not isinstance(one, BaseAxis):
+            raise TypeError(f"a list of axes has axes only; entry {place} is {type(one).__name__}")
+    if each:
         from antrieb.sections import Project
 
         only: ProjectSource = each[0]

@@ -157,7 +157,9 @@ def _numbers(value: Any, name: str) -> float | tuple[float, ...]:
     """A number, or those of an array of one dimension."""
     if isinstance(value, (str, bytes)) or value is None or isinstance(value, bool):
         raise TypeError(f"{name}: numbers are expected, not {type(value).__name__}")
-    if hasattr(value, "mask") and bool(getattr(value.mask, "any", lambda: value.mask)()):
+    # Of a masked array; that of a series is a method.
+    mask = getattr(value, "mask", None)
+    if mask is not None and not callable(mask) and bool(getattr(mask, "any", lambda: mask)()):
         raise TypeError(f"{name}: the array has masked values")
     if hasattr(value, "tolist"):
         value = value.tolist()
@@ -173,7 +175,7 @@ def _one(value: Any, name: str) -> float:
         value = value.item()
     if isinstance(value, (list, tuple)):
         raise TypeError(f"{name}: an array of one dimension is expected")
-    if isinstance(value, (bool, str, bytes, complex)) or value is None:
+    if isinstance(value, (bool, str, bytes, complex, type)) or value is None:
         raise TypeError(f"{name}: numbers are expected, not {type(value).__name__}")
     try:
         return operator.index(value)
@@ -295,8 +297,8 @@ def split(text: str) -> tuple[Decimal, str] | None:
     return Decimal(found[1].replace("−", "-")), found[2]
 
 
-def text_of(value: Any, name: str, example: str, other: str = "") -> str:
-    """Returns a quantity as a project file has it; `other` is an example of the second quantity that is permitted.
+def text_of(value: Any, name: str, example: str, other: str | None = "") -> str:
+    """Returns a quantity as a project file has it; `other` is an example of the second quantity that is permitted, `None` if any is.
 
     Raises:
         TypeError: It is none, or several; the message names the argument and what to write.
@@ -311,8 +313,8 @@ def text_of(value: Any, name: str, example: str, other: str = "") -> str:
         raise TypeError(f"{name} is one quantity such as {example!r}, not {len(found)}; antrieb.sweep takes several")
     if not math.isfinite(found.value):
         raise fault(f"{name} is not finite: {found.value!r}", f'write {name.rsplit(".", 1)[-1]}="{example}"')
-    if isinstance(value, Q):
-        return value.texts[0]
+    if isinstance(value, Q) or other is None:
+        return found.texts[0]
     return _converted(value, found, name, [each for each in (example, other) if each])
 
 

@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+import difflib
+import json
 import math
 import operator
 import os
@@ -46,11 +48,28 @@ class Section:
 
     _KEYS: ClassVar[Mapping[str, Kind]] = {}
     _PLACES: ClassVar[tuple[str, ...]] = ()
+    _NEEDED: ClassVar[tuple[str, ...]] = ()
     _TABLE: ClassVar[str] = ""
 
     _values: dict[str, Any]
 
+    def __new__(cls, *places: Any, **given: Any) -> Self:
+        for name in given:
+            if name not in cls._KEYS:
+                near = difflib.get_close_matches(name, cls._KEYS, 1)
+                hint = f"did you mean {near[0]!r}?" if near else f"it has {', '.join(cls._KEYS)}"
+                raise TypeError(f"{cls.__name__} has no keyword {name!r}; {hint}")
+        if len(places) > len(cls._PLACES):
+            first = next((name for name in cls._KEYS if name not in cls._PLACES), "")
+            raise TypeError(f"{cls.__name__}: {places[len(cls._PLACES)]!r} has no name; write it as in {first}=…")
+        return super().__new__(cls)
+
     def _begin(self, **given: Any) -> None:
+        for name in self._NEEDED:
+            if name in given and given[name] is None:
+                example = self._KEYS[name].example
+                hint = f', such as {name}="{example}"' if self._KEYS[name].of == "quantity" else ""
+                raise TypeError(f"{type(self).__name__}.{name} is required{hint}; it is None")
         values: dict[str, Any] = {}
         for name, value in given.items():
             if value is None:
@@ -421,13 +440,15 @@ def _texts(kind: Kind, value: Any, where: str) -> tuple[str, ...]:
 
 
 def _rows(kind: Kind, value: Any, where: str) -> tuple[tuple[str, ...], ...]:
-    example = '[("0 s", "0 deg"), ("0.2 s", "30 deg")]'
+    rows: list[list[str]] = json.loads(kind.example)
+    example = repr([tuple(row) for row in rows[:2]])
     found: list[tuple[str, ...]] = []
     for place, row in enumerate(_entries(value, where, example), 1):
         cells = _entries(row, f"{where}, row {place},", example)
         if len(cells) != kind.columns:
             raise TypeError(f"{where}, row {place}, has {len(cells)} cells instead of {kind.columns}; write {example}")
-        found.append(tuple(text_of(cell, f"{where}, row {place}", "0.2 s") for cell in cells))
+        columns = enumerate(zip(cells, rows[0], strict=True), 1)
+        found.append(tuple(text_of(cell, f"{where}[{place}][{column}]", like, None) for column, (cell, like) in columns))
     return tuple(found)
 
 

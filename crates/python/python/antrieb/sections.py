@@ -20,6 +20,7 @@ class Load(LoadOrMechanism):
 
     __slots__ = ()
     _TABLE = "load"
+    _NEEDED = ("inertia",)
     _KEYS = {
         "inertia": Kind("quantity", example="1.3 kg m^2"),
         "friction_torque": Kind("quantity", example="5 N m"),
@@ -60,6 +61,7 @@ class Body(Section):
     __slots__ = ()
     _TABLE = "mechanism.turntable.body"
     _PLACES = ("shape",)
+    _NEEDED = ("shape",)
     _KEYS = {
         "shape": Kind("word", words=("cylinder", "disc", "tube", "box", "cone", "sphere", "point", "rod",)),
         "diameter": Kind("quantity", example="50 mm"),
@@ -222,6 +224,7 @@ class Arm(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.arm"
+    _NEEDED = ("mass",)
     _KEYS = {
         "shape": Kind("word", words=("rod", "bar", "taper", "point",)),
         "length": Kind("quantity", example="600 mm"),
@@ -315,6 +318,7 @@ class Screw(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.screw"
+    _NEEDED = ("lead", "mass",)
     _KEYS = {
         "lead": Kind("quantity", example="10 mm"),
         "mass": Kind("quantity", example="3.2 kg"),
@@ -399,6 +403,7 @@ class Belt(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.belt"
+    _NEEDED = ("pulley_diameter", "mass",)
     _KEYS = {
         "pulley_diameter": Kind("quantity", example="50 mm"),
         "mass": Kind("quantity", example="3.2 kg"),
@@ -483,6 +488,7 @@ class Conveyor(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.conveyor"
+    _NEEDED = ("roller_diameter", "mass",)
     _KEYS = {
         "roller_diameter": Kind("quantity", example="50 mm"),
         "mass": Kind("quantity", example="3.2 kg"),
@@ -562,6 +568,7 @@ class SliderCrank(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.slider_crank"
+    _NEEDED = ("crank", "rod", "mass",)
     _KEYS = {
         "crank": Kind("quantity", example="50 mm"),
         "rod": Kind("quantity", example="200 mm"),
@@ -674,6 +681,7 @@ class TableMechanism(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.table"
+    _NEEDED = ("points",)
     _KEYS = {
         "points": Kind("rows", example="[[\"0 deg\", \"1.3 kg m^2\", \"5 N m\"], [\"90 deg\", \"1.6 kg m^2\", \"0 N m\"]]", columns=3),
         "start_angle": Kind("quantity", example="90 deg"),
@@ -732,6 +740,7 @@ class Hoist(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.hoist"
+    _NEEDED = ("drum_diameter", "mass",)
     _KEYS = {
         "drum_diameter": Kind("quantity", example="320 mm"),
         "falls": Kind("integer", example="2"),
@@ -821,6 +830,7 @@ class Winder(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.winder"
+    _NEEDED = ("core_diameter", "full_diameter", "thickness", "width", "density", "tension",)
     _KEYS = {
         "winding": Kind("word", words=("up", "off",)),
         "core_diameter": Kind("quantity", example="90 mm"),
@@ -910,6 +920,7 @@ class ScissorLift(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.scissor_lift"
+    _NEEDED = ("arm_length", "lead", "arm_angle", "mass",)
     _KEYS = {
         "stages": Kind("integer", example="2"),
         "arm_length": Kind("quantity", example="1.2 m"),
@@ -994,6 +1005,7 @@ class FourBar(Mechanism):
 
     __slots__ = ()
     _TABLE = "mechanism.four_bar"
+    _NEEDED = ("ground", "crank", "coupler", "rocker",)
     _KEYS = {
         "ground": Kind("quantity", example="400 mm"),
         "crank": Kind("quantity", example="100 mm"),
@@ -1274,6 +1286,7 @@ class Move(Segment):
     __slots__ = ()
     _TABLE = "motion"
     _PLACES = ("law",)
+    _NEEDED = ("law",)
     _KEYS = {
         "law": Kind("word", words=("trapezoid", "triangle", "jerk", "polynomial_5", "modified_sine", "modified_trapezoid", "simple_sine", "inclined_sine", "parabola", "constant", "open",)),
         "speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
@@ -1429,6 +1442,7 @@ class Manual(Segment):
     _TABLE = "motion"
     _LAW = "manual"
     _PLACES = ("speed",)
+    _NEEDED = ("speed", "accelerate", "run", "brake", "pause",)
     _KEYS = {
         "speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "accelerate": Kind("quantity", example="0.1 s"),
@@ -1561,6 +1575,7 @@ class Recorded(Segment):
     _TABLE = "motion"
     _LAW = "recorded"
     _PLACES = ("file",)
+    _NEEDED = ("file",)
     _KEYS = {
         "file": Kind("text"),
         "columns": Kind("table", table="Columns"),
@@ -1662,6 +1677,7 @@ class Points(Segment):
     _TABLE = "motion"
     _LAW = "points"
     _PLACES = ("points",)
+    _NEEDED = ("points", "spline", "ends",)
     _KEYS = {
         "end_speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "payload": Kind("quantity", example="3.2 kg"),
@@ -1748,6 +1764,7 @@ class Web(Segment):
     _TABLE = "motion"
     _LAW = "web"
     _PLACES = ("speed",)
+    _NEEDED = ("speed",)
     _KEYS = {
         "speed": Kind("quantity", example="40 1/min", other="0.5 m/s"),
         "accelerate": Kind("quantity", example="0.1 s"),
@@ -1807,6 +1824,7 @@ class Stage(Section):
 
     __slots__ = ()
     _TABLE = "stage"
+    _NEEDED = ("kind",)
     _KEYS = {
         "kind": Kind("word", words=("belt", "gear", "coupling",)),
         "ratio": Kind("number", example="2.5"),
@@ -2004,6 +2022,7 @@ class Actuator(Section):
 
     __slots__ = ()
     _TABLE = "actuator"
+    _NEEDED = ("name",)
     _KEYS = {
         "name": Kind("text"),
         "ratio": Kind("number", example="50"),
@@ -2532,6 +2551,7 @@ class Curve(Section):
     __slots__ = ()
     _TABLE = "curve"
     _PLACES = ("kind",)
+    _NEEDED = ("kind",)
     _KEYS = {
         "kind": Kind("word", words=("continuous", "s3_50", "s3_25", "short_time",)),
         "code": Kind("text"),
@@ -2622,6 +2642,7 @@ class Axis(BaseAxis):
         "option_2",
     )
     _PLACES = ("name", "mechanism", "motion")
+    _NEEDED = ("mechanism", "motion")
     _KEYS = {
         "name": Kind("text"),
         "mechanism": Kind("mechanism"),

@@ -356,6 +356,11 @@ fn body(members: &[&Member]) -> String {
     if !places.is_empty() {
         let _ = writeln!(out, "    _PLACES = ({},)", places.join(", "));
     }
+    let needed: Vec<String> =
+        members.iter().filter(|member| member.is_required).map(|member| quoted(&name(member.key.name))).collect();
+    if !needed.is_empty() {
+        let _ = writeln!(out, "    _NEEDED = ({},)", needed.join(", "));
+    }
     out.push_str("    _KEYS = {\n");
     for member in members {
         let _ = writeln!(out, "        {}: {},", quoted(&name(member.key.name)), kind_of(member));
@@ -431,7 +436,7 @@ fn axis(requirements: &Key) -> String {
                 1,
             )
             .replacen("        self._begin(\n", "        self._begin(\n            name=name,\n            mechanism=mechanism,\n            motion=motion,\n", 1)
-            .replacen("    _KEYS = {\n", "    _PLACES = (\"name\", \"mechanism\", \"motion\")\n    _KEYS = {\n        \"name\": Kind(\"text\"),\n        \"mechanism\": Kind(\"mechanism\"),\n        \"motion\": Kind(\"tables\", table=\"Segment\"),\n", 1)
+            .replacen("    _KEYS = {\n", "    _PLACES = (\"name\", \"mechanism\", \"motion\")\n    _NEEDED = (\"mechanism\", \"motion\")\n    _KEYS = {\n        \"name\": Kind(\"text\"),\n        \"mechanism\": Kind(\"mechanism\"),\n        \"motion\": Kind(\"tables\", table=\"Segment\"),\n", 1)
             .replacen("    }\n\n", "    }\n\n    name: str | None\n    mechanism: LoadOrMechanism\n    motion: tuple[Segment, ...]\n", 1),
     );
     out.push_str(

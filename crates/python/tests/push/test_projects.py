@@ -78,6 +78,14 @@ def made(of: typing.Any, chance: random.Random, share: float = 0.6) -> typing.An
     return of(**given)
 
 
+def answered(project: typing.Any) -> typing.Any:
+    """The answer about a project, or what is missing in it."""
+    try:
+        return an.size(project, top=2)
+    except an.AntriebError as error:
+        return [fault.message for fault in error.faults]
+
+
 class Projects(unittest.TestCase):
     """Objects and their files."""
 
@@ -127,6 +135,31 @@ class Projects(unittest.TestCase):
                 self.assertEqual(an.size(fresh, top=1, folder=EXAMPLES), an.size(file, top=1))
                 self.assertEqual(an.size(of_file, top=1), an.size(file, top=1))
                 self.assertEqual(copy.deepcopy(of_file), of_file)
+
+    def test_templates_are_the_same_as_objects(self) -> None:
+        kinds = typing.get_args(typing.get_type_hints(an.new)["kind"])
+        self.assertGreater(len(kinds), 12)
+        for kind in kinds:
+            for example in (False, True):
+                with self.subTest(kind=kind, example=example):
+                    try:
+                        text = an.new(kind, lang="de", example=example)
+                    except an.AntriebError:
+                        # A kind without a rich example, or one that needs a key.
+                        continue
+                    try:
+                        of_text: typing.Any = an.loads(text)
+                    except an.AntriebError:
+                        # A table of a sweep.
+                        self.assertEqual(kind, "sweep")
+                        continue
+                    self.assertEqual(of_text.to_toml(), text)
+                    fresh = eval(repr(of_text), vars(an))
+                    self.assertEqual(fresh, of_text)
+                    self.assertEqual(answered(fresh), answered(text))
+                    changed = of_text.replace(supply="48 V").to_toml()
+                    self.assertEqual(an.loads(changed).axes[0].supply, "48 V")
+                    self.assertEqual(changed.splitlines()[0], text.splitlines()[0])
 
     def test_a_change_keeps_the_comments(self) -> None:
         chance = random.Random(3)
@@ -303,6 +336,44 @@ class Quantities(unittest.TestCase):
             (lambda: an.Dwell("1 s", hold="brakes"), r'Dwell\.hold: "brakes".*brake'),
         ):
             with self.subTest(words=words), self.assertRaisesRegex(an.AntriebError, words):
+                make()
+
+    def test_odd_arguments_are_refused_by_their_names(self) -> None:
+        load, rest = an.Load(inertia="1 kg m^2"), an.Dwell("1 s")
+        made_by: typing.Any = an
+        for make, words in (
+            (lambda: made_by.Arm(mass=None), "Arm.mass is required"),
+            (lambda: made_by.Arm("30 kg"), "30 kg"),
+            (lambda: made_by.Arm(mass="30 kg", long="1 m"), "has no keyword 'long'"),
+            (lambda: made_by.Arm(mass=["30 kg"]), "Arm.mass"),
+            (lambda: made_by.Arm(mass=b"30 kg"), "Arm.mass"),
+            (lambda: made_by.Arm(mass=an.q([1, 2], "kg")), "Arm.mass is one quantity"),
+            (lambda: made_by.Move(3), "Move.law"),
+            (lambda: made_by.Move("triangle", "90 deg"), "90 deg"),
+            (lambda: made_by.Dwell("1 s", hold=True), "Dwell.hold"),
+            (lambda: made_by.Axis("a", rest, load), "Axis.mechanism"),
+            (lambda: made_by.Axis(load, rest, []), "name comes first"),
+            (lambda: made_by.Axis("a", load, None), "Axis.motion is required"),
+            (lambda: made_by.Axis("a", load, [load]), r"Axis.motion\[1\]"),
+            (lambda: made_by.Axis("a", load, rest, supply=560), 'supply="560 V"'),
+            (lambda: made_by.Axis("a", load, rest, brake="yes"), "Axis.brake"),
+            (lambda: made_by.Axis("a", load, rest, bearing={"overhang": "1 mm"}), "Axis.bearing"),
+            (lambda: made_by.Axis("a", load, rest, feedback=[3]), "Axis.feedback"),
+            (lambda: made_by.Project([]), "Project"),
+            (lambda: made_by.Project([load]), r"Project.axis\[1\]"),
+            (lambda: made_by.Points([[1, 2]], spline="cubic", ends="rest"), r"points\[1\]\[1\]"),
+            (lambda: made_by.Points([["0 s"]], spline="cubic", ends="rest"), "row 1, has 1 cells"),
+            (lambda: made_by.Turntable(body=[{"shape": "disc"}]), r"Turntable.body\[1\]"),
+            (lambda: made_by.Stage(kind="gear", ratio="2"), "Stage.ratio"),
+            (lambda: made_by.Twin(cycles=True), "Twin.cycles"),
+            (lambda: made_by.size([]), "empty list"),
+            (lambda: made_by.size([axis(), "x"]), "entry 2"),
+            (lambda: made_by.size(None), "NoneType"),
+            (lambda: made_by.loads(3), "loads"),
+            (lambda: setattr(axis(), "supply", "48 V"), "replace"),
+            (lambda: made_by.sweep(axis(), an.Table.from_pydict({"a": [1.0]}), grid=True), "grid"),
+        ):
+            with self.subTest(words=words), self.assertRaisesRegex((TypeError, AttributeError), words):
                 make()
 
     def test_texts_of_pint_are_read(self) -> None:
