@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import keyword
 import operator
 import os
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from datetime import date
 from typing import TYPE_CHECKING, Any, Literal
@@ -48,6 +50,7 @@ class AntriebError(ValueError):
     """The nearest codes that can be ordered, where an ordering code is wrong."""
 
     def __init__(self, record: dict[str, Any]) -> None:
+        record = _arguments(record)
         of = answers.CodeFaults if "nearest" in record else answers.Faults
         found: answers.CodeFaults | answers.Faults = decoder(of)(record)
         self.faults = tuple(found.errors)
@@ -71,7 +74,7 @@ def _line(fault: Fault) -> str:
         if fault.row is not None:
             place.append(f"row {fault.row}")
     else:
-        place.append(str(fault.position))
+        place.extend(("code", str(fault.position)))
     hint = f" ({fault.hint})" if fault.hint else ""
     return ":".join(place) + (": " if place else "") + fault.message + hint
 
@@ -122,12 +125,63 @@ def _named(value: object) -> str:
     return "an empty list" if isinstance(value, (list, tuple)) and not value else type(value).__name__  # pyright: ignore[reportUnknownArgumentType]
 
 
-def _written(value: Any) -> str:
+def argument(option: str) -> str:
+    """The argument of Python for an option of the command line: `hours-per-day` is `hours_per_day`, `for` is `for_`."""
+    name = option.replace("-", "_")
+    return name + "_" if keyword.iskeyword(name) else name
+
+
+def _own(text: str | None) -> str | None:
+    """A text about options as one about arguments; what is quoted stays as it is."""
+    if not text or "--" not in text:
+        return text
+    parts = text.split("`")
+    parts[::2] = [re.sub(r"--([a-z][a-z-]*)", lambda found: argument(found[1]), part) for part in parts[::2]]
+    return "`".join(parts)
+
+
+def _arguments(record: dict[str, Any]) -> dict[str, Any]:
+    """The record of a fault with the names of Python."""
+
+    def named(fault: dict[str, Any]) -> dict[str, Any]:
+        own = {name: _own(fault[name]) for name in ("message", "hint") if fault.get(name)}
+        if fault.get("option"):
+            own["option"] = argument(fault["option"])
+        return {**fault, **own}
+
+    return {**record, "errors": [named(fault) for fault in record.get("errors", [])]}
+
+
+def placed(error: AntriebError, given: Iterable[tuple[str, str]]) -> AntriebError:
+    """The exception with the argument of each fault that quotes its value and has no place."""
+    pairs = [(name, value) for name, value in given if value]
+    errors: list[dict[str, Any]] = []
+    for fault in error.record.get("errors", []):
+        if not any(fault.get(place) for place in ("option", "file", "line", "heading", "position")):
+            names = [name for name, value in pairs if value in fault["message"] and len(value) > 1]
+            fault = {**fault, "option": names[0]} if names else fault
+        errors.append(fault)
+    return AntriebError({**error.record, "errors": errors})
+
+
+def flag(name: str, value: Any) -> bool:
+    """A truth value as it is handed over."""
+    if isinstance(value, bool):
+        return value
+    if type(value).__name__ in ("bool", "bool_") and hasattr(value, "item"):
+        return bool(value)
+    raise TypeError(f"{name} is True or False, not {value!r:.40}")
+
+
+def _written(value: Any, name: str = "") -> str:
+    place = f"{argument(name)}: " if name else ""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, date):
         return value.isoformat()
     if isinstance(value, str):
+        if not value.strip() and name != "code":
+            raise ValueError(f"{place}the text is empty; leave the argument out, or write a value")
         return str(value)
     if hasattr(value, "__fspath__"):
         return os.fsdecode(value)
@@ -136,13 +190,20 @@ def _written(value: Any) -> str:
         return str(operator.index(value))
     except TypeError:
         pass
-    raise TypeError(f"a text is expected, not {type(value).__name__}; quantities are written with their unit")
+    raise TypeError(f"{place}a text is expected, not {type(value).__name__}; quantities are written with their unit")
 
 
 def each_of(value: Any) -> list[Any]:
     """One value, or those of a list, a tuple, an array or a series; a text is one value."""
     is_one = isinstance(value, (str, bytes, Mapping, os.PathLike)) or not isinstance(value, Iterable)
     return [value] if is_one else list(value)  # pyright: ignore[reportUnknownArgumentType, reportArgumentType]
+
+
+def language(lang: Any) -> str:
+    """The language as it is handed over; a word that is none is refused with the other faults."""
+    if isinstance(lang, str):
+        return lang
+    raise TypeError(f"lang is 'en' or 'de', not {lang!r:.40}")
 
 
 def unit_text(name: str, value: str | None) -> str | None:
@@ -159,7 +220,7 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
     for name, value in values:
         if value is None or value is False:
             continue
-        found.extend((name, _written(each)) for each in each_of(value))
+        found.extend((name, _written(each, name)) for each in each_of(value))
     return found
 
 
@@ -178,11 +239,15 @@ def ask(
     """The answer to a question of the list; a record as the type that `of` returns."""
     names = (file,) if len(texts) == 1 else ("old", "new")
     sources = [handed(text, name, folder) for text, name in zip(texts, names, strict=False)]
+    lang_id = language(lang)
     pairs_given = list(pairs)
     given = pairs_of([*pairs_given, ("lang", lang)])
-    media, body = _antrieb.ask(
-        command, sources, given, lang, unit_text("deadline", deadline), unit_text("memory", memory)
-    )
+    try:
+        media, body = _antrieb.ask(
+            command, sources, given, lang_id, unit_text("deadline", deadline), unit_text("memory", memory)
+        )
+    except AntriebError as error:
+        raise placed(error, given) from None
     if media == JSON:
         answer = decoder(of())(json.loads(body))
         if len(texts) == 1:

@@ -9,7 +9,7 @@ from antrieb import _antrieb
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 from antrieb._axis import to_source
-from antrieb._call import Lang, Path, Text, handed, pairs_of, unit_text
+from antrieb._call import Lang, Path, Text, flag, handed, language, pairs_of, unit_text
 from antrieb._columns import columns
 from antrieb._progress import Progress, observed
 from antrieb._tables import TableLike, arrow
@@ -59,7 +59,7 @@ class Sweep:
         options = _options(axis, check, front, lang)
         columns: Any = schema if hasattr(schema, "__arrow_c_schema__") else arrow(schema, "schema")
         self._sweep = _antrieb.Sweep(
-            handed(text, file, folder), columns, options, lang, unit_text("memory", memory), _flag("inputs", inputs)
+            handed(text, file, folder), columns, options, lang, unit_text("memory", memory), flag("inputs", inputs)
         )
 
     def __reduce__(self) -> tuple[Callable[..., Sweep], tuple[Any, ...]]:
@@ -119,16 +119,10 @@ def _again(of: type[Sweep], *made_of: Any) -> Sweep:
     return sweep
 
 
-def _flag(name: str, value: Any) -> bool:
-    if not isinstance(value, bool):
-        raise TypeError(f"{name} is True or False, not {type(value).__name__}")
-    return value
-
-
 def _options(
     axis: str | None, check: answers.CheckId | Sequence[answers.CheckId], front: bool, lang: Lang
 ) -> list[tuple[str, str]]:
-    return pairs_of([("axis", axis), ("check", check), ("front", front), ("lang", lang)])
+    return pairs_of([("axis", axis), ("check", check), ("front", flag("front", front)), ("lang", language(lang))])
 
 
 def sweep(
@@ -193,7 +187,7 @@ def sweep(
             options,
             lang,
             unit_text("memory", memory),
-            _flag("inputs", inputs),
+            flag("inputs", inputs),
             unit_text("deadline", deadline),
             observer,
         )

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from datetime import date as Day
 from typing import TYPE_CHECKING, Literal, overload
 
-from antrieb._call import Lang, Path, Picture, Text, ask
+from antrieb._call import Lang, Path, Picture, Text, ask, flag
 from antrieb._lazy import lazy
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ def size(
         lambda: answers.Sizing | answers.AxesOfSizing,
         "size",
         (text,),
-        [("axis", axis), ("top", top), ("all", all), ("samples", samples), ("seed", seed)],
+        [("axis", axis), ("top", top), ("all", flag("all", all)), ("samples", samples), ("seed", seed)],
         lang,
         file=file,
         folder=folder,
@@ -222,7 +222,7 @@ def sweep(
         lambda: answers.SweepSummary,
         "sweep",
         (text,),
-        [("axis", axis), ("table", table), ("check", check), ("front", front)],
+        [("axis", axis), ("table", table), ("check", check), ("front", flag("front", front))],
         lang,
         file=file,
         folder=folder,
@@ -492,7 +492,7 @@ def simulate(
         lambda: answers.Simulation | answers.AxesOfSimulation,
         "simulate",
         (text,),
-        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("failure", failure), ("cycles", cycles), ("cold", cold), ("days", days), ("hours-per-day", hours_per_day), ("every", every), ("signals", signals), ("format", format), ("figure", figure), ("theme", theme), ("width", width), ("height", height), ("seed", seed)],
+        [("axis", axis), ("code", code), ("scenario", scenario), ("at", at), ("reaction", reaction), ("failure", failure), ("cycles", cycles), ("cold", flag("cold", cold)), ("days", days), ("hours-per-day", hours_per_day), ("every", every), ("signals", signals), ("format", format), ("figure", figure), ("theme", theme), ("width", width), ("height", height), ("seed", seed)],
         lang,
         file=file,
         folder=folder,
@@ -604,7 +604,7 @@ def report(
         lambda: object,
         "report",
         (text,),
-        [("axis", axis), ("code", code), ("full", full), ("installation", installation), ("date", date), ("revision", revision), ("title", title), ("number", number), ("author", author), ("company", company), ("customer", customer), ("order", order), ("change", change), ("archive", archive)],
+        [("axis", axis), ("code", code), ("full", flag("full", full)), ("installation", flag("installation", installation)), ("date", date), ("revision", revision), ("title", title), ("number", number), ("author", author), ("company", company), ("customer", customer), ("order", order), ("change", change), ("archive", flag("archive", archive))],
         lang,
         file=file,
         folder=folder,
@@ -915,7 +915,7 @@ def code_list(
         lambda: list[answers.ListedCode],
         "code list",
         (),
-        [("pattern", pattern), ("available", available)],
+        [("pattern", pattern), ("available", flag("available", available))],
         lang,
     )
     return answer
@@ -1084,7 +1084,7 @@ def encoder(
         lambda: answers.Encoder,
         "encoder",
         (),
-        [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", battery_lost), ("error", error), ("decode", decode)],
+        [("code", code), ("angle", angle), ("turn", turn), ("speed", speed), ("seed", seed), ("window", window), ("battery-lost", flag("battery_lost", battery_lost)), ("error", flag("error", error)), ("decode", decode)],
         lang,
     )
     return answer
@@ -1824,7 +1824,7 @@ def new(
         lambda: object,
         "new",
         (),
-        [("kind", kind), ("example", example), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
+        [("kind", kind), ("example", flag("example", example)), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
         lang,
     )
     return answer
@@ -1930,7 +1930,7 @@ def schema(
         lambda: dict[str, object],
         "schema",
         (),
-        [("answers", answers)],
+        [("answers", flag("answers", answers))],
         lang,
     )
     return answer

@@ -23,7 +23,7 @@ from collections.abc import Sequence
 from datetime import date as Day
 from typing import TYPE_CHECKING, Literal, overload
 
-from antrieb._call import Lang, Path, Picture, Text, ask
+from antrieb._call import Lang, Path, Picture, Text, ask, flag
 from antrieb._lazy import lazy
 
 if TYPE_CHECKING:
@@ -108,8 +108,15 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
     let _ = writeln!(out, "    \"\"\"{}\"\"\"", about(entry, &takes));
     let sources: Vec<String> = sources(entry.reads).iter().map(|each| each.name.clone()).collect();
     let texts = if sources.is_empty() { "()".to_owned() } else { format!("({},)", sources.join(", ")) };
-    let pairs: Vec<String> =
-        entry.arguments.iter().map(|each| format!("({}, {})", quoted(each.name), name(each.name))).collect();
+    let pair = |each: &Argument| {
+        let (option, name) = (quoted(each.name), name(each.name));
+        if matches!(each.kind, ArgumentKind::Flag) {
+            format!("({option}, flag({}, {name}))", quoted(&name))
+        } else {
+            format!("({option}, {name})")
+        }
+    };
+    let pairs: Vec<String> = entry.arguments.iter().map(pair).collect();
     let of = record_type(entry, schema).unwrap_or_else(|| "object".to_owned());
     let mut given = vec![
         format!("lambda: {of}"),

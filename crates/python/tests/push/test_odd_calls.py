@@ -1,0 +1,156 @@
+"""Odd calls: wrong types, units, words, shapes and empty values. Each ends in an exception that names the argument and says what
+to write; none hangs, none is misread."""
+
+from __future__ import annotations
+
+import inspect
+import pathlib
+import re
+import time
+import typing
+import unittest
+
+import antrieb
+from antrieb import questions
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
+PROJECT = (EXAMPLES / "indexing-table.toml").read_text(encoding="utf-8")
+CODE = "CHA-25A-50-H-C1024"
+INERTIA = "load.inertia [kg m^2]"
+
+GIVEN: dict[str, typing.Any] = {
+    "text": PROJECT,
+    "old": PROJECT,
+    "new": PROJECT,
+    "code": CODE,
+    "figure": "cycle",
+    "table": "checks",
+    "kind": "arm",
+    "delivered": "2026-03-01",
+    "voltage": "560 V",
+    "hours_per_day": "8 h",
+    "length": "5 m",
+    "for_": "cia402",
+    "trace": "run.csv",
+    "body": "disc diameter=200mm length=20mm density=7850kg/m^3",
+}
+"""A value of each argument that a function needs."""
+
+TYPES: list[typing.Any] = [object(), 1.5, b"x", {"a": 1}, ["x", 3.5], [None], float("nan"), 1j, print]
+"""Values of a type that no argument has."""
+
+WORDS = ["", "5 bananas", "nonsense"]
+
+FREE = ("title", "number", "revision", "author", "company", "customer", "order", "key", "change", "pattern", "about", "axis")
+"""Arguments that take any text, or name an entry of the user."""
+
+
+def calls() -> typing.Iterator[tuple[str, str, typing.Any, dict[str, typing.Any]]]:
+    """Each argument of each question with values that it cannot have."""
+    for name in sorted(set(questions.__all__) & set(questions._EXAMPLES)):
+        parameters = inspect.signature(getattr(questions, name)).parameters
+        needed = {key: GIVEN[key] for key, each in parameters.items() if each.default is each.empty}
+        if "code" in parameters:
+            needed["code"] = [CODE, "CHA-25A-80-H-C1024"] if name == "compare" else CODE
+        if name == "wiring":
+            needed["length"] = GIVEN["length"]
+        for key in parameters:
+            if key in ("text", "old", "new", "file", "folder"):
+                continue
+            for value in TYPES:
+                yield name, key, value, needed
+            for value in WORDS:
+                if value and (key in FREE or key in ("trace", "memory", "deadline")):
+                    continue
+                if not value and key == "code":
+                    continue
+                yield name, key, value, needed
+
+
+class OddCalls(unittest.TestCase):
+    """The list walked."""
+
+    def test_every_wrong_value_is_refused_by_the_name_of_its_argument(self) -> None:
+        count = 0
+        for name, key, value, needed in calls():
+            count += 1
+            with self.subTest(f"{name}({key}={value!r:.30})"):
+                begin = time.monotonic()
+                with self.assertRaises((TypeError, ValueError)) as caught:
+                    getattr(antrieb, name)(**{**needed, key: value})
+                self.assertLess(time.monotonic() - begin, 30.0)
+                message = str(caught.exception)
+                self.assertIn(key, message)
+                self.assertNotRegex(re.sub(r"`[^`]*`", "", message), r"--[a-z]")
+        self.assertGreater(count, 200)
+
+    def test_texts_that_are_no_projects_are_refused(self) -> None:
+        wrong: list[typing.Any] = [None, 1, 1.5, b"x", object(), ["x"], {"a": 1}, "", "\n", "nowhere.toml", "= 3", PROJECT[:200] + '"']
+        for value in wrong:
+            for function in (antrieb.size, antrieb.check, antrieb.report, lambda text: antrieb.sweep(text, {INERTIA: [1.0]})):
+                with self.subTest(f"{value!r:.30}"), self.assertRaises((TypeError, ValueError)):
+                    function(value)
+
+    def test_tables_that_are_none_are_refused(self) -> None:
+        wrong: list[typing.Any] = [
+            None,
+            "tasks.csv",
+            b"x",
+            3,
+            [],
+            {},
+            [1.0],
+            [[1.0]],
+            [{}],
+            object(),
+            {INERTIA: 1.0},
+            {INERTIA: None},
+            {INERTIA: [[1.0], [2.0]]},
+            {INERTIA: [1.0, "two"]},
+            {INERTIA: [True]},
+            {INERTIA: [object()]},
+            {INERTIA: [1.0], "motion[1].time [s]": [1.0, 2.0]},
+            {INERTIA: [1.0, None]},
+            {INERTIA: [float("nan")]},
+            {INERTIA: ["1.5 m"]},
+            {INERTIA: ["heavy"]},
+            {"load.inertia": [1.0]},
+            {"load.inertia [m]": [1.0]},
+            {"load.inertja [kg m^2]": [1.0]},
+            {"inertia": [1.0], INERTIA: [1.0]},
+            {"motion[0].time [s]": [1.0]},
+            {"motion[9].time [s]": [1.0]},
+            {"motion[1].law": ["sine"]},
+            {"code": ["CHA-25A-55-H-C1024"]},
+            {"code": [1]},
+            {"id": [1]},
+            {INERTIA: [1.0], "row": [1]},
+            {1: [1.0]},
+            {INERTIA: {"a": 1}},
+        ]
+        for table in wrong:
+            with self.subTest(f"{table!r:.50}"):
+                with self.assertRaises((TypeError, ValueError)) as caught:
+                    found = antrieb.sweep(PROJECT, table)
+                    self.assertEqual(len(found), 1)
+                self.assertRegex(str(caught.exception), "table|inertia|motion|code|id|row|key")
+
+    def test_options_of_a_sweep_are_refused_by_their_names(self) -> None:
+        wrong: dict[str, list[typing.Any]] = {
+            "lang": ["fr", "", 1],
+            "axis": ["nowhere", 3.5],
+            "check": ["termal", 3.5, ["thermal", 1.5]],
+            "front": ["yes", 1, None],
+            "inputs": ["yes", 1, None],
+            "deadline": [60, "soon", "60"],
+            "memory": [1, "1", "much"],
+            "progress": ["yes", 1],
+        }
+        for key, values in wrong.items():
+            for value in values:
+                with self.subTest(f"{key}={value!r}"), self.assertRaisesRegex((TypeError, ValueError), key):
+                    antrieb.sweep(PROJECT, {INERTIA: [1.0]}, **{key: value})
+
+
+if __name__ == "__main__":
+    unittest.main()
