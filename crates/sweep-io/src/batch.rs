@@ -39,7 +39,7 @@ pub enum Repeats {
     /// Columns that are no keys, such as names of rows.
     #[default]
     Labels,
-    /// All columns.
+    /// Every column.
     Inputs,
 }
 

@@ -16,6 +16,7 @@ from antrieb._axis import to_source
 from antrieb._decode import decoder
 from antrieb._lazy import lazy
 from antrieb._source import Handed, ProjectSource
+from antrieb._trace import HeldFile
 
 if TYPE_CHECKING:
     from antrieb import answers
@@ -152,14 +153,17 @@ def _arguments(record: dict[str, Any]) -> dict[str, Any]:
     return {**record, "errors": [named(fault) for fault in record.get("errors", [])]}
 
 
-def placed(error: AntriebError, given: Iterable[tuple[str, str]]) -> AntriebError:
-    """The exception with the argument of each fault that quotes its value and has no place."""
+def placed(error: AntriebError, given: Iterable[tuple[str, str]], folders: Sequence[str] = ()) -> AntriebError:
+    """The exception with the argument of each fault that quotes its value and has no place; a file that is held for the call
+    has the name of its argument alone."""
     pairs = [(name, value) for name, value in given if value]
     errors: list[dict[str, Any]] = []
     for fault in error.record.get("errors", []):
         if not any(fault.get(place) for place in ("option", "file", "line", "heading", "position")):
             names = [name for name, value in pairs if value in fault["message"] and len(value) > 1]
             fault = {**fault, "option": names[0]} if names else fault
+        for folder in folders:
+            fault = {key: value.replace(folder, "") if isinstance(value, str) else value for key, value in fault.items()}
         errors.append(fault)
     return AntriebError({**error.record, "errors": errors})
 
@@ -242,12 +246,16 @@ def ask(
     lang_id = language(lang)
     pairs_given = list(pairs)
     given = pairs_of([*pairs_given, ("lang", lang)])
+    held = [value for _, value in pairs_given if isinstance(value, HeldFile)]
     try:
         media, body = _antrieb.ask(
             command, sources, given, lang_id, unit_text("deadline", deadline), unit_text("memory", memory)
         )
     except AntriebError as error:
-        raise placed(error, given) from None
+        raise placed(error, given, [each.folder for each in held]) from None
+    finally:
+        for each in held:
+            each.end()
     if media == JSON:
         answer = decoder(of())(json.loads(body))
         if len(texts) == 1:

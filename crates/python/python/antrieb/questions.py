@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Literal, overload
 
 from antrieb._call import Lang, Path, Picture, Text, ask, flag
 from antrieb._lazy import lazy
+from antrieb._trace import Trace, held
 
 if TYPE_CHECKING:
     from antrieb import answers
@@ -503,7 +504,7 @@ def simulate(
 
 
 def identify(
-    trace: Path,
+    trace: Trace,
     text: Text,
     code: str | None = None,
     *,
@@ -537,7 +538,7 @@ def identify(
         lambda: answers.Identification,
         "identify",
         (text,),
-        [("axis", axis), ("code", code), ("trace", trace)],
+        [("axis", axis), ("code", code), ("trace", held("trace", trace))],
         lang,
         file=file,
         folder=folder,

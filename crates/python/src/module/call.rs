@@ -32,7 +32,7 @@ impl Watch<'_> {
 
     /// Handles signals, and calls the function with the number of completed steps and of all, once the number of all is
     /// known.
-    fn look(&self, py: Python<'_>) -> PyResult<()> {
+    fn report(&self, py: Python<'_>) -> PyResult<()> {
         py.check_signals()?;
         match (self.observer, self.progress.progress()) {
             (Some(observer), (done, Some(all))) => observer.call1((done.min(all), all)).map(drop),
@@ -62,7 +62,7 @@ pub(super) fn interruptible<T: Send + 'static>(
         match py.detach(|| wait(TICK)) {
             Ok(found) => {
                 // Only the end of the work is reported to be the end.
-                let ended = if found.is_ok() { watch.look(py) } else { Ok(()) };
+                let ended = if found.is_ok() { watch.report(py) } else { Ok(()) };
                 ended?;
                 return found.map_err(|ForkedAtWork| forked_at_work());
             }
@@ -75,7 +75,7 @@ pub(super) fn interruptible<T: Send + 'static>(
         if watch.deadline.is_some_and(|most| begin.elapsed() > most) {
             watch.progress.expire();
         }
-        if let Err(interrupt) = watch.look(py) {
+        if let Err(interrupt) = watch.report(py) {
             watch.progress.cancel();
             if matches!(py.detach(|| wait(GRACE)), Err(RecvTimeoutError::Timeout)) {
                 leave(worker);

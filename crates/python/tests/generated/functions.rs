@@ -25,6 +25,7 @@ from typing import TYPE_CHECKING, Literal, overload
 
 from antrieb._call import Lang, Path, Picture, Text, ask, flag
 from antrieb._lazy import lazy
+from antrieb._trace import Trace, held
 
 if TYPE_CHECKING:
     from antrieb import answers
@@ -112,6 +113,8 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
         let (option, name) = (quoted(each.name), name(each.name));
         if matches!(each.kind, ArgumentKind::Flag) {
             format!("({option}, flag({}, {name}))", quoted(&name))
+        } else if is_recorded(each) {
+            format!("({option}, held({}, {name}))", quoted(&name))
         } else {
             format!("({option}, {name})")
         }
@@ -303,15 +306,11 @@ fn sources(reads: Reads) -> Vec<Parameter> {
 /// arguments and the code; the others by name, so that no value is taken for another argument.
 fn takes(entry: &Entry) -> Takes {
     let mut named = Vec::new();
-    let is_before = |each: &Argument| {
-        let is_bare = each.form == questions::list::ArgumentForm::Bare;
-        is_bare && each.required && matches!(each.kind, ArgumentKind::File)
-    };
     let is_first =
         |each: &&Argument| each.required || each.name == "code" || each.form != questions::list::ArgumentForm::Option;
     let (at_place, by_name): (Vec<&Argument>, Vec<&Argument>) = entry.arguments.iter().partition(is_first);
     let (must, may): (Vec<&Argument>, Vec<&Argument>) = at_place.into_iter().partition(|each| each.required);
-    let (before, must): (Vec<&Argument>, Vec<&Argument>) = must.into_iter().partition(|each| is_before(each));
+    let (before, must): (Vec<&Argument>, Vec<&Argument>) = must.into_iter().partition(|each| is_recorded(each));
     let mut first: Vec<Parameter> = before.into_iter().map(|each| of_argument(each, entry.gives)).collect();
     first.extend(sources(entry.reads));
     first.extend(must.into_iter().chain(may).map(|each| of_argument(each, entry.gives)));
@@ -350,11 +349,18 @@ fn takes(entry: &Entry) -> Takes {
     Takes { first, named }
 }
 
+/// Returns `true` for a recorded run: a file by position, for which Python takes its content too.
+fn is_recorded(argument: &Argument) -> bool {
+    let is_bare = argument.form == questions::list::ArgumentForm::Bare;
+    is_bare && argument.required && matches!(argument.kind, ArgumentKind::File)
+}
+
 fn of_argument(argument: &Argument, gives: Gives) -> Parameter {
     let words = argument.words();
     let of = match argument.kind {
         ArgumentKind::Text | ArgumentKind::Code => "str".to_owned(),
         ArgumentKind::Date => "str | Day".to_owned(),
+        ArgumentKind::File if is_recorded(argument) => "Trace".to_owned(),
         ArgumentKind::File => "Path".to_owned(),
         ArgumentKind::Flag => "bool".to_owned(),
         ArgumentKind::Whole(..) => "int".to_owned(),

@@ -118,6 +118,21 @@ class Questions(unittest.TestCase):
                 elif media.startswith("image/svg"):
                     self.assertTrue(answer._repr_svg_().startswith("<svg"))
 
+    def test_a_recorded_run_is_a_path_its_content_or_a_table(self) -> None:
+        expected = antrieb.identify("run.csv", PROJECT, CODE)
+        text = pathlib.Path("run.csv").read_text(encoding="utf-8")
+        head, *lines = text.strip().split("\n")
+        cells = [line.split(",") for line in lines]
+        columns = {name: [float(row[at]) if row[at] else None for row in cells] for at, name in enumerate(head.split(","))}
+        for run in (pathlib.Path("run.csv"), text, text.encode(), columns):
+            with self.subTest(type(run).__name__):
+                self.assertEqual(antrieb.identify(run, PROJECT, CODE), expected)
+        for wrong in ("a,b\n1,2\n", {"time [s]": []}, {"nonsense": [1.0]}, 3.5, None, [1.0]):
+            with self.subTest(f"{wrong!r}"), self.assertRaisesRegex((TypeError, ValueError), "trace"):
+                antrieb.identify(typing.cast(typing.Any, wrong), PROJECT, CODE)
+        with self.assertRaises(antrieb.AntriebError):
+            antrieb.identify(b"\x00\x01", PROJECT, CODE)
+
     def test_every_function_is_of_the_package(self) -> None:
         for name in questions.__all__:
             self.assertTrue(inspect.getdoc(getattr(antrieb, name)), name)
