@@ -386,3 +386,30 @@ fn the_checks_of_every_code_are_held_to_the_memory() {
     let (few, many) = (of(24), of(240));
     assert!(many < few + 30.0, "{few:.0} MB for 24 rows, {many:.0} MB for 240");
 }
+
+/// An interrupt states the rows that are kept, and the same call continues with them.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_states_the_rows_that_are_kept() {
+    let bench = Bench::new();
+    let child = bench.start();
+    bench.wait_for("part-00000000.blake3");
+    bench.wait_for("part-00000000.parquet");
+    let _ = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let done = child.wait_with_output().unwrap();
+    assert_eq!(done.status.code(), Some(130));
+    let said = String::from_utf8(done.stderr).unwrap();
+    let (_, kept) = said.split_once("interrupted").unwrap();
+    let number = |text: &str, before: &str| -> Option<u64> {
+        let (head, _) = text.split_once(before)?;
+        head.rsplit(' ').next()?.parse().ok()
+    };
+    let found = bench.run(&[]);
+    assert!(found.code < 2, "{}", found.err);
+    let resumed = number(&found.err, " rows of an interrupted run");
+    match number(kept, " of 50000 rows are kept") {
+        // A part that is complete may not be counted yet.
+        None => assert!(kept.contains("before the first part"), "{said}"),
+        Some(rows) => assert!(rows > 0 && resumed.is_some_and(|resumed| resumed >= rows), "{said} {}", found.err),
+    }
+}
