@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from datetime import date as Day
 from typing import TYPE_CHECKING, Literal, overload
 
+from antrieb._axis import BaseAxis
 from antrieb._call import Lang, Path, Picture, Text, ask, flag
 from antrieb._lazy import lazy
 from antrieb._trace import Trace, held
@@ -22,6 +23,23 @@ if TYPE_CHECKING:
 else:
     answers = lazy("antrieb.answers")
 
+
+
+@overload
+def size(
+    text: BaseAxis,
+    *,
+    lang: Lang = "en",
+    axis: str | None = None,
+    top: int = 10,
+    all: bool = False,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Sizing: ...
 
 
 @overload
@@ -105,6 +123,22 @@ def size(
         memory=memory,
     )
     return answer
+
+
+@overload
+def check(
+    text: BaseAxis,
+    code: str | None = None,
+    *,
+    lang: Lang = "en",
+    axis: str | None = None,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Judgement: ...
 
 
 @overload
@@ -235,6 +269,21 @@ def sweep(
 
 @overload
 def explain(
+    text: BaseAxis,
+    code: str | None = None,
+    *,
+    lang: Lang = "en",
+    axis: str | None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Explanations: ...
+
+
+@overload
+def explain(
     text: Text,
     code: str | None = None,
     *,
@@ -306,6 +355,36 @@ def explain(
         memory=memory,
     )
     return answer
+
+
+@overload
+def simulate(
+    text: BaseAxis,
+    code: str | None = None,
+    *,
+    lang: Lang = "en",
+    axis: str | None = None,
+    scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
+    at: str | None = None,
+    reaction: Literal["ramp", "brake", "coast"] | None = None,
+    failure: Literal["track", "amplitude", "cable", "check", "error_bit", "data_line"] | None = None,
+    cycles: int | None = None,
+    cold: bool = False,
+    days: int | None = None,
+    hours_per_day: str | None = None,
+    every: str | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
+    format: Literal["json"] = "json",
+    figure: Literal["simulation", "control_loops"] | None = None,
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
+    seed: int = 0,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Simulation: ...
 
 
 @overload
@@ -613,6 +692,20 @@ def report(
         memory=memory,
     )
     return answer
+
+
+@overload
+def compare(
+    text: BaseAxis,
+    code: str | Sequence[str],
+    *,
+    lang: Lang = "en",
+    axis: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Comparison: ...
 
 
 @overload
@@ -1497,6 +1590,19 @@ def plot(
         memory=memory,
     )
     return answer
+
+
+@overload
+def bearing(
+    text: BaseAxis,
+    *,
+    lang: Lang = "en",
+    axis: str | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.Bearings: ...
 
 
 @overload

@@ -23,6 +23,7 @@ from collections.abc import Sequence
 from datetime import date as Day
 from typing import TYPE_CHECKING, Literal, overload
 
+from antrieb._axis import BaseAxis
 from antrieb._call import Lang, Path, Picture, Text, ask, flag
 from antrieb._lazy import lazy
 from antrieb._trace import Trace, held
@@ -228,13 +229,19 @@ fn forms(entry: &Entry, schema: &Schema) -> Vec<Form> {
     }
 }
 
-/// Returns the forms of a record: for a named axis there is one.
+/// Returns the forms of a record: of an axis as an object, and for a named axis, there is one.
 fn forms_of_axes(entry: &Entry, record: String) -> Vec<Form> {
     match (one_of_several(&record), entry.arguments.iter().any(|each| each.name == "axis")) {
-        (Some(one), true) => vec![
-            Form { by: vec![("axis", "str".to_owned(), true)], returns: one },
-            Form { by: vec![("axis", "None".to_owned(), false)], returns: record },
-        ],
+        (Some(one), true) => {
+            let mut forms = vec![
+                Form { by: vec![("axis", "str".to_owned(), true)], returns: one.clone() },
+                Form { by: vec![("axis", "None".to_owned(), false)], returns: record },
+            ];
+            if entry.reads == Reads::Project {
+                forms.insert(0, Form { by: vec![("text", "BaseAxis".to_owned(), true)], returns: one });
+            }
+            forms
+        }
         _ => vec![Form { by: Vec::new(), returns: record }],
     }
 }
