@@ -11,13 +11,14 @@ use crate::recorded::{RecordedMotions, motion as recorded_motion, states_its_mot
 use crate::side;
 use crate::source::{AxisSource, SegmentSource};
 use crate::web;
-use mechanism::{Extra, Mechanism, MechanismKind};
+use mechanism::{Extra, Mechanism, MechanismKind, ScissorLift};
 use motion::{Closing, Given, ManualMove, Motion, MotionFault, MoveFault, SegmentSpec, Unread};
 use project::choices::{Law, Spline};
 use project::sections::{Fields, Segment, Stated, StatedField};
 use project::{Fault, Hint, SegmentLaw};
-use quantities::{Angle, Measure, Time};
+use quantities::{Angle, Length, Measure, Time};
 use sizing::Axis;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::Range as Span;
 
@@ -86,7 +87,7 @@ impl SegmentSource<'_> {
     fn spec(
         &self,
         (travel, kind, is_winder): (Option<f64>, Option<&MechanismKind>, bool),
-        known: &mut RecordedMotions,
+        (known, lift): (&mut RecordedMotions, &mut LiftPosition<'_>),
         report: &mut AxisReport<'_>,
     ) -> Option<SegmentSpec> {
         if self.law.value() == Some(SegmentLaw::Web) {
@@ -95,7 +96,7 @@ impl SegmentSource<'_> {
         }
         let before = report.fault_count();
         let given = Given {
-            distance: turned(&self.distance, travel, report),
+            distance: lift.turned(self, travel, report),
             time: self.time.value(),
             speed: turned(&self.speed, travel, report),
             acceleration: turned(&self.acceleration, travel, report),
@@ -137,6 +138,52 @@ impl SegmentSource<'_> {
             }
             SegmentLaw::Web => None,
         }
+    }
+}
+
+/// Position of a scissor lift from segment to segment: the turns of the screw for a stroke of the platform depend on it.
+struct LiftPosition<'l> {
+    lift: Option<&'l ScissorLift>,
+    /// Position of the screw \[rad\]; `None` behind a segment whose distance follows from other quantities.
+    position_rad: Option<f64>,
+}
+
+impl LiftPosition<'_> {
+    /// Converts the distance of a segment to the output, and follows it.
+    fn turned(
+        &mut self,
+        segment: &SegmentSource<'_>,
+        travel: Option<f64>,
+        report: &mut AxisReport<'_>,
+    ) -> Option<Angle> {
+        let Some(lift) = self.lift else { return turned(&segment.distance, travel, report) };
+        let place = segment.distance.span();
+        let angle = match segment.distance.value() {
+            Some(stated) if stated.is_of_a_line => match self.position_rad {
+                Some(position) => match lift.turned(position, Length::from_si(stated.si)) {
+                    Ok(angle) => Some(Angle::from_si(angle)),
+                    Err(possible_m) => {
+                        report.fault(place, Fault::StrokeBeyond { possible_m }, None);
+                        None
+                    }
+                },
+                None => {
+                    let whole = lift.stroke().si();
+                    let is_possible = stated.si.abs() <= whole;
+                    let beyond = Fault::StrokeBeyond { possible_m: [-whole, whole] };
+                    report.fault(place, if is_possible { Fault::StrokeFromUnknown } else { beyond }, None);
+                    None
+                }
+            },
+            Some(stated) => Some(Angle::from_si(stated.si)),
+            None => None,
+        };
+        let is_still = segment.law.value() == Some(SegmentLaw::Dwell);
+        self.position_rad = match angle {
+            Some(angle) => self.position_rad.map(|position| position + angle.si()),
+            None => self.position_rad.filter(|_| is_still),
+        };
+        angle
     }
 }
 
@@ -222,7 +269,8 @@ fn report_dwells(segments: &[SegmentSource<'_>], report: &mut AxisReport<'_>) {
 /// values nor on the end of the cycle.
 pub(crate) fn without_load(axis: &AxisSource, report: &mut AxisReport<'_>) {
     // A length counts as an angle, and is converted back where a fault shows it.
-    let travel = driven(&axis.parts).is_none_or(|driven| driven.travel().is_some()).then_some(1.0);
+    let is_lift = |driven: &dyn Driven| driven.head().path.ends_with("mechanism.scissor_lift");
+    let travel = driven(&axis.parts).is_none_or(|driven| driven.travel().is_some() || is_lift(driven)).then_some(1.0);
     report_all(axis, travel, report);
 }
 
@@ -266,9 +314,14 @@ fn specs(
     let is_winder = driven(&axis.parts).is_none_or(|driven| driven.head().path.ends_with("mechanism.winder"));
     let of = (of.0, of.1, is_winder);
     let mut recorded = RecordedMotions::default();
+    let lift = match of.1 {
+        Some(MechanismKind::ScissorLift(lift)) => Some(lift),
+        _ => None,
+    };
+    let mut lift = LiftPosition { lift, position_rad: Some(0.0) };
     report_dwells(&segments, report);
     let specs: Vec<Option<SegmentSpec>> =
-        segments.iter().map(|segment| segment.spec(of, &mut recorded, report)).collect();
+        segments.iter().map(|segment| segment.spec(of, (&mut recorded, &mut lift), report)).collect();
     if let Some(driven) = driven(&axis.parts) {
         for segment in &segments {
             without_effect(segment, driven, report);
@@ -310,7 +363,7 @@ fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
         .recordings()
         .iter()
         .flat_map(|placed| placed.recorded.position_rad().iter().map(|q| (placed.segment, q + placed.offset_rad)));
-    let mut found: Vec<(usize, f64)> = Vec::new();
+    let mut found: BTreeMap<usize, f64> = BTreeMap::new();
     // The last turn may end at the end of the range, up to rounding.
     let slack = 1e-9 * (1.0 + low.abs().min(high.abs()));
     for (segment, q) in first.into_iter().chain(of_pieces).chain(of_recordings) {
@@ -318,10 +371,9 @@ fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
         if excess(q) <= slack {
             continue;
         }
-        match found.iter_mut().find(|(known, _)| *known == segment) {
-            Some((_, worst)) if excess(q) > excess(*worst) => *worst = q,
-            Some(_) => {}
-            None => found.push((segment, q)),
+        let worst = found.entry(segment).or_insert(q);
+        if excess(q) > excess(*worst) {
+            *worst = q;
         }
     }
     let of_mechanism = |q: f64| q / ratio;

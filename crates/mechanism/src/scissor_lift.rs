@@ -63,6 +63,36 @@ impl ScissorLift {
         Geometry::found([(angle < LEAST_ANGLE_DEG, Geometry::Flat), (angle >= 90.0, Geometry::Upright)])
     }
 
+    /// Returns the angle of the screw for a stroke of the platform from a position; the strokes down and up that are possible
+    /// there \[m\] if this one is not.
+    ///
+    /// q' − q = (√(L² − w²) − √(L² − w'²)) / k, w' = w + Δh/n
+    ///
+    /// # Symbols
+    /// Δh stroke; others as for [`ScissorLift`]
+    /// # Errors
+    /// When the platform does not reach the height.
+    pub fn turned(&self, position_rad: f64, stroke: Length) -> Result<f64, [f64; 2]> {
+        let (l, n) = (self.arm_length.si(), f64::from(self.stages));
+        let (_, widest) = self.bases();
+        let height = |base: f64| (l * l - base * base).max(0.0).sqrt();
+        let (base, lowest) = (self.base(position_rad), height(widest));
+        let to = height(base) + stroke.si() / n;
+        // The ends belong to the range, up to rounding.
+        let slack = 1e-9 * l;
+        if to < lowest - slack || to > l + slack {
+            return Err([lowest, l].map(|end| n * (end - height(base))));
+        }
+        Ok((base - height(to.clamp(lowest, l))) / self.travel())
+    }
+
+    /// Returns the stroke of the platform between the smallest arm angle and upright arms.
+    #[must_use]
+    pub fn stroke(&self) -> Length {
+        let (l, widest) = (self.arm_length.si(), self.bases().1);
+        Length::from_si(f64::from(self.stages) * (l - (l * l - widest * widest).sqrt()))
+    }
+
     /// Returns k, the travel per angle [m/rad].
     fn travel(&self) -> f64 {
         self.lead.si() / std::f64::consts::TAU

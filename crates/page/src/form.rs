@@ -151,22 +151,15 @@ fn solved(state: &PageState, held: &ReadProject) -> Vec<Followed> {
     found.moves.iter().map(of_move).collect()
 }
 
+/// Number of entries of a list that are shown or folded together: a page with thousands would be too large for a browser.
+const GROUP: usize = 100;
+
 /// Trigger of a field: sent after each key press, unless another follows at once.
 pub(crate) const AT_ONCE: &str = "input changed delay:15ms, change";
 
 impl RowContent<'_> {
     pub(crate) fn value(&self, path: &str) -> Option<&str> {
-        self.held.written.iter().find(|key| key.path == path)?.value.as_deref()
-    }
-
-    /// Returns `true` if a value is stated at a path or below it.
-    fn is_there(&self, path: &str) -> bool {
-        let below = |known: &str| {
-            known
-                .strip_prefix(path)
-                .is_some_and(|rest| rest.is_empty() || rest.starts_with('.') || rest.starts_with('['))
-        };
-        self.held.written.iter().any(|key| below(&key.path))
+        self.held.written.at(path).next()?.value.as_deref()
     }
 
     /// Returns `true` if the row of a path is above the fold: a value is stated at it or below it. The field with the
@@ -177,13 +170,13 @@ impl RowContent<'_> {
         match self.typed_at.filter(|(typed, _)| within(typed)) {
             Some((typed, folded)) if typed == path => !folded,
             Some(_) => true,
-            None => self.is_there(path),
+            None => self.held.written.is_there(path),
         }
     }
 
     /// Returns the number of entries of a list.
     fn count(&self, path: &str) -> usize {
-        (1..).take_while(|place| self.is_there(&format!("{path}[{place}]"))).count()
+        (1..).take_while(|place| self.held.written.is_there(&format!("{path}[{place}]"))).count()
     }
 
     fn name(&self) -> Markup {
@@ -201,7 +194,7 @@ impl RowContent<'_> {
         };
         let path = format!("{}mechanism", self.prefix);
         let kinds = keys("mechanism");
-        let chosen = kinds.iter().find(|kind| self.is_there(&format!("{path}.{}", kind.name)));
+        let chosen = kinds.iter().find(|kind| self.held.written.is_there(&format!("{path}.{}", kind.name)));
         let load = format!("{}load", self.prefix);
         let take = |name: &str| format!("instead {path}.{name}\ngone {load}");
         let (title, of, rows) = match chosen {
@@ -279,7 +272,7 @@ impl RowContent<'_> {
 
     /// Returns the rows of a table: required and stated keys first, the others in a fold.
     fn rows(&self, keys: &[Key], path: &str) -> Markup {
-        let has_fault = |path: &str| self.held.faults.iter().any(|(at, _)| at.as_deref() == Some(path));
+        let has_fault = |path: &str| self.held.faults.at(path).next().is_some();
         let first = |key: &&Key| {
             let path = format!("{path}.{}", key.name);
             key.required || self.is_first(&path) || has_fault(&path)
@@ -337,9 +330,8 @@ impl RowContent<'_> {
                 summary { @if is_motion { (capitalised(terms::motion(l))) } @else { (title) } }
                 (self.fault_at(path))
                 @if is_motion && count > 0 { (segment_line::heads(l)) }
-                ol.entries {
-                    @for place in 1..=count { (part(self.entry(variants, &format!("{path}[{place}]"), place, count))) }
-                }
+                @for first in (1..=count).step_by(GROUP) { (self.group(variants, path, first, count)) }
+                @if count == 0 { ol.entries {} }
                 button type="button" id={ (id(path)) "-add" }
                     hx-post="/work" hx-vals=(do_all(&[&format!("table {add}"), &kind])) {
                     @if is_motion { (page::add_segment(l)) } @else { (page::add_entry(l)) }
@@ -350,6 +342,31 @@ impl RowContent<'_> {
                 }
             }
         }
+    }
+
+    /// Returns a group of entries. Groups between the first and the last are folded, apart from that in which the user types
+    /// and the first one with a fault.
+    fn group(&self, variants: &Variants, path: &str, first: usize, count: usize) -> Markup {
+        let last = (first + GROUP - 1).min(count);
+        let entries = || {
+            html! { ol.entries { @for place in first..=last {
+                (part(self.entry(variants, &format!("{path}[{place}]"), place, count)))
+            } } }
+        };
+        let place = |at: &str| at.strip_prefix(path)?.strip_prefix('[')?.split_once(']')?.0.parse::<usize>().ok();
+        let is_ours = |at: Option<usize>| at.is_some_and(|at| (first..=last).contains(&at));
+        let is_wrong = || is_ours(self.held.faults.listed(path).filter_map(|fault| place(fault.0.as_deref()?)).min());
+        if first == 1 || last == count {
+            return entries();
+        }
+        let is_open = is_ours(self.typed_at.and_then(|(typed, _)| place(typed))) || is_wrong();
+        self.fold(
+            &format!("{}-g{first}", id(path)),
+            &page::segments(&first, &last, self.language),
+            is_open,
+            "",
+            entries,
+        )
     }
 
     fn entry(&self, variants: &Variants, path: &str, place: usize, count: usize) -> Markup {
@@ -423,7 +440,7 @@ impl RowContent<'_> {
 
     /// Returns the fault of a table as a whole.
     pub(crate) fn fault_at(&self, path: &str) -> Markup {
-        html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
+        html! { @for (_, fault) in self.held.faults.at(path) {
             @match &self.held.open_cycle {
                 Some((at, can_close)) if at == path => {
                     p.fault { (crate::markup::worded(&fault.message, None, self.language)) }
@@ -444,8 +461,7 @@ impl RowContent<'_> {
         let symbol = sketch::symbol_of(path.strip_prefix(self.prefix).unwrap_or(path));
         let symbol = symbol.filter(|symbol| !about.starts_with(&format!("{symbol},")));
         let value = self.value(path).unwrap_or_default();
-        let below = |at: &str| at == path || at.strip_prefix(path).is_some_and(|rest| rest.starts_with('['));
-        let faults: Vec<_> = self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(below)).collect();
+        let faults: Vec<_> = self.held.faults.at_or_listed(path).collect();
         let described = format!("{id}-x");
         let wrong = !faults.is_empty();
         let ghost = match placeholder {

@@ -139,14 +139,24 @@ fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result
     if let Some(sizing) = &sizing {
         state.choose_nearest(sizing);
     }
+    let goes_on = || if progress.is_over() { Err(Refusal::Stopped) } else { Ok(()) };
+    if let Err(refusal) = goes_on() {
+        return Err((Box::new(held), refusal));
+    }
     let looked_at = project.and_then(|project| looked_at(state, project, sizing.as_ref()?.named()));
     let found = Outcome { project, sizing: sizing.as_ref(), candidate: looked_at.as_ref() };
     let moves = form::column(state, &held, looked_at.as_ref(), shell);
     let bar = verdict::bar(state, &held, &found, &moves.0, progress);
+    if let Err(refusal) = goes_on() {
+        return Err((Box::new(held), refusal));
+    }
     let demands = match project {
         Some(project) => demand::column(state, project, looked_at.as_ref(), held.is_old, shell, progress),
         None => demand::nothing(state.language),
     };
+    if let Err(refusal) = goes_on() {
+        return Err((Box::new(held), refusal));
+    }
     let panes = panes(&moves, &demands, &fits::column(state, &found, held.is_old, shell), state.language);
     let is_done = !held.is_old && looked_at.as_ref().is_some_and(Candidate::fits);
     Ok(page_of(state, &held, shell, (&bar, is_done), &panes))

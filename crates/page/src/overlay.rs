@@ -126,10 +126,19 @@ pub(crate) fn marks(worst: &[Worst<'_>], language: Language) -> Markup {
     }
 }
 
+/// Largest number of handles in a picture.
+const HANDLES_MOST: usize = 100;
+
 /// Returns the ends of the segments in the picture of the position, moved by pointer or arrow keys.
 pub(crate) fn segment_handles(state: &PageState, project: &AxisProject) -> Markup {
     let l = state.language;
-    let found = questions::segment_handles(project);
+    let mut found = questions::segment_handles(project);
+    let is_shown = |at: f64| state.window.is_none_or(|(from, until)| (from..=until).contains(&at));
+    found.segment_handles.retain(|grip| is_shown(grip.to.0) || grip.peak.is_some_and(|(at, _)| is_shown(at)));
+    // Where handles would cover each other, a part of the time is to be selected first.
+    if found.segment_handles.len() > HANDLES_MOST {
+        return html! {};
+    }
     let prefix = &state.prefix;
     let moves = moves(project);
     let shown = |value: f64| format_significant(value, 4, l);

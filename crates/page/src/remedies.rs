@@ -11,9 +11,12 @@ use project::{Edit, edit, paced};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::reserve_unasked;
-use questions::list::size::{GearingProposal, SharedLoad, gearing_proposals, shared_load};
+use questions::list::size::{
+    CatalogueReach, Change, GearingProposal, Reach, SharedLoad, best_fitting, catalogue_reserve, gearing_proposals,
+    shared_load,
+};
 use questions::texts::reason;
-use questions::{Candidate, Progress, Reserve, read_all_watched};
+use questions::{Candidate, Progress, read_all_watched};
 use words::{capitalised, page, proviso_text, terminal, terms, unpadded};
 
 /// Number of cards above the fold.
@@ -35,7 +38,12 @@ struct Remedy {
     apply: Option<String>,
     /// The change as lines `value PATH=VALUE`.
     edits: Option<String>,
+    /// Factor on the times of the motion, if this is the change.
+    pace: Option<f64>,
 }
+
+/// Largest number of segments of a motion whose times a button changes.
+const PACED_MOST: usize = 200;
 
 /// Returns a text with a change applied.
 fn edited(text: &str, edits: &str) -> Option<String> {
@@ -63,26 +71,39 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     let held = state.hold(shell, progress);
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
     let Some(nearest) = looked_at_alone(&state, project, progress) else { return html! {} };
-    let reserve = reserve_unasked(project, &nearest, progress).unwrap_or_default();
+    let reached = match catalogue_reserve(project, progress) {
+        Ok(Some(reached)) => reached,
+        // A cycle too long for a search in the whole catalogue: the actuator with the smallest excess.
+        Ok(None) => of_nearest(project, &nearest, progress),
+        Err(_) => Vec::new(),
+    };
     let gearings = gearing_proposals(project, progress).unwrap_or_default();
     let reads = |text: &str| {
         let axes = read_all_watched(text, shell.files(), shell.catalogue(), progress).ok()?;
         axes.into_iter().nth(state.axis)
     };
-    let mut found = by_reserve(project, &nearest, &reserve, (&state.text, &state.prefix), &reads, l);
+    let fits = |text: &str| {
+        let best = reads(text).and_then(|changed| best_fitting(&changed, progress).ok().flatten());
+        best.is_some_and(|(_, fit, _)| fit.fits())
+    };
+    let mut found = by_reserve(project, &reached, (&state.text, &state.prefix), &reads, l);
     found.extend(gearings.iter().map(|proposal| by_gearing(proposal, &held, &state.prefix, l)));
     found.extend(
         shared_load(project, progress).ok().flatten().map(|shared| by_sharing(&shared, &held, &state.prefix, l)),
     );
-    // The first change that a button applies is the main action of the page.
-    let main = found.iter().position(|remedy| remedy.apply.is_some());
-    // A change that the file does not take is left to the user.
+    // A change that the file does not take, or after which it is judged otherwise, is left to the user.
     for remedy in &mut found {
-        if remedy.edits.as_ref().is_some_and(|edits| edited(&state.text, edits).and_then(|text| reads(&text)).is_none())
-        {
+        let changed = match (&remedy.edits, remedy.pace) {
+            (Some(edits), _) => edited(&state.text, edits),
+            (None, Some(factor)) => paced(&state.text, &state.prefix, factor),
+            (None, None) => continue,
+        };
+        if remedy.apply.is_some() && !changed.is_some_and(|text| fits(&text)) {
             remedy.apply = None;
         }
     }
+    // The first change that a button applies is the main action of the page.
+    let main = found.iter().position(|remedy| remedy.apply.is_some());
     let (first, rest) = found.split_at(found.len().min(FIRST));
     html! {
         @if first.is_empty() {
@@ -116,57 +137,77 @@ fn card(remedy: &Remedy, is_main: bool, language: Language) -> Markup {
 }
 
 /// Returns the changes of cycle time and load with which the nearest actuator fits.
+fn of_nearest(project: &AxisProject, nearest: &Candidate<'_>, progress: &Progress) -> Vec<CatalogueReach> {
+    // Where a requirement is not met, no change of load or motion makes the actuator fit.
+    if !nearest.objections.is_empty() {
+        return Vec::new();
+    }
+    let reserve = reserve_unasked(project, nearest, progress).unwrap_or_default();
+    let code = nearest.id.to_string();
+    let of = |change, value: f64, fit, proviso| CatalogueReach { change, value, code: code.clone(), fit, proviso };
+    let seconds = reserve.cycle_time.map(|found| of(Change::CycleTime, found.value.si(), found.fit, found.proviso));
+    let factor =
+        |change, found: Option<Reach<f64>>| found.map(|found| of(change, found.value, found.fit, found.proviso));
+    let payload = factor(Change::Payload, reserve.payload_factor);
+    [seconds, payload, factor(Change::Load, reserve.load_factor)].into_iter().flatten().collect()
+}
+
+/// Returns changes of cycle time and load as cards.
 fn by_reserve(
     project: &AxisProject,
-    nearest: &Candidate<'_>,
-    reserve: &Reserve,
+    reached: &[CatalogueReach],
     (text, prefix): (&str, &str),
     reads: &dyn Fn(&str) -> Option<AxisProject>,
     language: Language,
 ) -> Vec<Remedy> {
     let l = language;
     let number = |value: f64| format_significant(value, 4, l);
-    let code = nearest.id.to_string();
-    // Where a requirement is not met, no change of load or motion makes the actuator fit.
-    if !nearest.objections.is_empty() {
-        return Vec::new();
-    }
-    let mut found = Vec::new();
-    if let Some(reach) = reserve.cycle_time {
-        let duration = project.axis.motion.duration();
-        let seconds = |si: f64| format!("{} {}", number(si), SECOND.symbol_in(l));
-        let factor = reach.value.si() / duration.si();
-        let is_reached =
-            |project: &AxisProject| (project.axis.motion.duration().si() / reach.value.si() - 1.0).abs() < 1e-6;
-        let is_applicable =
-            paced(text, prefix, factor).and_then(|text| reads(&text)).is_some_and(|project| is_reached(&project));
-        found.push(Remedy {
-            title: page::longer_cycle(l).to_owned(),
-            before: seconds(duration.si()),
-            after: seconds(reach.value.si()),
-            code: code.clone(),
-            proviso: proviso_text(reach.proviso.estimate, reach.proviso.rating, l),
-            apply: is_applicable.then(|| vals(&[("pace", &factor.to_string()), ("of", prefix)])),
-            edits: None,
-        });
-    }
-    let factors = [
-        (reserve.payload_factor, page::smaller_payload(l), terminal::payload_factor as fn(&_, _) -> String),
-        (reserve.load_factor, page::smaller_load(l), terminal::load_factor),
-    ];
-    for (reach, title, text) in factors {
-        let Some(reach) = reach else { continue };
-        found.push(Remedy {
-            title: title.to_owned(),
+    let card = |reach: &CatalogueReach| {
+        let proviso = proviso_text(reach.proviso.estimate, reach.proviso.rating, l);
+        let plain = Remedy {
+            title: String::new(),
             before: String::new(),
-            after: text(&number(reach.value), l),
-            code: code.clone(),
-            proviso: proviso_text(reach.proviso.estimate, reach.proviso.rating, l),
+            after: String::new(),
+            code: reach.code.clone(),
+            proviso,
             apply: None,
             edits: None,
-        });
-    }
-    found
+            pace: None,
+        };
+        match reach.change {
+            Change::Payload => Remedy {
+                title: page::smaller_payload(l).to_owned(),
+                after: terminal::payload_factor(&number(reach.value), l),
+                ..plain
+            },
+            Change::Load => Remedy {
+                title: page::smaller_load(l).to_owned(),
+                after: terminal::load_factor(&number(reach.value), l),
+                ..plain
+            },
+            Change::CycleTime => {
+                let duration = project.axis.motion.duration();
+                let seconds = |si: f64| format!("{} {}", number(si), SECOND.symbol_in(l));
+                let factor = reach.value / duration.si();
+                let is_reached =
+                    |project: &AxisProject| (project.axis.motion.duration().si() / reach.value - 1.0).abs() < 1e-6;
+                let is_short = project.axis.motion.stretches().len() <= PACED_MOST;
+                let is_applicable = is_short
+                    && paced(text, prefix, factor)
+                        .and_then(|text| reads(&text))
+                        .is_some_and(|project| is_reached(&project));
+                Remedy {
+                    title: page::longer_cycle(l).to_owned(),
+                    before: seconds(duration.si()),
+                    after: seconds(reach.value),
+                    apply: is_applicable.then(|| vals(&[("pace", &factor.to_string()), ("of", prefix)])),
+                    pace: is_applicable.then_some(factor),
+                    ..plain
+                }
+            }
+        }
+    };
+    reached.iter().map(card).collect()
 }
 
 /// Returns a number as a project file states it, without the noise of its conversion: a proposal has five digits at most.
@@ -192,6 +233,7 @@ fn by_sharing(shared: &SharedLoad, held: &ReadProject, prefix: &str, language: L
         proviso: proviso_text(shared.proviso.estimate, shared.proviso.rating, l),
         apply: Some(vals(&[("do", &edits)])),
         edits: Some(edits),
+        pace: None,
     }
 }
 
@@ -224,5 +266,6 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
         proviso: proviso_text(proposal.proviso.estimate, proposal.proviso.rating, l),
         apply: Some(vals(&[("do", &edits)])),
         edits: Some(edits),
+        pace: None,
     }
 }

@@ -74,14 +74,14 @@ impl RowContent<'_> {
     }
 
     fn is_wrong(&self, path: &str) -> bool {
-        self.held.faults.iter().any(|(at, _)| at.as_deref() == Some(path))
+        self.held.faults.at(path).next().is_some()
     }
 
     /// Returns the faults of a cell below its line.
     fn faults_of_cell(&self, path: &str) -> Markup {
         html! { @if self.is_wrong(path) {
             div.fault id={ (id(path)) "-x" } {
-                @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
+                @for (_, fault) in self.held.faults.at(path) {
                     p { (worded(&fault.message, fault.hint.as_deref(), self.language)) }
                 }
             }

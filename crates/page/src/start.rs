@@ -247,6 +247,9 @@ fn asked_label(begin: &Begin, row: &[&str], language: Language) -> String {
         "motion[1].speed" if begin.mechanism == Some(MechanismId::Winder.key()) => {
             return page::line_speed(language).to_owned();
         }
+        "motion[1].distance" if begin.mechanism == Some(MechanismId::ScissorLift.key()) => {
+            return page::stroke_of_platform(language).to_owned();
+        }
         "motion[1].speed" => return page::speed_of_crank(language).to_owned(),
         "motion[1].time" => return page::duration_of(language).to_owned(),
         "motion[2].time" => return page::pause_of(language).to_owned(),

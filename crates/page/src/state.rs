@@ -2,6 +2,7 @@
 //!
 //! A shell stores none of it. Every request carries it, and every answer returns it.
 
+use crate::by_path::ByPath;
 use crate::call::{Call, Shell};
 use crate::markup::tolerance_of;
 use crate::pasted::{Cell, pasted};
@@ -17,6 +18,7 @@ use questions::{
     read_all_watched, read_code,
 };
 use std::borrow::Cow;
+use std::ops::Range;
 use words::{Worded, page, worded};
 
 /// State as a request carries it, with the changes of that request.
@@ -256,11 +258,11 @@ pub(crate) struct ReadProject {
     /// Axes; those of the last good text if the text has faults.
     pub(crate) projects: Vec<AxisProject>,
     /// Faults of the text, each with the path at which it is shown.
-    pub(crate) faults: Vec<(Option<String>, Worded)>,
+    pub(crate) faults: ByPath<(Option<String>, Worded)>,
     /// The axes are those of an older text.
     pub(crate) is_old: bool,
     /// Keys of the text; of the last good one if the text is no TOML.
-    pub(crate) written: Vec<Written>,
+    pub(crate) written: ByPath<Written>,
     /// The text is TOML, so that its values have positions.
     pub(crate) has_places: bool,
     /// Reason why the work was stopped or not begun.
@@ -456,7 +458,7 @@ impl PageState {
             }
         }
         self.axis = self.axis.min(held.projects.len().saturating_sub(1));
-        if held.written.iter().any(|key| key.path == "axis[1]") {
+        if held.written.at("axis[1]").next().is_some() {
             self.prefix = format!("axis[{}].", self.axis + 1);
         }
         held
@@ -466,13 +468,26 @@ impl PageState {
     fn read(&mut self, shell: &dyn Shell, progress: &Progress) -> ReadProject {
         let keys = written(&self.text);
         let has_places = keys.is_some();
+        let stopped = |keys: Option<Vec<Written>>| ReadProject {
+            projects: Vec::new(),
+            faults: Vec::new().into(),
+            is_old: true,
+            written: keys.unwrap_or_default().into(),
+            has_places,
+            refused: Some(Refusal::Stopped),
+            open_cycle: None,
+        };
+        // A text of some megabytes takes a while.
+        if progress.is_over() {
+            return stopped(keys);
+        }
         match read_all_watched(&self.text, shell.files(), shell.catalogue(), progress) {
             Ok(projects) => {
                 self.good.clone_from(&self.text);
-                let written = keys.unwrap_or_default();
+                let written = keys.unwrap_or_default().into();
                 ReadProject {
                     projects,
-                    faults: Vec::new(),
+                    faults: Vec::new().into(),
                     is_old: false,
                     written,
                     has_places,
@@ -480,28 +495,21 @@ impl PageState {
                     open_cycle: None,
                 }
             }
-            Err(Unread::Refused(refusal)) => ReadProject {
-                projects: Vec::new(),
-                faults: Vec::new(),
-                is_old: true,
-                written: keys.unwrap_or_default(),
-                has_places,
-                refused: Some(refusal),
-                open_cycle: None,
-            },
+            Err(Unread::Refused(refusal)) => ReadProject { refused: Some(refusal), ..stopped(keys) },
+            Err(Unread::Faults(_)) if progress.is_over() => stopped(keys),
             Err(Unread::Faults(found)) => {
                 let keys_there = keys.as_deref().unwrap_or_default();
                 let faults = placed(&found, (&self.text, keys_there), project::key_at, self.language);
                 let is_open = found.iter().position(is_open_cycle);
                 let open_cycle = is_open.and_then(|at| Some((faults.get(at)?.0.clone()?, false)));
-                let written = keys.or_else(|| written(&self.good)).unwrap_or_default();
+                let written = keys.or_else(|| written(&self.good)).unwrap_or_default().into();
                 let (projects, refused) = match read_all_watched(&self.good, shell.files(), shell.catalogue(), progress)
                 {
                     Ok(projects) => (projects, None),
                     Err(Unread::Refused(refusal)) => (Vec::new(), Some(refusal)),
                     Err(Unread::Faults(_)) => (Vec::new(), None),
                 };
-                ReadProject { projects, faults, is_old: true, written, has_places, refused, open_cycle }
+                ReadProject { projects, faults: faults.into(), is_old: true, written, has_places, refused, open_cycle }
             }
         }
     }
@@ -558,18 +566,13 @@ pub(crate) fn placed(
 ) -> Vec<(Option<String>, Worded)> {
     use axis::AxisFault;
     use project::Fault;
+    let places = Places::of(written);
     let path = |fault: &AxisDiagnostic| -> Option<String> {
         if let AxisFault::Stated(Fault::MissingKey { path, .. }) = &fault.fault {
             return Some(path.clone());
         }
-        let around = |key: &&Written| {
-            key.span.start < fault.span.end.max(fault.span.start + 1) && fault.span.start < key.span.end
-        };
-        let inside = written.iter().filter(around).min_by_key(|key| key.span.len());
         // A key stands on the line of its value, before it.
-        let between = |key: &Written| text.get(fault.span.end..key.span.start);
-        let on_line = |key: &&Written| key.value.is_some() && between(key).is_some_and(|text| !text.contains('\n'));
-        let found = inside.or_else(|| written.iter().filter(on_line).min_by_key(|key| key.span.start));
+        let found = places.around(&fault.span).or_else(|| places.behind_on_line(fault.span.end, text));
         let found = found.map(|key| known(&key.path, key_at));
         if !matches!(fault.fault, AxisFault::Stated(Fault::NoMechanism)) {
             return found;
@@ -580,6 +583,42 @@ pub(crate) fn placed(
         Some(axis.map_or_else(|| String::from("mechanism"), |axis| format!("{axis}].mechanism")))
     };
     worded(faults, language).into_iter().zip(faults).map(|(worded, fault)| (path(fault), worded)).collect()
+}
+
+/// Keys of a text in the order of their places, so that a fault finds its own without a look at every other.
+struct Places<'w> {
+    /// Keys by the beginning of their spans.
+    keys: Vec<&'w Written>,
+    /// Largest end of a span up to each key.
+    ends: Vec<usize>,
+}
+
+impl<'w> Places<'w> {
+    fn of(written: &'w [Written]) -> Self {
+        let mut keys: Vec<&Written> = written.iter().collect();
+        keys.sort_by_key(|key| key.span.start);
+        let furthest = |end: &mut usize, key: &&Written| {
+            *end = key.span.end.max(*end);
+            Some(*end)
+        };
+        let ends = keys.iter().scan(0, furthest).collect();
+        Self { keys, ends }
+    }
+
+    /// Returns the smallest value around a part of the text.
+    fn around(&self, part: &Range<usize>) -> Option<&'w Written> {
+        let before = self.keys.partition_point(|key| key.span.start < part.end.max(part.start + 1));
+        let near = self.keys.iter().zip(&self.ends).take(before).rev().take_while(|(_, end)| **end > part.start);
+        near.map(|(key, _)| *key).filter(|key| part.start < key.span.end).min_by_key(|key| key.span.len())
+    }
+
+    /// Returns the first value behind a place of the text, on the same line.
+    fn behind_on_line(&self, place: usize, text: &str) -> Option<&'w Written> {
+        let line = place + text.get(place..)?.find('\n').unwrap_or(text.len() - place);
+        let behind = self.keys.partition_point(|key| key.span.start < place);
+        let on_line = self.keys.iter().skip(behind).take_while(|key| key.span.start <= line);
+        on_line.copied().find(|key| key.value.is_some())
+    }
 }
 
 /// Returns the path, or that of the nearest enclosing table that a file has.

@@ -246,6 +246,13 @@ pub enum Fault {
         /// Path of the linear value: a key or a file.
         path: String,
     },
+    /// A stroke of a scissor lift that its platform cannot make.
+    StrokeBeyond {
+        /// Largest strokes down and up from the position at which the segment begins \[m\].
+        possible_m: [f64; 2],
+    },
+    /// A stroke of a scissor lift from a position that is not known.
+    StrokeFromUnknown,
     /// A run of the web for a load that is no winder.
     NoWeb,
     /// A run of the web beside another move: the roll it begins with is not known.
@@ -431,6 +438,8 @@ impl Fault {
             Self::TooManyMechanisms => "too_many_mechanisms",
             Self::NoLine { .. } => "no_line",
             Self::Tabular(fault) => fault.id(),
+            Self::StrokeBeyond { .. } => "stroke_beyond",
+            Self::StrokeFromUnknown => "stroke_from_unknown",
             Self::NoWeb => "no_web",
             Self::WebNotAlone => "web_not_alone",
             Self::WebSpeed => "web_speed",

@@ -16,7 +16,7 @@ pub struct GearingProposal {
     /// `true` if the project states the value; a missing stage or counterweight would be added.
     pub is_stated: bool,
     /// The value in SI, with three digits in its unit; with the neighbouring value closer to the stated one no actuator
-    /// fits.
+    /// fits. Of a counterweight a value inside the range in which one fits, see [`nearest_mass`].
     pub si: f64,
     /// Unit of the displayed value.
     pub unit: &'static Unit,
@@ -80,7 +80,10 @@ pub const GEARING_INSTANTS_MOST: usize = 10_000;
 const ACTUATORS: [u32; 5] = [2, 3, 4, 6, 8];
 
 /// Number of masses of a counterweight that are tried, up to the balance and half as much again.
-const COUNTERWEIGHTS: u32 = 24;
+const COUNTERWEIGHTS: usize = 24;
+
+/// Number of halvings with which the ends of a narrow range of masses are found.
+const HALVINGS: u32 = 8;
 
 /// Several equal actuators that move the load together.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,7 +119,7 @@ pub fn shared_load(project: &AxisProject, progress: &Progress) -> Result<Option<
 }
 
 /// Returns `true` if the cycle is too long for some hundred rankings.
-fn is_long(project: &AxisProject) -> bool {
+pub(crate) fn is_long(project: &AxisProject) -> bool {
     let instants = project.axis.instants();
     let [on_flange, recorded] = project.axis.flange_instants();
     #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
@@ -164,37 +167,69 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
     Ok(found)
 }
 
-/// Searches the mass nearest to a stated one, up to a largest one, with which an actuator fits.
+/// Searches the mass nearest to a stated one, up to a largest one, with which an actuator fits also if it is a step lighter
+/// or heavier: a mass at the end of the range would no longer fit as built. If the range has no such mass, its middle is
+/// returned. A mass with which an actuator fits is preferred to one with which it fits only if an estimate holds.
 fn nearest_mass(
     ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
     stated: f64,
     most: f64,
     unit: &Unit,
 ) -> Result<Option<(f64, Best)>, Refusal> {
-    let step = most / f64::from(COUNTERWEIGHTS);
-    let mut masses: Vec<f64> = (0..=COUNTERWEIGHTS).map(|place| f64::from(place) * step).collect();
-    masses.sort_by(|a, b| (a - stated).abs().total_cmp(&(b - stated).abs()));
-    for mass in masses.into_iter().filter(|mass| (mass - stated).abs() > 1e-6 * most) {
-        if let Some(best) = ranked(mass)?.best {
-            // The neighbour nearer to the stated mass does not fit; a mass of zero has no digits.
-            let misses = if mass > stated { (mass - step).max(stated) } else { (mass + step).min(stated) };
-            return if mass > 0.0 {
-                edge(ranked, misses, (mass, best), unit).map(Some)
-            } else {
-                Ok(Some((mass, best)))
+    #[allow(clippy::cast_precision_loss, reason = "at most some dozen")]
+    let mass = |place: usize| most / COUNTERWEIGHTS as f64 * place as f64;
+    let all: Vec<Option<Best>> =
+        (0..=COUNTERWEIGHTS).map(|place| Ok(ranked(mass(place))?.best)).collect::<Result<_, Refusal>>()?;
+    let is = |place: usize, fit: Fit| all.get(place).and_then(Option::as_ref).is_some_and(|best| best.1 <= fit);
+    let mut nearest: Vec<usize> = (0..=COUNTERWEIGHTS).collect();
+    nearest.sort_by(|a, b| (mass(*a) - stated).abs().total_cmp(&(mass(*b) - stated).abs()));
+    for fit in [Fit::Fits, Fit::FitsIfEstimate] {
+        let is_inside = |place: &usize| {
+            let lighter = place.checked_sub(1).is_none_or(|lighter| is(lighter, fit));
+            is(*place, fit) && lighter && is(place + 1, fit)
+        };
+        let inside = nearest.iter().copied().find(is_inside).map(mass);
+        let narrow = || -> Result<Option<f64>, Refusal> {
+            let Some(place) = nearest.iter().copied().find(|place| is(*place, fit)) else { return Ok(None) };
+            // The run of fitting masses; it has at most two of them.
+            let first = (0..=place).rev().take_while(|place| is(*place, fit)).last().unwrap_or(place);
+            let last = (place..=COUNTERWEIGHTS).take_while(|place| is(*place, fit)).last().unwrap_or(place);
+            let end = |fits: usize, misses: f64| {
+                let (mut good, mut bad) = (mass(fits), misses);
+                for _ in 0..HALVINGS {
+                    let middle = f64::midpoint(good, bad);
+                    if ranked(middle)?.best.is_some_and(|best| best.1 <= fit) { good = middle } else { bad = middle }
+                }
+                Ok::<_, Refusal>(good)
             };
+            let lower = if first > 0 { end(first, mass(first - 1))? } else { 0.0 };
+            Ok(Some(f64::midpoint(lower, end(last, mass(last + 1))?)))
+        };
+        let is_inside = inside.is_some();
+        let Some(found) = inside.map_or_else(narrow, |mass| Ok(Some(mass)))? else { continue };
+        if found == 0.0 {
+            return Ok(all.into_iter().next().flatten().map(|best| (found, best)));
+        }
+        // In a narrow range three digits may lead to its end.
+        for digits in DIGITS + i32::from(!is_inside)..=DIGITS + 2 {
+            let scale = 10_f64.powf(f64::from(digits - 1) - unit.from_si(found).log10().floor());
+            let rounded = unit.to_si((unit.from_si(found) * scale).round() / scale);
+            // Judged as it is displayed.
+            if let Some(best) = ranked(rounded)?.best.filter(|best| best.1 <= fit) {
+                return Ok(Some((rounded, best)));
+            }
         }
     }
     Ok(None)
 }
 
 /// The best actuator with its verdict.
-type Best = (String, Fit, Proviso);
+pub(crate) type Best = (String, Fit, Proviso);
 
 /// Result of ranking the catalogue with one value of the gearing.
-struct Ranked {
+pub(crate) struct Ranked {
     /// Best actuator, if one fits.
-    best: Option<Best>,
+    pub(crate) best: Option<Best>,
     /// Smallest factor by which the gearing must change before an actuator may fit.
     farther: f64,
 }
@@ -207,7 +242,7 @@ impl Default for Ranked {
 }
 
 impl Ranked {
-    fn of(project: &AxisProject, progress: &Progress) -> Result<Self, Refusal> {
+    pub(crate) fn of(project: &AxisProject, progress: &Progress) -> Result<Self, Refusal> {
         let sizing = size_watched(project, 0, Rejected::None, progress)?;
         let is_met = |candidate: &&Candidate<'_>| candidate.objections.is_empty();
         let farther = sizing.candidates.iter().filter(is_met).filter_map(farther).reduce(f64::min);
@@ -369,8 +404,11 @@ mod tests {
         assert!(!balance.is_stated && balance.si > 100.0 && balance.si < 900.0, "{balance:?}");
         let with = |mass: f64| fits(&hoist("900 kg", &format!("counterweight = \"{mass} kg\"\n")));
         assert_eq!(with(balance.si).map(|(code, ..)| code), Some(balance.code.clone()));
-        // Of three digits, the next smaller mass is not enough.
-        assert_eq!(with(balance.si - 1.0), None);
+        // A mass that differs by some per cent is enough too, with the same verdict or a better one.
+        for factor in [0.95, 1.05] {
+            let built = with((balance.si * factor).round());
+            assert!(built.is_some_and(|(_, fit, _)| fit <= balance.fit), "{factor}");
+        }
         // An actuator of a file with several axes gets the same proposals.
         let of_two = hoist("900 kg", "").replace("[mechanism", "[axis.mechanism").replace("[[motion", "[[axis.motion");
         let of_two = of_two.replace("format = 1\n", "format = 1\n[[axis]]\nname = \"z\"\n");
@@ -395,6 +433,41 @@ mod tests {
         let paths: Vec<&str> = found.iter().map(|mend| mend.path.as_str()).collect();
         assert_eq!(paths, ["mechanism.screw.lead", "stage.ratio"], "{found:?}");
         assert!((found[0].si / 0.010 * found[1].si / 2.0 - 1.0).abs() < 0.15, "{found:?}");
+    }
+
+    /// Ranges of masses in which an actuator fits, or fits if an estimate holds: the proposed mass is inside with reserve.
+    #[test]
+    fn a_counterweight_is_not_at_the_end_of_its_range() {
+        let most = 1500.0;
+        let step = most / 24.0;
+        for place in 0..200 {
+            let (low, width) = (f64::from(place) * 6.0, f64::from(place % 7 + 1) * 40.0);
+            for certain in [0.0, 0.3] {
+                // The middle part of the range without the condition of an estimate.
+                let firm = (low + (0.5 - certain) * width)..=(low + (0.5 + certain) * width);
+                let ranked = |mass: f64| {
+                    let fit = if certain > 0.0 && firm.contains(&mass) { Fit::Fits } else { Fit::FitsIfEstimate };
+                    let best = (low..=low + width).contains(&mass).then(|| ("one".to_owned(), fit, Proviso::default()));
+                    Ok(Ranked { best, farther: 1.0 })
+                };
+                let found = nearest_mass(&ranked, 0.0, most, &quantities::unit::KILOGRAM).unwrap();
+                let (mass, best) = match found {
+                    Some(found) => found,
+                    None => {
+                        assert!(width < step, "nothing in {low} to {}", low + width);
+                        continue;
+                    }
+                };
+                assert_eq!(ranked(mass).unwrap().best, Some(best.clone()), "judged as displayed");
+                let range = if best.1 == Fit::Fits { firm.clone() } else { low..=low + width };
+                let reserve = (mass - range.start()).min(range.end() - mass);
+                let wanted = (0.9 * step).min(0.45 * (range.end().min(most) - range.start()));
+                assert!(
+                    mass == 0.0 || reserve >= wanted - 1.0 || *range.end() > most,
+                    "{mass} in {range:?}, {reserve}"
+                );
+            }
+        }
     }
 
     /// A catalogue with one actuator that is too slow below a value and too weak above another; the excess follows

@@ -6,6 +6,7 @@
 
 pub mod answer;
 mod candidate;
+mod catalogue_reserve;
 pub mod chapter;
 mod chapters;
 mod closed;

@@ -6,6 +6,7 @@ use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
 };
 use quantities::{Measure, Time, Unit};
+use std::collections::BTreeMap;
 
 /// One segment of the motion.
 #[derive(Clone, Debug)]
@@ -56,13 +57,15 @@ pub fn moves(project: &AxisProject) -> Moves<'_> {
         let solved = motion.stretches().get(index).and_then(|stretch| stretch.solved);
         solved.map(|solved| [solved.distance.si(), solved.speed.si(), solved.acceleration.si()])
     };
+    let placed: BTreeMap<usize, &motion::Placed> =
+        motion.recordings().iter().map(|each| (each.segment, each)).collect();
     let moves: Vec<Move<'_>> = motion
         .stretches()
         .iter()
         .enumerate()
         .filter_map(|(index, stretch)| {
-            let placed = motion.recordings().iter().find(|placed| placed.segment == index);
-            let at_output = placed.map(motion::Placed::course).or_else(|| course(index));
+            let placed = placed.get(&index);
+            let at_output = placed.map(|placed| placed.course()).or_else(|| course(index));
             let recording = placed.and_then(|_| recordings.next());
             Some(Move {
                 law: project.law(index)?,

@@ -5,6 +5,8 @@ mod bodies_tests;
 #[cfg(test)]
 mod flange_tests;
 #[cfg(test)]
+mod lift_tests;
+#[cfg(test)]
 mod project_tests;
 #[cfg(test)]
 mod stage_tests;

@@ -45,9 +45,11 @@ pub fn segment_handles(project: &AxisProject) -> SegmentHandles {
     };
     let pieces = project.axis.motion.pieces();
     let grip = |(segment, each): (usize, &crate::Move<'_>)| {
-        let mut own = pieces.iter().filter(|piece| piece.segment == segment);
-        let first = own.next()?;
-        let end = own.next_back().unwrap_or(first).end();
+        // The pieces are in the order of their segments.
+        let [from, to] = [segment, segment + 1].map(|next| pieces.partition_point(|piece| piece.segment < next));
+        let own = pieces.get(from..to)?;
+        let first = own.first()?;
+        let end = own.last()?.end();
         let rests = |speed: f64| speed.abs() < 1e-9;
         let goes = rests(first.speed_rad_s) && rests(end.speed_rad_s);
         if !each.law.stretches() || !goes && each.law != SegmentLaw::Law(project::choices::Law::Constant) {
@@ -58,8 +60,7 @@ pub fn segment_handles(project: &AxisProject) -> SegmentHandles {
         let (from, to) = (shown(first.position_rad), shown(end.position_rad));
         let until = start + quantities::Measure::si(each.duration);
         let goes = goes && from != to;
-        let own = pieces.iter().filter(|piece| piece.segment == segment);
-        let peak = goes.then(|| peak(own)).map(|(time, speed)| (time, speed_unit.from_si(speed * per_output)));
+        let peak = goes.then(|| peak(own.iter())).map(|(time, speed)| (time, speed_unit.from_si(speed * per_output)));
         Some(SegmentHandle { segment, from: (start, from), to: (until, to), goes, peak })
     };
     SegmentHandles { unit, speed_unit, segment_handles: moves.moves.iter().enumerate().filter_map(grip).collect() }

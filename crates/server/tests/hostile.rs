@@ -452,3 +452,44 @@ fn two_hundred_clients_at_once_are_answered_or_refused_to_come_again() {
     assert!(answers.iter().filter(|status| **status == 200).count() >= 100, "{answers:?}");
     up.is_up();
 }
+
+/// A client that leaves while its project is worked on: the work ends, and its place is free for the next.
+#[test]
+fn the_work_of_a_client_that_leaves_ends_within_a_second() {
+    /// Share of the work after which the client leaves.
+    const LEAVES: [u32; 3] = [4, 2, 1];
+    let segments = "[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"30 deg\"\ntime = \"0.3 s\"\n\
+        [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"-30 deg\"\ntime = \"0.3 s\"\n";
+    let text = format!("format = 1\n[load]\ninertia = \"0.3 kg m^2\"\n{}", segments.repeat(1500));
+    let form: String = text.bytes().map(|byte| format!("%{byte:02x}")).collect();
+    let body = format!("text={form}");
+    let since = Instant::now();
+    let used = || testkit::cost::processor_seconds(since);
+    for share in LEAVES {
+        let up = Up::new(RequestLimits { computed: 1, ..RequestLimits::default() });
+        let mut stream = up.connect();
+        let head = format!(
+            "POST /work HTTP/1.1\r\nhost: {}\r\ncontent-type: application/x-www-form-urlencoded\r\ncontent-length: {}\r\n\r\n",
+            up.address,
+            body.len()
+        );
+        stream.write_all(head.as_bytes()).unwrap();
+        stream.write_all(body.as_bytes()).unwrap();
+        let begun = used();
+        while used() - begun < 2.0 / f64::from(share) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        drop(stream);
+        let left = used();
+        // A short question is answered, and then nothing more is computed.
+        assert!(up.ask("GET /api/v1/units", "", b"").contains("200 OK"));
+        let (mut last, mut still) = (used(), Instant::now());
+        while still.elapsed() < Duration::from_millis(500) {
+            std::thread::sleep(Duration::from_millis(20));
+            if used() > last + 0.015 {
+                (last, still) = (used(), Instant::now());
+            }
+        }
+        assert!(last - left < 1.0, "{} s after the client had left at {share}", last - left);
+    }
+}

@@ -195,30 +195,114 @@ impl<S, F: Fn(f64) -> Result<Judgement, S>> Search<F> {
 
     /// Returns the last value of the displayed digits before the border for which no check fails, judged as it is displayed;
     /// the next one, where it is not beyond the `bad` side, has been judged not to fit.
-    fn shown<T>(&self, (good, bad): (f64, f64), of: impl Fn(f64) -> T) -> Result<Option<Reach<T>>, S> {
-        let (good, bad) = (self.unit.from_si(good), self.unit.from_si(bad));
-        let exponent = if good == 0.0 { 0.0 } else { good.abs().log10().floor() };
-        let digit = 10_f64.powf(exponent - f64::from(DIGITS - 1)).max(self.least_digit);
-        // Towards the good side.
-        let inward = if self.worse_above { -1.0 } else { 1.0 };
-        let (mut steps, last) = if self.worse_above {
-            ((bad / digit).ceil() - 1.0, (good / digit).floor())
-        } else {
-            ((bad / digit).floor() + 1.0, (good / digit).ceil())
-        };
-        let last = last + inward * f64::from(TRIALS);
-        while (last - steps) * inward > 0.0 {
-            // A division by a whole number of digits: 1.341, not 1.3410000000000002.
-            let si = self.unit.to_si(if digit < 1.0 { steps / (1.0 / digit).round() } else { steps * digit });
+    fn shown<T>(&self, border: (f64, f64), of: impl Fn(f64) -> T) -> Result<Option<Reach<T>>, S> {
+        let fits = |si: f64| {
             let judgement = self.judged(si)?;
             let (fit, proviso) = (judgement.fit(), judgement.proviso());
-            if fit.fits() {
-                return Ok(Some(Reach { value: of(si), fit, proviso }));
-            }
-            steps += inward;
-        }
-        Ok(None)
+            Ok(fit.fits().then(|| Reach { value: of(si), fit, proviso }))
+        };
+        let shown = displayed(border, (self.unit, self.worse_above, self.least_digit), fits)?;
+        Ok(shown.map(|(_, reach)| reach))
     }
+}
+
+/// Returns the last value of the displayed digits before a border for which `fits` has a result, and this result; of
+/// `(unit, worse_above, least_digit)` see [`Search`].
+fn displayed<T, S>(
+    (good, bad): (f64, f64),
+    (unit, worse_above, least_digit): (&Unit, bool, f64),
+    mut fits: impl FnMut(f64) -> Result<Option<T>, S>,
+) -> Result<Option<(f64, T)>, S> {
+    let (good, bad) = (unit.from_si(good), unit.from_si(bad));
+    let exponent = if good == 0.0 { 0.0 } else { good.abs().log10().floor() };
+    let digit = 10_f64.powf(exponent - f64::from(DIGITS - 1)).max(least_digit);
+    // Towards the good side.
+    let inward = if worse_above { -1.0 } else { 1.0 };
+    let (mut steps, last) = if worse_above {
+        ((bad / digit).ceil() - 1.0, (good / digit).floor())
+    } else {
+        ((bad / digit).floor() + 1.0, (good / digit).ceil())
+    };
+    let last = last + inward * f64::from(TRIALS);
+    while (last - steps) * inward > 0.0 {
+        // A division by a whole number of digits: 1.341, not 1.3410000000000002.
+        let si = unit.to_si(if digit < 1.0 { steps / (1.0 / digit).round() } else { steps * digit });
+        if let Some(found) = fits(si)? {
+            return Ok(Some((si, found)));
+        }
+        steps += inward;
+    }
+    Ok(None)
+}
+
+/// Quantity of an axis that is changed with all others unchanged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// Factor on all inertias and masses of the load, payloads included.
+    Load,
+    /// Factor on the payloads of the segments alone.
+    Payload,
+    /// Duration of the cycle: the whole motion, dwells included, runs slower.
+    CycleTime,
+}
+
+/// Number of halvings of a step of the search: the last displayed digit.
+const HALVINGS: u32 = 12;
+
+/// Searches the smallest reduction of the load, or the shortest longer cycle, for which `fits` has a result, where it has
+/// none for the axis as it is. Returns the factor, or the duration in SI, rounded to its displayed digits and judged with
+/// them; `None` if no change up to a factor of a thousand suffices, if the quantity has no effect, or if each step would
+/// compute the load of more than `most` samples again.
+///
+/// A gap narrower than a step of the search, a tenth up to a factor of two, may be missed.
+///
+/// # Errors
+/// The reason of a cancellation, from `fits`.
+pub fn nearest_change<T, S>(
+    axis: &Axis,
+    change: Change,
+    most: usize,
+    mut fits: impl FnMut(Axis) -> Result<Option<T>, S>,
+) -> Result<Option<(f64, T)>, S> {
+    let [other_load, other_pace] = axis.found_anew();
+    let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
+    let (work, has_effect) = match change {
+        Change::Load => (other_load, true),
+        Change::Payload => (other_load, carries),
+        Change::CycleTime => (other_pace, true),
+    };
+    // Recorded torques do not apply to another load or another pace.
+    if !has_effect || work > most || matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
+        return Ok(None);
+    }
+    let duration = axis.moments().duration.si();
+    let (unit, worse_above) = if change == Change::CycleTime { (&SECOND, false) } else { (&ONE, true) };
+    let value = |factor: f64| if change == Change::CycleTime { duration / factor } else { factor };
+    let mut at = |si: f64| {
+        fits(match change {
+            Change::Load => axis.with_load(si, si),
+            Change::Payload => axis.with_load(1.0, si),
+            Change::CycleTime => axis.with_time(si / duration),
+        })
+    };
+    // If the load is not the reason, none of its factors is sought.
+    if change != Change::CycleTime && at(value(1.0 / FACTOR_MOST))?.is_none() {
+        return Ok(None);
+    }
+    let mut factor = 1.0;
+    while factor > 1.0 / FACTOR_MOST {
+        let farther = factor / step(1.0 / factor);
+        if at(value(farther))?.is_some() {
+            let (mut good, mut bad) = (farther, factor);
+            for _ in 0..HALVINGS {
+                let middle = f64::midpoint(good, bad);
+                if at(value(middle))?.is_some() { good = middle } else { bad = middle }
+            }
+            return displayed((value(good), value(bad)), (unit, worse_above, 0.0), at);
+        }
+        factor = farther;
+    }
+    Ok(None)
 }
 
 /// Returns the distance of an actuator from failing: above zero a check fails.

@@ -1,6 +1,7 @@
-//! Test support: tolerances for printed values, generated projects and files, invalid files, checks of HTML pages, and of words that
+//! Test support: tolerances for printed values, generated projects and files, invalid files, checks of HTML pages, of costs, and of words that
 //! no reader should meet.
 
+pub mod cost;
 pub mod generated;
 pub mod html;
 pub mod parquet;

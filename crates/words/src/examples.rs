@@ -310,6 +310,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("of all arms", "aller Arme"),
     ("at the screw", "an der Spindel"),
     ("of the screw", "der Spindel"),
+    ("stroke of the platform", "Hub der Plattform"),
     ("against the lift", "gegen den Hub"),
     (
         "A slide on a screw, to and fro. What is not stated is assumed, and listed with the answer.",

@@ -325,6 +325,17 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
             "`{path}` is stated as a linear quantity, but this load has no fixed travel per revolution"
             | "`{path}` ist als lineare Größe angegeben, diese Last hat aber keinen festen Weg je Umdrehung"
         ),
+        Fault::StrokeBeyond { possible_m } => {
+            let [down, up] = possible_m.map(|stroke| format_number(1e3 * stroke, 1, language));
+            said!(language =>
+                "the platform cannot make this stroke: from here it can move by {down} mm to {up} mm"
+                | "diesen Hub kann die Plattform nicht ausführen: von hier aus sind {down} mm bis {up} mm möglich"
+            )
+        }
+        Fault::StrokeFromUnknown => said!(language =>
+            "the revolutions for a stroke depend on the height at which it begins, which is not known: state the distance of each segment before it"
+            | "die Umdrehungen für einen Hub hängen von der Höhe ab, bei der er beginnt; diese ist nicht bekannt: für jeden Abschnitt davor den Weg angeben"
+        ),
         Fault::NoWeb => said!(language =>
             "a run of the web requires a winder" | "ein Bahnlauf erfordert einen Wickler"
         ),

@@ -81,6 +81,7 @@ texts! {
     add_entry = "Add" | "Hinzufügen";
     remove(name) = "Remove {name}" | "{name} entfernen";
     move_down(name) = "Move {name} down" | "{name} nach unten";
+    segments(first, last) = "Segments {first} to {last}" | "Abschnitte {first} bis {last}";
     segment(number) = "Segment {number}" | "Abschnitt {number}";
     follows(value) = "derived: {value}" | "berechnet: {value}";
     for_example(value) = "example: {value}" | "Beispiel: {value}";
@@ -353,6 +354,7 @@ texts! {
         "State what defines the machine; arithmetic such as 2*0.3 is computed. Everything else is assumed, and listed with the result."
         | "Angeben, was die Maschine bestimmt; Rechnungen wie 2*0,3 werden ausgewertet. Alles Weitere wird angenommen und mit dem Ergebnis aufgeführt.";
     core_and_full = "Diameter: core – full roll" | "Durchmesser: Hülse – voller Wickel";
+    stroke_of_platform = "Stroke of the platform" | "Hub der Plattform";
     line_speed = "Line speed of the web" | "Bahngeschwindigkeit";
     speed_of_crank = "Speed of the crank" | "Drehzahl der Kurbel";
     duration_of = "Duration of each move" | "Dauer jeder Bewegung";

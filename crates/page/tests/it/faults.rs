@@ -54,6 +54,12 @@ fn bodies(text: &str) -> String {
     with(&format!("[mechanism.turntable]\nbodies = [\"{text}\"]\n"), MOVE)
 }
 
+/// Returns a scissor lift whose first segment is a move of ten seconds.
+fn lift(keys: &str) -> String {
+    let lift = "[axis]\nsingle_move = true\n[mechanism.scissor_lift]\narm_length = \"700 mm\"\nlead = \"10 mm\"\narm_angle = \"20 deg\"\nmass = \"60 kg\"\n";
+    with(lift, &format!("[[motion]]\nlaw = \"trapezoid\"\ntime = \"10 s\"\n{keys}\n"))
+}
+
 /// Returns a winder with a motion.
 fn web(motion: &str) -> String {
     let winder = "[axis]\nsingle_move = true\n[mechanism.winder]\ncore_diameter = \"90 mm\"\nfull_diameter = \"330 mm\"\nthickness = \"2 mm\"\nwidth = \"400 mm\"\ndensity = \"900 kg/m^3\"\ntension = \"80 N\"\n";
@@ -152,6 +158,8 @@ pub(crate) fn cases() -> Vec<(&'static str, String, At)> {
         ("curve_torque_out_of_range", more(&format!("{bend}[[\"0 1/min\", \"-10 N m\"], [\"9 1/min\", \"5 N m\"]]\n")), Field("curve[1].points")),
         ("file_out_of_reach", segments(&["law = \"recorded\"\nfile = \"../x.csv\""]), Field("motion[1].file")),
         ("no_line", segments(&["law = \"trapezoid\"\ndistance = \"90 mm\"\ntime = \"1 s\""]), Field("motion[1].distance")),
+        ("stroke_beyond", lift("distance = \"900 mm\""), Field("motion[1].distance")),
+        ("stroke_from_unknown", lift("speed = \"20 1/min\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"9 mm\"\ntime = \"1 s\""), Field("motion[2].distance")),
         ("key_of_another_kind", with("[mechanism.arm]\nshape = \"rod\"\nlength = \"1 m\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n", REST), Field("mechanism.arm.inertia")),
         ("key_of_another_kind", with("[mechanism.arm]\nshape = \"taper\"\nlength = \"1 m\"\nwidth = \"9 cm\"\nmass = \"1 kg\"\n", REST), Field("mechanism.arm.width")),
         ("no_web", segments(&["law = \"web\"\nspeed = \"20 m/min\""]), Field("motion[1].law")),

@@ -3,6 +3,7 @@
 use super::given::{arguments, count, flag, number, text};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads, Record, argument, media};
 use crate::answer;
+pub use crate::catalogue_reserve::{CatalogueReach, best_fitting, catalogue_reserve};
 pub use crate::gearing_proposals::{GearingProposal, SharedLoad, gearing_proposals, shared_load};
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, size_watched};
@@ -10,6 +11,7 @@ use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watche
 use axis::AxisProject;
 use configurator::ProductId;
 use quantities::Language;
+pub use sizing::{Change, Reach};
 use words::{help, help::values};
 
 #[allow(clippy::cast_possible_truncation, reason = "a million")]

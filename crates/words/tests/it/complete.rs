@@ -483,6 +483,8 @@ fn other_faults() -> Vec<Fault> {
         Fault::NoMechanism,
         Fault::TooManyMechanisms,
         Fault::NoLine { path: path() },
+        Fault::StrokeBeyond { possible_m: [-0.1, 0.2] },
+        Fault::StrokeFromUnknown,
         Fault::NoWeb,
         Fault::WebNotAlone,
         Fault::WebSpeed,
