@@ -134,13 +134,15 @@ impl AxisProject {
         self.root.segments().get(segment)?.law.value()
     }
 
-    /// Returns the project with another smoothing of a recorded segment, counted from zero; `None` if that axis is
-    /// impossible.
+    /// Returns the project with another smoothing of a recorded segment, counted from zero, as a cycle or as a single move;
+    /// `None` if that axis is impossible.
     #[must_use]
-    pub fn smoothed(&self, segment: usize, window: Option<Time>) -> Option<Self> {
+    pub fn smoothed(&self, segment: usize, window: Option<Time>, is_single: bool) -> Option<Self> {
         let mut root = self.root.clone();
         root.set_smoothing(segment, window);
-        let draft = prepare(&root, &*self.catalogue, &mut AxisReport::new(""))?;
+        root.single_move = is_single;
+        let mut report = AxisReport::new("");
+        let draft = prepare(&root, &*self.catalogue, &mut report).filter(|_| report.fault_count() == 0)?;
         let axis = finish(&root, draft);
         let assumptions = assumptions(&root, &axis, !self.tolerances.is_empty());
         Some(Self { axis, root, assumptions, ..self.clone() })

@@ -14,7 +14,11 @@ use std::sync::Arc;
 
 /// Recorded motions of the segments of an axis: segments that use one recording alike share its motion.
 #[derive(Default)]
-pub(crate) struct RecordedMotions(Vec<RecordedUse>);
+pub(crate) struct RecordedMotions {
+    /// The only segment is one recording, of a cycle that repeats.
+    pub(crate) repeats: bool,
+    uses: Vec<RecordedUse>,
+}
 
 /// A recording with the use that a segment makes of it, and the motion that results.
 struct RecordedUse {
@@ -28,7 +32,7 @@ struct RecordedUse {
 impl RecordedMotions {
     /// Returns the motion of another segment with the same recording, ratios of its columns, and treatment.
     fn find(&self, of: &Arc<Recording>, factors: [f64; 3], by: &Treatment) -> Option<Arc<Recorded>> {
-        let mut known = self.0.iter();
+        let mut known = self.uses.iter();
         let is_same = |known: &&RecordedUse| {
             Arc::ptr_eq(&known.recording, of) && known.factors == factors && known.treatment == *by
         };
@@ -50,7 +54,7 @@ pub(crate) fn motion(
     let standstill = turned(&segment.standstill, travel, report);
     let ratios = ratios(segment, report);
     let RecordingRead { file, recording } = segment.recording?;
-    let treatment = treatment(&segment, standstill);
+    let treatment = Treatment { repeats: known.repeats, ..treatment(&segment, standstill) };
     let factors = [Role::Position, Role::Speed, Role::Torque].map(|role| ratios.factor(role));
     if let Some(same) = known.find(recording, factors, &treatment).filter(|_| states_its_motion(&segment)) {
         return Some(same);
@@ -86,7 +90,7 @@ pub(crate) fn motion(
         Ok(recorded) => {
             let motion = Arc::new(recorded);
             let recording = Arc::clone(recording);
-            known.0.push(RecordedUse { recording, factors, treatment, motion: Arc::clone(&motion) });
+            known.uses.push(RecordedUse { recording, factors, treatment, motion: Arc::clone(&motion) });
             Some(motion)
         }
         Err(fault) => {
@@ -121,6 +125,7 @@ fn treatment(segment: &Segment, standstill: Option<AngularVelocity>) -> Treatmen
             Some(TimeStamps::Even) => motion::TimeStamps::Even,
             None => motion::TimeStamps::Kept,
         },
+        repeats: false,
     }
 }
 

@@ -336,7 +336,7 @@ const JOINT: f64 = 1e-3;
 const JOINT_MOST: f64 = 0.1;
 
 /// Returns the tolerance for a recorded speed at a joint, given the error of its slope.
-fn joint(fastest: f64, slope_error: f64) -> f64 {
+pub(crate) fn joint(fastest: f64, slope_error: f64) -> f64 {
     (JOINT * fastest + slope_error).min(JOINT_MOST * fastest)
 }
 

@@ -158,3 +158,61 @@ fn a_recorded_swing_ends_where_it_starts() {
         assert!(motion.ends_where_it_starts(travelled, range), "{case}");
     }
 }
+
+/// A cycle that repeats, recorded with noise: over its seam the smoothed speed errs as little as inside, and is the same
+/// at both ends.
+#[test]
+fn a_cycle_is_smoothed_over_its_seam() {
+    let mut random = Random(11);
+    for case in 0..60 {
+        let (period, count) = (random.within(0.5, 4.0), 2000_u32);
+        let (shift, turns) = (random.within(0.0, 6.0), f64::from(case % 3));
+        // Also a motion that turns further with each cycle.
+        let course = |t: f64| {
+            let x = std::f64::consts::TAU * t / period;
+            let rate = std::f64::consts::TAU / period;
+            [(x + shift).sin() + turns * x, rate * ((x + shift).cos() + turns)]
+        };
+        let time_s: Vec<f64> = (0..=count).map(|k| period * f64::from(k) / f64::from(count)).collect();
+        let noise: Vec<f64> = time_s.iter().map(|_| random.within(-1e-3, 1e-3)).collect();
+        let position: Vec<f64> = time_s.iter().zip(&noise).map(|(t, e)| course(*t)[0] + e).collect();
+        let speed: Vec<f64> = time_s.iter().zip(&noise).map(|(t, e)| course(*t)[1] + e * 20.0).collect();
+        for (position_rad, speed_rad_s) in [(Some(position), None), (None, Some(speed))] {
+            let samples = Samples {
+                time_s: time_s.clone().into(),
+                position_rad: position_rad.map(Arc::new),
+                speed_rad_s: speed_rad_s.map(Arc::new),
+                torque_nm: None,
+            };
+            let smoothing = Some(Time::from_si(period * 40.5 / f64::from(count)));
+            let errors = |repeats: bool| {
+                let treatment = Treatment { smoothing, repeats, ..Treatment::default() };
+                let found = Recorded::new(samples.clone(), treatment).unwrap();
+                let of = |place: usize| (found.speed_rad_s()[place] - course(time_s[place])[1]).abs();
+                let last = count as usize;
+                let ends = (0..20).chain(last - 20..=last).map(of).fold(0.0, f64::max);
+                let inside = (40..last - 40).map(of).fold(0.0, f64::max);
+                let (first, end) = found.end_speeds_rad_s();
+                (ends, inside, (first - end).abs())
+            };
+            let (closed, inside, apart) = errors(true);
+            assert!(closed < 2.0 * inside && apart < 1e-6 * inside, "{case}: {closed} {inside} {apart}");
+            let (open, inside, _) = errors(false);
+            assert!(open > closed.max(inside), "{case}: {open} {closed}");
+        }
+    }
+}
+
+/// Ends that move differently are no cycle: the window ends there, as without a repetition.
+#[test]
+fn a_motion_that_does_not_close_is_not_smoothed_over_its_ends() {
+    let time_s: Vec<f64> = (0..=500).map(|k| 2e-3 * f64::from(k)).collect();
+    let position: Vec<f64> = time_s.iter().map(|t| 3.0 * t * t).collect();
+    let of = |repeats: bool| {
+        let samples =
+            Samples { time_s: time_s.clone().into(), position_rad: Some(Arc::new(position.clone())), ..Samples::default() };
+        let treatment = Treatment { smoothing: Some(Time::from_si(0.05)), repeats, ..Treatment::default() };
+        Recorded::new(samples, treatment).unwrap()
+    };
+    assert_eq!(of(true).speed_rad_s(), of(false).speed_rad_s());
+}

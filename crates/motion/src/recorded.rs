@@ -1,5 +1,6 @@
 //! Motion given by samples instead of a law.
 
+use crate::chain::joint;
 use crate::examination::Stamps;
 use crate::faults::RecordedFault;
 use crate::held::{Interpolated, Updated, held, interpolated, interpolated_position};
@@ -7,7 +8,7 @@ use crate::remarks::{Remark, of_stamps, of_standstill};
 use crate::resolution::{
     MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_updates, mean_interval, median_interval,
 };
-use crate::smoothing::smooth;
+use crate::smoothing::{smooth, smooth_closed};
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::threshold::set_to_rest;
 use crate::timing::{SpeedOverTime, evenly_spaced, with_time};
@@ -48,6 +49,9 @@ pub struct Treatment {
     pub held_values: HeldValues,
     /// Use of the time stamps.
     pub time_stamps: TimeStamps,
+    /// The samples are a whole cycle that repeats: where its ends move alike, a window at an end of the samples holds
+    /// those of the other end too.
+    pub repeats: bool,
 }
 
 /// Use of values that are held over several rows because their source is slower than the logger.
@@ -125,7 +129,11 @@ impl Recorded {
             agree(&samples.time_s, position, speed)?;
         }
         let held_are_interpolated = treatment.held_values == HeldValues::Interpolated;
-        let derived = Course::of(&samples, window, held_are_interpolated)?;
+        let open = Course::of(&samples, window, held_are_interpolated, None)?;
+        let derived = match open.gap().filter(|_| treatment.repeats && window.is_some()) {
+            Some(gap) => Course::of(&samples, window, held_are_interpolated, Some(gap))?,
+            None => open,
+        };
         let made_up = derived.spurious(&samples, window, treatment);
         remarks.extend((held_are_interpolated && !derived.is_held(&samples)).then_some(Remark::NotHeld));
         if let Some(stamps) = stamps {
@@ -137,7 +145,7 @@ impl Recorded {
         let before = match (window, treatment.standstill) {
             (None, None) => derived.updated.as_ref().map(|updated| updated.rests(&samples.time_s)),
             (Some(_), None) => {
-                let plain = Course::of(&samples, None, held_are_interpolated)?;
+                let plain = Course::of(&samples, None, held_are_interpolated, None)?;
                 let position = plain.position.as_deref().map(Vec::as_slice);
                 let mut found = rests(&samples.time_s, &plain.speed, position, differentiated).unwrap_or_default();
                 found.extend(plain.updated.into_iter().flat_map(|updated| updated.rests(&samples.time_s)));
@@ -146,7 +154,7 @@ impl Recorded {
             (_, Some(_)) => None,
         };
         let Samples { time_s, torque_nm, .. } = samples;
-        let Course { position, mut speed, mut end_errors, .. } = derived;
+        let Course { position, mut speed, mut end_errors, closed, .. } = derived;
         let largest = |speed: &[f64]| speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
         let before_standstill = treatment.standstill.map_or(0.0, |_| largest(&speed));
         let mut rest_noise = None;
@@ -175,7 +183,7 @@ impl Recorded {
         let between = |torque: &Arc<Vec<f64>>| held_are_interpolated.then(|| interpolated(&time_s, torque)).flatten();
         let torque_nm = torque_nm.map(|torque| between(&torque).map_or(torque, Arc::new));
         let torque_nm = match (torque_nm, window) {
-            (Some(torque), Some(window)) => Some(Arc::new(smooth(&time_s, &torque, window)?.0)),
+            (Some(torque), Some(window)) => Some(Arc::new(smooth_by(&time_s, &torque, window, closed.map(|_| 0.0))?.0)),
             (torque, _) => torque,
         };
         let rests = speed.windows(2).any(|ends| ends == [0.0; 2]);
@@ -331,11 +339,29 @@ struct Course {
     updated: Option<Updated>,
     /// A held position was interpolated.
     has_held_position: bool,
+    /// Difference of the last and the first position \[rad\], if the window went over the ends of a cycle.
+    closed: Option<f64>,
+}
+
+/// Smooths samples; those of a cycle that repeats over its ends, with the gap of their values.
+fn smooth_by(
+    time: &[f64],
+    values: &[f64],
+    window: f64,
+    gap: Option<f64>,
+) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
+    gap.map_or_else(|| smooth(time, values, window), |gap| smooth_closed(time, values, window, gap))
 }
 
 impl Course {
-    /// Returns position and speed of samples; `between` interpolates held values between their updates.
-    fn of(samples: &Samples, window: Option<f64>, between: bool) -> Result<Self, RecordedFault> {
+    /// Returns position and speed of samples; `between` interpolates held values between their updates, `closed` is the gap
+    /// of the positions at the ends of a cycle that repeats.
+    fn of(
+        samples: &Samples,
+        window: Option<f64>,
+        between: bool,
+        closed: Option<f64>,
+    ) -> Result<Self, RecordedFault> {
         let time: &[f64] = &samples.time_s;
         let mut updated = None;
         let speed =
@@ -371,7 +397,7 @@ impl Course {
                 (Some(position), Arc::new(speed))
             }
             (Some(position), None, Some(window)) => {
-                let (position, speed) = smooth(time, &position, window)?;
+                let (position, speed) = smooth_by(time, &position, window, closed)?;
                 let half = 0.5 * window;
                 end_errors = (slope_error(time, &position, half), slope_error_at_end(time, &position, half));
                 (Some(Arc::new(position)), Arc::new(speed))
@@ -379,13 +405,23 @@ impl Course {
             (position, Some(speed), window) => {
                 end_errors = (0.0, 0.0);
                 let speed = window
-                    .map(|window| smooth(time, &speed, window))
+                    .map(|window| smooth_by(time, &speed, window, closed.map(|_| 0.0)))
                     .transpose()?
                     .map_or(speed, |fitted| Arc::new(fitted.0));
                 (position, speed)
             }
         };
-        Ok(Self { position, speed, end_errors, updated, has_held_position })
+        Ok(Self { position, speed, end_errors, updated, has_held_position, closed })
+    }
+
+    /// Returns the gap of the positions at the ends \[rad\] if the motion is as fast at the end as at the beginning, so that
+    /// it may be a cycle that repeats.
+    fn gap(&self) -> Option<f64> {
+        let (start, end) = ends(&self.speed);
+        let fastest = self.speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        let (first, last) = self.position.as_deref().map_or((0.0, 0.0), |position| ends(position));
+        let is_alike = (end - start).abs() <= joint(fastest, self.end_errors.0 + self.end_errors.1);
+        is_alike.then_some(last - first)
     }
 
     /// Returns `true` if a column of the samples is held and interpolated.
@@ -416,7 +452,7 @@ impl Course {
             })
         };
         if !between && let Some(period_s) = held(time, values) {
-            let without = Self::of(samples, window, true).ok()?;
+            let without = Self::of(samples, window, true, self.closed).ok()?;
             let found =
                 of(Spurious::Held { period_s }, mean_interval(time), SpeedOverTime { time, speed: &without.speed });
             if found.is_some() {
@@ -427,7 +463,7 @@ impl Course {
             && let Stamps::Scattered(even) = Stamps::of(time, &[values])
         {
             let even_samples = with_time(samples, even.time_s);
-            let without = Self::of(&even_samples, window, between).ok()?;
+            let without = Self::of(&even_samples, window, between, self.closed).ok()?;
             let without = SpeedOverTime { time: &even_samples.time_s, speed: &without.speed };
             let found = of(Spurious::Stamps { scatter_s: even.scatter_s }, even.interval_s, without);
             if found.is_some() {

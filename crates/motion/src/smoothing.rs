@@ -57,6 +57,37 @@ pub(crate) fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f
     Ok(fitted)
 }
 
+/// Smooths like [`smooth`] samples of one cycle of a motion that repeats: a window at an end holds the samples of the other
+/// end too. `gap`: difference of the last and the first value, without their noise.
+pub(crate) fn smooth_closed(
+    time: &[f64],
+    values: &[f64],
+    window: f64,
+    gap: f64,
+) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
+    let half = 0.5 * window * (1.0 + 1e-9);
+    let (start, end) = (time.first().copied().unwrap_or(0.0), time.last().copied().unwrap_or(0.0));
+    let period = end - start;
+    // Both ends are the same instant of the cycle.
+    let (first, last) = (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0));
+    let middle = f64::midpoint(first, last - gap);
+    let count = time.len();
+    let own = time.iter().zip(values).enumerate().map(|(place, (t, y))| match place {
+        0 => (*t, middle),
+        place if place + 1 == count => (*t, middle + gap),
+        _ => (*t, *y),
+    });
+    let inside = || time.iter().zip(values).take(count.saturating_sub(1)).skip(1);
+    let before = inside().skip_while(|(t, _)| end - **t > half).map(|(t, y)| (t - period, y - gap));
+    let behind = inside().take_while(|(t, _)| **t - start <= half).map(|(t, y)| (t + period, y + gap));
+    let before: Vec<(f64, f64)> = before.collect();
+    let skipped = before.len();
+    let (times, extended): (Vec<f64>, Vec<f64>) = before.into_iter().chain(own).chain(behind).unzip();
+    let (value, slope) = smooth(&times, &extended, window)?;
+    let of_cycle = |all: Vec<f64>| all.into_iter().skip(skipped).take(count).collect();
+    Ok((of_cycle(value), of_cycle(slope)))
+}
+
 /// Largest number of samples in one smoothing window.
 const WINDOW_MOST: usize = 10_001;
 

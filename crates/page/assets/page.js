@@ -123,17 +123,19 @@ const titled = () => [$('#verdict strong.code')?.textContent, $('#file')?.value,
 
 // The address of the page itself: the folder of the server, also behind the path of an example, or the first file of the folder without one.
 const root = () => (location.pathname.endsWith('.html') ? location.pathname : location.pathname.replace(/[^/]*$/, ''));
-// What is not saved is kept by the browser until it is saved: of a file of the folder by its name; of an axis that has never been saved by a
-// name of its own, which its entry in the history holds, so that reloading finds it and no other tab does.
+// What is not saved is kept by the browser until it is saved: under the name of its file, which an axis that has never been saved lacks, and
+// a name of its own, which its entry in the history holds, so that reloading finds it and no other tab with the same file overwrites it.
 const DRAFT = 'antrieb-draft ';
+const OWN = '\t';
 const DRAFTS_MOST = 30;
 const fileName = () => $('#file')?.value || 'axis.toml';
 function draftKey() {
   const of = ($('#state [name=known]')?.value ?? '').split(' ').slice(1).join(' ');
-  if (of) return DRAFT + of;
   if (!history.state?.axis) history.replaceState({ ...history.state, axis: crypto.getRandomValues(new Uint32Array(2)).join('-') }, '');
-  return `${DRAFT}/${history.state.axis}`;
+  return of ? `${DRAFT}${of}${OWN}${history.state.axis}` : `${DRAFT}/${history.state.axis}`;
 }
+// The file of a draft, or its own name behind a slash; and the name of its tab.
+const ofDraft = (key) => key.slice(DRAFT.length).split(OWN);
 function drafts() {
   const found = [];
   try {
@@ -161,6 +163,7 @@ function keepDraft(changed) {
 const button = (words, then) => Object.assign(document.createElement('button'), { type: 'button', textContent: words, onclick: then });
 const instant = (at) => new Date(at).toLocaleString(document.documentElement.lang, { dateStyle: 'medium', timeStyle: 'short' });
 const CONTINUED = 'antrieb-continued';
+const CHOSEN = 'antrieb-chosen';
 function taken(name) {
   try { const value = sessionStorage.getItem(name); sessionStorage.removeItem(name); return value; } catch { return null; }
 }
@@ -169,12 +172,17 @@ function draft() {
   if (!place || !text()) return;
   let found;
   // Without the token in its address the page is opened in two steps: the first one has the kind.
-  const [first, continued, axis] = [taken('antrieb-navigation'), taken(CONTINUED), taken('antrieb-axis')];
+  const [first, continued, axis] = [taken('antrieb-navigation'), taken(CONTINUED), [taken('antrieb-axis'), taken(CHOSEN)].findLast(Boolean)];
   if (axis) history.replaceState({ ...history.state, axis }, '');
   // A draft of the start page goes on under its own name.
   if (continued) history.replaceState({ ...history.state, axis: continued.slice(DRAFT.length + 1) }, '');
-  const key = draftKey();
+  let key = draftKey();
   try { found = JSON.parse(localStorage.getItem(key) ?? 'null'); } catch { return; }
+  // Of a file, the draft of another tab that was closed or is still open; the latest that belongs to what is in the folder.
+  if (!found && key.includes(OWN)) {
+    found = drafts().find((each) => ofDraft(each.key)[0] === ofDraft(key)[0] && each.base === text().defaultValue && each.text !== each.base);
+    key = found?.key ?? key;
+  }
   if (continued && found?.text === text().defaultValue) { saved = found.base; buttons(); return; }
   if (!found || found.text === text().defaultValue || (found.base !== text().defaultValue && found.base !== '')) return;
   const kind = first || performance.getEntriesByType('navigation')[0]?.type;
@@ -189,10 +197,10 @@ function unsaved() {
   if (!place) return;
   const rows = drafts().map((each) => {
     const row = document.createElement('li');
-    const of = each.key.slice(DRAFT.length);
+    const [of, tab] = ofDraft(each.key);
     const name = /^\s*name\s*=\s*"([^"]*)"/m.exec(each.text)?.[1];
     const go = () => {
-      if (!of.startsWith('/')) { location.href = `${root()}?${new URLSearchParams({ open: of, lang: document.documentElement.lang })}`; return; }
+      if (!of.startsWith('/')) { try { if (tab) sessionStorage.setItem(CHOSEN, tab); } catch { /* a browser that keeps nothing */ } location.href = `${root()}?${new URLSearchParams({ open: of, lang: document.documentElement.lang })}`; return; }
       try { sessionStorage.setItem(CONTINUED, each.key); } catch { /* a browser that keeps nothing */ }
       begin(each.text, each.file || 'axis.toml');
     };
@@ -209,12 +217,20 @@ export function put(value) {
   field.value = value;
   field.dispatchEvent(new Event('change', { bubbles: true }));
 }
+// A field that has the focus while a step is taken shows the text of that step too.
+let stepTo = null;
+function showStep() {
+  if (stepTo === null || text()?.defaultValue !== stepTo) return;
+  stepTo = null;
+  for (const field of all('#fields input[type=text], #fields textarea')) if (field.value !== field.defaultValue) field.value = field.defaultValue;
+}
 function stepped(from, to) {
   // What is being pulled ends first: it is one step.
   if (base() !== undefined) { addEventListener('antrieb:pulled', () => stepped(from, to), { once: true }); return; }
   if (from.length === 0) return;
   to.push(last);
   last = from.pop();
+  stepTo = last;
   put(last);
   buttons();
 }
@@ -228,6 +244,7 @@ function right() {
   if (held('lang') && document.documentElement.lang !== held('lang')) document.documentElement.lang = held('lang');
   if (held('theme') === 'dark') document.documentElement.dataset.theme = 'dark'; else delete document.documentElement.dataset.theme;
   note();
+  showStep();
   overlay();
   cursor();
   tolerances();
@@ -255,11 +272,24 @@ document.addEventListener('htmx:after:swap', () => {
   const isTypedIn = (part) => part.contains(document.activeElement) && document.activeElement.matches('input, textarea, select');
   const head = $('#detail-title');
   if (isNew(head) && !isTypedIn($('#detail'))) head.focus();
+  for (const place of all('.begin-form .fault')) {
+    for (const field of place.parentElement.querySelectorAll('[aria-describedby]')) {
+      if (place.childElementCount > 0) field.setAttribute('aria-invalid', 'true'); else field.removeAttribute('aria-invalid');
+    }
+  }
   const begin = $('#begin-title');
   if (isNew(begin) && !isTypedIn(begin.closest('form'))) { $('#begin input[type=text]')?.focus(); $('#begin input[type=text]')?.select(); begin.closest('form').scrollIntoView({ block: 'nearest' }); }
   // What had the focus is gone: the verdict, which the change was about, takes it.
   if (hadFocus && document.activeElement === document.body) $('#standing')?.focus({ preventScroll: true });
 });
+// A beginning with a fault is not sent: its first field with one takes the focus.
+document.addEventListener('submit', (event) => {
+  const wrong = event.target.matches('.begin-form') && event.target.querySelector('[aria-invalid=true]');
+  if (!wrong) return;
+  event.preventDefault();
+  event.stopImmediatePropagation();
+  wrong.focus();
+}, true);
 // The drawer gives the focus back to where it was opened.
 let opener = null;
 export const openedBy = (element) => { if (!$('#detail').contains(element)) opener = element === document.body ? null : element.id || element; };
@@ -451,7 +481,7 @@ export async function save() {
   if (!reply) return;
   const words = await reply.text();
   if (reply.ok) {
-    try { localStorage.removeItem(draftKey()); } catch { /* a browser that keeps nothing */ }
+    try { localStorage.removeItem(draftKey()); for (const each of drafts()) if (each.text === last && ofDraft(each.key)[0] === ofDraft(draftKey())[0]) localStorage.removeItem(each.key); } catch { /* a browser that keeps nothing */ }
     $('#file').value = reply.headers.get('x-file') ?? $('#file').value;
     $('#file-name').textContent = $('#file').value;
     $('#state [name=known]').value = `${reply.headers.get('x-version') ?? ''} ${$('#file').value}`;

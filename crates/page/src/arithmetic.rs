@@ -20,6 +20,10 @@ pub(crate) enum ArithmeticFault {
     TooLong,
     /// Behind the expression there is no unit.
     NoUnit,
+    /// A unit inside the expression instead of behind it.
+    UnitInside,
+    /// A number with separators between its digits, or with the decimal mark of another language.
+    Separators,
 }
 
 impl ArithmeticFault {
@@ -32,6 +36,8 @@ impl ArithmeticFault {
             Self::OutOfRange => page::arithmetic_out_of_range(language),
             Self::TooLong => page::arithmetic_too_long(language),
             Self::NoUnit => page::arithmetic_no_unit(language),
+            Self::UnitInside => page::arithmetic_unit_inside(language),
+            Self::Separators => page::arithmetic_separators(language),
         }
     }
 }
@@ -59,8 +65,15 @@ pub(crate) fn computed(typed: &str, language: Language) -> Result<Option<String>
         // A unit may begin with a slash, a name with a parenthesis.
         Err(Some(fault)) => return if is_arithmetic(&reader) { Err(fault) } else { Ok(None) },
     };
+    let has_separators = separates(reader.rest, language);
     if !is_arithmetic(&reader) {
-        return Ok(None);
+        return match () {
+            () if value.is_nan() => Err(ArithmeticFault::OutOfRange),
+            // The fault of a single comma in place of the point says both of its meanings.
+            () if has_separators && language.decimal_mark() == ',' => Err(ArithmeticFault::Separators),
+            () if goes_on_behind_a_unit(reader.rest) => Err(ArithmeticFault::UnitInside),
+            () => Ok(None),
+        };
     }
     if typed.len() > LENGTH_MOST {
         return Err(ArithmeticFault::TooLong);
@@ -70,7 +83,11 @@ pub(crate) fn computed(typed: &str, language: Language) -> Result<Option<String>
         return Err(ArithmeticFault::Parenthesis);
     }
     if !unit.is_empty() && Unit::of(unit).is_none() {
-        return Err(ArithmeticFault::NoUnit);
+        return Err(match () {
+            () if has_separators => ArithmeticFault::Separators,
+            () if goes_on_behind_a_unit(unit) => ArithmeticFault::UnitInside,
+            () => ArithmeticFault::NoUnit,
+        });
     }
     if !value.is_finite() || value != 0.0 && !(1e-300..=1e300).contains(&value.abs()) {
         return Err(ArithmeticFault::OutOfRange);
@@ -78,6 +95,33 @@ pub(crate) fn computed(typed: &str, language: Language) -> Result<Option<String>
     // Rounding of the operations adds no digits.
     let short = format!("{value:.11e}").parse::<f64>().unwrap_or(value);
     Ok(Some(if unit.is_empty() { short.to_string() } else { format!("{short} {unit}") }))
+}
+
+/// Returns `true` if further digits follow behind a separator: a point, a comma, or a blank between groups of three where the
+/// comma is the decimal mark. `rest` begins behind a number.
+fn separates(rest: &str, language: Language) -> bool {
+    let is_digit = |sign: char| sign.is_ascii_digit();
+    if let Some(behind) = rest.strip_prefix(['.', ',']) {
+        return behind.starts_with(is_digit);
+    }
+    let Some(behind) = rest.strip_prefix(' ').filter(|behind| Unit::of(behind.trim()).is_none()) else { return false };
+    let end = behind.find(|sign: char| !is_digit(sign) && sign != ' ').unwrap_or(behind.len());
+    let mut groups = behind.get(..end).unwrap_or_default().split_whitespace().peekable();
+    // A unit may begin with a number: `1/min`.
+    let ends = behind.get(end..).is_none_or(|unit| !unit.starts_with(['/', '*', '^', '.', ',']));
+    language.decimal_mark() == ',' && ends && groups.peek().is_some() && groups.all(|group| group.len() == 3)
+}
+
+/// Returns `true` if a unit is followed by an operator and a number: `kg*2`. `rest` begins behind a number.
+fn goes_on_behind_a_unit(rest: &str) -> bool {
+    let rest = rest.trim();
+    let operators = rest.char_indices().filter(|(_, sign)| ['*', '×', '·', '/', '÷', '+', '-', '−'].contains(sign));
+    let goes_on = |(place, sign): (usize, char)| {
+        let (unit, behind) = rest.split_at(place);
+        let behind = behind.get(sign.len_utf8()..).unwrap_or_default().trim_start();
+        Unit::of(unit.trim()).is_some() && behind.starts_with(|sign: char| sign.is_ascii_digit() || sign == '(')
+    };
+    Unit::of(rest).is_none() && operators.into_iter().any(goes_on)
 }
 
 /// An expression while it is read.
@@ -172,9 +216,13 @@ impl Expression<'_> {
                 end += 1 + (power.len() - signed.len()) + count;
             }
         }
-        let number = rest.get(..end)?.replace(self.mark, ".").parse().ok()?;
+        let written = rest.get(..end)?;
+        let number: f64 = written.replace(self.mark, ".").parse().ok()?;
         self.rest = rest.get(end..).unwrap_or_default();
-        Some(number)
+        // A number below the smallest one would be zero.
+        let mantissa = written.split(['e', 'E']).next().unwrap_or(written);
+        let is_lost = number == 0.0 && mantissa.bytes().any(|digit| (b'1'..=b'9').contains(&digit));
+        Some(if is_lost { f64::NAN } else { number })
     }
 }
 
@@ -225,7 +273,9 @@ mod tests {
             "1e-3 m",
             "up",
             "5 N m/(1/min)",
-            "1.000,5",
+            "5 kg*m^2",
+            "3 N·m",
+            "2 1/s",
         ] {
             assert_eq!(of(typed), None, "{typed}");
         }
@@ -244,9 +294,28 @@ mod tests {
             ("1/(2-2) m", ArithmeticFault::DivisionByZero),
             ("1e200*1e200", ArithmeticFault::OutOfRange),
             ("2*3 furlongs", ArithmeticFault::NoUnit),
-            ("1+1.2.3", ArithmeticFault::NoUnit),
+            ("1+1.2.3", ArithmeticFault::Separators),
+            ("1.000,5", ArithmeticFault::Separators),
+            ("1,000.5", ArithmeticFault::Separators),
+            ("1 000", ArithmeticFault::Separators),
+            ("12 500 kg", ArithmeticFault::Separators),
+            ("1 000 000", ArithmeticFault::Separators),
+            ("2*1.000,5 kg", ArithmeticFault::Separators),
+            ("5kg*2", ArithmeticFault::UnitInside),
+            ("5 kg + 2 kg", ArithmeticFault::UnitInside),
+            ("2*3 mm*4", ArithmeticFault::UnitInside),
+            ("1e-400", ArithmeticFault::OutOfRange),
+            ("2*1e-400", ArithmeticFault::OutOfRange),
         ] {
             assert_eq!(computed(typed, Language::De), Err(fault), "{typed}");
+        }
+        for (typed, fault) in [
+            ("2*0,3", ArithmeticFault::Separators),
+            ("2*1,000.5 mm", ArithmeticFault::Separators),
+            ("5kg*2", ArithmeticFault::UnitInside),
+            ("1e-400", ArithmeticFault::OutOfRange),
+        ] {
+            assert_eq!(computed(typed, Language::En), Err(fault), "{typed}");
         }
         let deep = format!("1+{}1{}", "(".repeat(30), ")".repeat(30));
         let long = format!("1{}", "+1".repeat(200));

@@ -221,7 +221,6 @@ pub(crate) fn asked(place: usize, is_further: bool, language: Language) -> Marku
             span.sketch id="begin-sketch" { (drawing(begin, &begin.text(|_| None, true), l)) }
             p.small { (page::asked_values(l)) }
             @for row in begin.asked { (asked_row(begin, row, l)) }
-            div.fault id="begin-fault" role="status" {}
             input type="hidden" name=(if is_further { "further" } else { "begin" }) value=(place);
             input type="hidden" name="lang" value=(l.id());
             button.primary type="submit" { @if is_further { (page::new_axis(l)) } @else { (page::first_answer(l)) } }
@@ -275,14 +274,14 @@ fn asked_row(begin: &Begin, row: &[&str], language: Language) -> Markup {
                     @let id = crate::markup::id(path);
                     @let own = (number > 0).then(|| capitalised(&short_label(key_at(path).map(|key| about_text(key.about, l)).unwrap_or_default())));
                     @if let Kind::OneOf(words) = key.kind {
-                        select id=(id) name=(path) required hx-get="/begin/drawing" hx-trigger="change" hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form" {
+                        select id=(id) name=(path) required aria-describedby=(fault_id(row)) hx-get="/begin/drawing" hx-trigger="change" hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form" {
                             option value="" { (page::choose(l)) }
                             // A bar has a width too, which is not among the few values.
                             @for word in words.iter().filter(|word| **word != "bar") { option value=(word) { (key_word(key.name, word, l).unwrap_or_else(|| (*word).to_owned().into())) } }
                         }
                     } @else {
                         @if number > 0 { span.unit { "–" } }
-                        input id=(id) name=(path) type="text" inputmode="decimal" required placeholder=(page::for_example(&number_of(begin, path, l), l)) aria-label=[own]
+                        input id=(id) name=(path) type="text" inputmode="decimal" required placeholder=(page::for_example(&number_of(begin, path, l), l)) aria-label=[own] aria-describedby=(fault_id(row))
                             autocomplete="off" spellcheck="false"
                             hx-get="/begin/drawing" hx-trigger=(follows) hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form";
                     }
@@ -293,6 +292,7 @@ fn asked_row(begin: &Begin, row: &[&str], language: Language) -> Markup {
                     }
                 } @else if let Some(only) = unit { span.unit { (only.symbol) } input type="hidden" name=(unit_name(path)) value=(only.ascii); }
             }
+            div.fault id=(fault_id(row)) role="status" {}
         }
     }
 }
@@ -327,14 +327,21 @@ pub(crate) fn drawing_of(call: &Call<'_>) -> Markup {
     let (l, text) = (call.language(), begin.text(|path| typed_value(begin, path, call), true));
     html! {
         (drawing(begin, &text, l))
-        template hx type="partial" hx-target="#begin-fault" hx-swap="innerHTML" {
-            @for (label, fault) in faults(begin, &text, l) { p { (label) ": " (fault) } }
+        @for (row, fault) in begin.asked.iter().zip(faults(begin, &text, l)) {
+            template hx type="partial" hx-target={ "#" (fault_id(row)) } hx-swap="innerHTML" {
+                @if let Some(fault) = fault { p { (fault) } }
+            }
         }
     }
 }
 
-/// Returns the faults of a text at the keys that are filled in, each with the label of its row.
-fn faults(begin: &Begin, text: &str, language: Language) -> Vec<(String, Markup)> {
+/// Returns the identifier of the place of a row's fault.
+fn fault_id(row: &[&str]) -> String {
+    format!("{}-x", crate::markup::id(row.first().copied().unwrap_or_default()))
+}
+
+/// Returns the fault of each row that is filled in.
+fn faults(begin: &Begin, text: &str, language: Language) -> Vec<Option<Markup>> {
     let stated = written(text).unwrap_or_default();
     let found = questions::read(text).err().unwrap_or_default();
     let found = placed(&found, (text, &stated), key_at, language);
@@ -343,13 +350,12 @@ fn faults(begin: &Begin, text: &str, language: Language) -> Vec<(String, Markup)
         let (_, fault) = found.iter().find(|(at, _)| at.as_deref() == Some(*path))?;
         let value = stated.iter().find(|key| key.path == *path).and_then(|key| key.value.clone()).unwrap_or_default();
         let arithmetic = key_at(path).and_then(|key| value::arithmetic_fault(key, &value, language));
-        let fault = match arithmetic {
+        Some(match arithmetic {
             Some(fault) => html! { (fault) },
             None => crate::markup::worded(&fault.message, fault.hint.as_deref(), language),
-        };
-        Some((asked_label(begin, row, language), fault))
+        })
     };
-    begin.asked.iter().filter_map(of_row).collect()
+    begin.asked.iter().map(of_row).collect()
 }
 
 /// Returns the drawing to the scale of a text; invalid values are left out.

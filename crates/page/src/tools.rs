@@ -34,12 +34,12 @@ enum Ask {
     Code(fn(&str, Language) -> Markup),
     /// Explanation of a text.
     About(fn(&str, Language) -> Markup),
-    /// A question of the list: the initial values of its fields, and the layout of its answer.
+    /// A question of the list: the examples of its fields in grey, and the layout of its answer.
     Of(&'static Entry, &'static [(&'static str, &'static str)], Show),
     /// Mounting, under the limits of the manual or under the loads of the open project.
     Mount,
-    /// Moment of inertia of bodies, with those of the first look.
-    Bodies(&'static str),
+    /// Moment of inertia of bodies.
+    Bodies,
     /// Loads on the output bearing.
     Loads,
     /// Judgement of measured values.
@@ -63,9 +63,7 @@ const TOOLS: [Tool; 15] = [
     Tool {
         id: "inertia",
         title: page::tool_inertia,
-        ask: Ask::Bodies(
-            "disc diameter=600mm length=20mm density=7850kg/m^3\nbox a=120mm b=80mm height=60mm mass=5kg distance=250mm count=4",
-        ),
+        ask: Ask::Bodies,
     },
     Tool {
         id: "battery",
@@ -102,9 +100,11 @@ pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> M
         Ask::Code(say) | Ask::About(say) => html! { (say(&scene.about, l)) (scene.link(&[])) },
         Ask::Record => record::shown(&scene),
         Ask::Loads => loads::shown(&scene),
-        Ask::Bodies(example) => inertia::shown(&scene, example),
+        Ask::Bodies => inertia::shown(&scene),
         Ask::Mount => mounted(&scene),
-        Ask::Of(entry, first, show) => of(&scene, &Question { entry, first, show: *show, own: None, body: &[] }),
+        Ask::Of(entry, examples, show) => {
+            of(&scene, &Question { entry, first: &[], examples, show: *show, own: None, body: &[] })
+        }
     };
     if scene.is_in_view {
         let follows = matches!(tool.ask, Ask::Mount).then_some("");
@@ -154,7 +154,7 @@ impl Tool {
         match &self.ask {
             Ask::Of(entry, ..) => takes_a_code(entry),
             Ask::Code(_) | Ask::Record | Ask::Mount => true,
-            Ask::About(_) | Ask::Loads | Ask::Bodies(_) => false,
+            Ask::About(_) | Ask::Loads | Ask::Bodies => false,
         }
     }
 }
@@ -167,7 +167,10 @@ fn takes_a_code(entry: &Entry) -> bool {
 /// A question of the list.
 struct Question<'q> {
     entry: &'static Entry,
+    /// Initial values.
     first: &'q [(&'q str, &'q str)],
+    /// Examples of values, shown in grey.
+    examples: &'q [(&'q str, &'q str)],
     show: Show,
     /// Field of the page that the interface does not have.
     own: Option<ToolField>,
@@ -191,19 +194,21 @@ fn mounted(scene: &Scene<'_>) -> Markup {
     let own = (!text.is_empty()).then(own);
     let body = if is_under { text.as_bytes() } else { &[] };
     let first: &[(&str, &str)] = if scene.is_in_view { &[(UNDER_PROJECT, "true")] } else { &[] };
-    of(scene, &Question { entry, first, show, own, body })
+    of(scene, &Question { entry, first, examples: &[], show, own, body })
 }
 
 /// Returns a question as fields, with its answer below them.
 fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
     let l = scene.language;
-    let Question { entry, first, show, own, body } = question;
+    let Question { entry, first, examples, show, own, body } = question;
     let mut fields: Vec<ToolField> =
         entry.arguments.iter().filter_map(|each| ToolField::of_argument(each, l)).collect();
     fields.extend(own.clone());
     for field in &mut fields {
         let usual = || first.iter().find(|(name, _)| *name == field.name).map(|(_, value)| (*value).to_owned());
         field.value = scene.typed(&field.name).unwrap_or_else(|| usual().unwrap_or_default());
+        let example = examples.iter().find(|(name, _)| *name == field.name);
+        field.ghost = example.map(|(_, value)| page::for_example(&crate::value::with_mark(value, l), l));
     }
     let needs_code = takes_a_code(entry);
     if needs_code && let Err(fault) = read_code(&scene.about, l) {

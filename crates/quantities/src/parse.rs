@@ -63,7 +63,10 @@ pub(crate) fn parse_at(expected: Dimension, text: &str, offset: usize) -> Result
     let Ok(value) = number.replace('−', "-").parse::<f64>() else {
         return Err(QuantityError::NumberUnreadable { span: number_span, found: excerpt(number), expected });
     };
-    if !value.is_finite() {
+    // A number below the smallest one is read as zero.
+    let mantissa = number.split(['e', 'E']).next().unwrap_or(number);
+    let is_lost = value == 0.0 && mantissa.bytes().any(|digit| (b'1'..=b'9').contains(&digit));
+    if !value.is_finite() || is_lost {
         return Err(QuantityError::NotFinite { span: number_span, found: excerpt(number) });
     }
     let unit = match Unit::of_dimension(expected, unit_text) {
@@ -73,7 +76,7 @@ pub(crate) fn parse_at(expected: Dimension, text: &str, offset: usize) -> Result
         None => return Err(QuantityError::UnitMissing { span: number_span, expected }),
     };
     let si = unit.to_si(value);
-    if !si.is_finite() {
+    if !si.is_finite() || si == 0.0 && value != 0.0 && unit.to_si(0.0) == 0.0 {
         return Err(QuantityError::NotFinite { span: number_span, found: excerpt(number) });
     }
     Ok(Reading { si, value, unit })

@@ -111,6 +111,8 @@ impl Files for FilesWithIncoming<'_> {
 pub struct ExaminedRecording {
     /// Recording as read.
     pub recording: Arc<Recording>,
+    /// Samples at the output.
+    samples: Samples,
     /// Motion at the output: in rad, or in m along a line.
     pub recorded: Recorded,
     /// Smallest, median and largest interval between two samples \[s\].
@@ -153,8 +155,17 @@ impl ExaminedRecording {
         });
         let quality = quality.collect();
         let intervals_s = intervals(&recording.time_s);
-        let recorded = Recorded::new(samples, Treatment::default())?;
-        Ok(Self { recording, recorded, intervals_s, quality })
+        let recorded = Recorded::new(samples.clone(), Treatment::default())?;
+        Ok(Self { recording, samples, recorded, intervals_s, quality })
+    }
+
+    /// Returns the largest acceleration with a window of smoothing [rad/s²], or [m/s²] along a line; `None` if the window is
+    /// too narrow or too wide.
+    fn acceleration_peak(&self, smoothing: Option<Time>) -> Option<f64> {
+        let smoothed = Recorded::new(self.samples.clone(), Treatment { smoothing, ..Treatment::default() }).ok()?;
+        let steps = smoothed.time_s().windows(2).zip(smoothed.speed_rad_s().windows(2));
+        let acceleration = steps.filter_map(|(t, w)| Some((w.last()? - w.first()?) / (t.last()? - t.first()?)));
+        Some(acceleration.fold(0.0, |most: f64, a| most.max(a.abs())))
     }
 
     /// Returns `true` if the recording is that of a motion along a line.
@@ -191,6 +202,9 @@ pub struct SmoothingEffect {
     /// T_peak of the load, without the moment of inertia of the actuator; `None` if the axis is impossible with the window,
     /// e.g. because its cycle does not close.
     pub torque_peak: Option<Torque>,
+    /// Largest acceleration of the recording by itself at the output [rad/s²], or [m/s²] along a line; `None` with a project, or
+    /// if the window is too narrow or too wide.
+    pub acceleration_peak: Option<f64>,
     /// The window reduces the spurious acceleration of steps to a twentieth of the motion's.
     pub is_proposed: bool,
 }
@@ -223,21 +237,27 @@ fn windows(plain: &ExaminedRecording, stated: Option<Time>) -> Vec<(Time, bool)>
     found.into_iter().map(|window| (window, Some(window) == proposed)).collect()
 }
 
-/// Returns the effect of windows of smoothing on a recorded segment, counted from zero: none, several numbers of samples,
-/// the one that steps require, and the stated one.
+/// Returns the effect of windows of smoothing on a recorded segment of a project, counted from zero: none, several numbers of samples,
+/// the one that steps require, and the stated one. The torque follows if there is a project: the effect of a window depends
+/// neither on the stated one nor, where the cycle does not close with it, on the closing.
 #[must_use]
 pub fn smoothing_effects(
-    project: &AxisProject,
-    segment: usize,
+    project: Option<(&AxisProject, usize)>,
+    is_single: bool,
     plain: &ExaminedRecording,
     stated: Option<Time>,
     progress: &Progress,
 ) -> Vec<SmoothingEffect> {
     let tried = windows(plain, stated).into_iter().map(|(window, is_proposed)| (Some(window), is_proposed));
     let effect = |(window, is_proposed): (Option<Time>, bool)| {
-        let smoothed = project.smoothed(segment, window);
+        let smoothed = project.and_then(|(project, segment)| {
+            let by = |is_single: bool| project.smoothed(segment, window, is_single);
+            by(is_single).or_else(|| by(true))
+        });
         let torque_peak = smoothed.map(|smoothed| smoothed.axis.demand(MomentOfInertia::from_si(0.0)).torque_peak);
-        SmoothingEffect { window, torque_peak, is_proposed }
+        // Of a long recording it is found where there is no torque only.
+        let acceleration_peak = if project.is_none() { plain.acceleration_peak(window) } else { None };
+        SmoothingEffect { window, torque_peak, acceleration_peak, is_proposed }
     };
     std::iter::once((None, false)).chain(tried).take_while(|_| !progress.is_over()).map(effect).collect()
 }

@@ -63,6 +63,8 @@ texts! {
     smoothing_about =
         "Peak torque of the load for each width of the smoothing window, without the moment of inertia of the actuator:"
         | "Spitzendrehmoment der Last je Breite des Glättungsfensters, ohne das Massenträgheitsmoment des Antriebs:";
+    acceleration_about =
+        "Largest acceleration for each width of the smoothing window:" | "Größte Beschleunigung je Breite des Glättungsfensters:";
     no_smoothing = "none" | "keine";
     removes_steps = "proposed: reduces the effect of the steps to a twentieth" | "Vorschlag: verringert den Einfluss der Schritte auf ein Zwanzigstel";
     other_window = "other width" | "andere Breite";

@@ -342,6 +342,11 @@ texts! {
     arithmetic_number_missing =
         "a number is missing behind an operator" | "hinter einem Rechenzeichen fehlt eine Zahl";
     arithmetic_parenthesis = "a parenthesis has no counterpart" | "eine Klammer hat kein Gegenstück";
+    arithmetic_unit_inside =
+        "write the unit once, behind the whole expression: 2*5 kg" | "die Einheit einmal hinter den ganzen Ausdruck schreiben: 2*5 kg";
+    arithmetic_separators =
+        "write numbers without separators between the digits and with a decimal point: 1000.5"
+        | "Zahlen ohne Trennzeichen zwischen den Ziffern und mit Dezimalkomma schreiben: 1000,5";
     arithmetic_division_by_zero = "division by zero" | "Division durch null";
     arithmetic_out_of_range =
         "the result is too large or too small for a number" | "das Ergebnis ist für eine Zahl zu groß oder zu klein";

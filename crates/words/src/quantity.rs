@@ -28,6 +28,9 @@ pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
         QuantityError::DecimalComma { found, .. } => {
             said!(language => "decimal comma in \"{found}\"" | "Dezimalkomma in „{found}“")
         }
+        QuantityError::NotFinite { found, .. } if is_too_small(found) => {
+            said!(language => "\"{found}\" is too small for a number" | "„{found}“ ist für eine Zahl zu klein")
+        }
         QuantityError::NotFinite { found, .. } => {
             said!(language => "\"{found}\" is not a finite number" | "„{found}“ ist keine endliche Zahl")
         }
@@ -189,6 +192,11 @@ pub fn unpadded(number: f64, digits: usize, language: Language) -> String {
     let text = format_significant(number, digits, language);
     let has_fraction = text.contains(['.', ',']) && !text.contains(['e', '·']);
     if has_fraction { text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned() } else { text }
+}
+
+/// Returns `true` if a number that is not finite is so by the negative power of ten behind it.
+fn is_too_small(number: &str) -> bool {
+    ["e-", "E-", "e−", "E−"].iter().any(|power| number.contains(power))
 }
 
 #[cfg(test)]

@@ -103,7 +103,7 @@ pub(super) struct Examination {
     pub(super) examined: Option<ExaminedRecording>,
     /// Reasons why it cannot.
     pub(super) unreadable: Vec<(String, Option<String>)>,
-    /// T_peak for each window; empty while the load is open.
+    /// T_peak for each window; the acceleration while the load is open.
     pub(super) effects: Vec<SmoothingEffect>,
     /// Faults that the project has with the recording.
     pub(super) open: Vec<AxisDiagnostic>,
@@ -165,10 +165,11 @@ pub(super) fn examine(request: &Request, shell: &dyn Shell, progress: &Progress)
     });
     match examined {
         Ok(examined) => {
-            if let Some((project, index)) = &project {
-                let stated = choices.window();
-                found.effects = smoothing_effects(project, *index, &examined, stated, progress);
-            }
+            let keys = written(&state.text).unwrap_or_default();
+            let states_single = |key: &project::Written| key.path.ends_with("single_move") && key.value.as_deref() == Some("true");
+            let is_single = choices.runs_once || keys.iter().any(states_single);
+            let of = project.as_ref().map(|(project, index)| (project, *index));
+            found.effects = smoothing_effects(of, is_single, &examined, choices.window(), progress);
             found.examined = Some(examined);
         }
         Err(reasons) => {

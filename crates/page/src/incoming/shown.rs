@@ -7,7 +7,7 @@ use crate::recorded::rows;
 use axis::AxisFault;
 use figures::{Size, Style};
 use maud::{Markup, PreEscaped, html};
-use motion_words::{alone, quality_rows};
+use motion_words::{acceleration, alone, quality_rows};
 use project::{Fault, written};
 use quantities::unit::NEWTON_METRE;
 use quantities::{Language, Measure, Unit, format_significant};
@@ -184,7 +184,8 @@ fn treatment(choices: &Choices, found: &Examination, language: Language) -> Mark
         }
         fieldset id="incoming-smoothing" {
             legend { (incoming::smoothing(l)) }
-            @if found.effects.is_empty() { p.small { (incoming::peak_later(l)) } } @else { p.small { (incoming::smoothing_about(l)) } }
+            @let has_torque = found.effects.iter().any(|effect| effect.torque_peak.is_some());
+            @if has_torque { p.small { (incoming::smoothing_about(l)) } } @else { p.small { (incoming::acceleration_about(l)) " " (incoming::peak_later(l)) } }
             ul.plain {
                 @if found.effects.is_empty() { li { (window(("", !is_other && stated.is_empty()), incoming::no_smoothing(l))) } }
                 @for effect in &found.effects {
@@ -192,9 +193,10 @@ fn treatment(choices: &Choices, found: &Examination, language: Language) -> Mark
                     @let name = if text.is_empty() { incoming::no_smoothing(l).to_owned() } else { crate::value::with_mark(&text, l) };
                     li {
                         (window((&text, !is_other && text == stated), &name)) ": "
-                        @match effect.torque_peak {
-                            Some(peak) => strong { "T" sub { "peak" } " = " (torque(peak.si())) },
-                            None => span.small { (incoming::not_with_this(l)) },
+                        @match (effect.torque_peak, effect.acceleration_peak) {
+                            (Some(peak), _) => strong { "T" sub { "peak" } " = " (torque(peak.si())) },
+                            (None, Some(peak)) => strong { (if examined.is_along_a_line() { "a" } else { "α" }) sub { "peak" } " = " (acceleration(examined, peak, l)) },
+                            (None, None) => span.small { (incoming::not_with_this(l)) },
                         }
                         @if effect.is_proposed { " " span.small { "– " (incoming::removes_steps(l)) } }
                     }

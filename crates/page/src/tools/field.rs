@@ -183,7 +183,7 @@ impl ToolField {
                         @for (value, title) in words { option value=(value) selected[self.value == *value] { (title) } }
                     },
                     FieldEntry::Day => input id=(id) name=(name) type="date" value=(self.value) aria-invalid=[invalid] aria-describedby=[by];,
-                    FieldEntry::Whole => input id=(id) name=(name) type="text" inputmode="numeric" value=(self.value) autocomplete="off" aria-invalid=[invalid] aria-describedby=[by];,
+                    FieldEntry::Whole => input id=(id) name=(name) type="text" inputmode="numeric" value=(self.value) placeholder=[self.ghost.as_ref()] autocomplete="off" aria-invalid=[invalid] aria-describedby=[by];,
                     FieldEntry::Line => input id=(id) name=(name) type="text" value=(self.value) placeholder=[self.ghost.as_ref()] autocomplete="off" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by];,
                 }
                 @if let Some(remark) = &self.remark { p.small id=(about) { (remark) } }

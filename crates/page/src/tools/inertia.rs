@@ -74,15 +74,32 @@ impl BodyRow {
     }
 }
 
-/// Returns the rows of a request: those typed, those of a link, or the example.
-fn rows(scene: &Scene<'_>, example: &str) -> Vec<BodyRow> {
+/// Returns the bodies of the turntable of the shown axis, as lines.
+fn bodies_of_axis(scene: &Scene<'_>) -> String {
+    let lines = scene.of_axis("mechanism.turntable.bodies").unwrap_or_default();
+    let mut tables: Vec<(String, String)> = Vec::new();
+    for (rest, value) in scene.below_axis("mechanism.turntable.body[") {
+        let Some((place, key)) = rest.split_once("].") else { continue };
+        if tables.last().is_none_or(|(of, _)| of != place) {
+            tables.push((place.to_owned(), String::new()));
+        }
+        let Some((_, line)) = tables.last_mut() else { continue };
+        let value: String = value.split_whitespace().collect();
+        *line = if key == "shape" { format!("{value}{line}") } else { format!("{line} {key}={value}") };
+    }
+    let lines = lines.lines().map(str::to_owned).chain(tables.into_iter().map(|(_, line)| line));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Returns the rows of a request: those typed, those of a link, or those of the axis in work.
+fn rows(scene: &Scene<'_>) -> Vec<BodyRow> {
     let l = scene.language;
     let of_text = |text: &str| text.lines().filter_map(|line| BodyRow::of_line(line, l)).take(ROWS_MOST).collect();
     if scene.typed("rows").is_none_or(|rows| rows.is_empty()) {
         return match scene.typed("body").filter(|text| !text.is_empty()) {
             Some(text) => of_text(&text),
             None if scene.call.field(INTO).is_some() => Vec::new(),
-            None => of_text(example),
+            None => of_text(&bodies_of_axis(scene)),
         };
     }
     let row = |index: usize| {
@@ -109,9 +126,9 @@ fn rows(scene: &Scene<'_>, example: &str) -> Vec<BodyRow> {
 }
 
 /// Returns the tool.
-pub(super) fn shown(scene: &Scene<'_>, example: &str) -> Markup {
+pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     let l = scene.language;
-    let rows = rows(scene, example);
+    let rows = rows(scene);
     let text = rows.iter().map(|row| row.line(l)).collect::<Vec<_>>().join("\n");
     let into = scene.call.field(INTO).filter(|path| label_of(path, l).is_some());
     let answer = if rows.is_empty() { None } else { Some(inertia(&text)) };

@@ -13,24 +13,27 @@ use questions::texts::{by_importance, checked_text, margin_text, percent, unit_t
 use questions::{Candidate, Part, Unread, Verdict, read_all_watched, read_code};
 use words::{about_text, capitalised, grade_word, page, short_label, source_text, terminal, terms, title_of_check};
 
-/// Keys of the form, with their initial values.
-const KEYS: [(&str, &str); 8] = [
-    ("bearing.radial_force", "1200 N"),
-    ("bearing.radial_distance", "80 mm"),
-    ("bearing.axial_force", "500 N"),
-    ("bearing.axial_distance", "40 mm"),
-    ("motion[1].speed", "10 1/min"),
-    ("bearing.load_factor", ""),
-    ("bearing.operating_condition", ""),
-    ("requirements.bearing_life_min", ""),
+/// Keys of the form. They begin with the values of the axis in work, if it states them.
+const KEYS: [&str; 8] = [
+    "bearing.radial_force",
+    "bearing.radial_distance",
+    "bearing.axial_force",
+    "bearing.axial_distance",
+    SPEED,
+    "bearing.load_factor",
+    "bearing.operating_condition",
+    "requirements.bearing_life_min",
 ];
+
+/// Constant speed of the output.
+const SPEED: &str = "motion[1].speed";
 
 /// Rest of the project: an output that turns at constant speed. Its inertia has no effect on the bearing.
 const AROUND: &str = "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"constant\"\ntime = \"1 s\"\n";
 
 pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     let l = scene.language;
-    let mut fields: Vec<ToolField> = KEYS.iter().filter_map(|(path, first)| field(path, first, scene)).collect();
+    let mut fields: Vec<ToolField> = KEYS.iter().filter_map(|path| field(path, scene)).collect();
     let text = fields
         .iter()
         .fold(AROUND.to_owned(), |text, field| edit(&text, &field.name, Edit::Value(&field.value)).unwrap_or(text));
@@ -67,11 +70,12 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
     }
 }
 
-fn field(path: &str, first: &str, scene: &Scene<'_>) -> Option<ToolField> {
+fn field(path: &str, scene: &Scene<'_>) -> Option<ToolField> {
     let l = scene.language;
     let key = key_at(path)?;
     let mut field = ToolField::of_key(path, &capitalised(&short_label(about_text(key.about, l))), key, l);
-    field.value = scene.typed(path).unwrap_or_else(|| first.to_owned());
+    let of_axis = || if path == SPEED { None } else { scene.of_axis(path) };
+    field.value = scene.typed(path).or_else(of_axis).unwrap_or_default();
     Some(field)
 }
 

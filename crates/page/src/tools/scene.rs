@@ -4,6 +4,7 @@ use super::field::{MARK, ToolField};
 use crate::call::{Call, Shell, query};
 use figures::Theme;
 use maud::{Markup, html};
+use project::{Written, written};
 use quantities::Language;
 use questions::{Progress, read_all_watched};
 use std::borrow::Cow;
@@ -61,6 +62,21 @@ impl<'c> Scene<'c> {
             .ok()
             .filter(|axes| axes.len() > 1)?;
         axes.get(place).map(|axis| axis.name.clone())
+    }
+
+    /// Returns the values at and below a path of the shown axis, with the rest of their paths.
+    pub(super) fn below_axis(&self, path: &str) -> Vec<(String, String)> {
+        let all = written(&self.call.field("text").unwrap_or_default()).unwrap_or_default();
+        let place: usize = self.call.field("axis").and_then(|axis| axis.parse().ok()).unwrap_or(0);
+        let is_of_several = all.iter().any(|key| key.path == "axis[1]");
+        let path = if is_of_several { format!("axis[{}].{path}", place + 1) } else { path.to_owned() };
+        let stated = |key: Written| Some((key.path.strip_prefix(&path)?.to_owned(), key.value?));
+        all.into_iter().filter_map(stated).collect()
+    }
+
+    /// Returns the value at a path of the shown axis.
+    pub(super) fn of_axis(&self, path: &str) -> Option<String> {
+        self.below_axis(path).into_iter().find(|(rest, _)| rest.is_empty()).map(|(_, value)| value)
     }
 
     /// Returns an address that opens the tool with these fields.

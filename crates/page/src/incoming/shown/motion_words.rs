@@ -50,6 +50,12 @@ const fn unit(role: ColumnRole, along: Along) -> &'static Unit {
     }
 }
 
+/// Returns an acceleration at the output, or along the line.
+pub(super) fn acceleration(examined: &ExaminedRecording, si: f64, language: Language) -> String {
+    let unit = if examined.is_along_a_line() { &METRE_PER_SECOND_SQUARED } else { &RADIAN_PER_SECOND_SQUARED };
+    figure(si, unit, 4, language)
+}
+
 /// Returns the sentence about the acceleration that the resolution of the file alone produces, and about its part in the
 /// peak torque. A recorded torque that is the whole load contains none of it.
 pub(super) fn alone(examined: &ExaminedRecording, is_whole_load: bool, language: Language) -> Option<String> {
