@@ -313,7 +313,7 @@ fn specs(
     web::alone(axis.segments(), report);
     let is_winder = driven(&axis.parts).is_none_or(|driven| driven.head().path.ends_with("mechanism.winder"));
     let of = (of.0, of.1, is_winder);
-    let mut recorded = RecordedMotions { repeats: !axis.single_move && segments.len() == 1, ..RecordedMotions::default() };
+    let mut recorded = RecordedMotions::of(!axis.single_move && segments.len() == 1);
     let lift = match of.1 {
         Some(MechanismKind::ScissorLift(lift)) => Some(lift),
         _ => None,

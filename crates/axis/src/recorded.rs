@@ -13,10 +13,9 @@ use recording::{Along, Recording, Role, Series};
 use std::sync::Arc;
 
 /// Recorded motions of the segments of an axis: segments that use one recording alike share its motion.
-#[derive(Default)]
 pub(crate) struct RecordedMotions {
     /// The only segment is one recording, of a cycle that repeats.
-    pub(crate) repeats: bool,
+    repeats: bool,
     uses: Vec<RecordedUse>,
 }
 
@@ -30,6 +29,11 @@ struct RecordedUse {
 }
 
 impl RecordedMotions {
+    /// Creates it without a motion; `repeats`: the only segment is a recording of a cycle that repeats.
+    pub(crate) const fn of(repeats: bool) -> Self {
+        Self { repeats, uses: Vec::new() }
+    }
+
     /// Returns the motion of another segment with the same recording, ratios of its columns, and treatment.
     fn find(&self, of: &Arc<Recording>, factors: [f64; 3], by: &Treatment) -> Option<Arc<Recorded>> {
         let mut known = self.uses.iter();

@@ -130,7 +130,8 @@ impl Recorded {
         }
         let held_are_interpolated = treatment.held_values == HeldValues::Interpolated;
         let open = Course::of(&samples, window, held_are_interpolated, None)?;
-        let derived = match open.gap().filter(|_| treatment.repeats && window.is_some()) {
+        let gap = window.filter(|_| treatment.repeats).and_then(|window| open.gap(&samples, window));
+        let derived = match gap {
             Some(gap) => Course::of(&samples, window, held_are_interpolated, Some(gap))?,
             None => open,
         };
@@ -356,12 +357,7 @@ fn smooth_by(
 impl Course {
     /// Returns position and speed of samples; `between` interpolates held values between their updates, `closed` is the gap
     /// of the positions at the ends of a cycle that repeats.
-    fn of(
-        samples: &Samples,
-        window: Option<f64>,
-        between: bool,
-        closed: Option<f64>,
-    ) -> Result<Self, RecordedFault> {
+    fn of(samples: &Samples, window: Option<f64>, between: bool, closed: Option<f64>) -> Result<Self, RecordedFault> {
         let time: &[f64] = &samples.time_s;
         let mut updated = None;
         let speed =
@@ -414,13 +410,27 @@ impl Course {
         Ok(Self { position, speed, end_errors, updated, has_held_position, closed })
     }
 
-    /// Returns the gap of the positions at the ends \[rad\] if the motion is as fast at the end as at the beginning, so that
-    /// it may be a cycle that repeats.
-    fn gap(&self) -> Option<f64> {
+    /// Returns the gap of the positions at the ends \[rad\] if the motion is as fast at the end as at the beginning up to the
+    /// noise of the smoothed column, so that it may be a cycle that repeats.
+    ///
+    /// A parabola through m samples of a half window h has at its end the standard errors 3 σ/√m of its value and
+    /// √192 σ/(h √m) of its slope; three times that of a difference is permitted.
+    fn gap(&self, samples: &Samples, window: f64) -> Option<f64> {
         let (start, end) = ends(&self.speed);
         let fastest = self.speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
         let (first, last) = self.position.as_deref().map_or((0.0, 0.0), |position| ends(position));
-        let is_alike = (end - start).abs() <= joint(fastest, self.end_errors.0 + self.end_errors.1);
+        let half = 0.5 * window;
+        let (raw, smoothed, factor) = match (&samples.speed_rad_s, &samples.position_rad, &self.position) {
+            (Some(raw), ..) => (raw, &self.speed, 3.0),
+            (None, Some(raw), Some(position)) => (raw, position, 192_f64.sqrt() / half),
+            _ => return None,
+        };
+        let squares = raw.iter().zip(smoothed.iter()).map(|(raw, smoothed)| (raw - smoothed).powi(2)).sum::<f64>();
+        #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
+        let deviation = (squares / raw.len().max(1) as f64).sqrt();
+        let count = (half / median_interval(&samples.time_s)).max(1.0);
+        let noise = 3.0 * std::f64::consts::SQRT_2 * factor * deviation / count.sqrt();
+        let is_alike = (end - start).abs() <= joint(fastest, self.end_errors.0 + self.end_errors.1 + noise);
         is_alike.then_some(last - first)
     }
 

@@ -60,11 +60,7 @@ const TOOLS: [Tool; 15] = [
         ask: Ask::Of(&list::torsion::ENTRY, &[("torque", "60 N m")], calculators::torsion),
     },
     Tool { id: "bearing", title: page::tool_bearing, ask: Ask::Loads },
-    Tool {
-        id: "inertia",
-        title: page::tool_inertia,
-        ask: Ask::Bodies,
-    },
+    Tool { id: "inertia", title: page::tool_inertia, ask: Ask::Bodies },
     Tool {
         id: "battery",
         title: page::tool_battery,

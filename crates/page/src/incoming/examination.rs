@@ -166,7 +166,8 @@ pub(super) fn examine(request: &Request, shell: &dyn Shell, progress: &Progress)
     match examined {
         Ok(examined) => {
             let keys = written(&state.text).unwrap_or_default();
-            let states_single = |key: &project::Written| key.path.ends_with("single_move") && key.value.as_deref() == Some("true");
+            let states_single =
+                |key: &project::Written| key.path.ends_with("single_move") && key.value.as_deref() == Some("true");
             let is_single = choices.runs_once || keys.iter().any(states_single);
             let of = project.as_ref().map(|(project, index)| (project, *index));
             found.effects = smoothing_effects(of, is_single, &examined, choices.window(), progress);
