@@ -82,6 +82,15 @@ impl Tab {
         })
     }
 
+    /// Makes another tab current, and returns the one that was.
+    pub(crate) fn switch_to(&self, other: WindowHandle) -> Worded<WindowHandle> {
+        self.runtime.block_on(async {
+            let before = self.client.window().await.map_err(message)?;
+            self.client.switch_to_window(other).await.map_err(message)?;
+            Ok(before)
+        })
+    }
+
     /// Closes the tab and makes another one current.
     pub(crate) fn back_to(&self, before: WindowHandle) -> Worded {
         self.runtime.block_on(async {

@@ -105,6 +105,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("calculator", pictures::a_calculator),
     Way::both("save-and-open", files::save_and_open),
     Way::both("two-tabs", files::two_tabs),
+    Way::both("drafts-of-two-tabs", files::drafts_of_two_tabs),
     Way::both("paste-a-recording", files::paste_a_recording),
     Way::both("recording-through-the-door", door::recording_through_the_door),
     Way::both("hostile-recordings", door::hostile_recordings),

@@ -69,6 +69,29 @@ pub(crate) fn two_tabs(stage: &OpenPage<'_>) -> Worded {
     tab.holds("#f-mechanism-belt-pulley_diameter", "82")
 }
 
+/// Two tabs with the same file keep what each has not saved.
+pub(crate) fn drafts_of_two_tabs(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    tab.fill("#file", "twice.toml")?;
+    tab.click("#save")?;
+    tab.says("#status", "twice.toml")?;
+    let first = tab.another()?;
+    tab.open(&stage.shell.at("open=twice.toml&lang=en"))?;
+    stage.ready()?;
+    stage.change("#f-mechanism-belt-mass", "34 kg")?;
+    let second = tab.switch_to(first)?;
+    stage.change("#f-mechanism-belt-mass", "32 kg")?;
+    tab.reload()?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-belt-mass", "32")?;
+    let first = tab.switch_to(second)?;
+    tab.reload()?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-belt-mass", "34")?;
+    tab.back_to(first)
+}
+
 /// Returns a recording with the columns time and angle, as written by a logger.
 fn recording() -> String {
     let rows = (0..200)

@@ -39,7 +39,18 @@ pub(crate) fn undo_and_redo(stage: &OpenPage<'_>) -> Worded {
     tab.holds("#f-mechanism-belt-mass", &before)?;
     tab.click("#redo")?;
     tab.holds("#f-mechanism-belt-mass", "44")?;
-    tab.says("#text", "44 kg")
+    tab.says("#text", "44 kg")?;
+    // A cell that has the focus shows the text of the step too.
+    let cell = "#f-motion-1--time";
+    let before = tab.value(cell)?;
+    tab.fill(cell, "1.23")?;
+    tab.says("#text", "1.23")?;
+    tab.run(
+        "document.querySelector(arguments_[0]).focus(); document.querySelector('#undo').click();",
+        vec![cell.into()],
+    )?;
+    tab.holds(cell, &before)?;
+    tab.until("document.activeElement.id === 'f-motion-1--time'")
 }
 
 pub(crate) fn a_number_is_explained(stage: &OpenPage<'_>) -> Worded {

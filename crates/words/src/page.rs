@@ -359,6 +359,7 @@ texts! {
         "State what defines the machine; arithmetic such as 2*0.3 is computed. Everything else is assumed, and listed with the result."
         | "Angeben, was die Maschine bestimmt; Rechnungen wie 2*0,3 werden ausgewertet. Alles Weitere wird angenommen und mit dem Ergebnis aufgeführt.";
     core_and_full = "Diameter: core – full roll" | "Durchmesser: Hülse – voller Wickel";
+    speed_of_output_missing = "state the speed of the output" | "die Drehzahl des Abtriebs angeben";
     stroke_of_platform = "Stroke of the platform" | "Hub der Plattform";
     line_speed = "Line speed of the web" | "Bahngeschwindigkeit";
     speed_of_crank = "Speed of the crank" | "Drehzahl der Kurbel";

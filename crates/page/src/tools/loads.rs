@@ -47,7 +47,14 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
                 message: fault.message,
                 hint: fault.hint,
             };
-            (Vec::new(), faults.into_iter().map(trouble).collect())
+            let mut troubles: Vec<Trouble> = faults.into_iter().map(trouble).collect();
+            if fields.iter().any(|field| field.name == SPEED && field.value.trim().is_empty()) {
+                // Without a speed the motion as a whole is faulty.
+                troubles.retain(|each| each.field.as_ref().is_some_and(|at| KEYS.contains(&at.as_str())));
+                let message = page::speed_of_output_missing(l).to_owned();
+                troubles.push(Trouble { field: Some(SPEED.to_owned()), message, hint: None });
+            }
+            (Vec::new(), troubles)
         }
         Err(Unread::Refused(_)) => (Vec::new(), Vec::new()),
     };

@@ -6,14 +6,17 @@ use crate::shell;
 use shell::{page, post, whole};
 use testkit::cost::processor_time;
 
+/// Returns the keys of a segment, by its index.
+type Segment<'s> = &'s dyn Fn(usize) -> String;
+
 /// Returns a project with segments of one kind.
-fn project(segment: &dyn Fn(usize) -> String, count: usize) -> String {
+fn project(segment: Segment<'_>, count: usize) -> String {
     let segments: String = (0..count).map(|place| format!("[[motion]]\n{}\n", segment(place))).collect();
     format!("format = 1\n[load]\ninertia = \"0.3 kg m^2\"\n{segments}")
 }
 
 fn to_and_fro(place: usize) -> String {
-    let sign = if place % 2 == 0 { "" } else { "-" };
+    let sign = if place.is_multiple_of(2) { "" } else { "-" };
     format!("law = \"polynomial_5\"\ndistance = \"{sign}30 deg\"\ntime = \"0.3 s\"")
 }
 
@@ -21,7 +24,7 @@ fn to_and_fro(place: usize) -> String {
 /// do not belong to them.
 #[test]
 fn twice_the_segments_cost_twice_the_time() {
-    let kinds: [(&str, usize, &dyn Fn(usize) -> String); 4] = [
+    let kinds: [(&str, usize, Segment<'_>); 4] = [
         ("moves", 200, &to_and_fro),
         ("dwells", 800, &|_| String::from("law = \"dwell\"\ntime = \"0.1 s\"")),
         ("faults", 400, &|_| String::from("law = \"dwell\"\ntime = \"0.1\"")),

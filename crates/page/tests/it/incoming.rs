@@ -247,3 +247,54 @@ fn a_file_of_any_name_is_kept_as_a_recording() {
         assert!(folder.0.borrow().contains_key(kept), "{name}");
     }
 }
+
+/// Returns each window of smoothing with its peak, as the preview lists them.
+fn windows(html: &str) -> Vec<(String, String)> {
+    let list = html.split("id=\"incoming-smoothing\"").nth(1).unwrap().split("</fieldset>").next().unwrap();
+    let entries = list.split("<li>").skip(1).filter(|entry| !entry.contains("incoming-window-other"));
+    let of = |entry: &str| {
+        let window = entry.split("value=\"").nth(1).unwrap().split('"').next().unwrap();
+        let peak = entry.split("</sub> = ").nth(1).map_or("none", |rest| rest.split('<').next().unwrap());
+        (window.to_owned(), peak.to_owned())
+    };
+    entries.map(of).collect()
+}
+
+/// The peak torque of each window of a noisy cycle is the same whichever of them is selected, and none lacks it.
+#[test]
+fn the_list_of_windows_does_not_depend_on_the_selected_one() {
+    let cycle = LOAD.replace("single_move = true\n", "name = \"a\"\n");
+    for grid in [1e-7, 0.003, 0.01] {
+        let file = swing(600, 2.0, "t [ms],q [deg],mode", grid);
+        for base in [LOAD, &cycle] {
+            let folder = InMemory::default();
+            let of = |window: &str| {
+                let fields = [("text", base), ("name", "run.csv"), ("smoothing", window)];
+                windows(&preview(&folder, &fields, file.as_bytes()))
+            };
+            let plain = of("");
+            assert!(plain.len() > 2 && plain.iter().all(|(_, peak)| peak.ends_with("Nm")), "{grid}: {plain:?}");
+            for (window, _) in &plain {
+                assert_eq!(of(window), plain, "{grid}, {window} selected");
+            }
+        }
+    }
+}
+
+/// Without a load the list states the acceleration: at the output, or along the line.
+#[test]
+fn without_a_load_the_windows_have_their_acceleration() {
+    let folder = InMemory::default();
+    for (headings, unit) in [("t [ms],q [deg],mode", "rad/s²"), ("t [ms],position [mm],mode", "m/s²")] {
+        let file = swing(600, 2.0, headings, 1e-7);
+        let html = preview(&folder, &[("text", ""), ("name", "run.csv")], file.as_bytes());
+        let found = windows(&html);
+        assert!(found.len() > 2 && found.iter().all(|(_, peak)| peak.ends_with(unit)), "{headings}: {found:?}");
+        // 40 (1 − cos ωt) with one turn in 1.198 s: by hand 40 ω².
+        let rate = std::f64::consts::TAU / 1.198;
+        let expected = 40.0 * rate * rate * if unit == "m/s²" { 1e-3 } else { 1_f64.to_radians() };
+        let peak: f64 = found[0].1.split(' ').next().unwrap().parse().unwrap();
+        assert!((peak / expected - 1.0).abs() < 0.02, "{headings}: {peak} {expected}");
+        assert!(!html.contains("id=\"incoming-inertia\"") || unit == "rad/s²", "{html}");
+    }
+}

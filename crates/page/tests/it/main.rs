@@ -1,6 +1,7 @@
 //! Tests of the crate from outside, in one program: each file is linked once for all.
 
 mod axes;
+mod begin;
 mod cost;
 mod faults;
 mod folder;

@@ -257,3 +257,49 @@ fn bodies_entered_row_by_row_fill_the_field() {
     assert!(steel.contains(&format!("J = {shown} kgm²")), "{steel}");
     assert!(!steel.contains("fill-inertia"), "no field was named");
 }
+
+/// A tool begins with the values of the axis in work, or with empty fields: never with a result of figures that were not
+/// typed.
+#[test]
+fn a_tool_begins_from_the_axis_in_work() {
+    let fresh = |name: &str, text: &str| {
+        page(&post("/tools", &[("tool", name), ("about", "CHA-25A-100-H-C1024"), ("text", text), ("axis", "0")]))
+    };
+    let held = |html: &str, field: &str| {
+        let tag = html.split(&format!("id=\"t-{field}\"")).nth(1).unwrap().split('>').next().unwrap().to_owned();
+        tag.split(" value=\"").nth(1).unwrap().split('"').next().unwrap().to_owned()
+    };
+    let plain = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n";
+    for text in ["", plain] {
+        for (name, fields) in [
+            ("torsion", &["torque", "angle"][..]),
+            ("bearing", &["bearing.radial_force", "bearing.axial_force", "motion[1].speed"]),
+            ("battery", &["hours-per-day"]),
+        ] {
+            let html = fresh(name, text);
+            for field in fields {
+                assert_eq!(held(&html, field), "", "{name} {field}");
+            }
+            let answer = html.split("id=\"tool-answer\"").nth(1).unwrap().split_once('>').unwrap().1;
+            assert!(answer.starts_with("</div>"), "{name}: {answer}");
+            assert!(!html.contains("class=\"fault\""), "{name}: {html}");
+        }
+        let bodies = fresh("inertia", text);
+        assert!(!bodies.contains("id=\"body-1\"") && !bodies.contains("J = "), "{bodies}");
+    }
+    for (prefix, table) in [("", ""), ("axis.", "[[axis]]\nname = \"a\"\n")] {
+        let text = format!(
+            "format = 1\n{table}[{prefix}bearing]\nradial_force = \"321 N\"\nradial_distance = \"45 mm\"\n\
+            [[{prefix}mechanism.turntable.body]]\nshape = \"disc\"\ndiameter = \"400 mm\"\nlength = \"20 mm\"\nmass = \"8 kg\"\n\
+            [[{prefix}mechanism.turntable.body]]\nshape = \"point\"\nmass = \"2 kg\"\ndistance = \"150 mm\"\n"
+        );
+        let bearing = fresh("bearing", &text);
+        assert_eq!(held(&bearing, "bearing.radial_force"), "321 N");
+        assert_eq!(held(&bearing, "bearing.radial_distance"), "45 mm");
+        let bodies = fresh("inertia", &text);
+        let wanted = axis::inertia("disc diameter=400mm length=20mm mass=8kg\npoint mass=2kg distance=150mm").unwrap();
+        let inertia = quantities::Measure::si(wanted.total.inertia);
+        let shown = quantities::format_significant(inertia, 4, quantities::Language::En);
+        assert!(bodies.contains(&format!("J = {shown} kgm²")), "{bodies}");
+    }
+}
