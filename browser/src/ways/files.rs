@@ -69,7 +69,7 @@ pub(crate) fn two_tabs(stage: &OpenPage<'_>) -> Worded {
     tab.holds("#f-mechanism-belt-pulley_diameter", "82")
 }
 
-/// Two tabs with the same file keep what each has not saved.
+/// Two tabs with the same file keep their unsaved changes apart.
 pub(crate) fn drafts_of_two_tabs(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;

@@ -1,6 +1,7 @@
 //! Chain of the segments of a cycle.
 
 use crate::faults::{MotionFault, MoveFault};
+use crate::joint::{JOINT, joint};
 use crate::law::{Given, Law, Solved};
 use crate::piece::Piece;
 use crate::placed::Placed;
@@ -325,19 +326,6 @@ impl Motion {
         let permitted = if self.recordings.is_empty() { 1e-6 * travelled.si() } else { JOINT * range.si() };
         self.net.si().abs() <= permitted
     }
-}
-
-/// Tolerance for the ends of a recording, relative to its largest speed or to its travel: a recording never contains an
-/// exact zero.
-const JOINT: f64 = 1e-3;
-
-/// Limit of the tolerance for speeds that are slopes of positions, relative to the largest speed: with an error beyond
-/// it, the samples are too far apart to determine the end.
-const JOINT_MOST: f64 = 0.1;
-
-/// Returns the tolerance for a recorded speed at a joint, given the error of its slope.
-pub(crate) fn joint(fastest: f64, slope_error: f64) -> f64 {
-    (JOINT * fastest + slope_error).min(JOINT_MOST * fastest)
 }
 
 /// Tolerance for equal speeds, relative to the largest speed: rounding only.

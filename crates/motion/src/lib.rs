@@ -11,6 +11,7 @@ mod faults;
 mod generated;
 mod grid;
 mod held;
+mod joint;
 mod law;
 mod piece;
 mod placed;

@@ -1,14 +1,14 @@
 //! Motion given by samples instead of a law.
 
-use crate::chain::joint;
 use crate::examination::Stamps;
 use crate::faults::RecordedFault;
 use crate::held::{Interpolated, Updated, held, interpolated, interpolated_position};
+use crate::joint::joint;
 use crate::remarks::{Remark, of_stamps, of_standstill};
 use crate::resolution::{
     MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_updates, mean_interval, median_interval,
 };
-use crate::smoothing::{smooth, smooth_closed};
+use crate::smoothing::{end_error, smooth_by};
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::threshold::set_to_rest;
 use crate::timing::{SpeedOverTime, evenly_spaced, with_time};
@@ -49,8 +49,7 @@ pub struct Treatment {
     pub held_values: HeldValues,
     /// Use of the time stamps.
     pub time_stamps: TimeStamps,
-    /// The samples are a whole cycle that repeats: where its ends move alike, a window at an end of the samples holds
-    /// those of the other end too.
+    /// The samples are a cycle that repeats: where its ends move alike, the window goes over its seam.
     pub repeats: bool,
 }
 
@@ -344,19 +343,8 @@ struct Course {
     closed: Option<f64>,
 }
 
-/// Smooths samples; those of a cycle that repeats over its ends, with the gap of their values.
-fn smooth_by(
-    time: &[f64],
-    values: &[f64],
-    window: f64,
-    gap: Option<f64>,
-) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
-    gap.map_or_else(|| smooth(time, values, window), |gap| smooth_closed(time, values, window, gap))
-}
-
 impl Course {
-    /// Returns position and speed of samples; `between` interpolates held values between their updates, `closed` is the gap
-    /// of the positions at the ends of a cycle that repeats.
+    /// Returns position and speed of samples; `between` interpolates held values, `closed` is the gap of a closed cycle.
     fn of(samples: &Samples, window: Option<f64>, between: bool, closed: Option<f64>) -> Result<Self, RecordedFault> {
         let time: &[f64] = &samples.time_s;
         let mut updated = None;
@@ -410,11 +398,7 @@ impl Course {
         Ok(Self { position, speed, end_errors, updated, has_held_position, closed })
     }
 
-    /// Returns the gap of the positions at the ends \[rad\] if the motion is as fast at the end as at the beginning up to the
-    /// noise of the smoothed column, so that it may be a cycle that repeats.
-    ///
-    /// A parabola through m samples of a half window h has at its end the standard errors 3 σ/√m of its value and
-    /// √192 σ/(h √m) of its slope; three times that of a difference is permitted.
+    /// Returns the gap of the positions at the ends \[rad\] if the speeds there are equal up to tolerance and noise.
     fn gap(&self, samples: &Samples, window: f64) -> Option<f64> {
         let (start, end) = ends(&self.speed);
         let fastest = self.speed.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
@@ -425,11 +409,7 @@ impl Course {
             (None, Some(raw), Some(position)) => (raw, position, 192_f64.sqrt() / half),
             _ => return None,
         };
-        let squares = raw.iter().zip(smoothed.iter()).map(|(raw, smoothed)| (raw - smoothed).powi(2)).sum::<f64>();
-        #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
-        let deviation = (squares / raw.len().max(1) as f64).sqrt();
-        let count = (half / median_interval(&samples.time_s)).max(1.0);
-        let noise = 3.0 * std::f64::consts::SQRT_2 * factor * deviation / count.sqrt();
+        let noise = factor * end_error(raw, smoothed, half / median_interval(&samples.time_s));
         let is_alike = (end - start).abs() <= joint(fastest, self.end_errors.0 + self.end_errors.1 + noise);
         is_alike.then_some(last - first)
     }

@@ -59,12 +59,7 @@ pub(crate) fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f
 
 /// Smooths like [`smooth`] samples of one cycle of a motion that repeats: a window at an end holds the samples of the other
 /// end too. `gap`: difference of the last and the first value, without their noise.
-pub(crate) fn smooth_closed(
-    time: &[f64],
-    values: &[f64],
-    window: f64,
-    gap: f64,
-) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
+fn smooth_closed(time: &[f64], values: &[f64], window: f64, gap: f64) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
     let half = 0.5 * window * (1.0 + 1e-9);
     let (start, end) = (time.first().copied().unwrap_or(0.0), time.last().copied().unwrap_or(0.0));
     let period = end - start;
@@ -86,6 +81,27 @@ pub(crate) fn smooth_closed(
     let (value, slope) = smooth(&times, &extended, window)?;
     let of_cycle = |all: Vec<f64>| all.into_iter().skip(skipped).take(count).collect();
     Ok((of_cycle(value), of_cycle(slope)))
+}
+
+/// Smooths samples; those of a cycle that repeats over its ends, with the gap of their values.
+pub(crate) fn smooth_by(
+    time: &[f64],
+    values: &[f64],
+    window: f64,
+    gap: Option<f64>,
+) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
+    gap.map_or_else(|| smooth(time, values, window), |gap| smooth_closed(time, values, window, gap))
+}
+
+/// Returns three standard errors of the difference of two fits at the ends of samples, for a factor of one.
+///
+/// A parabola through m samples of a half window h has at its end the standard errors 3 σ/√m of its value and
+/// √192 σ/(h √m) of its slope; σ is the deviation of the samples from the smoothed ones.
+pub(crate) fn end_error(raw: &[f64], smoothed: &[f64], samples: f64) -> f64 {
+    let squares = raw.iter().zip(smoothed).map(|(raw, smoothed)| (raw - smoothed).powi(2)).sum::<f64>();
+    #[allow(clippy::cast_precision_loss, reason = "a count far below 2^52")]
+    let deviation = (squares / raw.len().max(1) as f64).sqrt();
+    3.0 * std::f64::consts::SQRT_2 * deviation / samples.max(1.0).sqrt()
 }
 
 /// Largest number of samples in one smoothing window.

@@ -35,6 +35,7 @@ mod overlay;
 mod paper;
 mod parts;
 mod pasted;
+mod places;
 mod recorded;
 mod rejected;
 mod remedies;

@@ -12,7 +12,7 @@ use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::reserve_unasked;
 use questions::list::size::{
-    CatalogueReach, Change, GearingProposal, Reach, SharedLoad, best_fitting, catalogue_reserve, gearing_proposals,
+    AxisChange, CatalogueReach, GearingProposal, Reach, SharedLoad, best_fitting, catalogue_reserve, gearing_proposals,
     shared_load,
 };
 use questions::texts::reason;
@@ -145,11 +145,11 @@ fn of_nearest(project: &AxisProject, nearest: &Candidate<'_>, progress: &Progres
     let reserve = reserve_unasked(project, nearest, progress).unwrap_or_default();
     let code = nearest.id.to_string();
     let of = |change, value: f64, fit, proviso| CatalogueReach { change, value, code: code.clone(), fit, proviso };
-    let seconds = reserve.cycle_time.map(|found| of(Change::CycleTime, found.value.si(), found.fit, found.proviso));
+    let seconds = reserve.cycle_time.map(|found| of(AxisChange::CycleTime, found.value.si(), found.fit, found.proviso));
     let factor =
         |change, found: Option<Reach<f64>>| found.map(|found| of(change, found.value, found.fit, found.proviso));
-    let payload = factor(Change::Payload, reserve.payload_factor);
-    [seconds, payload, factor(Change::Load, reserve.load_factor)].into_iter().flatten().collect()
+    let payload = factor(AxisChange::Payload, reserve.payload_factor);
+    [seconds, payload, factor(AxisChange::Load, reserve.load_factor)].into_iter().flatten().collect()
 }
 
 /// Returns changes of cycle time and load as cards.
@@ -175,17 +175,17 @@ fn by_reserve(
             pace: None,
         };
         match reach.change {
-            Change::Payload => Remedy {
+            AxisChange::Payload => Remedy {
                 title: page::smaller_payload(l).to_owned(),
                 after: terminal::payload_factor(&number(reach.value), l),
                 ..plain
             },
-            Change::Load => Remedy {
+            AxisChange::Load => Remedy {
                 title: page::smaller_load(l).to_owned(),
                 after: terminal::load_factor(&number(reach.value), l),
                 ..plain
             },
-            Change::CycleTime => {
+            AxisChange::CycleTime => {
                 let duration = project.axis.motion.duration();
                 let seconds = |si: f64| format!("{} {}", number(si), SECOND.symbol_in(l));
                 let factor = reach.value / duration.si();

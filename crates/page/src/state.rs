@@ -6,6 +6,7 @@ use crate::by_path::ByPath;
 use crate::call::{Call, Shell};
 use crate::markup::tolerance_of;
 use crate::pasted::{Cell, pasted};
+use crate::places::Places;
 use crate::value::{in_unit, stated, taken};
 use axis::AxisDiagnostic;
 use axis::AxisProject;
@@ -18,7 +19,6 @@ use questions::{
     read_all_watched, read_code,
 };
 use std::borrow::Cow;
-use std::ops::Range;
 use words::{Worded, page, worded};
 
 /// State as a request carries it, with the changes of that request.
@@ -583,42 +583,6 @@ pub(crate) fn placed(
         Some(axis.map_or_else(|| String::from("mechanism"), |axis| format!("{axis}].mechanism")))
     };
     worded(faults, language).into_iter().zip(faults).map(|(worded, fault)| (path(fault), worded)).collect()
-}
-
-/// Keys of a text in the order of their places, so that a fault finds its own without a look at every other.
-struct Places<'w> {
-    /// Keys by the beginning of their spans.
-    keys: Vec<&'w Written>,
-    /// Largest end of a span up to each key.
-    ends: Vec<usize>,
-}
-
-impl<'w> Places<'w> {
-    fn of(written: &'w [Written]) -> Self {
-        let mut keys: Vec<&Written> = written.iter().collect();
-        keys.sort_by_key(|key| key.span.start);
-        let furthest = |end: &mut usize, key: &&Written| {
-            *end = key.span.end.max(*end);
-            Some(*end)
-        };
-        let ends = keys.iter().scan(0, furthest).collect();
-        Self { keys, ends }
-    }
-
-    /// Returns the smallest value around a part of the text.
-    fn around(&self, part: &Range<usize>) -> Option<&'w Written> {
-        let before = self.keys.partition_point(|key| key.span.start < part.end.max(part.start + 1));
-        let near = self.keys.iter().zip(&self.ends).take(before).rev().take_while(|(_, end)| **end > part.start);
-        near.map(|(key, _)| *key).filter(|key| part.start < key.span.end).min_by_key(|key| key.span.len())
-    }
-
-    /// Returns the first value behind a place of the text, on the same line.
-    fn behind_on_line(&self, place: usize, text: &str) -> Option<&'w Written> {
-        let line = place + text.get(place..)?.find('\n').unwrap_or(text.len() - place);
-        let behind = self.keys.partition_point(|key| key.span.start < place);
-        let on_line = self.keys.iter().skip(behind).take_while(|key| key.span.start <= line);
-        on_line.copied().find(|key| key.value.is_some())
-    }
 }
 
 /// Returns the path, or that of the nearest enclosing table that a file has.

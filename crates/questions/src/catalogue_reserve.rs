@@ -1,16 +1,16 @@
 //! The smallest changes of load and cycle time with which any actuator of the catalogue fits where none does.
 
-use crate::gearing_proposals::{Ranked, is_long};
+use crate::gearing_proposals::{RankedAxis, is_long};
 use crate::progress::Progress;
 use crate::sizing_use::Refusal;
 use axis::AxisProject;
-use sizing::{Change, Fit, Proviso, SAMPLES_ANEW, nearest_change};
+use sizing::{AxisChange, Fit, Proviso, SAMPLES_ANEW, nearest_change};
 
 /// A change of one quantity with which an actuator of the catalogue fits, judged as displayed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CatalogueReach {
     /// Changed quantity.
-    pub change: Change,
+    pub change: AxisChange,
     /// Factor on the load or the payloads, or duration of the cycle \[s\].
     pub value: f64,
     /// Best actuator with this value.
@@ -29,15 +29,15 @@ pub struct CatalogueReach {
 /// # Errors
 /// [`Refusal::Stopped`] if the search was cancelled.
 pub fn catalogue_reserve(project: &AxisProject, progress: &Progress) -> Result<Option<Vec<CatalogueReach>>, Refusal> {
-    if is_long(project) || Ranked::of(project, progress)?.best.is_some() {
+    if is_long(project) || RankedAxis::of(project, progress)?.best.is_some() {
         return Ok(None);
     }
     let mut found = Vec::new();
     let mut changed = project.clone();
-    for change in [Change::CycleTime, Change::Payload, Change::Load] {
+    for change in [AxisChange::CycleTime, AxisChange::Payload, AxisChange::Load] {
         let reach = nearest_change(&project.axis, change, SAMPLES_ANEW, |axis| {
             changed.axis = axis;
-            Ranked::of(&changed, progress).map(|ranked| ranked.best)
+            RankedAxis::of(&changed, progress).map(|ranked| ranked.best)
         })?;
         if let Some((value, (code, fit, proviso))) = reach {
             found.push(CatalogueReach { change, value, code, fit, proviso });
@@ -51,7 +51,7 @@ pub fn catalogue_reserve(project: &AxisProject, progress: &Progress) -> Result<O
 /// # Errors
 /// [`Refusal::Stopped`] if it was cancelled.
 pub fn best_fitting(project: &AxisProject, progress: &Progress) -> Result<Option<(String, Fit, Proviso)>, Refusal> {
-    Ok(Ranked::of(project, progress)?.best)
+    Ok(RankedAxis::of(project, progress)?.best)
 }
 
 #[cfg(test)]
@@ -92,7 +92,7 @@ mod tests {
         let mut better = 0;
         for (index, project) in projects().iter().enumerate() {
             let found = catalogue_reserve(project, &progress).unwrap().unwrap();
-            assert!(found.iter().any(|reach| reach.change == Change::CycleTime), "{index}");
+            assert!(found.iter().any(|reach| reach.change == AxisChange::CycleTime), "{index}");
             let all = size(project);
             let nearest = all.named().unwrap();
             // The nearest, and some others spread over the catalogue, of each size.
@@ -101,13 +101,16 @@ mod tests {
                 let own = reserve_of(project, candidate);
                 let seconds = own.cycle_time.map(|reach| reach.value.si());
                 let factors = [own.payload_factor, own.load_factor].map(|reach| reach.map(|reach| reach.value));
-                for (change, value) in
-                    [(Change::CycleTime, seconds), (Change::Payload, factors[0]), (Change::Load, factors[1])]
-                {
+                for (change, value) in [
+                    (AxisChange::CycleTime, seconds),
+                    (AxisChange::Payload, factors[0]),
+                    (AxisChange::Load, factors[1]),
+                ] {
                     let Some(value) = value else { continue };
                     let reach = found.iter().find(|reach| reach.change == change);
                     let reach = reach.unwrap_or_else(|| panic!("{index}: {} has {change:?} {value}", candidate.id));
-                    let excess = if change == Change::CycleTime { value / reach.value } else { reach.value / value };
+                    let excess =
+                        if change == AxisChange::CycleTime { value / reach.value } else { reach.value / value };
                     // Both are rounded to four digits.
                     assert!(excess > 0.998, "{index}: {} with {value} before {reach:?}", candidate.id);
                     better += usize::from(excess > 1.01 && candidate.id == nearest.id);

@@ -106,12 +106,12 @@ pub struct SharedLoad {
 ///
 /// [`Refusal::Stopped`] if the search was cancelled.
 pub fn shared_load(project: &AxisProject, progress: &Progress) -> Result<Option<SharedLoad>, Refusal> {
-    if is_long(project) || Ranked::of(project, progress)?.best.is_some() {
+    if is_long(project) || RankedAxis::of(project, progress)?.best.is_some() {
         return Ok(None);
     }
     for actuators in ACTUATORS {
         let Some((shares, each)) = project.shared_by(actuators) else { return Ok(None) };
-        if let Some((code, _, proviso)) = Ranked::of(&each, progress)?.best {
+        if let Some((code, _, proviso)) = RankedAxis::of(&each, progress)?.best {
             return Ok(Some(SharedLoad { actuators, shares, code, proviso }));
         }
     }
@@ -136,7 +136,7 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
     if is_long(project) {
         return Ok(Vec::new());
     }
-    let here = Ranked::of(project, progress)?;
+    let here = RankedAxis::of(project, progress)?;
     if here.best.is_some() {
         return Ok(Vec::new());
     }
@@ -144,7 +144,8 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
     let fine = (EFFORT / project.axis.instants().max(1)).clamp(least, most);
     let mut found = Vec::new();
     let mut seek = |path: &str, is_stated, stated, unit, with: &dyn Fn(f64) -> Option<AxisProject>| {
-        let ranked = |si: f64| with(si).map_or_else(|| Ok(Ranked::default()), |project| Ranked::of(&project, progress));
+        let ranked =
+            |si: f64| with(si).map_or_else(|| Ok(RankedAxis::default()), |project| RankedAxis::of(&project, progress));
         if let Some((si, (code, fit, proviso))) = nearest(&ranked, stated, &here, unit, fine)? {
             found.push(GearingProposal { path: path.to_owned(), is_stated, si, unit, code, fit, proviso });
         }
@@ -158,7 +159,9 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
     }
     if let Some((Gearing { path, si, unit }, balanced)) = project.counterweight() {
         let ranked = |mass: f64| {
-            project.with_value(&path, mass).map_or_else(|| Ok(Ranked::default()), |other| Ranked::of(&other, progress))
+            project
+                .with_value(&path, mass)
+                .map_or_else(|| Ok(RankedAxis::default()), |other| RankedAxis::of(&other, progress))
         };
         if let Some((mass, (code, fit, proviso))) = nearest_mass(&ranked, si, 1.5 * balanced, unit)? {
             found.push(GearingProposal { path, is_stated: si > 0.0, si: mass, unit, code, fit, proviso });
@@ -171,7 +174,7 @@ pub fn gearing_proposals(project: &AxisProject, progress: &Progress) -> Result<V
 /// or heavier: a mass at the end of the range would no longer fit as built. If the range has no such mass, its middle is
 /// returned. A mass with which an actuator fits is preferred to one with which it fits only if an estimate holds.
 fn nearest_mass(
-    ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
+    ranked: &dyn Fn(f64) -> Result<RankedAxis, Refusal>,
     stated: f64,
     most: f64,
     unit: &Unit,
@@ -227,21 +230,21 @@ fn nearest_mass(
 pub(crate) type Best = (String, Fit, Proviso);
 
 /// Result of ranking the catalogue with one value of the gearing.
-pub(crate) struct Ranked {
+pub(crate) struct RankedAxis {
     /// Best actuator, if one fits.
     pub(crate) best: Option<Best>,
     /// Smallest factor by which the gearing must change before an actuator may fit.
     farther: f64,
 }
 
-impl Default for Ranked {
+impl Default for RankedAxis {
     /// Returns the result for an impossible axis: a possible one may be adjacent.
     fn default() -> Self {
         Self { best: None, farther: 1.0 }
     }
 }
 
-impl Ranked {
+impl RankedAxis {
     pub(crate) fn of(project: &AxisProject, progress: &Progress) -> Result<Self, Refusal> {
         let sizing = size_watched(project, 0, Rejected::None, progress)?;
         let is_met = |candidate: &&Candidate<'_>| candidate.objections.is_empty();
@@ -273,9 +276,9 @@ fn farther(candidate: &Candidate<'_>) -> Option<f64> {
 /// by a factor x does not fit before the gearing has changed by x^(1/p), see [`power`]; this is the step, at least
 /// [`STEP_LEAST`], after `fine` steps at least [`STEP_COARSE`], and a window narrower than that may be missed.
 fn nearest(
-    ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
+    ranked: &dyn Fn(f64) -> Result<RankedAxis, Refusal>,
     stated: f64,
-    here: &Ranked,
+    here: &RankedAxis,
     unit: &Unit,
     fine: usize,
 ) -> Result<Option<(f64, Best)>, Refusal> {
@@ -303,7 +306,7 @@ fn step(farther: f64, count: usize, fine: usize) -> f64 {
 /// Returns the first value with few digits at which an actuator fits, between a value at which none fits and one at
 /// which one fits.
 fn edge(
-    ranked: &dyn Fn(f64) -> Result<Ranked, Refusal>,
+    ranked: &dyn Fn(f64) -> Result<RankedAxis, Refusal>,
     misses: f64,
     (fits, best): (f64, Best),
     unit: &Unit,
@@ -363,7 +366,7 @@ mod tests {
                 true => project.with_value(&mend.path, mend.si),
                 false => project.with_stage(mend.si),
             };
-            let best = Ranked::of(&with.unwrap(), &Progress::endless()).unwrap().best;
+            let best = RankedAxis::of(&with.unwrap(), &Progress::endless()).unwrap().best;
             assert_eq!(best, Some((mend.code.clone(), mend.fit, mend.proviso)));
         }
         // A stage of ratio r turns the screw like a lead longer by 1/r.
@@ -392,7 +395,7 @@ mod tests {
         let project = crate::read(&hoist("900 kg", "")).unwrap();
         let progress = Progress::endless();
         let shared = shared_load(&project, &progress).unwrap().unwrap();
-        let fits = |text: &str| Ranked::of(&crate::read(text).unwrap(), &progress).unwrap().best;
+        let fits = |text: &str| RankedAxis::of(&crate::read(text).unwrap(), &progress).unwrap().best;
         for (count, is_enough) in [(shared.actuators, true), (shared.actuators - 1, false)] {
             let text = hoist(&format!("{} kg", 900.0 / f64::from(count)), "");
             assert_eq!(fits(&text).map(|(code, ..)| code == shared.code), is_enough.then_some(true), "{shared:?}");
@@ -448,7 +451,7 @@ mod tests {
                 let ranked = |mass: f64| {
                     let fit = if certain > 0.0 && firm.contains(&mass) { Fit::Fits } else { Fit::FitsIfEstimate };
                     let best = (low..=low + width).contains(&mass).then(|| ("one".to_owned(), fit, Proviso::default()));
-                    Ok(Ranked { best, farther: 1.0 })
+                    Ok(RankedAxis { best, farther: 1.0 })
                 };
                 let found = nearest_mass(&ranked, 0.0, most, &quantities::unit::KILOGRAM).unwrap();
                 let (mass, best) = match found {
@@ -472,10 +475,13 @@ mod tests {
 
     /// A catalogue with one actuator that is too slow below a value and too weak above another; the excess follows
     /// powers of the value.
-    fn window(low: f64, high: f64, value: f64) -> Ranked {
+    fn window(low: f64, high: f64, value: f64) -> RankedAxis {
         let (speed, heat) = (low / value, (value / high).powi(2));
         let farther = speed.powf(1.0 / power(CheckId::PeakSpeed)).max(heat.powf(1.0 / power(CheckId::Thermal)));
-        Ranked { best: (farther <= 1.0).then(|| ("the only one".to_owned(), Fit::Fits, Proviso::default())), farther }
+        RankedAxis {
+            best: (farther <= 1.0).then(|| ("the only one".to_owned(), Fit::Fits, Proviso::default())),
+            farther,
+        }
     }
 
     #[test]

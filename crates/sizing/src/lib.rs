@@ -58,7 +58,7 @@ pub use observer::{StepObserver, Unobserved, finished};
 pub use operation::{DutyType, MotorSide, Operation, SegmentLoad};
 pub use rank::{RankKey, Standing, rank};
 pub use requirements::{AxisRequirements, MountingPosition, SpecialApplication};
-pub use reserve::{Change, Reach, Reserve, SAMPLES_ANEW, Unsought, nearest_change, reserve, reserve_watched};
+pub use reserve::{AxisChange, Reach, Reserve, SAMPLES_ANEW, Unsought, nearest_change, reserve, reserve_watched};
 pub use run_checks::{RUN_TOLERANCE, RunCase, RunCheck, RunCheckId};
 pub use screen::{Entrant, Found, Ranked, Screen, Screening};
 pub use supply::{MainsPhases, Supply, SupplyFrom};

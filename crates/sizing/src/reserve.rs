@@ -237,7 +237,7 @@ fn displayed<T, S>(
 
 /// Quantity of an axis that is changed with all others unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
+pub enum AxisChange {
     /// Factor on all inertias and masses of the load, payloads included.
     Load,
     /// Factor on the payloads of the segments alone.
@@ -260,33 +260,33 @@ const HALVINGS: u32 = 12;
 /// The reason of a cancellation, from `fits`.
 pub fn nearest_change<T, S>(
     axis: &Axis,
-    change: Change,
+    change: AxisChange,
     most: usize,
     mut fits: impl FnMut(Axis) -> Result<Option<T>, S>,
 ) -> Result<Option<(f64, T)>, S> {
     let [other_load, other_pace] = axis.found_anew();
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
     let (work, has_effect) = match change {
-        Change::Load => (other_load, true),
-        Change::Payload => (other_load, carries),
-        Change::CycleTime => (other_pace, true),
+        AxisChange::Load => (other_load, true),
+        AxisChange::Payload => (other_load, carries),
+        AxisChange::CycleTime => (other_pace, true),
     };
     // Recorded torques do not apply to another load or another pace.
     if !has_effect || work > most || matches!(axis.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
         return Ok(None);
     }
     let duration = axis.moments().duration.si();
-    let (unit, worse_above) = if change == Change::CycleTime { (&SECOND, false) } else { (&ONE, true) };
-    let value = |factor: f64| if change == Change::CycleTime { duration / factor } else { factor };
+    let (unit, worse_above) = if change == AxisChange::CycleTime { (&SECOND, false) } else { (&ONE, true) };
+    let value = |factor: f64| if change == AxisChange::CycleTime { duration / factor } else { factor };
     let mut at = |si: f64| {
         fits(match change {
-            Change::Load => axis.with_load(si, si),
-            Change::Payload => axis.with_load(1.0, si),
-            Change::CycleTime => axis.with_time(si / duration),
+            AxisChange::Load => axis.with_load(si, si),
+            AxisChange::Payload => axis.with_load(1.0, si),
+            AxisChange::CycleTime => axis.with_time(si / duration),
         })
     };
     // If the load is not the reason, none of its factors is sought.
-    if change != Change::CycleTime && at(value(1.0 / FACTOR_MOST))?.is_none() {
+    if change != AxisChange::CycleTime && at(value(1.0 / FACTOR_MOST))?.is_none() {
         return Ok(None);
     }
     let mut factor = 1.0;

@@ -39,8 +39,8 @@ fn twice_the_segments_cost_twice_the_time() {
     }
 }
 
-/// Of many segments, the first and the last group are shown, and that with the fault or with the focus; the others are
-/// sent when they are opened.
+/// The first and the last group of many segments are shown, and that with the fault or with the focus; the others are sent
+/// when they are opened.
 #[test]
 fn many_segments_are_folded_in_groups() {
     let text = project(&to_and_fro, 420);

@@ -11,7 +11,7 @@ use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watche
 use axis::AxisProject;
 use configurator::ProductId;
 use quantities::Language;
-pub use sizing::{Change, Reach};
+pub use sizing::{AxisChange, Reach};
 use words::{help, help::values};
 
 #[allow(clippy::cast_possible_truncation, reason = "a million")]
