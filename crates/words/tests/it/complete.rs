@@ -551,8 +551,7 @@ fn faults_and_hints() {
         assert!(snake && !id.is_empty(), "{id}");
         ids.push(id);
     }
-    // One identifier, one kind of fault: a new variant of a fault is listed above.
-    ids.sort_unstable();
+    ids.sort_unstable(); // One identifier, one kind of fault: a new variant is listed above.
     ids.dedup();
     assert!(ids.len() >= 100, "{}", ids.len());
     let hints = [
