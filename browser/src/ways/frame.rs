@@ -301,6 +301,8 @@ pub(crate) fn faults_and_proposals(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let top = "Math.round(document.querySelector('#f-mechanism-belt-mass').getBoundingClientRect().top)";
+    // In view before it is typed into, so that only the answer could move it.
+    tab.run("document.querySelector('#f-mechanism-belt-mass').scrollIntoView({ block: 'center' });", Vec::new())?;
     let before = tab.eval(top)?;
     stage.change("#f-mechanism-belt-mass", "sixty")?;
     tab.says("#faults", "sixty")?;

@@ -392,6 +392,27 @@ pub enum Fault {
 }
 
 impl Fault {
+    /// Returns `true` if the keys themselves contradict each other or the kind of the load, whatever their values.
+    #[must_use]
+    pub const fn is_of_keys(&self) -> bool {
+        matches!(
+            self,
+            Self::UnknownKey { .. }
+                | Self::KeyOfAnotherKind { .. }
+                | Self::OutsideTheAxes { .. }
+                | Self::RatioAndRatios
+                | Self::NoRatioInACoupling { .. }
+                | Self::WithoutEffect { .. }
+                | Self::OnlyBeside { .. }
+                | Self::NoMechanism
+                | Self::TooManyMechanisms
+                | Self::NoLine { .. }
+                | Self::NoWeb
+                | Self::NoFlangeLoads
+                | Self::SupplyAndMains
+        )
+    }
+
     /// Returns the identifier in data exchange, independent of the words.
     #[must_use]
     pub fn id(&self) -> &'static str {

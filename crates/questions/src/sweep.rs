@@ -24,10 +24,10 @@ pub use summary::{MissedBy, NotJudged, SweepRow, SweepSummary, Tally};
 use crate::codes::read_code;
 use crate::list::Unanswered;
 use crate::progress::{Progress, Stopped};
-use crate::reading::embedded_catalogue;
-use axis::{Catalogue, Files};
+use crate::reading::{embedded_catalogue, read_all_with};
+use axis::{AxisFault, Catalogue, Files};
 use configurator::ProductId;
-use project::{Edit, Heading, edit};
+use project::{Edit, Fault, Heading, edit};
 use quantities::Language;
 use rayon::prelude::*;
 use sizing::{CheckId, StepObserver};
@@ -176,6 +176,43 @@ impl Sweep {
             cells.check((place, column), first_row, self.options.language, &mut decimals, faults);
         }
         decimals.check(|place| self.columns.get(place), self.options.language, faults);
+        if first_row == 0 && faults.is_empty() {
+            self.check_keys(cells, faults);
+        }
+    }
+
+    /// Adds the headings whose keys have no meaning in this project, whatever their values: a load beside another one, a
+    /// key of another law. Where words are swept too, they decide it, row by row.
+    fn check_keys(&self, cells: &[Cells<'_>], faults: &mut TableFaults) {
+        let words = |column: &Column| matches!(&column.holds, Holds::Key(heading) if !heading.is_number());
+        if self.columns.iter().any(words) {
+            return;
+        }
+        let Ok(values) = self.values(cells, 0) else { return };
+        let all: Vec<usize> = (0..self.columns.len()).collect();
+        let found = self.faults_of_keys(&values, &all);
+        if found.is_empty() {
+            return;
+        }
+        for (place, column) in self.columns.iter().enumerate() {
+            let others: Vec<usize> = all.iter().copied().filter(|other| *other != place).collect();
+            let left = self.faults_of_keys(&values, &others);
+            for fault in found.iter().filter(|fault| !left.contains(fault)) {
+                let fault = (fault.clone(), None);
+                faults.add(CellFault::of(&column.written, None, &fault, self.options.language));
+            }
+        }
+    }
+
+    /// Returns the faults of the keys of some columns, with the values of a row.
+    fn faults_of_keys(&self, values: &[Value<'_>], places: &[usize]) -> Vec<Fault> {
+        let text = self.text_of(values, places);
+        let faults = read_all_with(&text, &*self.files, &self.options.catalogue).err().unwrap_or_default();
+        let stated = faults.into_iter().filter_map(|each| match each.fault {
+            AxisFault::Stated(fault) if fault.is_of_keys() => Some(fault),
+            _ => None,
+        });
+        stated.collect()
     }
 
     /// Returns the answers for some rows, in their order.
@@ -256,8 +293,14 @@ impl Sweep {
 
     /// Returns the project file with the values of a row.
     fn text_with(&self, values: &[Value<'_>]) -> String {
+        self.text_of(values, &(0..self.columns.len()).collect::<Vec<_>>())
+    }
+
+    /// Returns the project file with the values of some columns of a row.
+    fn text_of(&self, values: &[Value<'_>], places: &[usize]) -> String {
         let mut text = self.text.clone();
-        for (column, value) in self.columns.iter().zip(values) {
+        for place in places {
+            let (Some(column), Some(value)) = (self.columns.get(*place), values.get(*place)) else { continue };
             let Holds::Key(heading) = &column.holds else { continue };
             let written = match value {
                 Value::Number(number) => heading.written(*number),

@@ -90,6 +90,12 @@ pub(crate) fn with_options(arguments: Vec<OsString>, whole: &Command, language: 
             .any(|word| word.strip_prefix("--").is_some_and(|rest| rest.split('=').next() == Some(option)))
     };
     let belongs = |word: &str| {
+        // A file that no position takes is the required one: `sweep axis.toml tasks.csv`.
+        let is_table = [".csv", ".csv.gz", ".parquet"].iter().any(|ending| word.to_lowercase().ends_with(ending));
+        let of_file = |argument: &&&Argument| matches!(argument.kind, ArgumentKind::File) && argument.required;
+        if let Some(file) = options.iter().find(of_file).filter(|file| is_table && !taken(file.name)) {
+            return Some(format!("--{}", file.name));
+        }
         let is_code = |argument: &&&Argument| {
             matches!(argument.kind, ArgumentKind::Code) && questions::read_code(word, language).is_ok()
         };
@@ -166,6 +172,8 @@ mod tests {
             ("check a.toml --code X CHA-25A-50-H-C1024", "check a.toml --code X CHA-25A-50-H-C1024"),
             ("size a.toml b.toml", "size a.toml b.toml"),
             ("check a.toml CHA-25A-5O-H-C1o24", "check a.toml --code CHA-25A-5O-H-C1o24"),
+            ("sweep a.toml t.csv -o best.csv", "sweep a.toml --table t.csv -o best.csv"),
+            ("sweep a.toml --table t.csv u.csv", "sweep a.toml --table t.csv u.csv"),
             ("hilfe bericht", "help report"),
         ] {
             assert_eq!(call(written).join(" "), meant, "{written}");

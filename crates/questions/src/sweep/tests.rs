@@ -105,6 +105,23 @@ fn a_row_names_the_check_of_the_place_that_excludes_every_code() {
     }
 }
 
+/// A key that can have no meaning beside those of the project is refused once, by its heading, and not in every row; a value that
+/// is impossible stays a matter of its row, and where words are swept too, so does the key.
+#[test]
+fn a_key_without_a_meaning_is_refused_once() {
+    let table = include_str!("../../../../examples/turntable.toml");
+    let refused = |headings: &[&str], cells: &[Cells<'_>]| {
+        let mut faults = TableFaults::default();
+        sweep(table, headings).unwrap().check(cells, 0, &mut faults);
+        faults.listed.iter().map(|fault| (fault.heading.clone(), fault.row, fault.id)).collect::<Vec<_>>()
+    };
+    let load = ("load.inertia [kg m^2]".to_owned(), None, "too_many_mechanisms");
+    assert_eq!(refused(&["load.inertia [kg m^2]"], &[numbers(&[1.0, 2.0])]), [load.clone()]);
+    let two = ["requirements.ambient [°C]", "load.inertia [kg m^2]"];
+    assert_eq!(refused(&two, &[numbers(&[20.0, 30.0]), numbers(&[1.0, 2.0])]), [load]);
+    assert_eq!(refused(&["requirements.ambient [°C]"], &[numbers(&[20.0, 30.0])]), []);
+}
+
 /// A row with a seeded value for every quantity and number of a project, near the stated one, gives the result of
 /// `size` for the text with these values. Every example is used, and thus every mechanism.
 #[test]
