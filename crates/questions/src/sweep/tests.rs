@@ -116,7 +116,7 @@ fn a_key_without_a_meaning_is_refused_once() {
         faults.listed.iter().map(|fault| (fault.heading.clone(), fault.row, fault.id)).collect::<Vec<_>>()
     };
     let load = ("load.inertia [kg m^2]".to_owned(), None, "too_many_mechanisms");
-    assert_eq!(refused(&["load.inertia [kg m^2]"], &[numbers(&[1.0, 2.0])]), [load.clone()]);
+    assert_eq!(refused(&["load.inertia [kg m^2]"], &[numbers(&[1.0, 2.0])]), std::slice::from_ref(&load));
     let two = ["requirements.ambient [°C]", "load.inertia [kg m^2]"];
     assert_eq!(refused(&two, &[numbers(&[20.0, 30.0]), numbers(&[1.0, 2.0])]), [load]);
     assert_eq!(refused(&["requirements.ambient [°C]"], &[numbers(&[20.0, 30.0])]), []);
