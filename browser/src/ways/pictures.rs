@@ -242,6 +242,8 @@ pub(crate) fn two_runs(stage: &OpenPage<'_>) -> Worded {
     let slide = "const range = document.querySelector('#gain-f-twin-position_gain-r'); range.value = Number(range.min) + 0.3; range.dispatchEvent(new Event('input', { bubbles: true }));";
     tab.run(slide, Vec::new())?;
     tab.says("#text", "position_gain = ")?;
+    // The ranges of the kept run belong to the picture, not to the values of the file.
+    tab.until("!document.querySelector('#text').value.includes('±')")?;
     tab.until(&format!("{} !== {first}", figure(2)))?;
     tab.until(&format!("{} === {first}", figure(3)))?;
     tab.there("#plot-simulation .kept-run")?;

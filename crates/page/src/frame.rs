@@ -86,7 +86,7 @@ fn drawer_of(call: &Call<'_>, state: &mut PageState, shell: &dyn Shell, progress
     html! {
         @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, progress)) }
         @else if let Some(check) = call.field("check") { (derivation_of(&check, state, shell, progress)) }
-        @else if state.marked.len() > 1 { (comparison(state, shell, progress)) }
+        @else if crate::WHOLE && state.marked.len() > 1 { (comparison(state, shell, progress)) }
     }
 }
 

@@ -126,7 +126,7 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         (Method::Get, PROGRESS) => waiting::progress(call, shell),
         (Method::Post, CANCEL) => waiting::cancelled(call, shell),
         (Method::Post, "/explain") => html(frame::explained(call, shell, progress)),
-        (Method::Post, "/compare") => html(frame::compared(call, shell, progress)),
+        (Method::Post, "/compare") if WHOLE => html(frame::compared(call, shell, progress)),
         (Method::Post, "/tools") if WHOLE => html(tools::pane(call, shell, progress)),
         (Method::Post, "/paper") if WHOLE => html(paper::first_page(call, shell, progress)),
         (Method::Get, "/find") => html(find::found(call)),
@@ -159,13 +159,24 @@ const WHOLE: bool = cfg!(feature = "interface");
 const MISDIRECTED: u16 = 421;
 
 /// Returns true for the requests that only the larger engine answers: `/api/`, tools, simulation, tolerances,
-/// recordings, versions, two versions in one, the gallery, the printed page, and what would let a rejected actuator in.
+/// recordings, versions, two versions in one, the gallery, the printed page, and the comparison, and what would let a rejected actuator in.
 fn is_for_the_larger(call: &Call<'_>) -> bool {
-    let path = ["/tools", "/tolerances", "/versions", "/let-in", "/gallery", "/merge", "/paper", RECORDING, PREVIEW];
+    let path = [
+        "/tools",
+        "/compare",
+        "/tolerances",
+        "/versions",
+        "/let-in",
+        "/gallery",
+        "/merge",
+        "/paper",
+        RECORDING,
+        PREVIEW,
+    ];
     let simulation = state::View::Simulation.id();
     call.path.starts_with("/api/")
         || path.contains(&call.path)
-        || (call.path == "/" && call.field("tool").is_some())
+        || (call.path == "/" && (call.field("tool").is_some() || call.all("mark").nth(1).is_some()))
         || call.fields().filter(|(name, _)| name == "view").last().is_some_and(|(_, view)| view == simulation)
 }
 

@@ -12,11 +12,11 @@ use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::reserve_unasked;
 use questions::list::size::{
-    AxisChange, CatalogueReach, GearingProposal, Reach, SharedLoad, best_fitting, catalogue_reserve, gearing_proposals,
-    shared_load,
+    AxisChange, CatalogueReach, GearingProposal, Reach, SharedLoad, catalogue_reserve, gearing_proposals, shared_load,
+    sized,
 };
-use questions::texts::reason;
-use questions::{Candidate, Progress, read_all_watched};
+use questions::texts::{reason, standing_text};
+use questions::{Candidate, Progress, Rejected, read_all_watched};
 use words::{capitalised, page, proviso_text, terminal, terms, unpadded};
 
 /// Number of cards above the fold.
@@ -34,6 +34,8 @@ struct Remedy {
     code: String,
     /// Condition of the verdict.
     proviso: Option<&'static str>,
+    /// Verdict of the axis after the change; `None` if it was not judged.
+    verdict: Option<String>,
     /// Fields of the request that applies the change; `None` if it is up to the user how.
     apply: Option<String>,
     /// The change as lines `value PATH=VALUE`.
@@ -82,9 +84,12 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
         let axes = read_all_watched(text, shell.files(), shell.catalogue(), progress).ok()?;
         axes.into_iter().nth(state.axis)
     };
-    let fits = |text: &str| {
-        let best = reads(text).and_then(|changed| best_fitting(&changed, progress).ok().flatten());
-        best.is_some_and(|(_, fit, _)| fit.fits())
+    // Actuator and verdict of the axis after a change, as the page shows them then.
+    let verdict = |text: &str| {
+        let changed = reads(text)?;
+        let sizing = sized(&changed, 1, Rejected::Nearest, progress).ok()?;
+        let best = sizing.named().filter(|best| best.fits())?;
+        Some((best.id.to_string(), standing_text(best, l)))
     };
     let mut found = by_reserve(project, &reached, (&state.text, &state.prefix), &reads, l);
     found.extend(gearings.iter().map(|proposal| by_gearing(proposal, &held, &state.prefix, l)));
@@ -98,8 +103,11 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
             (None, Some(factor)) => paced(&state.text, &state.prefix, factor),
             (None, None) => continue,
         };
-        if remedy.apply.is_some() && !changed.is_some_and(|text| fits(&text)) {
-            remedy.apply = None;
+        if remedy.apply.is_some() {
+            match changed.and_then(|text| verdict(&text)) {
+                Some((code, standing)) => (remedy.code, remedy.verdict) = (code, Some(standing)),
+                None => remedy.apply = None,
+            }
         }
     }
     // The first change that a button applies is the main action of the page.
@@ -127,7 +135,7 @@ fn card(remedy: &Remedy, is_main: bool, language: Language) -> Markup {
         article.remedy {
             h4 { (remedy.title) }
             p { @if !remedy.before.is_empty() { s { (remedy.before) } " → " } strong { (remedy.after) } }
-            p.small { span.code { (remedy.code) } ": " @match remedy.proviso { Some(proviso) => { (page::fits_with_proviso(&proviso, l)) }, None => { (terms::fits(l)) } } }
+            p.small { span.code { (remedy.code) } ": " @match (&remedy.verdict, remedy.proviso) { (Some(verdict), _) => { (verdict) }, (None, Some(proviso)) => { (page::fits_with_proviso(&proviso, l)) }, (None, None) => { (terms::fits(l)) } } }
             @match &remedy.apply {
                 Some(fields) => button class=[is_main.then_some("primary")] type="button" hx-post="/work" hx-vals=(fields) { (page::apply(l)) },
                 None => p.small { (page::by_your_own_change(l)) },
@@ -170,6 +178,7 @@ fn by_reserve(
             after: String::new(),
             code: reach.code.clone(),
             proviso,
+            verdict: None,
             apply: None,
             edits: None,
             pace: None,
@@ -231,6 +240,7 @@ fn by_sharing(shared: &SharedLoad, held: &ReadProject, prefix: &str, language: L
         after: page::each_with_its_share(&shared.actuators, l),
         code: shared.code.clone(),
         proviso: proviso_text(shared.proviso.estimate, shared.proviso.rating, l),
+        verdict: None,
         apply: Some(vals(&[("do", &edits)])),
         edits: Some(edits),
         pace: None,
@@ -264,6 +274,7 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
         after: if stage { terminal::a_stage(&shown(proposal.si), l) } else { shown(proposal.si) },
         code: proposal.code.clone(),
         proviso: proviso_text(proposal.proviso.estimate, proposal.proviso.rating, l),
+        verdict: None,
         apply: Some(vals(&[("do", &edits)])),
         edits: Some(edits),
         pace: None,

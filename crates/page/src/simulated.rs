@@ -43,7 +43,7 @@ pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candida
             }
           }
           @if found.is_ok() { button type="button" id="keep-run" data-keep-run="" aria-pressed="false" hx-morph-skip="" data-first=(views::keep_run(l)) data-other=(views::discard_run(l)) { (views::keep_run(l)) } }
-          @if found.is_ok() { input type="hidden" id="kept-ranges" name="kept" form="state" value=(list_of(&state.kept_ranges)); span id="kept-legend" hidden { span.kept-sample {} (views::kept_run(l)) } }
+          @if found.is_ok() { input type="hidden" id="kept-ranges" name="run_ranges" form="state" value=(list_of(&state.kept_ranges)); span id="kept-legend" hidden { span.kept-sample {} (views::kept_run(l)) } }
         }
         @match &found {
             Ok(run) => {

@@ -284,7 +284,7 @@ impl PageState {
             axis: field("axis").parse().unwrap_or(0),
             all_axes: field("axis") == ALL_AXES,
             window: window(&field("from"), &field("until")),
-            kept_ranges: ranges(&field("kept")),
+            kept_ranges: ranges(&field("run_ranges")),
             near: MapPoint::read(&field("near")),
             prefix: String::new(),
             code: code(&field("code")),

@@ -46,14 +46,6 @@ pub fn catalogue_reserve(project: &AxisProject, progress: &Progress) -> Result<O
     Ok(Some(found))
 }
 
-/// Returns the best actuator of the catalogue for a project with the verdict on it, if one fits.
-///
-/// # Errors
-/// [`Refusal::Stopped`] if it was cancelled.
-pub fn best_fitting(project: &AxisProject, progress: &Progress) -> Result<Option<(String, Fit, Proviso)>, Refusal> {
-    Ok(RankedAxis::of(project, progress)?.best)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -159,10 +159,11 @@ impl ExaminedRecording {
         Ok(Self { recording, samples, recorded, intervals_s, quality })
     }
 
-    /// Returns the largest acceleration with a window of smoothing [rad/s²], or [m/s²] along a line; `None` if the window is
-    /// too narrow or too wide.
-    fn acceleration_peak(&self, smoothing: Option<Time>) -> Option<f64> {
-        let smoothed = Recorded::new(self.samples.clone(), Treatment { smoothing, ..Treatment::default() }).ok()?;
+    /// Returns the largest acceleration with a window of smoothing [rad/s²], or [m/s²] along a line, of a single move or of a
+    /// cycle, whose window goes over its seam as in an axis; `None` if the window is too narrow or too wide.
+    fn acceleration_peak(&self, smoothing: Option<Time>, is_single: bool) -> Option<f64> {
+        let treatment = Treatment { smoothing, repeats: !is_single, ..Treatment::default() };
+        let smoothed = Recorded::new(self.samples.clone(), treatment).ok()?;
         let steps = smoothed.time_s().windows(2).zip(smoothed.speed_rad_s().windows(2));
         let acceleration = steps.filter_map(|(t, w)| Some((w.last()? - w.first()?) / (t.last()? - t.first()?)));
         Some(acceleration.fold(0.0, |most: f64, a| most.max(a.abs())))
@@ -256,7 +257,7 @@ pub fn smoothing_effects(
         });
         let torque_peak = smoothed.map(|smoothed| smoothed.axis.demand(MomentOfInertia::from_si(0.0)).torque_peak);
         // Of a long recording it is found where there is no torque only.
-        let acceleration_peak = if project.is_none() { plain.acceleration_peak(window) } else { None };
+        let acceleration_peak = if project.is_none() { plain.acceleration_peak(window, is_single) } else { None };
         SmoothingEffect { window, torque_peak, acceleration_peak, is_proposed }
     };
     std::iter::once((None, false)).chain(tried).take_while(|_| !progress.is_over()).map(effect).collect()

@@ -3,7 +3,7 @@
 use super::given::{arguments, count, flag, number, text};
 use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads, Record, argument, media};
 use crate::answer;
-pub use crate::catalogue_reserve::{CatalogueReach, best_fitting, catalogue_reserve};
+pub use crate::catalogue_reserve::{CatalogueReach, catalogue_reserve};
 pub use crate::gearing_proposals::{GearingProposal, SharedLoad, gearing_proposals, shared_load};
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, Rejected, Sizing, size_watched};
