@@ -26,7 +26,8 @@ from antrieb import sections as sections
 from antrieb._antrieb import VERSION as __version__
 from antrieb._arrays import axes_from_arrays
 from antrieb._axis import load, loads
-from antrieb._call import AntriebError, Lang, Path, Picture, Text
+from antrieb._call import AntriebError, Lang, Picture, Text
+from antrieb._call import Path as Path
 from antrieb._quantity import Q, Quantity, q
 from antrieb._record import Record, Rows
 from antrieb._section import Section
@@ -45,7 +46,6 @@ __all__ = [
     "ArrowStream",
     "Fault",
     "Lang",
-    "Path",
     "Picture",
     "Q",
     "Quantity",

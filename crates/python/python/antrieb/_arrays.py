@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from antrieb._axis import NAME
@@ -29,10 +29,10 @@ def axes_from_arrays(
     torque: Any = None,
     names: Sequence[str] | None = None,
     mechanism: Load | Sequence[Load] | None = None,
-    time_unit: Any = "s",
-    position_unit: Any = "rad",
-    speed_unit: Any = "rad/s",
-    torque_unit: Any = "N m",
+    time_unit: Any = None,
+    position_unit: Any = None,
+    speed_unit: Any = None,
+    torque_unit: Any = None,
     **fields: Any,
 ) -> Project:
     """Returns the axes of a machine from arrays: a row for each instant, a column for each joint.
@@ -43,34 +43,36 @@ def axes_from_arrays(
         time: The instants.
         position: Positions at the output, in `position_unit`.
         speed: Speeds at the output, in `speed_unit`; without positions they are integrated.
-        torque: Torques at the output with inertia, weight and friction of the joint, in `torque_unit`.
+        torque: Torques at the output with inertia, weight and friction of the joint, in `torque_unit`; without a mechanism.
         names: A name for each joint; `J1`, `J2`, … without it.
         mechanism: The mechanism of all joints, or one for each; `Joint()` without it, whose torque is recorded.
-        time_unit: Unit of `time`.
-        position_unit: Unit of `position`, `deg` for one.
-        speed_unit: Unit of `speed`, `1/min` for one.
-        torque_unit: Unit of `torque`.
+        time_unit: Unit of `time`; `s` without it. An array with a unit of its own has none beside it, here and below.
+        position_unit: Unit of `position`, such as `deg`; `rad` without it.
+        speed_unit: Unit of `speed`, such as `1/min`; `rad/s` without it.
+        torque_unit: Unit of `torque`; `N m` without it.
         fields: What all axes have: keywords of `Axis`, such as `supply="560 V"`, `brake=True`.
 
     Raises:
-        TypeError: An array is no array of numbers, or an argument is missing.
+        TypeError: An array is no array of numbers, or an argument is missing or contradicts another.
         AntriebError: The shapes of the arrays do not belong together.
     """
     from antrieb.sections import Axis, Joint, Project, Recorded
 
-    stamps_unit, stamps = _rows(time, time_unit, "time", None)
+    stamps_unit, stamps = _rows(time, time_unit, "s", "time", None)
     if stamps and len(stamps[0]) != 1:
         raise fault("time: an array of one dimension is expected", "hand over the instants once, for all joints")
     count = len(stamps)
     given = (
-        ("position", position, position_unit),
-        ("speed", speed, speed_unit),
-        ("torque", torque, torque_unit),
+        ("position", position, position_unit, "rad"),
+        ("speed", speed, speed_unit, "rad/s"),
+        ("torque", torque, torque_unit, "N m"),
     )
     columns: list[Column] = []
-    for role, values, unit in given:
+    for role, values, unit, plain in given:
+        if values is None and unit is not None:
+            raise TypeError(f"{role}_unit is the unit of {role}, which is missing")
         if values is not None:
-            known, rows = _rows(values, unit, role, count)
+            known, rows = _rows(values, unit, plain, role, count)
             columns.append((role, known, list(map(list, zip(*rows, strict=True)))))
     roles = [role for role, *_ in columns]
     if "position" not in roles and "speed" not in roles:
@@ -82,7 +84,7 @@ def axes_from_arrays(
     joints = widths.pop()
     if isinstance(names, str):
         raise TypeError(f"names is a list such as [{names!r}], not a text")
-    called = [str(name) for name in names] if names is not None else [f"J{place}" for place in range(1, joints + 1)]
+    called = _called(names) if names is not None else [f"J{place}" for place in range(1, joints + 1)]
     if len(called) != joints:
         raise fault(f"names: {len(called)} names for {joints} joints", "give a name for each column")
     each: list[Any] = list(mechanism) if isinstance(mechanism, (list, tuple)) else [mechanism] * joints
@@ -90,6 +92,12 @@ def axes_from_arrays(
         raise fault(f"mechanism: {len(each)} mechanisms for {joints} joints", "give one for each column, or one for all")
     if torque is None and any(one is None or isinstance(one, Joint) for one in each):
         raise TypeError("axes_from_arrays takes torque, or for each joint a mechanism such as antrieb.Arm(…) from which it follows")
+    twice = [one for one in each if one is not None and not isinstance(one, Joint)]
+    if torque is not None and twice:
+        raise TypeError(
+            "torque is that of the whole joint, with inertia, weight and friction; "
+            f"mechanism={type(twice[0]).__name__}(…) would count them a second time: leave out one of them"
+        )
     if len(set(called)) != len(called):
         raise fault("names: two joints have the same name", "name each joint once")
     axes: list[Axis] = []
@@ -103,12 +111,28 @@ def axes_from_arrays(
     return Project(axes)
 
 
-def _rows(values: Any, unit: Any, name: str, count: int | None) -> tuple[str, list[list[float]]]:
+def _called(names: Any) -> list[str]:
+    """The names of joints as they are handed over."""
+    if not isinstance(names, Iterable):
+        raise TypeError(f"names is a list of texts, not {type(names).__name__}")
+    found: list[str] = []
+    for place, name in enumerate(names):
+        if not isinstance(name, str) or not name.strip():
+            raise TypeError(f"names[{place}] is a text such as 'J{place + 1}', not {name!r:.40}")
+        found.append(str(name))
+    return found
+
+
+def _rows(values: Any, unit: Any, plain: str, name: str, count: int | None) -> tuple[str, list[list[float]]]:
     """The unit of an array, and its rows; a single column for an array of one dimension."""
+    is_known = isinstance(values, Q) or (hasattr(values, "magnitude") and hasattr(values, "units"))
+    if is_known and unit is not None:
+        raise TypeError(f"{name} has the unit {unit_of(values.unit if isinstance(values, Q) else values.units)} already; leave out {name}_unit")
+    unit = plain if unit is None else unit
     if isinstance(values, Q):
         unit, values = values.unit, list(values.values)
-    elif of_unit := getattr(values, "units", None):
-        unit, values = unit_of(of_unit), values.magnitude
+    elif is_known:
+        unit, values = unit_of(values.units), values.magnitude
     elif isinstance(values, (str, bytes)):
         raise TypeError(f"{name} is an array of numbers, not a text")
     for method in ("to_numpy", "tolist"):

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from antrieb import _antrieb
 from antrieb._fault import fault
 from antrieb._section import Document, Load, Section, Segment, Unread, _class, _of_file, _steps, _written
-from antrieb._source import Handed, ProjectSource
+from antrieb._source import Handed, ProjectSource, folder_text
 from antrieb._toml import changes, rendered
 
 if TYPE_CHECKING:
@@ -78,11 +78,18 @@ class _Source(Section, ProjectSource):
         return text if text is not None and _without_empty(tomllib.loads(text)) == document else rendered(document)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the project file, and beside it the recordings that are in no file."""
-        file = pathlib.Path(path)
-        file.write_text(self.to_toml(), encoding="utf-8")
-        for name, content in self._recordings.items():
-            (file.parent / name).write_bytes(content)
+        """Writes the project file, and beside it its recordings: those that are in no file, named after the project
+        (`robot-J1-1.csv`), and those of another folder.
+
+        Args:
+            path: The file, which ends in `.toml`.
+
+        Raises:
+            AntriebError: The path has another ending, or a file with other content lies where a recording would be written.
+        """
+        from antrieb import _recordings
+
+        _recordings.save(self, path)  # type: ignore[arg-type]
 
     def _handed(self) -> Handed:
         return self.to_toml(), self._name or "project", self._folder, self._recordings
@@ -321,7 +328,7 @@ def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] 
     # Callers without a type checker.
     if not isinstance(text, str):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise TypeError(f"loads takes the text of a project file, not {type(text).__name__}; load takes its path")
-    called = name or "text"
+    called, beside = name or "text", folder_text(folder)
     try:
         document = tomllib.loads(text.removeprefix("\ufeff"))
         if document.pop("format", None) != 1:
@@ -330,7 +337,7 @@ def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] 
         if isinstance(several, list):
             if document.keys() - {"axis", "curve"}:
                 raise Unread("axis")
-            axes = [Axis._of_document(dict(each), f"axis[{place}].") for place, each in enumerate(several, 1)]
+            axes = [Axis._of_document(dict(each), f"axis[{place}].")._of(None, "", beside, {}) for place, each in enumerate(several, 1)]
             curve = [_class("Curve")._read(each, f"curve[{place}]") for place, each in enumerate(document.get("curve", []), 1)]
             made: Axis | Project = Project(axes, curve=curve or None)  # type: ignore[arg-type]
         else:
@@ -344,7 +351,7 @@ def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] 
         if isinstance(found, ValueError) and not isinstance(found, tomllib.TOMLDecodeError):
             raise
         raise fault(f"{called}: {found} cannot be read as objects", "hand over the text itself") from None
-    return made._of(text, name or "", os.fspath(folder) if folder is not None else "", made._recordings)
+    return made._of(text, name or "", beside, made._recordings)
 
 
 def load(path: str | os.PathLike[str]) -> Axis | Project:

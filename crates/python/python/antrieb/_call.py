@@ -15,7 +15,8 @@ from antrieb import _antrieb, _origin
 from antrieb._axis import to_source
 from antrieb._decode import decoder
 from antrieb._lazy import lazy
-from antrieb._source import Handed, ProjectSource
+from antrieb._quantity import Q, of_pint
+from antrieb._source import Handed, ProjectSource, folder_text
 from antrieb._trace import HeldFile
 
 if TYPE_CHECKING:
@@ -101,16 +102,25 @@ class Picture:
         return f"<Picture of {len(self.svg)} bytes>"
 
     def save(self, path: Path) -> None:
-        """Write it to a file."""
+        """Write it to a file that ends in `.svg`.
+
+        Raises:
+            ValueError: The path has another ending; there are no other formats.
+        """
+        ending: str = os.path.splitext(str(path))[1]
+        if ending.lower() != ".svg":
+            raise ValueError(f"save: a picture is SVG and no other format is written; the path ends in .svg, not in {ending or 'nothing'}")
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.svg)
 
 
-def handed(text: Text, name: str | None, folder: Path | None) -> Handed:
-    """A text with its name, its folder and the recordings that it holds; of a path no text."""
+def handed(text: Text, name: str | None, folder: Path | None, others: bool = False) -> Handed:
+    """A text with its name, its folder and the recordings that it holds; of a path no text. With others the folder may be theirs."""
     if isinstance(text, str) and ("\n" in text or not text or ("=" in text and not os.path.exists(text))):
-        return text, name or "text", os.fspath(folder) if folder is not None else "", {}
+        return text, name or "text", folder_text(folder), {}
     if isinstance(text, (str, os.PathLike)):
+        if folder is not None and not others:
+            raise TypeError("folder is for a text or an Axis; the recordings of a file lie beside it")
         return None, os.fspath(text), "", {}
     source = to_source(text)
     # Callers without a type checker.
@@ -119,7 +129,7 @@ def handed(text: Text, name: str | None, folder: Path | None) -> Handed:
             f"a project is an Axis, a list of axes, a text or the path of its file, not {_named(text)}"
         )
     own = source._handed()  # pyright: ignore[reportPrivateUsage]
-    return own[0], name or own[1], os.fspath(folder) if folder is not None else own[2], own[3]
+    return own[0], name or own[1], folder_text(folder) if folder is not None else own[2], own[3]
 
 
 def _named(value: object) -> str:
@@ -160,12 +170,18 @@ def placed(error: AntriebError, given: Iterable[tuple[str, str]], folders: Seque
     errors: list[dict[str, Any]] = []
     for fault in error.record.get("errors", []):
         if not any(fault.get(place) for place in ("option", "file", "line", "heading", "position")):
-            names = [name for name, value in pairs if value in fault["message"] and len(value) > 1]
+            names = [name for name, value in pairs if len(value) > 1 and re.search(rf"(?<!\w){re.escape(value)}(?!\w)", fault["message"])]
+            if not names and _TRACE.search(fault["message"]):
+                names = [name for name, _ in pairs if name == "trace"]
             fault = {**fault, "option": names[0]} if names else fault
         for folder in folders:
             fault = {key: value.replace(folder, "") if isinstance(value, str) else value for key, value in fault.items()}
         errors.append(fault)
     return AntriebError({**error.record, "errors": errors})
+
+
+_TRACE = re.compile(r"\b(?:trace|Verlauf)\b")
+"""Word of a fault that is about a recorded run."""
 
 
 def flag(name: str, value: Any) -> bool:
@@ -189,17 +205,41 @@ def _written(value: Any, name: str = "") -> str:
         return str(value)
     if hasattr(value, "__fspath__"):
         return os.fsdecode(value)
+    if isinstance(value, ProjectSource):
+        raise TypeError(f"{place}a text is expected, not {type(value).__name__}; the project stands first, as in antrieb.check(axis, code)")
+    found = value if isinstance(value, Q) else of_pint(value)
+    if found is not None:
+        if isinstance(found.value, tuple):
+            raise TypeError(f"{place}one quantity is expected, not {len(found)}")
+        return found.texts[0]
     try:
         # Whole numbers, also those of NumPy.
-        return str(operator.index(value))
+        return str(operator.index(value))  # pyright: ignore[reportArgumentType]
     except TypeError:
         pass
-    raise TypeError(f"{place}a text is expected, not {type(value).__name__}; quantities are written with their unit")
+    raise TypeError(f"{place}a text is expected, not {value!r:.40}; a quantity has its unit, as in \"160 mm\" or antrieb.q(160, \"mm\")")
+
+
+WHOLE = frozenset({"cycles", "days", "samples", "seed", "top"})
+"""Arguments that are whole numbers."""
+
+
+def _whole(value: Any, name: str) -> None:
+    if value is None:
+        return
+    try:
+        operator.index(value)
+    except TypeError:
+        pass
+    else:
+        if not isinstance(value, bool):
+            return
+    raise TypeError(f"{name} is a whole number, not {value!r:.40}")
 
 
 def each_of(value: Any) -> list[Any]:
     """One value, or those of a list, a tuple, an array or a series; a text is one value."""
-    is_one = isinstance(value, (str, bytes, Mapping, os.PathLike)) or not isinstance(value, Iterable)
+    is_one = isinstance(value, (str, bytes, Mapping, os.PathLike, Q)) or hasattr(value, "magnitude") or not isinstance(value, Iterable)
     return [value] if is_one else list(value)  # pyright: ignore[reportUnknownArgumentType, reportArgumentType]
 
 
@@ -211,7 +251,10 @@ def language(lang: Any) -> str:
 
 
 def unit_text(name: str, value: str | None) -> str | None:
-    """A quantity as it is handed over: a text with its unit."""
+    """A quantity as it is handed over: a text with its unit, or a number with one."""
+    quantity = value if isinstance(value, Q) else of_pint(value)
+    if quantity is not None:
+        return _written(quantity, name)
     if value is not None and not isinstance(value, str):  # pyright: ignore[reportUnnecessaryIsInstance]
         example = "60 s" if name == "deadline" else "1 GiB"
         raise TypeError(f"{name} is a text with its unit, such as {example!r}, not {type(value).__name__}")
@@ -222,6 +265,8 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
     """Names and texts of arguments, those that are given."""
     found: list[tuple[str, str]] = []
     for name, value in values:
+        if name in WHOLE:
+            _whole(value, name)
         if value is None or value is False:
             continue
         found.extend((name, _written(each, name)) for each in each_of(value))
@@ -242,7 +287,7 @@ def ask(
 ) -> Any:
     """The answer to a question of the list; a record as the type that `of` returns."""
     names = (file,) if len(texts) == 1 else ("old", "new")
-    sources = [handed(text, name, folder) for text, name in zip(texts, names, strict=False)]
+    sources = [handed(text, name, folder, len(texts) > 1) for text, name in zip(texts, names, strict=False)]
     lang_id = language(lang)
     pairs_given = list(pairs)
     given = pairs_of([*pairs_given, ("lang", lang)])

@@ -10,7 +10,7 @@ import typing
 from collections.abc import Callable
 from typing import Any, Literal
 
-from antrieb._record import Rows
+from antrieb._record import Record, Rows
 
 Decoder = Callable[[Any], Any]
 
@@ -42,7 +42,11 @@ def _list(of: Any) -> Decoder:
     # A type may hold itself, so its decoder is made when it is first needed.
     def decode(values: list[Any]) -> list[Any]:
         each = decoder(of)
-        return values if each is _as_it_is else [each(value) for value in values]
+        if each is _as_it_is:
+            return values
+        made: list[Any] = [each(value) for value in values]
+        # Shown as a table, also where the answer is a list and no record.
+        return Rows(made) if made and all(isinstance(one, Record) for one in made) else made
 
     return decode
 

@@ -94,3 +94,26 @@ def explained(check: Any, deadline: str | None) -> Explained:
                 attach(each, dataclasses.replace(origin))
                 return each
     raise ValueError(f"the project has changed since this answer: {check.id} has other figures now; repeat the question")
+
+
+def unlisted(rows: Any, code: str) -> str | None:
+    """Returns why an actuator is not among those of a sizing; `None` for other lists, and for what is no ordering code."""
+    from antrieb import questions
+    from antrieb._call import AntriebError
+
+    ranked = [each for each in rows if type(each).__name__ == "Ranked"]
+    origin = getattr(ranked[0], "_origin", None) if ranked else None
+    if not isinstance(origin, Origin):
+        return None
+    given = {**origin.given, "axis": origin.axis} if "axis" in origin.given else origin.given
+    ask: Any = questions.check
+    try:
+        answer: Any = ask(origin.text, code, **given)
+    except (AntriebError, OSError):
+        return None
+    judged: Any = next((each for each in answer.axes if each.axis == origin.axis), None)
+    if judged is None:
+        return None
+    if judged.verdict != "does_not_fit":
+        return f"{code!r} fits, but only {len(ranked)} are shown; top=… shows more, antrieb.check(project, {code!r}) judges it"
+    return f"{code!r} does not fit; `candidates` has it with the reason, antrieb.check(project, {code!r}) judges it"

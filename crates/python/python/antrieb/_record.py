@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import difflib
 import importlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Generic, SupportsIndex, TypeVar, overload
 
 if TYPE_CHECKING:
@@ -17,10 +17,24 @@ NAMES = ("id", "code", "name", "axis", "key", "symbol", "file")
 """Fields by which a record of a list is found, in this order."""
 
 
+DERIVED: dict[str, dict[str, Callable[[Any], Any]]] = {
+    "Rejection": {"verdict": lambda rejected: "does_not_fit", "tightest": lambda rejected: rejected.check},
+}
+"""Fields that records have beside those of the JSON, so that a loop reads all entries of `candidates` alike."""
+
+
 class Record:
     """An answer, or a part of one: its fields are those of the JSON of the command line."""
 
     __slots__ = ("_origin",)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            made = DERIVED.get(type(self).__name__, {}).get(name)
+            if made is None:
+                raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(_names(type(self)))}")
+            return made(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the fields as dictionaries and lists, by the names of Python."""
@@ -89,6 +103,10 @@ class Rows(list[T], Generic[T]):
             return found[0]
         if found:
             raise KeyError(f"{key!r} is the name of {len(found)} entries; take them by place or from a loop")
+        from antrieb import _origin
+
+        if shown := _origin.unlisted(self, key):
+            raise KeyError(shown)
         known = [name for each in self for name in _names_of(each)]
         near = difflib.get_close_matches(key, known, 3)
         hint = f"; did you mean {' or '.join(map(repr, near))}?" if near else f"; there are {len(self)} entries"
@@ -159,7 +177,7 @@ def _flat(record: Any, above: str = "") -> dict[str, Any]:
     if not isinstance(record, Record):
         return {above.rstrip(".") or "value": record}
     found: dict[str, Any] = {}
-    for name in _names(type(record)):
+    for name in [*_names(type(record)), *DERIVED.get(type(record).__name__, {})]:
         value: Any = getattr(record, name)
         values: Any = value
         if isinstance(value, Record):

@@ -468,7 +468,7 @@ def _table(kind: Kind, value: Any, where: str) -> Section:
 
 
 def _tables(kind: Kind, value: Any, where: str) -> tuple[Section, ...]:
-    each = [value] if isinstance(value, Section) else _entries(value, where, f"[antrieb.{kind.table}(…)]")
+    each = [value] if isinstance(value, Section) else _entries(value, where, f"[antrieb.{'Move' if kind.table == 'Segment' else kind.table}(…)]")
     return tuple(_table(kind, one, f"{where}[{place}]") for place, one in enumerate(each, 1))
 
 

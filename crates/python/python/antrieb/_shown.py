@@ -23,10 +23,27 @@ ROWS_OF_HTML = 40
 Cells = list[list[str]]
 
 
+LABELS = {
+    "en": {
+        "missing_one": "; data missing for 1 of {all} checks",
+        "missing": "; data missing for {count} of {all} checks",
+        "open_one": "; data missing for 1 requirement",
+        "open": "; data missing for {count} requirements",
+    },
+    "de": {
+        "missing_one": "; bei 1 von {all} Nachweisen fehlen Angaben",
+        "missing": "; bei {count} von {all} Nachweisen fehlen Angaben",
+        "open_one": "; bei 1 Anforderung fehlen Angaben",
+        "open": "; bei {count} Anforderungen fehlen Angaben",
+    },
+}
+"""Words of the command line that the native part does not hand over; a test compares them with its text."""
+
+
 @functools.cache
 def words(lang: str) -> dict[str, str]:
     """The words of a language by their names."""
-    return dict(_antrieb.labels(lang))
+    return {**LABELS[lang], **dict(_antrieb.labels(lang))}
 
 
 def number(value: Any, lang: str, digits: int = 4) -> str:
@@ -111,16 +128,36 @@ class View:
         return "".join(parts)
 
 
+def is_open(check: Any) -> bool:
+    """Returns true for a check without a value because a datum is missing; one that lacks a limit alone is none."""
+    return check.verdict == "not_checked" and check.value is None
+
+
+def standing(record: Any, lang: str, checks: Sequence[Any] | None = None) -> str:
+    """The verdict on an actuator, and what is missing for its checks."""
+    word = words(lang)
+    text = word[record.verdict]
+    checks = getattr(record, "checks", None) if checks is None else checks
+    if checks is None or record.verdict == "does_not_fit":
+        return text
+    missing = sum(map(is_open, checks))
+    for name, count in (("missing", missing), ("open", record.open_questions - missing)):
+        if count > 0:
+            text += word[name if count > 1 else f"{name}_one"].format(count=count, all=len(checks))
+    return text
+
+
 def _sizing(record: Any, lang: str) -> View:
     word = words(lang)
     best = record.answer
-    title = f"{record.axis}: {best}: {word[record.verdict]}" if best else f"{record.axis}: {word['none_fits']}"
+    first = record.ranking[0] if record.ranking and record.ranking[0].code == best else record.own or record
+    title = f"{record.axis}: {best}: {standing(first, lang)}" if best else f"{record.axis}: {word['none_fits']}"
     counts = f"{word['fits']}: {record.fit} · {word['fits_if_estimate']}: {record.fit_if_estimate} · {word['candidates']}: {record.judged}"
     lines = [counts]
     if not best and record.nearest_miss:
         lines.append(f"{word['nearest_miss']}: {record.nearest_miss}")
     if record.assumptions:
-        lines.append(f"{word['assumptions']}: " + "; ".join(f"{each.key} = {each.value}" for each in record.assumptions))
+        lines.append(f"{word['assumptions']}: " + "; ".join(map(_assumption, record.assumptions)))
     rows: Cells = []
     bars: list[tuple[str, float, str]] = []
     shown: list[Any] = [*record.ranking] or [*record.rejected]
@@ -147,15 +184,27 @@ def _sizing(record: Any, lang: str) -> View:
     return View(title, record.verdict, lines, head, rows, right, max(0, of - len(shown)), bars)
 
 
+def _assumption(each: Any) -> str:
+    """An assumption as key and value; one without a value with its reason."""
+    return f"{each.key} = {each.value}" if each.key and each.value is not None else str(each.why)
+
+
+def _importance(check: Any) -> tuple[bool, bool, bool, float]:
+    """The place of a check: failing ones first, then those without a datum, as in the command line."""
+    return check.verdict != "fail", not is_open(check), not check.margin, -(check.utilisation or 0.0)
+
+
 def _judged(record: Any, lang: str) -> View:
-    word = words(lang)
     axis = getattr(record, "axis", None)
     name = record.code or record.name or ""
-    title = ": ".join(part for part in (axis, name, word[record.verdict]) if part)
-    order = sorted(record.checks, key=lambda check: (check.verdict != "fail", not check.margin, -(check.utilisation or 0.0)))
+    title = ": ".join(part for part in (axis, name, standing(record, lang)) if part)
+    order = sorted(record.checks, key=_importance)
     rows = [_check_row(check, lang) for check in order]
     bars = [(check.title, check.utilisation, check.verdict) for check in order if check.margin and check.utilisation is not None]
-    lines = list(record.objections)
+    # The actuator of a call without a code is an assumption.
+    chosen = [each for each in getattr(record, "assumptions", []) if record.code and each.value == record.code]
+    lines = [each.why.replace("--code", "code") for each in chosen]
+    lines += record.objections
     return View(title, record.verdict, lines, _check_head(lang), rows, [False, False, True, True, False, True], 0, bars)
 
 
@@ -166,7 +215,7 @@ def _check_head(lang: str) -> list[str]:
 
 def _check_row(check: Any, lang: str) -> list[str]:
     unit = "" if check.unit in (None, "1") else check.unit
-    verdict = words(lang)[check.verdict]
+    verdict = words(lang)[check.verdict] + (f": {check.missing}" if check.verdict == "not_checked" and check.missing else "")
     return [check.title, verdict, number(check.value, lang), number(check.limit, lang), unit, percent(check.utilisation, lang)]
 
 
@@ -190,6 +239,37 @@ def _axes(record: Any, lang: str) -> View:
     verdict = "does_not_fit" if "does_not_fit" in verdicts else next(iter(verdicts)) if len(verdicts) == 1 else "fits_if_estimate"
     head = [word["axis"], word["code"], word["verdict"], word["utilisation"]]
     return View(f"{len(rows)} × {word['axis']}", str(verdict), [], head, rows, [False, False, False, True], 0, [])
+
+
+def _comparison(record: Any, lang: str) -> View:
+    """Actuators side by side, a column for each."""
+    word = words(lang)
+    heads = list(record.candidates)
+    names = [each.code for each in heads]
+    lines = [
+        f"{name}: {standing(each, lang, [row.answers[at] for row in record.checks if row.answers[at]])}"
+        for at, (name, each) in enumerate(zip(names, heads, strict=True))
+    ]
+    rows: Cells = [[word["utilisation"], *(percent(each.utilisation, lang) for each in heads)]]
+    order = sorted(record.checks, key=_importance_of_row)
+    rows += [[row.title, *(_result(each, lang) for each in row.answers)] for row in order]
+    rows += [[f"{row.symbol} {row.unit}", *(number(value, lang) for value in row.values)] for row in [*record.demand, *record.data]]
+    return View(record.axis, "", lines, [word["check"], *names], rows, [False] + [True] * len(names), 0, [])
+
+
+def _importance_of_row(row: Any) -> tuple[bool, bool, float]:
+    """The place of a check of several actuators: failing ones first, then the highest utilisation."""
+    known = [each for each in row.answers if each is not None]
+    shares = [each.utilisation for each in known if each.utilisation is not None]
+    return all(each.verdict != "fail" for each in known), not any(each.margin for each in known), -max(shares, default=0.0)
+
+
+def _result(check: Any, lang: str) -> str:
+    """A check of a comparison: its utilisation, or its verdict."""
+    if check is None:
+        return "–"
+    share, verdict = percent(check.utilisation, lang), words(lang)[check.verdict]
+    return verdict if not share else share if check.verdict == "pass" else f"{verdict} {share}"
 
 
 def _any(record: Any, lang: str) -> View:
@@ -227,6 +307,7 @@ VIEWS: dict[str, Callable[[Any, str], View]] = {
     "Ranked": _judged,
     "Assessed": _judged,
     "Check": _check,
+    "Comparison": _comparison,
 }
 
 

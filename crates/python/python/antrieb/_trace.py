@@ -3,17 +3,37 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
+import functools
 import os
 import pathlib
+import re
 import tempfile
 from collections.abc import Mapping
 from typing import Any
 
 from antrieb._arrow import ArrowArray, ArrowStream
+from antrieb._quantity import Q, of_pint
 from antrieb._tables import arrow, of_columns
 
 Trace = str | os.PathLike[str] | bytes | ArrowStream | ArrowArray | Mapping[str, Any]
-"""A recorded run: the path of its file, a text of several lines, the bytes of a file, or a table with the columns of one."""
+"""A recorded run: the path of its file, a text of several lines, the bytes of a file, or a table with the columns of one:
+`time_s`, `position_rad`, `motor_speed_rad_s`, `torque_nm`, `current_q_a` and, if it was measured, `speed_rad_s`. Arrays in other
+units have them in the heading, `"position [deg]"`, or are quantities: `{"time": q(t, "ms")}`."""
+
+COLUMNS = {
+    "time": ("time_s", "time"),
+    "position": ("position_rad", "angle"),
+    "speed": ("speed_rad_s", "rotational speed"),
+    "motor_speed": ("motor_speed_rad_s", "rotational speed"),
+    "torque": ("torque_nm", "torque"),
+    "current_q": ("current_q_a", "electric current"),
+}
+"""Columns by their names without a unit, and the quantities that they hold."""
+
+EXAMPLE = (
+    "{'time [s]': t, 'position [deg]': q, 'motor_speed [1/min]': n, 'torque [N m]': m, 'current_q [A]': i}"
+)
 
 
 class HeldFile:
@@ -50,11 +70,8 @@ def held(name: str, given: Any) -> Any:
         return HeldFile(given.encode(), name) if "\n" in given else given
     if isinstance(given, os.PathLike):
         return path
-    if not isinstance(given, Mapping) and not hasattr(given, "__arrow_c_stream__") and not hasattr(given, "dtype"):
-        raise TypeError(
-            f"{name}: the path of a recorded run, its text or bytes, or a table such as {{'time [s]': t, 'position [deg]': q}} "
-            f"is expected, not {type(given).__name__}"
-        )
+    if not _is_table(given):
+        raise TypeError(f"{name}: the path of a recorded run, its text or bytes, or a table such as {EXAMPLE} is expected, not {type(given).__name__}")
     columns = _columns(given, name)
     rows = zip(*columns.values(), strict=True)
     with tempfile.SpooledTemporaryFile(mode="w+", newline="", encoding="utf-8") as file:
@@ -63,6 +80,16 @@ def held(name: str, given: Any) -> Any:
         writer.writerows(["" if value is None else repr(value) if isinstance(value, float) else value for value in row] for row in rows)
         file.seek(0)
         return HeldFile(file.read().encode(), name)
+
+
+def _is_table(given: Any) -> bool:
+    """Returns true if the columns have headings."""
+    if isinstance(given, (list, tuple)):
+        rows: Any = given  # pyright: ignore[reportUnknownVariableType]
+        return bool(rows) and (isinstance(rows[0], Mapping) or dataclasses.is_dataclass(rows[0]) or hasattr(rows[0], "_asdict"))
+    if hasattr(given, "dtype"):
+        return bool(getattr(given.dtype, "names", None))
+    return isinstance(given, Mapping) or hasattr(given, "__arrow_c_stream__")
 
 
 def _columns(given: Any, name: str) -> dict[str, list[Any]]:
@@ -74,7 +101,62 @@ def _columns(given: Any, name: str) -> dict[str, list[Any]]:
     elif not isinstance(given, Mapping):
         table: Any = arrow(source, name)
         source = table.to_pydict()
-    columns = of_columns(source, name).to_pydict()
+    plain: dict[Any, Any] = {}
+    factors: dict[Any, float] = {}
+    for heading, values in source.items():
+        own, cells, factor = _of_unit(heading, values, name)
+        if own in plain:
+            raise ValueError(f"{name}: two columns are {own!r}")
+        plain[own], factors[own] = cells, factor
+    columns: dict[str, list[Any]] = of_columns(plain, name).to_pydict()
+    for heading, cells in columns.items():
+        if factors[heading] != 1.0:
+            columns[heading] = [_times(value, factors[heading], f"{name}: column {heading!r}, row {row}") for row, value in enumerate(cells)]
     if not columns or not next(iter(columns.values())):
         raise ValueError(f"{name}: the table has no rows")
     return columns
+
+
+def _of_unit(heading: Any, values: Any, name: str) -> tuple[Any, Any, float]:
+    """The heading of a trace file for a column in any unit, its cells, and the factor of their unit."""
+    given = values if isinstance(values, Q) else of_pint(values)
+    parts = re.fullmatch(r"\s*(.*?)\s*\[([^\]]*)\]\s*", heading) if isinstance(heading, str) else None
+    if given is not None and parts:
+        raise TypeError(f"{name}: column {heading!r} is a quantity, which has a unit already; write {parts[1]!r}")
+    unit = given.unit if given is not None else parts[2] if parts else None
+    if unit is None:
+        return heading, values, 1.0
+    base = re.sub(r"\s+", "_", (parts[1] if parts else str(heading)).strip().lower())
+    found = next((found for role, found in COLUMNS.items() if base in (role, found[0])), None)
+    if found is None:
+        if given is None:
+            return heading, values, 1.0
+        raise TypeError(f"{name}: {heading!r} is no column of a trace; with units they are {', '.join(COLUMNS)}")
+    column, quantity = found
+    cells = list(given.values) if given is not None else values
+    return column, cells, _factor(unit, quantity, f"{name}: column {heading!r}")
+
+
+def _factor(unit: str, quantity: str, place: str) -> float:
+    """The factor of a unit to that of the trace file, which is that of SI."""
+    for each in _units(quantity):
+        if unit.replace("*", " ").strip() in (each.unit, each.symbol, each.json, *each.also):
+            return float(each.si)
+    known = ", ".join(each.unit for each in _units(quantity))
+    raise ValueError(f"{place}: {unit!r} is no unit of {quantity} (units: {known})")
+
+
+@functools.cache
+def _units(quantity: str) -> list[Any]:
+    from antrieb.questions import units
+
+    every: list[Any] = list(units().quantities)
+    return next(list(each.units) for each in every if each.quantity == quantity)
+
+
+def _times(value: Any, factor: float, place: str) -> float | None:
+    if value is None:
+        return None
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise TypeError(f"{place}: a number is expected, not {value!r:.40}")
+    return value * factor

@@ -81,6 +81,40 @@ class Shown(unittest.TestCase):
         self.assertIn("<svg", sizing._repr_html_())
         self.assertIn("geeignet", str(antrieb.size(PROJECT, lang="de")))
 
+    def test_what_is_missing_is_said_as_by_the_command_line(self) -> None:
+        for path in PROJECTS[::3]:
+            for lang in ("en", "de"):
+                with self.subTest(path.name, lang=lang):
+                    called = [sys.executable, "-m", "antrieb", "check", str(path), "--lang", lang]
+                    printed = " ".join(subprocess.run(called, capture_output=True, encoding="utf-8", check=False).stdout.split())
+                    for answer in antrieb.check(path, lang=typing.cast(antrieb.Lang, lang)).axes:
+                        title = str(answer).split("\n")[0].replace("…", "")
+                        missing = title.partition("; ")[2]
+                        self.assertEqual(bool(missing), bool(answer.open_questions) and answer.verdict != "does_not_fit")
+                        self.assertIn(missing, printed)
+        text = str(antrieb.check(PROJECT))
+        self.assertIn("best of the ranking", text)
+        self.assertNotIn("--code", text)
+        self.assertNotIn("best of the ranking", str(antrieb.check(PROJECT, CODE)))
+
+    def test_no_assumption_is_none(self) -> None:
+        for path in PROJECTS:
+            for answer in antrieb.size(path, top=1).axes:
+                self.assertNotIn("None", answer._repr_html_())
+
+    def test_a_list_and_a_comparison_are_tables(self) -> None:
+        codes = antrieb.code_list()
+        self.assertLessEqual(len(repr(codes).split("\n")), 20)
+        self.assertEqual(codes[0].code, codes.keys()[0] if isinstance(codes, antrieb.Rows) else "")
+        (sizing,) = antrieb.size(PROJECT).axes
+        both = [str(sizing.answer), sizing.rejected[0].code]
+        (compared,) = antrieb.compare(PROJECT, both).axes
+        lines = str(compared).split("\n")
+        self.assertLessEqual(len(lines), 20)
+        for each in both:
+            self.assertTrue(any(line.startswith("check") and each in line for line in lines))
+        self.assertIn("<table", compared._repr_html_())
+
     def test_a_formula_of_every_derivation_is_mathematics(self) -> None:
         whole = 0
         formulas: set[str] = set()
@@ -137,6 +171,32 @@ class Found(unittest.TestCase):
         assert isinstance(judged, answers.Judgement)
         self.assertEqual([check.id for check in judged], [check.id for check in judged.checks])
         self.assertEqual(judged["thermal"].id, "thermal")
+
+    def test_every_candidate_has_verdict_and_governing_check(self) -> None:
+        (sizing,) = antrieb.size(PROJECT, top=2).axes
+        candidates: typing.Any = sizing.candidates
+        fitting = [each.code for each in candidates if each.verdict == "fits"]
+        self.assertEqual(fitting, [each.code for each in sizing.ranking if each.verdict == "fits"])
+        for each in sizing.rejected:
+            rejected: typing.Any = each
+            self.assertEqual((rejected.verdict, rejected.tightest), ("does_not_fit", each.check))
+            self.assertNotIn("verdict", each.to_dict())
+        self.assertNotIn(None, candidates._columns()["verdict"])
+        with self.assertRaisesRegex(AttributeError, "verdicts"):
+            candidates[-1].verdicts
+
+    def test_a_code_that_is_not_shown_says_why(self) -> None:
+        (sizing,) = antrieb.size(PROJECT, top=2).axes
+        (longer,) = antrieb.size(PROJECT, top=30).axes
+        for code, words in (
+            (longer.ranking[5].code, "only 2 are shown"),
+            (longer.ranking[20].code, "top="),
+            ("CHA-25", "no entry"),
+        ):
+            with self.subTest(code), self.assertRaisesRegex(KeyError, words):
+                sizing[str(code)]
+        with self.assertRaisesRegex(KeyError, "candidates"):
+            sizing.ranking[sizing.rejected[0].code]
 
     def test_a_name_of_several_entries_is_not_guessed(self) -> None:
         (sizing,) = antrieb.size(PROJECT, top=1).axes

@@ -278,8 +278,10 @@ class Arrays(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "robot.toml"
             robot.save(file)
-            self.assertEqual(an.size(file, top=1), found)
-            self.assertEqual(an.size(an.load(file), top=1), found)
+            # The recordings of a saved project are named after it.
+            self.assertEqual(str(an.size(file, top=1).to_dict()).replace("robot-", ""), str(found.to_dict()))
+            self.assertEqual(an.size(an.load(file), top=1), an.size(file, top=1))
+            self.assertEqual(an.size(an.load(file)["turn"], top=1).answer, found.axes[1].answer)
         self.assertEqual([each.axis for each in found.axes], ["lift", "turn"])
         self.assertEqual(an.size(list(pickle.loads(pickle.dumps(robot))), top=1), found)
         self.assertEqual(an.size(robot["turn"], top=1).axes[0].answer, found.axes[1].answer)
@@ -302,10 +304,102 @@ class Arrays(unittest.TestCase):
             ({"torque": one}, "position or speed"),
             ({"position": [[0.0], [0.1, 0.2], [0.0]], "torque": one}, "lengths"),
             ({"position": one, "torque": one, "supplies": "560 V"}, "supplies"),
+            ({"position": one, "torque": one, "mechanism": an.Arm(mass="1 kg", length="1 m")}, "second time"),
+            ({"position": one, "torque": one, "mechanism": [an.Joint(), an.Load(inertia="1 kg m^2")]}, "second time"),
+            ({"position": one, "torque": one, "names": [1, 2]}, r"names\[0\]"),
+            ({"position": one, "torque": one, "names": 2}, "names"),
+            ({"position": one, "torque": one, "speed_unit": "1/min"}, "speed_unit"),
+            ({"position": one, "torque": one, "time": an.q(time, "s"), "time_unit": "ms"}, "time_unit"),
         ]
         for given, words in cases:
             with self.subTest(words=words), self.assertRaisesRegex((TypeError, an.AntriebError), words):
-                an.axes_from_arrays(time, **given)
+                an.axes_from_arrays(given.pop("time", time), **given)
+        for role, values in (("position", one), ("speed", one), ("torque", one)):
+            column = an.q([row[0] for row in values], "N m" if role == "torque" else "deg" if role == "position" else "deg/s")
+            others = {"position": [0.0, 0.1, 0.0], "torque": [1.0, 1.0, 1.0]}
+            with self.subTest(role=role), self.assertRaisesRegex(TypeError, f"{role}_unit"):
+                an.axes_from_arrays(time, **{**others, role: column, f"{role}_unit": "rad"})
+
+
+class Saved(unittest.TestCase):
+    """Projects and their recordings in files."""
+
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def robot(self, share: float) -> an.Project:
+        time = [0.01 * step for step in range(201)]
+        position = [[0.3 * (1 - math.cos(math.pi * step)), 0.2 * (1 - math.cos(math.pi * step))] for step in time]
+        return an.axes_from_arrays(time, position, torque=[[share * (5 + step), share * (3 - step)] for step in time], supply="560 V")
+
+    def contents(self) -> dict[str, bytes]:
+        return {str(file.relative_to(self.folder)): file.read_bytes() for file in self.folder.rglob("*") if file.is_file()}
+
+    def test_projects_of_one_folder_keep_their_recordings(self) -> None:
+        light, heavy = self.robot(1.0), self.robot(8.0)
+        light.save(self.folder / "light.toml")
+        before = an.size(self.folder / "light.toml", top=1)
+        heavy.save(self.folder / "heavy.toml")
+        self.assertEqual(an.size(self.folder / "light.toml", top=1), before)
+        self.assertEqual(an.size(self.folder / "heavy.toml", top=1)["J1"].answer, an.size(heavy, top=1)["J1"].answer)
+        light.save(self.folder / "light.toml")
+        (self.folder / "own-J2-2.csv").write_text("not ours", encoding="utf-8")
+        whole = self.contents()
+        for name in ("light.toml", "own.toml"):
+            with self.subTest(name), self.assertRaisesRegex(an.AntriebError, name.replace(".toml", "-J")):
+                heavy.save(self.folder / name)
+            self.assertEqual(self.contents(), whole)
+        one = heavy["J2"]
+        one.save(self.folder / "one.toml")
+        self.assertEqual(an.size(self.folder / "one.toml", top=1).axes[0].answer, an.size(one, top=1).axes[0].answer)
+
+    def test_a_project_that_is_saved_elsewhere_takes_its_recordings_along(self) -> None:
+        here, there = self.folder / "here", self.folder / "there"
+        here.mkdir()
+        there.mkdir()
+        self.robot(1.0).save(here / "robot.toml")
+        loaded = an.load(here / "robot.toml")
+        found = an.size(loaded, top=1)
+        loaded.save(here / "again.toml")
+        loaded.save(there / "robot.toml")
+        loaded["J1"].save(there / "one.toml")
+        self.assertEqual(an.size(there / "robot.toml", top=1), found)
+        self.assertEqual(an.size(here / "again.toml", top=1), found)
+        self.assertEqual(an.size(there / "one.toml", top=1).axes[0].answer, found["J1"].answer)
+        (there / "robot-J1-1.csv").write_text("other", encoding="utf-8")
+        whole = self.contents()
+        with self.assertRaisesRegex(an.AntriebError, "robot-J1-1.csv"):
+            loaded.save(there / "robot.toml")
+        (here / "robot-J1-1.csv").unlink()
+        whole.pop(str(pathlib.Path("here", "robot-J1-1.csv")))
+        with self.assertRaisesRegex(an.AntriebError, "missing"):
+            loaded.save(there / "robot.toml")
+        self.assertEqual(self.contents(), whole)
+        example = an.load(EXAMPLES / "robot-joint.toml")
+        example.save(self.folder / "joint.toml")
+        self.assertEqual(an.size(self.folder / "joint.toml", top=1), an.size(example, top=1))
+
+    def test_other_endings_and_folders_are_refused(self) -> None:
+        made_by: typing.Any = an
+        for name in ("axis.json", "axis", "axis.yaml"):
+            with self.assertRaisesRegex(an.AntriebError, r"\.toml"):
+                axis().save(self.folder / name)
+        for name in ("a.png", "b.jpg", "c.pdf", "d"):
+            with self.assertRaisesRegex(ValueError, "SVG"):
+                an.Picture("<svg/>").save(self.folder / name)
+        an.Picture("<svg/>").save(self.folder / "e.SVG")
+        with self.assertRaises(TypeError):
+            made_by.Axis.save(axis(), 3)
+        with self.assertRaises(FileNotFoundError):
+            axis().save(self.folder / "nowhere" / "axis.toml")
+        self.assertEqual(list(self.contents()), ["e.SVG"])
+        for ask in (lambda: an.size(axis(), folder="nowhere"), lambda: an.loads(axis().to_toml(), folder="nowhere")):
+            with self.assertRaisesRegex(NotADirectoryError, "nowhere"):
+                ask()
+        with self.assertRaisesRegex(TypeError, "folder"):
+            an.size(PROJECTS[0], folder=EXAMPLES)
 
 
 class Quantities(unittest.TestCase):

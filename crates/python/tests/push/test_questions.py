@@ -7,6 +7,7 @@ import copy
 import dataclasses
 import inspect
 import json
+import math
 import multiprocessing
 import os
 import pathlib
@@ -23,7 +24,7 @@ import unittest
 import unittest.mock
 
 import antrieb
-from antrieb import _antrieb, answers, questions
+from antrieb import _antrieb, _call, answers, questions
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
 PROJECT = (EXAMPLES / "indexing-table.toml").read_text(encoding="utf-8")
@@ -57,6 +58,8 @@ def call_of(function: typing.Any, example: str) -> tuple[dict[str, typing.Any], 
             name = word[2:].replace("-", "_")
             name = name + "_" if name + "_" in parameters else name
             value: typing.Any = True if hints.get(name) is bool else words.pop(0)
+            if hints.get(name) is int or hints.get(name) == int | None:
+                value = int(value)
             if name == "out" and "format" in parameters:
                 name, value = "format", pathlib.Path(value).suffix[1:]
             whole = whole and name in parameters and name != "format"
@@ -68,6 +71,15 @@ def call_of(function: typing.Any, example: str) -> tuple[dict[str, typing.Any], 
         else:
             named[places.pop(0)] = word
     return named, whole
+
+
+def numbers(value: typing.Any) -> list[float]:
+    """The numbers of an answer, one after the other."""
+    if isinstance(value, dict):
+        return [each for part in value.values() for each in numbers(part)]
+    if isinstance(value, list):
+        return [each for part in value for each in numbers(part)]
+    return [value] if isinstance(value, float) else []
 
 
 class Questions(unittest.TestCase):
@@ -127,11 +139,57 @@ class Questions(unittest.TestCase):
         for run in (pathlib.Path("run.csv"), text, text.encode(), columns):
             with self.subTest(type(run).__name__):
                 self.assertEqual(antrieb.identify(run, PROJECT, CODE), expected)
+        of = antrieb.q
+        degrees: typing.Any = {
+            "time": of([1000 * value for value in columns["time_s"]], "ms"),
+            "position [deg]": [math.degrees(value) for value in columns["position_rad"]],
+            "motor_speed [1/min]": [value * 30 / math.pi for value in columns["motor_speed_rad_s"]],
+            "torque_nm": of(columns["torque_nm"], "N m"),
+            "current_q [A]": columns["current_q_a"],
+        }
+        rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+        self.assertEqual(antrieb.identify(typing.cast(typing.Any, rows), PROJECT, CODE), expected)
+        found = antrieb.identify(degrees, PROJECT, CODE)
+        for one, other in zip(numbers(found.to_dict()), numbers(expected.to_dict()), strict=True):
+            self.assertAlmostEqual(one, other, delta=1e-5 * max(abs(other), 1e-3))
+        cases: typing.Any = (
+            ({**columns, "time [s]": columns["time_s"]}, "two columns"),
+            ({"time [kg]": [1.0]}, "unit of time"),
+            ({"time [s]": of([1.0], "s")}, "unit already"),
+            ({"mass": of([1.0], "kg")}, "no column of a trace"),
+            ({"position [deg]": ["a"]}, "row 0"),
+            ({"time_s": [1.0]}, "^trace: the trace lacks"),
+        )
+        for run, words in cases:
+            with self.subTest(words), self.assertRaisesRegex((TypeError, ValueError), words):
+                antrieb.identify(run, PROJECT, CODE)
+        with self.assertRaisesRegex(antrieb.AntriebError, "^trace: "):
+            antrieb.identify(typing.cast(typing.Any, {"a": [1.0]}), PROJECT, CODE, lang="de")
         for wrong in ("a,b\n1,2\n", {"time [s]": []}, {"nonsense": [1.0]}, 3.5, None, [1.0]):
             with self.subTest(f"{wrong!r}"), self.assertRaisesRegex((TypeError, ValueError), "trace"):
                 antrieb.identify(typing.cast(typing.Any, wrong), PROJECT, CODE)
         with self.assertRaises(antrieb.AntriebError):
             antrieb.identify(b"\x00\x01", PROJECT, CODE)
+
+    def test_arguments_of_numbers_and_quantities(self) -> None:
+        whole: set[str] = set()
+        for name in questions.__all__:
+            hints = typing.get_type_hints(getattr(questions, name))
+            whole.update(each for each, of in hints.items() if of is int or of == int | None)
+            self.assertFalse(float in hints.values(), name)
+        self.assertEqual(_call.WHOLE, whole)
+        ask: typing.Any = antrieb
+        for value in ("3", 3.0, True, [3]):
+            with self.subTest(value=value), self.assertRaisesRegex(TypeError, "top is a whole number"):
+                ask.size(PROJECT, top=value)
+        self.assertEqual(str(ask.curve(CODE, voltage=antrieb.q(560, "V"))), str(antrieb.curve(CODE, voltage="560 V")))
+        self.assertEqual(ask.size(PROJECT, top=1, deadline=antrieb.q(60, "s")), antrieb.size(PROJECT, top=1))
+        with self.assertRaisesRegex(TypeError, "project stands first"):
+            ask.check(CODE, antrieb.loads(PROJECT))
+        for value in (3.5, antrieb.q([1, 2], "V")):
+            with self.assertRaisesRegex(TypeError, "voltage"):
+                ask.curve(CODE, voltage=value)
+        self.assertNotIn("Path", antrieb.__all__)
 
     def test_every_function_is_of_the_package(self) -> None:
         for name in questions.__all__:
