@@ -37,6 +37,11 @@ pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> 
 #[must_use]
 pub fn key_word(key: &str, word: &str, language: Language) -> Option<Cow<'static, str>> {
     match key {
+        // The same motion as the triangle, by its name in VDI 2143.
+        "law" if word == "parabola" => {
+            let (en, de) = ("quadratic parabola (triangle)", "quadratische Parabel (Dreieck)");
+            return Some(if language == Language::De { de } else { en }.into());
+        }
         "law" => return SegmentLaw::of_id(word).map(|law| law_text(law, language).into()),
         "shape" => {
             // Those of an arm that no body has stand in the list below.
