@@ -147,11 +147,18 @@ def standing(record: Any, lang: str, checks: Sequence[Any] | None = None) -> str
     return text
 
 
+def _judged_best(record: Any) -> Any:
+    """The actuator that the verdict of a sizing is about; other records are about themselves."""
+    for each in (*getattr(record, "ranking", [])[:1], getattr(record, "own", None)):
+        if each is not None and each.verdict == record.verdict and record.answer in (each.code, each.name):
+            return each
+    return record
+
+
 def _sizing(record: Any, lang: str) -> View:
     word = words(lang)
     best = record.answer
-    first = record.ranking[0] if record.ranking and record.ranking[0].code == best else record.own or record
-    title = f"{record.axis}: {best}: {standing(first, lang)}" if best else f"{record.axis}: {word['none_fits']}"
+    title = f"{record.axis}: {best}: {standing(_judged_best(record), lang)}" if best else f"{record.axis}: {word['none_fits']}"
     counts = f"{word['fits']}: {record.fit} · {word['fits_if_estimate']}: {record.fit_if_estimate} · {word['candidates']}: {record.judged}"
     lines = [counts]
     if not best and record.nearest_miss:
@@ -231,10 +238,10 @@ def _axes(record: Any, lang: str) -> View:
     rows: Cells = []
     for each in record.axes:
         of = getattr(each, "answer", None) or getattr(each, "code", None) or ""
-        verdict = getattr(each, "verdict", None)
+        shown = standing(_judged_best(each), lang) if getattr(each, "verdict", None) else ""
         best = each.ranking[0] if getattr(each, "ranking", None) else each
         share = getattr(best, "utilisation", None)
-        rows.append([each.axis, of, word.get(str(verdict), str(verdict or "")), percent(share, lang)])
+        rows.append([each.axis, of, shown, percent(share, lang)])
     verdicts = {getattr(each, "verdict", None) for each in record.axes}
     verdict = "does_not_fit" if "does_not_fit" in verdicts else next(iter(verdicts)) if len(verdicts) == 1 else "fits_if_estimate"
     head = [word["axis"], word["code"], word["verdict"], word["utilisation"]]

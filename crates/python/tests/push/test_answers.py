@@ -92,6 +92,11 @@ class Shown(unittest.TestCase):
                         missing = title.partition("; ")[2]
                         self.assertEqual(bool(missing), bool(answer.open_questions) and answer.verdict != "does_not_fit")
                         self.assertIn(missing, printed)
+        several = antrieb.size(EXAMPLES / "two-axes.toml", top=1)
+        for answer in several.axes:
+            missing = str(answer).split("\n")[0].partition("; ")[2]
+            self.assertTrue(missing)
+            self.assertIn(missing, str(several))
         text = str(antrieb.check(PROJECT))
         self.assertIn("best of the ranking", text)
         self.assertNotIn("--code", text)
