@@ -262,7 +262,7 @@ class BaseProject(_Source):
             for axis in self.axis:
                 if axis.name == which:
                     return axis
-            raise KeyError(which)
+            raise KeyError(f"no axis is named {which!r}; there are {', '.join(str(axis.name) for axis in self.axis)}")
         return self.axis[which]
 
 
@@ -361,6 +361,9 @@ def load(path: str | os.PathLike[str]) -> Axis | Project:
         AntriebError: Every fault of the file, with its place.
         OSError: The file cannot be read.
     """
+    # Callers without a type checker.
+    if not isinstance(path, (str, os.PathLike)):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise TypeError(f"load takes the path of a project file, not {type(path).__name__}; loads takes its text")
     file = pathlib.Path(path)
     # Files that an editor of Windows wrote.
     text = file.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")

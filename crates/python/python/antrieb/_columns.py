@@ -7,18 +7,28 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Mapping
 from decimal import Decimal
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from antrieb._axis import BaseAxis, joined
-from antrieb._fault import fault
-from antrieb._quantity import columns_of
+from antrieb import _axis
+from antrieb._antrieb import Table
+from antrieb._axis import BaseAxis
+from antrieb._fault import fault, faults
+from antrieb._quantity import Q, columns_of
 from antrieb._section import ReturnMove, _steps, distance_of
 from antrieb._source import ProjectSource
+from antrieb._tables import Column, arrow_library, cells, joined, split
+
+if TYPE_CHECKING:
+    from antrieb._call import AntriebError
 
 ROWS_MOST = 100_000_000
 """Rows that a grid may have."""
+
+
+ROOTS = ("axis", "load", "mechanism", "motion", "requirements", "actuator")
+"""Beginnings of keys that are no fields of an axis."""
 
 
 def heading(key: str, source: ProjectSource | None, unit: str | None = None) -> str:
@@ -26,11 +36,15 @@ def heading(key: str, source: ProjectSource | None, unit: str | None = None) -> 
     from antrieb.sections import Axis
 
     name, bracket, rest = key.partition(" [")
+    first = name.replace("[", ".").partition(".")[0]
+    if first not in Axis._KEYS and first not in ROOTS:
+        # A label, or a key that no project has: its dots count no entries.
+        return f"{key} [{unit}]" if unit else key
     if isinstance(source, BaseAxis):
         path = source._path(name)
     else:
-        first, *inner = _steps(name)
-        path = joined(["requirements", first, *inner] if first in Axis._REQUIREMENTS else [first, *inner])
+        steps = _steps(name)
+        path = _axis.joined(["requirements", *steps] if first in Axis._REQUIREMENTS else steps)
     if bracket:
         if unit:
             raise fault(f"{key}: the column has a unit already, {unit}", f'write the key as "{name}"')
@@ -38,84 +52,189 @@ def heading(key: str, source: ProjectSource | None, unit: str | None = None) -> 
     return f"{path} [{unit}]" if unit else path
 
 
-def columns(values: Mapping[str, Any], source: ProjectSource | None = None, grid: bool = False) -> dict[str, list[Any]]:
-    """Returns the columns of a table by their headings; with `grid` a row for each combination, the last key fastest.
+def columns(table: Any, source: ProjectSource | None = None, grid: bool = False, name: str = "table", index: Collection[str] | None = None) -> list[Column]:
+    """Returns the columns of any table by their headings; with `grid` a row for each combination, the last key fastest.
+
+    Args:
+        table: The table.
+        source: The project, where it is of objects.
+        grid: Every combination of the values of the columns.
+        name: The argument that the table is.
+        index: Headings; an index of pandas without a name is a column if they have its title.
 
     Raises:
         AntriebError: The columns have different lengths, a key stands twice, or counts from zero.
         TypeError: A value is none that a column can have.
     """
-    found: dict[str, list[Any]] = {}
-    for key, value in values.items():
-        # Callers without a type checker.
-        if not isinstance(key, str):  # pyright: ignore[reportUnnecessaryIsInstance]
-            raise TypeError(f"a key of a table is a text such as 'motion.1.payload', not {type(key).__name__}")
-        if value is None or isinstance(value, (bool, Mapping)):
-            raise TypeError(f"{key}: a list or an array is expected, not {type(value).__name__}")
-        if not isinstance(value, (str, Iterable)) and not hasattr(value, "magnitude"):
-            example = f'antrieb.q([{value!r}], "kg")'
-            raise TypeError(f"{key}: a list or an array is expected, such as {example}, not {value!r}")
-        numbers = columns_of(value, key)
-        if numbers is not None:
-            head, cells = heading(key, source, numbers.unit or None), list[Any](numbers.values)
-        else:
-            of: Any = value
-            listed: Any = of.tolist() if hasattr(of, "tolist") else of
-            head, cells = heading(key, source), [listed] if isinstance(listed, str) else list(listed)
+    if isinstance(table, Mapping):
+        table = {key: [str(value)] if isinstance(value, str) else value for key, value in table.items()}
+    found: dict[str, Any] = {}
+    for key, given in split(table, name, index):
+        values: Any = given
+        unit: str | None = None
+        if "." in heading(key, source) and " [" not in key:
+            values = _quantities(given, key)
+        if isinstance(values, Q):
+            unit = values.unit or None
+            values = cells(values)
+        head = heading(key, source, unit)
         if head in found:
             raise fault(f"{key}: the key stands twice", "give all its values in one column")
-        found[head] = cells
+        found[head] = values
     if grid:
         count = 1
-        for cells in found.values():
-            count *= len(cells)
+        for each in found.values():
+            count *= len(each)
         if count > ROWS_MOST:
             raise fault(f"grid: {count} rows are more than {ROWS_MOST}", "take fewer values")
         rows = list(itertools.product(*found.values()))
         found = {head: [row[place] for row in rows] for place, head in enumerate(found)}
-    lengths = {head: len(cells) for head, cells in found.items()}
+    lengths = {head: len(each) for head, each in found.items()}
     if len(set(lengths.values())) > 1:
         shown = ", ".join(f"{head} has {count}" for head, count in lengths.items())
         raise fault(f"the columns have different lengths: {shown}", "grid=True takes every combination")
     if isinstance(source, BaseAxis):
         found.update(_ways_back(found, source))
+    return list(found.items())
+
+
+def _quantities(values: Any, key: str) -> Any:
+    """Texts of quantities in one unit as numbers with their unit; other values as they are."""
+    texts = values
+    if not isinstance(values, (list, Q)):
+        kind = str(getattr(values, "dtype", getattr(values, "type", ""))).lower()
+        texts = _plain(values) if kind in ("str", "string", "large_string", "string_view") else []
+    is_text = isinstance(texts, list) and len(texts) > 0 and isinstance(texts[0], str)
+    return (columns_of(texts, key) if is_text else None) or values
+
+
+def _plain(values: Any) -> list[Any]:
+    """The values of a column of any library."""
+    if isinstance(values, list):
+        return values
+    found: list[Any] = values.to_pylist() if hasattr(values, "to_pylist") else values.to_list()
     return found
 
 
-def _ways_back(found: Mapping[str, list[Any]], axis: BaseAxis) -> dict[str, list[Any]]:
+def keyed(table: Any, source: ProjectSource | None, grid: bool = False, name: str = "table") -> Any:
+    """Returns any table as one of Arrow whose headings are those of the project file."""
+    if _is_schema(table):
+        library = arrow_library()
+        if library is None or library.__name__ != "pyarrow":
+            return table
+        table = library.schema(table).empty_table()
+    if _is_ready(table, source):
+        return table
+    return joined(columns(table, source, grid, name), name)
+
+
+def _is_schema(table: Any) -> bool:
+    return hasattr(table, "__arrow_c_schema__") and not hasattr(table, "__arrow_c_stream__") and not hasattr(table, "__arrow_c_array__")
+
+
+def _is_ready(table: Any, source: ProjectSource | None) -> bool:
+    """Returns true if a table is read as it is: its columns are called as in the file, or no library can rename them."""
+    if isinstance(table, Table):
+        names = table.column_names
+        return not isinstance(source, BaseAxis) and all("[" in key or heading(key, source) == key for key in names if "." in key)
+    return type(table).__module__.partition(".")[0] not in ("pandas", "polars") and hasattr(table, "__arrow_c_stream__") and arrow_library() is None
+
+
+def matched(table: Any, source: ProjectSource | None, empty: Table, carried: Collection[str], name: str) -> Any:
+    """Returns a table with the columns of an empty one in their order, those that are carried in their types.
+
+    Raises:
+        AntriebError: A column is missing, in another unit, or one too many; every one is named.
+    """
+    headings = empty.column_names
+    found = dict(columns(table, source, False, name, headings))
+    units = {head.partition(" [")[0]: head for head in found if head not in headings}
+    wrong: list[tuple[str, str | None]] = []
+    for head in headings:
+        other = units.pop(head.partition(" [")[0], None) if head not in found else None
+        if other is not None:
+            wrong.append((f"{name}: column {other!r} is not the column {head!r} of the sweep", f"give its values below {head!r}"))
+        elif head not in found:
+            wrong.append((f"{name}: column {head!r} of the sweep is missing", None))
+    extra = [(f"{name}: column {head!r} is none of the sweep", "prepare the sweep with it, or leave it out") for head in units.values()]
+    if wrong or extra:
+        raise faults([*wrong, *extra])
+    rows = joined([(head, found[head]) for head in headings], name)
+    library = arrow_library()
+    if library is None or library.__name__ != "pyarrow" or not carried:
+        return rows
+    whole = library.table(rows)
+    for place, field in enumerate(library.schema(empty)):
+        own = whole.schema.field(place).type
+        is_alike = _is_text(own, library) and _is_text(field.type, library) or library.types.is_integer(own) and library.types.is_integer(field.type)
+        if field.name in carried and own != field.type and is_alike:
+            try:
+                whole = whole.set_column(place, field.name, whole.column(place).cast(field.type))
+            except (library.ArrowException, ValueError) as error:
+                raise fault(f"{name}: column {field.name!r}: {error}", f"the sweep was prepared for {field.type}") from None
+    return whole
+
+
+def _is_text(kind: Any, library: Any) -> bool:
+    inner = kind.value_type if library.types.is_dictionary(kind) else kind
+    return str(inner) in ("string", "large_string", "string_view")
+
+
+def _ways_back(found: Mapping[str, Any], axis: BaseAxis) -> dict[str, list[Any]]:
     """The distances of the ways back where distances before them are swept."""
     swept: dict[int, tuple[str, list[Any]]] = {}
-    for head, cells in found.items():
+    for head, values in found.items():
         name, _, unit = head.partition(" [")
-        steps = _steps(name)
+        steps = _steps(name) if name.startswith("motion") else []
         if len(steps) == 3 and steps[0] == "motion" and steps[2] == "distance" and isinstance(steps[1], int):
-            swept[steps[1]] = (unit.rstrip("]"), cells)
+            swept[steps[1]] = (unit.rstrip("]"), _plain(values))
     out: dict[str, list[Any]] = {}
     for place, segment in enumerate(axis.motion, 1):
-        if not isinstance(segment, ReturnMove) or not any(before < place for before in swept):
+        if not isinstance(segment, ReturnMove) or place in swept or not any(before < place for before in swept):
             continue
-        rows: list[float] = []
+        parts: list[list[Any] | Decimal] = []
         units: set[str] = set()
-        for row in range(len(next(iter(found.values())))):
-            total = Decimal(0)
-            for before in range(1, place):
-                own = axis.motion[before - 1]
-                if before in swept:
-                    unit, cells = swept[before]
-                    number = Decimal(repr(cells[row]))
-                elif isinstance(own, ReturnMove):
-                    # The way back to the beginning ends where it began.
-                    total = Decimal(0)
+        for before in range(1, place):
+            own = axis.motion[before - 1]
+            if before in swept:
+                unit, values = swept[before]
+                parts.append(values)
+            elif isinstance(own, ReturnMove):
+                # The way back to the beginning ends where it began.
+                parts.clear()
+                continue
+            else:
+                number, unit = distance_of([own], "Return")
+                if not unit:
                     continue
-                else:
-                    number, unit = distance_of([own], "Return")
-                    if not unit:
-                        continue
-                total += number
-                units.add(unit)
-            rows.append(float(-total))
+                parts.append(number)
+            units.add(unit)
         if len(units) > 1:
             raise fault(f"motion[{place}]: the distances before the way back are in {' and '.join(sorted(units))}", "sweep them in one unit")
-        out[f"motion[{place}].distance [{units.pop()}]"] = rows
+        if units:
+            rows = range(len(next(iter(found.values()))))
+            unit = units.pop()
+            out[f"motion[{place}].distance [{unit}]" if unit else f"motion[{place}].distance"] = [_back(parts, row) for row in rows]
     return out
 
+
+def _back(parts: list[list[Any] | Decimal], row: int) -> float | None:
+    """The distance of a way back in a row; `None` where one before it is no number, which is a fault of its own."""
+    try:
+        numbers = [part if isinstance(part, Decimal) else Decimal(str(part[row])) for part in parts]
+    except ArithmeticError:
+        return None
+    return float(-sum(numbers, Decimal(0)))
+
+
+def kept(error: AntriebError, lang: str) -> AntriebError:
+    """Returns the exception; a heading that may be a label or a key has the name by which it is carried as well."""
+    errors: list[dict[str, Any]] = []
+    for each in error.record.get("errors", []):
+        title = str(each.get("heading") or "")
+        if each.get("id") == "unknown_key" and title and "." not in title:
+            label = "label_" + title.partition(" [")[0].replace(" ", "_")
+            how = f'als Beschriftung heißt die Spalte "{label}"' if lang == "de" else f'as a label call the column "{label}"'
+            each = {**each, "hint": f"{each['hint']}; {how}" if each.get("hint") else how}
+        errors.append(each)
+    return type(error)({**error.record, "errors": errors})

@@ -7,6 +7,7 @@ from typing import Any
 
 from antrieb._antrieb import Table
 from antrieb._record import _library  # pyright: ignore[reportPrivateUsage]
+from antrieb._tables import arrow_library
 
 ROWS = 12
 COLUMNS = 9
@@ -15,7 +16,29 @@ COLUMNS = 9
 def to_pandas(table: Table) -> Any:
     """The table as a data frame of pandas."""
     pandas = _library("pandas", "to_pandas")
-    return pandas.DataFrame(table.to_pydict(), columns=table.column_names)
+    columns = table.to_pydict()
+    library: Any = arrow_library()
+    typed: dict[str, Any] = {}
+    if getattr(library, "__name__", "") == "pyarrow":
+        typed = dict(zip(table.column_names, library.table(table).columns, strict=True))
+    found: dict[str, Any] = {}
+    for heading, values in columns.items():
+        kind: Any = typed[heading].type if heading in typed else None
+        known = [value for value in values if value is not None]
+        if {type(value) for value in known} == {int}:
+            # A whole number stays one beside empty cells.
+            name = "uint64" if max(known) >= 1 << 63 else "int64"
+            if kind is not None and library.types.is_integer(kind):
+                name = str(kind)
+            if None in values:
+                found[heading] = pandas.array(values, dtype=name.replace("int", "Int").replace("uI", "UI"))
+            else:
+                found[heading] = _library("numpy", "to_pandas").array(values, dtype=name)
+        elif kind is not None and (library.types.is_temporal(kind) or library.types.is_dictionary(kind)):
+            found[heading] = typed[heading].to_pandas()
+        else:
+            found[heading] = values
+    return pandas.DataFrame(found, columns=table.column_names)
 
 
 def to_polars(table: Table) -> Any:
@@ -36,6 +59,10 @@ def item(table: Table, key: Any) -> Any:
         if key not in columns:
             raise KeyError(f"no column is called {key!r}; there are {', '.join(columns)}")
         return columns[key]
+    if isinstance(key, slice):
+        return to_dicts(table)[key]
+    if not hasattr(key, "__index__"):
+        raise TypeError(f"a column by its heading, a row by its number, or rows as table[0:2], not {type(key).__name__}")
     at = key.__index__()
     count = len(table)
     if not -count <= at < count:

@@ -97,19 +97,19 @@ _UNITS = {
     "turn": "rev",
     "revolutions_per_minute": "rpm",
     "°": "deg",
-    "Δ°C": "K",
-    "delta_degC": "K",
     "g_0": "g",
     "A*min": "A/(1/min)",
 }
 """Units as pint writes them, where a project file writes them otherwise."""
+
+_DIFFERENCES = ("Δ°C", "delta_degC", "Δ°F", "delta_degF")
+"""Units of differences of temperatures, as pint writes them."""
 
 _WORDS = {
     "kilogram": "kg",
     "arcminute": "arcmin",
     "arcsecond": "arcsec",
     "degree_Celsius": "degC",
-    "delta_degree_Celsius": "K",
     "kelvin": "K",
     "revolutions_per_minute": "rpm",
     "turn": "rev",
@@ -190,26 +190,50 @@ def _number(value: float) -> str:
     return repr(value)
 
 
-def _of_pint(unit: Any) -> str:
-    """Returns a unit of pint as a project file has it: a product of names with an explicit sign."""
+def _of_pint(unit: Any, name: str = "q") -> str:
+    """Returns a unit of pint as a project file has it: a product of names with an explicit sign.
+
+    Raises:
+        AntriebError: It is that of a difference of temperatures.
+    """
     text = format(unit, "~C").replace(" ", "")
+    if text in _DIFFERENCES:
+        # In kelvin it would be another temperature.
+        raise fault(f"{name}: {text} is a difference of temperatures", 'write a temperature, such as "30 degC"')
     if text in _UNITS:
         return _UNITS[text]
     if text == "dimensionless":
         return ""
     parts = re.split(r"([*/]+|\(|\)|[0-9.-]+)", text)
-    return "".join(_UNITS.get(part, "^" if part == "**" else part) for part in parts)
+    return "".join("K" if part in _DIFFERENCES else _UNITS.get(part, "^" if part == "**" else part) for part in parts)
 
 
-def of_pint(value: Any) -> Q | None:
+def of_pint(value: Any, name: str = "q") -> Q | None:
     """Returns a quantity of pint as numbers with their unit; `None` for anything else."""
     if isinstance(value, Q) or not (hasattr(value, "magnitude") and hasattr(value, "units")):
         return None
-    unit, numbers = _of_pint(value.units), _numbers(value.magnitude, "magnitude")
+    _counted(value, name)
+    unit, numbers = _of_pint(value.units, name), _numbers(value.magnitude, name)
     if unit == "g" and "gram" in format(value.units, "C"):
         # As an acceleration the sign would be that of gravity.
         return Q(tuple(map(_thousandth, numbers)) if isinstance(numbers, tuple) else _thousandth(numbers), "kg")
     return Q(numbers, unit)
+
+
+def _counted(value: Any, name: str) -> None:
+    """Refuses a product with a unit of counting: pint takes 2 count·kg for 2 kg.
+
+    Raises:
+        AntriebError: It is one.
+    """
+    parts = re.findall(r"[A-Za-z_%]+", format(value.units, "C"))
+    found = [part for part in parts if part in _COUNTS]
+    if found and len(parts) > 1:
+        raise fault(f"{name}: {value.units} has the unit {found[0]}, which is none of a project", "write it without")
+
+
+_COUNTS = ("count", "percent", "ppm", "permille", "dimensionless", "bit", "byte", "particle", "mole")
+_RATIOS = ("", "dimensionless", "count", "percent", "%", "ppm", "permille")
 
 
 def _thousandth(number: float) -> float:
@@ -249,6 +273,9 @@ def _converted(value: Any, found: Q, name: str, examples: Sequence[str]) -> str:
         except Exception:
             # A registry of the user that lacks the unit.
             return text
+        if fits and known != "%" and format(value.units, "C").replace(" ", "") in _RATIOS:
+            # To pint an angle is a ratio.
+            continue
         if fits and "1/min" in known and not _ANGLES.search(format(value.units, "C")):
             # 1/s of pint may mean revolutions or radians; only what a project file reads is taken.
             return text
@@ -306,7 +333,7 @@ def text_of(value: Any, name: str, example: str, other: str | None = "") -> str:
     """
     if isinstance(value, str):
         return _plain(str(value))
-    found = value if isinstance(value, Q) else of_pint(value)
+    found = value if isinstance(value, Q) else of_pint(value, name)
     if found is None:
         raise TypeError(_expected(value, name, example))
     if isinstance(found.value, tuple):
@@ -335,7 +362,7 @@ def _expected(value: Any, name: str, example: str) -> str:
 
 def columns_of(value: Any, name: str) -> Q | None:
     """Returns an array with a unit, or texts of quantities in one unit, as numbers with their unit; else `None`."""
-    found = value if isinstance(value, Q) else of_pint(value)
+    found = value if isinstance(value, Q) else of_pint(value, name)
     if found is not None:
         return found
     texts: Sequence[Any] = [value] if isinstance(value, str) else list(value)

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from antrieb import _antrieb
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 from antrieb._axis import to_source
-from antrieb._call import Lang, Path, Text, flag, handed, language, pairs_of, unit_text
-from antrieb._columns import columns
+from antrieb._call import AntriebError, Lang, Path, Text, flag, handed, language, pairs_of, unit_text
+from antrieb._columns import keyed, kept, matched
+from antrieb._fault import fault
 from antrieb._progress import Progress, observed
-from antrieb._tables import TableLike, arrow
+from antrieb._tables import TableLike
 
 if TYPE_CHECKING:
     from antrieb import answers
@@ -40,7 +42,7 @@ class Sweep:
         AntriebError: Every fault of the project and of the headings.
     """
 
-    __slots__ = ("_sweep",)
+    __slots__ = ("_empty", "_source", "_sweep")
 
     def __init__(
         self,
@@ -57,14 +59,18 @@ class Sweep:
         memory: str | None = None,
     ) -> None:
         options = _options(axis, check, front, lang)
-        columns: Any = schema if hasattr(schema, "__arrow_c_schema__") else arrow(schema, "schema")
-        self._sweep = _antrieb.Sweep(
-            handed(text, file, folder), columns, options, lang, unit_text("memory", memory), flag("inputs", inputs)
-        )
+        self._source = to_source(text)
+        columns = keyed(schema, self._source, name="schema")
+        given = handed(text, file, folder), columns, options, lang, unit_text("memory", memory), flag("inputs", inputs)
+        try:
+            self._sweep = _antrieb.Sweep(*given)
+        except AntriebError as error:
+            raise kept(error, lang) from None
+        self._empty = self._sweep.made_of[1]
 
     def __reduce__(self) -> tuple[Callable[..., Sweep], tuple[Any, ...]]:
         # What travels between processes is what it was made of, with the text of the project as it was read.
-        return _again, (type(self), *self._sweep.made_of)
+        return _again, (type(self), self._source, *self._sweep.made_of)
 
     def __copy__(self) -> Sweep:
         return self
@@ -98,13 +104,35 @@ class Sweep:
         return self._sweep.answers
 
     def table(self, table: TableLike, *, deadline: str | None = None, progress: Progress = False) -> Table:
-        """The answers of all rows; `AntriebError` with every fault of the cells, and for more rows than `rows_most`, before any row is judged."""
+        """The answers of all rows; `AntriebError` with every fault of the cells, and for more rows than `rows_most`, before any row is judged.
+
+        Columns are those of the headings in any order; one that is missing, too many or in another unit is refused.
+        """
+        rows = self._rows(table, "table")
         with observed(progress, "en") as observer:
-            return self._sweep.table(arrow(table), unit_text("deadline", deadline), observer)
+            try:
+                return self._sweep.table(rows, unit_text("deadline", deadline), observer)
+            except AntriebError as error:
+                raise self._typed(error, "table") from None
 
     def batch(self, batch: TableLike, first_row: int = 0) -> Table:
         """The answers of a part of a table, at most `rows_most` rows, whose first row has this number; a fault of a cell is in the column `error`."""
-        return self._sweep.batch(arrow(batch, "batch"), first_row)
+        rows = self._rows(batch, "batch")
+        try:
+            return self._sweep.batch(rows, first_row)
+        except AntriebError as error:
+            raise self._typed(error, "batch") from None
+
+    def _rows(self, table: TableLike, name: str) -> Any:
+        return matched(table, self._source, self._empty, self._sweep.carried, name)
+
+    def _typed(self, error: AntriebError, name: str) -> AntriebError:
+        """The exception; columns of another type than before are named."""
+        found = re.search(r"expected (\w+).* but found (.+) at column index (\d+)$", str(error))
+        if found is None:
+            return error
+        heading = self._sweep.answers.column_names[int(found[3])]
+        return fault(f"{name}: column {heading!r} has values of type {found[2]}; the sweep was prepared for {found[1]}")
 
 
 def unpacked(stream: bytes) -> Table:
@@ -112,10 +140,12 @@ def unpacked(stream: bytes) -> Table:
     return Table.unpacked(stream)
 
 
-def _again(of: type[Sweep], *made_of: Any) -> Sweep:
+def _again(of: type[Sweep], source: Any, *made_of: Any) -> Sweep:
     """A sweep made anew in another process."""
     sweep = of.__new__(of)
+    sweep._source = source  # pyright: ignore[reportPrivateUsage]
     sweep._sweep = _antrieb.Sweep(*made_of)  # pyright: ignore[reportPrivateUsage]
+    sweep._empty = sweep._sweep.made_of[1]  # pyright: ignore[reportPrivateUsage]
     return sweep
 
 
@@ -153,7 +183,7 @@ def sweep(
             judges each row for one ordering code. Columns that are no keys, such as `id`, are repeated in the answer.
             Or columns by their keys, their values with a unit: `{"motion.1.payload": antrieb.q([1, 2], "kg")}`; entries count
             from one.
-        grid: Judge every combination of the values of the columns, the last column fastest.
+        grid: Judge every combination of the values of the columns, the last column fastest; the answers repeat them.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
         check: Checks whose verdicts are wanted: every actuator is answered, not only the best.
@@ -175,19 +205,15 @@ def sweep(
         AntriebError: Every fault of the project, of the headings and of the cells, each with its place; a table whose answers
             exceed `memory`, before any row is judged.
     """
-    if isinstance(table, Mapping):
-        table = columns(cast("Mapping[str, Any]", table), to_source(text), grid)
-    elif grid:
+    if flag("grid", grid) and not isinstance(table, Mapping):
         raise TypeError('grid=True takes columns by their keys, such as {"motion.1.payload": antrieb.q([1, 2], "kg")}')
     options = _options(axis, check, front, lang)
+    rows = keyed(table, to_source(text), grid)
+    # The rows of a grid are known by their values alone.
+    is_repeated = flag("inputs", inputs) or grid
+    project, limit, until = handed(text, file, folder), unit_text("memory", memory), unit_text("deadline", deadline)
     with observed(progress, lang) as observer:
-        return _antrieb.Sweep.whole(
-            handed(text, file, folder),
-            arrow(table),
-            options,
-            lang,
-            unit_text("memory", memory),
-            flag("inputs", inputs),
-            unit_text("deadline", deadline),
-            observer,
-        )
+        try:
+            return _antrieb.Sweep.whole(project, rows, options, lang, limit, is_repeated, until, observer)
+        except AntriebError as error:
+            raise kept(error, lang) from None

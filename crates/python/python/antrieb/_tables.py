@@ -1,21 +1,34 @@
 """Tables as they come: each becomes one that hands itself over as Arrow."""
 
+# Values of other libraries have no types until they are looked at.
+# pyright: reportUnknownVariableType=false, reportUnknownArgumentType=false
+
 from __future__ import annotations
 
 import dataclasses
 import datetime
 import decimal
-from collections.abc import Iterable, Mapping
+import importlib
+import math
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, cast
 
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowStream
+from antrieb._quantity import Q, columns_of, of_pint
+
+Column = tuple[str, Any]
+"""A heading, and a list, a quantity or a column of Arrow."""
 
 TableLike = (
     ArrowStream | ArrowArray | Mapping[str, Any] | Iterable[Mapping[str, Any]] | Any
 )
 """A table: a dictionary of columns, a list of dictionaries, records or named tuples, a data frame of pandas or polars (lazy
 too), a relation of DuckDB, a structured array of NumPy, or anything that hands itself over as Arrow."""
+
+EMPTY = ("NAType", "NaTType", "MaskedConstant")
+"""Types of empty cells, as libraries call them."""
 
 EXAMPLE = "{'load.inertia [kg m^2]': [1.0, 2.0]}"
 
@@ -27,23 +40,42 @@ def arrow(table: Any, name: str = "table") -> ArrowStream | ArrowArray:
         TypeError: It is no table, or a column of it cannot be read; the message says what to write.
         ValueError: Its columns have different lengths, or two have one name.
     """
-    if isinstance(table, Table):
-        return table
+    module = type(table).__module__.partition(".")[0]
+    if not isinstance(table, Table) and (module in ("pandas", "polars") or not _is_arrow(table)):
+        return cast("ArrowStream", joined(split(table, name), name))
+    return cast("ArrowStream | ArrowArray", table)
+
+
+def _is_arrow(table: Any) -> bool:
+    return hasattr(table, "__arrow_c_stream__") or hasattr(table, "__arrow_c_array__")
+
+
+def split(table: Any, name: str = "table", index: Collection[str] | None = None) -> list[Column]:
+    """The columns of a table: their headings, and lists or columns of Arrow.
+
+    Args:
+        table: The table.
+        name: The argument that it is.
+        index: Headings; an index of pandas without a name is a column if they have its title, and not by its labels.
+
+    Raises:
+        TypeError: It is no table, or a column of it cannot be read; the message says what to write.
+    """
     if table is None or isinstance(table, (str, bytes, int, float, complex)):
         raise TypeError(f"{name}: a table is expected, such as {EXAMPLE}, not {type(table).__name__}{_path_hint(table)}")
     if isinstance(table, Mapping):
-        return of_columns(cast("Any", table), name)
+        return _listed(cast("Any", table), name)
     module = type(table).__module__.partition(".")[0]
     if module == "pandas":
-        return _pandas(table, name)
+        return _pandas(table, name, index)
     if module == "polars":
         return _polars(table, name)
-    if module in ("duckdb", "_duckdb") and hasattr(table, "fetchall"):
-        return _relation(table, name)
     if getattr(getattr(table, "dtype", None), "names", None):
         return _structured(table, name)
-    if hasattr(table, "__arrow_c_stream__") or hasattr(table, "__arrow_c_array__"):
-        return cast("ArrowStream | ArrowArray", table)
+    if _is_arrow(table):
+        return _of_arrow(table, name)
+    if module in ("duckdb", "_duckdb") and hasattr(table, "fetchall"):
+        return _relation(table, name)
     if hasattr(table, "dtype"):
         raise TypeError(f"{name}: an array has no headings; write {{'load.inertia [kg m^2]': array}}, or use a structured array")
     if isinstance(table, Iterable):
@@ -51,27 +83,122 @@ def arrow(table: Any, name: str = "table") -> ArrowStream | ArrowArray:
     raise TypeError(f"{name}: a table is expected, such as {EXAMPLE}, not {type(table).__name__}")
 
 
+def _of_arrow(table: Any, name: str) -> list[Column]:
+    library = arrow_library()
+    if library is None and isinstance(table, Table):
+        return list(table.to_pydict().items())
+    if library is None:
+        raise TypeError(f"{name}: reading the columns of {type(table).__name__} needs pyarrow or polars; hand over a dictionary of columns")
+    try:
+        whole = library.DataFrame(table) if library.__name__ == "polars" else library.table(table)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name}: a table is expected, such as {EXAMPLE}, not {type(table).__name__}: {error}") from None
+    if library.__name__ == "polars":
+        return [(heading, whole[heading]) for heading in whole.columns]
+    return list(zip(whole.column_names, whole.columns, strict=True))
+
+
+def arrow_library() -> Any:
+    """pyarrow or polars, whichever is there."""
+    for name in ("pyarrow", "polars"):
+        try:
+            return importlib.import_module(name)
+        except ImportError:
+            continue
+    return None
+
+
+def joined(columns: Sequence[Column], name: str = "table") -> Any:
+    """The columns as a table of Arrow.
+
+    Raises:
+        TypeError: A column is of no kind that can be kept.
+        ValueError: The columns have different lengths, or two have one name.
+    """
+    columns = [_with_unit(heading, values, name) if isinstance(values, Q) else (heading, values) for heading, values in columns]
+    _once([heading for heading, _ in columns], name)
+    lengths = {heading: len(values) for heading, values in columns}
+    if len(set(lengths.values())) > 1:
+        shown = ", ".join(f"{heading!r} has {count}" for heading, count in list(lengths.items())[:6])
+        raise ValueError(f"{name}: the columns have different lengths: {shown}")
+    if all(isinstance(values, list) and not _is_wide(values) for _, values in columns):
+        return Table.from_pydict(dict(columns))
+    is_polars = any(type(values).__module__.startswith("polars") for _, values in columns)
+    library = importlib.import_module("polars") if is_polars else arrow_library()
+    if library is None:
+        wide = next(heading for heading, values in columns if _is_wide(values))
+        raise TypeError(f"{name}: column {wide!r} has numbers from 2^63 on; give them as texts, or install pyarrow")
+    own = {heading: _of_list(values, library) if isinstance(values, list) else values for heading, values in columns}
+    return library.DataFrame(own) if library.__name__ == "polars" else library.table(own)
+
+
+def _with_unit(heading: str, values: Q, name: str) -> Column:
+    if "[" in heading:
+        raise TypeError(f"{name}: column {heading!r} has a unit already, {values.unit}; write the heading without one")
+    return (f"{heading} [{values.unit}]" if values.unit else heading), cells(values)
+
+
+def cells(values: Q) -> list[Any]:
+    """The numbers, `None` where there is none."""
+    return [None if value != value else value for value in values.values]
+
+
+def _of_list(values: list[Any], library: Any) -> Any:
+    """A list as a column of the library, of the type that it has in a table without one."""
+    if _is_wide(values):
+        return library.Series(values, dtype=library.UInt64) if library.__name__ == "polars" else library.array(values, library.uint64())
+    table = Table.from_pydict({"": values})
+    return library.DataFrame(table)[""] if library.__name__ == "polars" else library.table(table).column(0)
+
+
+def _quantities(values: list[Any], place: str) -> Q | None:
+    """Cells that are quantities in one unit, with `None` among them; else `None`."""
+    known = [value for value in values if not _is_empty(value)]
+    if not any(isinstance(value, Q) or (hasattr(value, "magnitude") and hasattr(value, "units")) for value in known):
+        return None
+    found = [value if isinstance(value, Q) else of_pint(value, place) for value in known]
+    if any(value is None or isinstance(value.value, tuple) for value in found):
+        raise TypeError(f"{place} mixes quantities and other values; give all of them with their unit")
+    units = sorted({value.unit for value in found if value is not None})
+    if len(units) > 1:
+        raise TypeError(f"{place} has quantities in {' and '.join(units)}; write all of them in one unit")
+    each = iter(found)
+    numbers = [None if _is_empty(value) else next(each) for value in values]
+    return Q(tuple(math.nan if value is None else value.values[0] for value in numbers), units[0])
+
+
+def _is_empty(value: Any) -> bool:
+    return value is None or type(value).__name__ in EMPTY or (isinstance(value, float) and value != value)
+
+
+def _is_wide(values: Any) -> bool:
+    """Returns true if a list has whole numbers from 2^63 on."""
+    return isinstance(values, list) and any(type(value) is int and value >= 1 << 63 for value in values)
+
+
 def _path_hint(table: Any) -> str:
     return "; a file is read by the library of your choice or by the command `antrieb sweep`" if isinstance(table, str) else ""
 
 
-def of_columns(columns: Mapping[Any, Any], name: str = "table") -> Table:
+def of_columns(columns: Mapping[Any, Any], name: str = "table") -> Any:
     """A table of columns by their headings."""
-    found: dict[str, list[Any]] = {}
+    return joined(_listed(columns, name), name)
+
+
+def _listed(columns: Mapping[Any, Any], name: str) -> list[Column]:
+    found: list[Column] = []
     for heading, values in columns.items():
         if not isinstance(heading, str):
             raise TypeError(f"{name}: a heading is a text such as 'load.inertia [kg m^2]', not {heading!r}")
-        found[heading] = _column(values, heading, name)
-    lengths = {heading: len(values) for heading, values in found.items()}
-    if len(set(lengths.values())) > 1:
-        shown = ", ".join(f"{heading!r} has {count}" for heading, count in list(lengths.items())[:6])
-        raise ValueError(f"{name}: the columns have different lengths: {shown}")
-    return Table.from_pydict(found)
+        found.append((heading, _column(values, heading, name)))
+    return found
 
 
-def _column(given: Any, heading: str, name: str) -> list[Any]:
+def _column(given: Any, heading: str, name: str) -> list[Any] | Q:
     values: Any = given
     place = f"{name}: column {heading!r}"
+    if isinstance(values, Q) or (hasattr(values, "magnitude") and hasattr(values, "units")):
+        return columns_of(values, place) or []
     if values is None or isinstance(values, (str, bytes, bool, int, float, Mapping)) or getattr(values, "ndim", 1) == 0:
         raise TypeError(f"{place} is one value ({values!r}); give a list with a value for each row")
     if getattr(values, "ndim", 1) > 1:
@@ -82,10 +209,22 @@ def _column(given: Any, heading: str, name: str) -> list[Any]:
         raise TypeError(f"{place} holds times; give them as texts, or as numbers in a unit")
     convert = getattr(values, "tolist", None) or getattr(values, "to_list", None)
     listed: list[Any] = convert() if convert else list(values)
+    quantities = _quantities(listed, place)
+    if quantities is not None:
+        return quantities
     plain = [_value(value, place, row) for row, value in enumerate(listed)]
     kinds = {"text" if isinstance(value, str) else "bool" if isinstance(value, bool) else "number" for value in plain if value is not None}
     if len(kinds) > 1:
         raise TypeError(f"{place} mixes {' and '.join(sorted(kinds))}; a column has values of one kind")
+    if any(type(value) is float for value in plain):
+        # A column has one type; a whole number that a float does not have would be another one.
+        lost = next((value for value in plain if type(value) is int and abs(value) > 1 << 53), None)
+        if lost is not None:
+            raise TypeError(f"{place} mixes fractions and {lost}, which would be rounded; give the column as texts")
+        return [float(value) if type(value) is int else value for value in plain]
+    whole: list[int] = [value for value in plain if type(value) is int]
+    if whole and min(whole) < 0 and _is_wide(plain):
+        raise TypeError(f"{place} has whole numbers from {min(whole)} to {max(whole)}, which no type holds; give them as texts")
     return plain
 
 
@@ -94,24 +233,24 @@ def _value(value: Any, place: str, row: int) -> Any:
         # A number that is none is no value, as in every library of tables.
         return None if isinstance(value, float) and value != value else value
     if isinstance(value, int):
-        if abs(value) >= 1 << 63:
-            return float(value)
-        return value
+        if not -(1 << 63) <= value < 1 << 64:
+            raise TypeError(f"{place}, row {row}: {value} has more than 64 bits; give the column as texts")
+        return int(value)
     kind = type(value).__name__
-    if kind in ("NAType", "NaTType", "MaskedConstant"):
+    if kind in EMPTY:
         return None
     if isinstance(value, decimal.Decimal):
         return float(value)
     if isinstance(value, (datetime.date, datetime.time, datetime.timedelta)):
         return str(value)
-    if hasattr(value, "item") and getattr(value, "ndim", 1) == 0:
-        return _value(value.item(), place, row)
     if hasattr(value, "magnitude") or hasattr(value, "unit"):
         raise TypeError(f"{place}, row {row}: a quantity among the cells; give the column as antrieb.q([…], unit), or numbers below a heading with the unit")
+    if hasattr(value, "item") and getattr(value, "ndim", 1) == 0:
+        return _value(value.item(), place, row)
     raise TypeError(f"{place}, row {row}: a number, a text or None is expected, not {kind}")
 
 
-def _rows(rows: Iterable[Any], name: str) -> Table:
+def _rows(rows: Iterable[Any], name: str) -> list[Column]:
     columns: dict[str, list[Any]] = {}
     count = 0
     for number, row in enumerate(rows):
@@ -124,7 +263,7 @@ def _rows(rows: Iterable[Any], name: str) -> Table:
         count += 1
     if count == 0:
         raise ValueError(f"{name}: there is no row, and so no heading")
-    return of_columns(columns, name)
+    return _listed(columns, name)
 
 
 def _fields(given: Any, name: str, number: int) -> Mapping[Any, Any]:
@@ -141,13 +280,13 @@ def _fields(given: Any, name: str, number: int) -> Mapping[Any, Any]:
     raise TypeError(f"{name}: row {number} is {type(row).__name__}; write each row as a dictionary, {{'load.inertia [kg m^2]': 1.0}}")
 
 
-def _structured(table: Any, name: str) -> Table:
+def _structured(table: Any, name: str) -> list[Column]:
     if getattr(table, "ndim", 1) != 1:
         raise TypeError(f"{name}: a structured array of {table.ndim} dimensions; take one with a dimension of rows")
-    return of_columns({heading: table[heading] for heading in table.dtype.names}, name)
+    return _listed({heading: table[heading] for heading in table.dtype.names}, name)
 
 
-def _pandas(table: Any, name: str) -> ArrowStream | ArrowArray:
+def _pandas(table: Any, name: str, index: Collection[str] | None) -> list[Column]:
     if not hasattr(table, "columns"):
         raise TypeError(f"{name}: a {type(table).__name__} of pandas is one column; take series.to_frame('load.inertia [kg m^2]')")
     if getattr(table.columns, "nlevels", 1) > 1:
@@ -155,48 +294,69 @@ def _pandas(table: Any, name: str) -> ArrowStream | ArrowArray:
     headings = list(table.columns)
     _once([*headings], name)
     columns = {heading: table[heading] for heading in headings}
-    index = table.index
-    if type(index).__name__ != "RangeIndex" or index.name is not None:
-        # What the rows are called is carried along.
-        own: dict[Any, Any] = {}
-        for level in range(index.nlevels):
-            title = index.names[level]
-            title = title if title is not None else "index" if index.nlevels == 1 else f"index_{level}"
-            own[title] = [_label(each) for each in index.get_level_values(level)]
-        _once([*own, *headings], name)
-        columns = {**own, **columns}
-    return of_columns({heading: _series(values) for heading, values in columns.items()}, name)
+    own: dict[Any, Any] = {}
+    rows = table.index
+    for level in range(rows.nlevels):
+        title = rows.names[level]
+        unnamed = "index" if rows.nlevels == 1 else f"index_{level}"
+        # What the rows are called is carried along, unless they are only counted.
+        is_counted = type(rows).__name__ == "RangeIndex" and rows.start == 0 and rows.step == 1
+        if title is not None or (not is_counted if index is None else unnamed in index):
+            own[title if title is not None else unnamed] = rows.get_level_values(level).to_series()
+    _once([*own, *headings], name)
+    found: list[Column] = []
+    for heading, values in {**own, **columns}.items():
+        if not isinstance(heading, str):
+            raise TypeError(f"{name}: a heading is a text such as 'load.inertia [kg m^2]', not {heading!r}")
+        found.append((heading, _series(values, heading, name)))
+    return found
 
 
-def _label(value: Any) -> Any:
-    return value if value is None or isinstance(value, (str, int, float)) else str(value)
-
-
-def _series(values: Any) -> Any:
-    if not hasattr(values, "dtype"):
-        return values
-    if getattr(values.dtype, "kind", "") in "mM":
+def _series(values: Any, heading: str, name: str) -> Any:
+    """A column of pandas with its type where Arrow has it, else as a list."""
+    dtype = values.dtype
+    kind = getattr(dtype, "kind", "O")
+    is_plain = type(dtype).__module__.startswith("numpy") and (kind in "iubmM" or str(dtype) in ("float32", "float64"))
+    # What has times without pyarrow is a text.
+    of = type(dtype).__name__
+    names = ("StringDtype", "CategoricalDtype", "DatetimeTZDtype", "BooleanDtype", "ArrowDtype")
+    if is_plain or of in names or re.fullmatch("U?Int(8|16|32|64)Dtype|Float(32|64)Dtype", of):
+        library = arrow_library()
+        if library is not None and library.__name__ == "pyarrow":
+            try:
+                column = library.Array.from_pandas(values)
+            except library.ArrowException as error:
+                raise TypeError(f"{name}: column {heading!r}: {error}") from None
+            inner = column.type.value_type if library.types.is_dictionary(column.type) else None
+            if inner is not None and not library.types.is_string(inner) and not library.types.is_large_string(inner):
+                # Categories that are numbers stay numbers in answers.
+                column = column.dictionary_decode()
+            return library.chunked_array([column]) if isinstance(column, library.Array) else column
+    if kind in "mM":
         return [None if text == "NaT" else text for text in values.astype(str).tolist()]
-    return values.astype(object).tolist() if type(values.dtype).__name__ == "CategoricalDtype" else values
+    if of == "CategoricalDtype":
+        values = values.astype(object).tolist()
+    return _column(list(values) if kind == "O" else values, heading, name)
 
 
-def _polars(table: Any, name: str) -> ArrowStream | ArrowArray:
+def _polars(table: Any, name: str) -> list[Column]:
     if hasattr(table, "collect"):
         table = table.collect()
     if not hasattr(table, "columns"):
         raise TypeError(f"{name}: a {type(table).__name__} of polars is one column; take series.to_frame('load.inertia [kg m^2]')")
-    if any(str(kind) in ("Null", "Object") or str(kind).startswith(("List", "Array", "Struct")) for kind in table.dtypes):
-        return of_columns({heading: table[heading].to_list() for heading in table.columns}, name)
-    return cast("ArrowStream", table)
+    found: list[Column] = []
+    for heading in table.columns:
+        kind = str(table[heading].dtype)
+        is_listed = kind in ("Null", "Object") or kind.startswith(("List", "Array", "Struct"))
+        found.append((heading, _column(table[heading].to_list(), heading, name) if is_listed else table[heading]))
+    return found
 
 
-def _relation(table: Any, name: str) -> ArrowStream | ArrowArray:
-    if hasattr(table, "__arrow_c_stream__"):
-        return cast("ArrowStream", table)
+def _relation(table: Any, name: str) -> list[Column]:
     headings = list(table.columns) if hasattr(table, "columns") else [each[0] for each in table.description]
     _once(headings, name)
     rows = table.fetchall()
-    return of_columns({heading: [row[at] for row in rows] for at, heading in enumerate(headings)}, name)
+    return _listed({heading: [row[at] for row in rows] for at, heading in enumerate(headings)}, name)
 
 
 def _once(headings: list[Any], name: str) -> None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import unittest
+from typing import Any
 
 import duckdb
 import numpy as np
 import pandas as pd
+import pint
 import polars as pl
 import pyarrow as pa
 
@@ -72,6 +74,71 @@ class Libraries(unittest.TestCase):
             with self.assertRaises(antrieb.AntriebError) as caught:
                 antrieb.sweep(ARM, table)
             self.assertEqual({fault.id for fault in caught.exception.faults}, {"no_value"})
+
+    def test_labels_keep_their_types_and_their_index(self) -> None:
+        time = "motion[1].time [s]"
+        frame = pd.DataFrame(
+            {
+                time: [1.0, 1.1, 1.2, 1.3],
+                "unsigned": np.array([2**64 - 1, 1, 2, 3], np.uint64),
+                "small": np.array([1, 2, 3, 4], np.int8),
+                "holes": pd.array([2**53 + 1, None, 1, 2], dtype="Int64"),
+                "seen at": pd.to_datetime(["2020-01-01", None, "2021-01-01", "2022-01-01"]),
+                "after": pd.to_timedelta([1, 2, 3, 4], unit="s"),
+                "colour": pd.Categorical(["a", "b", "a", "b"]),
+            }
+        )
+        found = antrieb.sweep(ARM, frame).to_pandas()
+        self.assertNotIn("index", found)
+        for title in frame.columns[1:]:
+            with self.subTest(title):
+                self.assertEqual(str(found[title].dtype).partition("[")[0], str(frame[title].dtype).partition("[")[0])
+                same = found[title].isna() & frame[title].isna() | (found[title].astype(object) == frame[title].astype(object))
+                self.assertTrue(same.fillna(True).all())
+        parts = {
+            "filter": frame[frame[time] > 1.1],
+            "tail": frame.tail(2),
+            "step": frame.iloc[::2],
+            "reverse": frame.iloc[::-1],
+        }
+        sweep = antrieb.Sweep(ARM, frame)
+        for name, part in parts.items():
+            with self.subTest(name):
+                self.assertEqual(antrieb.sweep(ARM, part)["index"], part.index.tolist())
+                self.assertEqual(sweep.table(part)["unsigned"], part["unsigned"].tolist())
+
+    def test_quantities_of_pint_are_read_or_refused(self) -> None:
+        of = pint.UnitRegistry().Quantity
+        key, heading = "motion.1.payload", "motion[1].payload [kg]"
+        expected = antrieb.sweep(ARM, {heading: [1.0, 5.0]})
+        scalars = [of(1.0, "kg"), of(5000.0, "g")]
+        tables: list[Any] = [
+            {key: scalars},
+            [{key: each} for each in scalars],
+            pd.DataFrame({key: scalars}),
+            pl.DataFrame({key: pl.Series(scalars, dtype=pl.Object)}),
+            {key: of(np.array([1.0, 5.0]), "kg")},
+        ]
+        for table in tables:
+            with self.subTest(type(table)):
+                self.assertEqual(antrieb.sweep(ARM, table), expected)
+        refused: dict[str, Any] = {
+            "30 degC": {"ambient": of(np.array([30.0]), "delta_degC")},
+            "count": {key: of(np.array([1.0]), "count*kg")},
+            "kg and lb": {key: [of(1.0, "kg"), of(1.0, "lb")]},
+            "payload": {key: [of(1.0, "kg"), 1.0]},
+            "unit is missing": {"motion.1.distance": of(np.array([0.5]), "dimensionless")},
+        }
+        for message, table in refused.items():
+            with self.subTest(message), self.assertRaisesRegex((TypeError, ValueError), message):
+                antrieb.sweep(ARM, table)
+        for unit in ("dimensionless", "percent", "count", "count*degree"):
+            with self.subTest(unit), self.assertRaisesRegex(antrieb.AntriebError, "Move.distance"):
+                antrieb.Move("modified_sine", distance=of(0.5, unit), time="1 s")
+        with self.assertRaisesRegex(antrieb.AntriebError, "Axis.ambient.*30 degC"):
+            antrieb.Axis("tilt", examples.ARM.mechanism, examples.ARM.motion, ambient=of(30.0, "delta_degC"))
+        with self.assertRaisesRegex((TypeError, ValueError), "one unit"):
+            antrieb.identify({"position": [of(1.0, "deg"), of(1.0, "rad")]}, ARM, "CHA-25A-50-H-C1024")
 
     def test_answers_are_data_frames(self) -> None:
         (sizing,) = antrieb.size(ARM, all=True).axes

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import pathlib
+import pickle
 import random
+import re
 import signal
 import tempfile
 import threading
 import time
+import typing
 import unittest
 
 import duckdb
@@ -202,6 +206,92 @@ class Sweeps(unittest.TestCase):
             pyarrow.parquet.write_table(pa.table({"load.inertia [kg m^2]": [1.0, 3.0]}), tasks)
             with self.assertRaisesRegex(ValueError, "tasks"):
                 distributed.ready(spec, all_parts)
+
+    def test_later_tables_are_read_by_their_headings(self) -> None:
+        given: dict[str, list[typing.Any]] = {"id": ["a", "b"], PAYLOAD: [1.0, 5.0], TIME: [0.9, 1.1]}
+        expected = antrieb.sweep(ARM, given)
+        sweep = antrieb.Sweep(ARM, given)
+        for order in itertools.permutations(given):
+            own = {heading: given[heading] for heading in order}
+            for table in (own, antrieb.Table.from_pydict(own), pa.table(own), pa.table(own).to_batches()[0]):
+                with self.subTest(f"{order} {type(table)}"):
+                    self.assertEqual(sweep.table(table), expected)
+                    self.assertEqual(sweep.batch(table), expected)
+                    self.assertEqual(pickle.loads(pickle.dumps(sweep)).table(table), expected)
+        short = {"id": ["a", "b"], "motion.1.payload": antrieb.q([1, 5], "kg"), "motion.1.time": ["0.9 s", "1.1 s"]}
+        self.assertEqual(sweep.table(short), expected)
+        other = {heading: values for heading, values in given.items() if heading != PAYLOAD}
+        wrong: dict[str, dict[str, list[typing.Any]]] = {
+            r"'motion\[1\].payload \[g\]'.*'motion\[1\].payload \[kg\]'": {**other, "motion[1].payload [g]": [1.0, 5.0]},
+            "'banana'": {**other, "banana": [1.0, 5.0]},
+            r"'motion\[1\].payload \[kg\]'.*missing": other,
+            "'size' is none": {**given, "size": ["x", "y"]},
+            r"'motion\[1\].time \[s\]'.*missing": {},
+            "'id'.*Int64.*Utf8": {**given, "id": [1, 2]},
+        }
+        for message, table in wrong.items():
+            for ask in (sweep.table, sweep.batch, lambda table: sweep.table(pa.table(table))):
+                with self.subTest(message), self.assertRaisesRegex(antrieb.AntriebError, message):
+                    ask(table)
+
+    def test_headings_have_one_form_in_every_kind_of_table(self) -> None:
+        axis = antrieb.Axis(
+            "tilt",
+            antrieb.Arm(mass="30 kg", length="1.2 m"),
+            [antrieb.Move("modified_sine", distance="90 deg", time="0.8 s", payload="5 kg"), antrieb.Return(time="0.6 s")],
+            supply="560 V",
+        )
+        short: dict[str, list[typing.Any]] = {
+            "motion.1.payload [kg]": [1.0, 5.0],
+            "motion.1.distance [deg]": [60.0, 80.0],
+            "supply [V]": [560.0, 48.0],
+            "mechanism.mass [kg]": [20.0, 30.0],
+            "brake": ["true", "false"],
+        }
+        expected = antrieb.sweep(axis, short)
+        self.assertNotIn("brake", expected.column_names)
+        self.assertEqual(len(set(expected["utilisation"])), 2)
+        rows = [dict(zip(short, row, strict=True)) for row in zip(*short.values(), strict=True)]
+        own = pa.table(short)
+        tables: list[typing.Any] = [
+            rows, own, own.to_batches()[0], own.to_reader(), antrieb.Table.from_pydict(short), duckdb.connect().from_arrow(own),
+        ]
+        for table in tables:
+            with self.subTest(type(table)):
+                self.assertEqual(antrieb.sweep(axis, table), expected)
+        for table in (short, rows, own, own.schema):
+            self.assertEqual(antrieb.Sweep(axis, table).table(rows), expected)
+
+    def test_a_grid_repeats_the_keys(self) -> None:
+        found = antrieb.sweep(ARM, {"motion.1.payload": antrieb.q([1, 5], "kg"), "motion.1.time": ["0.9 s", "1.1 s"]}, grid=True)
+        self.assertEqual(found[PAYLOAD], [1.0, 1.0, 5.0, 5.0])
+        self.assertEqual(found[TIME], [0.9, 1.1, 0.9, 1.1])
+        for wrong in ("no", 1, None):
+            with self.assertRaisesRegex(TypeError, "grid"):
+                antrieb.sweep(ARM, {TIME: [1.0]}, grid=wrong)  # type: ignore[arg-type]
+
+    def test_whole_numbers_are_kept_or_refused(self) -> None:
+        for kept in ([1 << 63, 1], [(1 << 64) - 1, None], [(1 << 53) + 1, None], [-(1 << 63), 1]):
+            for table in ({TIME: [1.0, 1.0], "id": kept}, [{TIME: 1.0, "id": each} for each in kept]):
+                self.assertEqual(antrieb.sweep(ARM, table)["id"], kept)
+        for lost in ([1 << 64, 1], [1 << 63, -1], [(1 << 53) + 1, 0.5], [-(1 << 63) - 1]):
+            with self.subTest(str(lost)), self.assertRaisesRegex(TypeError, "'id'.*texts"):
+                antrieb.sweep(ARM, {TIME: [1.0] * len(lost), "id": lost})
+
+    def test_a_label_that_may_be_a_key_is_refused_with_a_name_for_it(self) -> None:
+        for title in ("name", "mass", "time [s]", "payload", "inertia", "duration"):
+            for ask in (antrieb.sweep, antrieb.Sweep):
+                with self.subTest(title), self.assertRaises(antrieb.AntriebError) as caught:
+                    ask(ARM, {TIME: [1.0], title: ["a"]})
+                found = re.search('call the column "(.*)"', str(caught.exception))
+                assert found
+                self.assertEqual(antrieb.sweep(ARM, {TIME: [1.0], found[1]: ["a"]})[found[1]], ["a"])
+
+    def test_rows_are_taken_by_slices(self) -> None:
+        table = antrieb.sweep(ARM, {TIME: [1.0, 1.1, 1.2]})
+        self.assertEqual([row["row"] for row in table[1:]], [1, 2])
+        with self.assertRaisesRegex(TypeError, "heading"):
+            table[1.5]
 
     def test_what_is_no_table_is_refused(self) -> None:
         for wrong in ([1.0], pa.array([1.0]), None):
