@@ -85,7 +85,7 @@ def split(table: Any, name: str = "table", index: Collection[str] | None = None)
 
 def _of_arrow(table: Any, name: str) -> list[Column]:
     library = arrow_library()
-    if library is None and isinstance(table, Table):
+    if isinstance(table, Table) and getattr(library, "__name__", "") != "pyarrow":
         return list(table.to_pydict().items())
     if library is None:
         raise TypeError(f"{name}: reading the columns of {type(table).__name__} needs pyarrow or polars; hand over a dictionary of columns")
@@ -153,6 +153,8 @@ def _of_list(values: list[Any], library: Any) -> Any:
 
 def _quantities(values: list[Any], place: str) -> Q | None:
     """Cells that are quantities in one unit, with `None` among them; else `None`."""
+    if {type(value) for value in values} <= {int, float, str, bool, type(None)}:
+        return None
     known = [value for value in values if not _is_empty(value)]
     if not any(isinstance(value, Q) or (hasattr(value, "magnitude") and hasattr(value, "units")) for value in known):
         return None
