@@ -151,7 +151,7 @@ def _of_list(values: list[Any], library: Any) -> Any:
     return library.DataFrame(table)[""] if library.__name__ == "polars" else library.table(table).column(0)
 
 
-def _quantities(values: list[Any], place: str) -> Q | None:
+def of_cells(values: list[Any], place: str) -> Q | None:
     """Cells that are quantities in one unit, with `None` among them; else `None`."""
     if {type(value) for value in values} <= {int, float, str, bool, type(None)}:
         return None
@@ -211,7 +211,7 @@ def _column(given: Any, heading: str, name: str) -> list[Any] | Q:
         raise TypeError(f"{place} holds times; give them as texts, or as numbers in a unit")
     convert = getattr(values, "tolist", None) or getattr(values, "to_list", None)
     listed: list[Any] = convert() if convert else list(values)
-    quantities = _quantities(listed, place)
+    quantities = of_cells(listed, place)
     if quantities is not None:
         return quantities
     plain = [_value(value, place, row) for row, value in enumerate(listed)]

@@ -14,7 +14,7 @@ from typing import Any
 
 from antrieb._arrow import ArrowArray, ArrowStream
 from antrieb._quantity import Q, of_pint
-from antrieb._tables import arrow, of_columns
+from antrieb._tables import arrow, of_cells, of_columns
 
 Trace = str | os.PathLike[str] | bytes | ArrowStream | ArrowArray | Mapping[str, Any]
 """A recorded run: the path of its file, a text of several lines, the bytes of a file, or a table with the columns of one:
@@ -103,7 +103,11 @@ def _columns(given: Any, name: str) -> dict[str, list[Any]]:
         source = table.to_pydict()
     plain: dict[Any, Any] = {}
     factors: dict[Any, float] = {}
-    for heading, values in source.items():
+    for heading, given_values in source.items():
+        values: Any = given_values
+        quantities = of_cells(list(values), f"{name}: column {heading!r}") if type(values) in (list, tuple) else None
+        if quantities is not None:
+            values = quantities
         own, cells, factor = _of_unit(heading, values, name)
         if own in plain:
             raise ValueError(f"{name}: two columns are {own!r}")

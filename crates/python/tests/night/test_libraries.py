@@ -137,6 +137,10 @@ class Libraries(unittest.TestCase):
                 antrieb.Move("modified_sine", distance=of(0.5, unit), time="1 s")
         with self.assertRaisesRegex(antrieb.AntriebError, "Axis.ambient.*30 degC"):
             antrieb.Axis("tilt", examples.ARM.mechanism, examples.ARM.motion, ambient=of(30.0, "delta_degC"))
+        times, angles = [of(0.0, "s"), of(1.0, "s")], [of(0.0, "deg"), of(1.0, "deg")]
+        for trace in ({"time": times, "position": angles}, [{"time": at, "position": q} for at, q in zip(times, angles, strict=True)]):
+            with self.assertRaisesRegex(antrieb.AntriebError, "trace: the trace lacks columns.*torque"):
+                antrieb.identify(trace, ARM, "CHA-25A-50-H-C1024")
         with self.assertRaisesRegex((TypeError, ValueError), "one unit"):
             antrieb.identify({"position": [of(1.0, "deg"), of(1.0, "rad")]}, ARM, "CHA-25A-50-H-C1024")
 
