@@ -16,7 +16,7 @@ pub struct GearingProposal {
     /// `true` if the project states the value; a missing stage or counterweight would be added.
     pub is_stated: bool,
     /// The value in SI, with three digits in its unit; with the neighbouring value closer to the stated one no actuator
-    /// fits. Of a counterweight a value inside the range in which one fits, see [`nearest_mass`].
+    /// fits. Of a counterweight a value inside the range in which one fits, with a reserve on both sides.
     pub si: f64,
     /// Unit of the displayed value.
     pub unit: &'static Unit,
