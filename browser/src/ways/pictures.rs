@@ -203,8 +203,8 @@ pub(crate) fn rows_are_pasted(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("arm", "en")?;
     let paste = |text: &str| -> Worded {
-        let script = "const cell = document.querySelector('#f-motion-1--distance'); cell.focus(); const data = new DataTransfer(); data.setData('text', arguments_[0]); \
-            cell.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));";
+        let script = "const cell = document.querySelector('#f-motion-1--distance'); cell.focus(); const data = new DataTransfer(); data.setData('text/plain', arguments_[0]); \
+            cell.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, data: arguments_[0], dataType: 'text/plain', bubbles: true, cancelable: true }));";
         tab.run(script, vec![serde_json::json!(text)]).map(|_| ())
     };
     paste("60\t0.7 s\n\t1 s\n-60\t0.8 s\n")?;
