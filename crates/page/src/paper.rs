@@ -9,11 +9,11 @@ use maud::{Markup, html};
 use quantities::{Language, Measure, format_significant};
 use questions::list::check::reserve_unasked;
 use questions::texts::{
-    by_importance, demand_figures, margin_share, objection_text, percent, reserve_lines, standing_text,
+    by_importance, counts_text, demand_figures, margin_share, objection_text, percent, reserve_lines, standing_text,
 };
 use questions::{Candidate, Check, Progress, Verdict, catalogue_fingerprint, project_fingerprint};
 use std::collections::BTreeMap;
-use words::{assumption_text, capitalised, page, title_of_check, verdict_count, without_keys, without_limit};
+use words::{assumption_text, capitalised, page, title_of_check, verdict_count, without_keys};
 
 /// Number of checks with a bar, as on the first page of the report.
 const BARS: usize = 5;
@@ -49,7 +49,7 @@ fn page_of(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>, 
         section class={ "result " (class(candidate)) } {
             p.standing { strong.code { (candidate.id) } br; (capitalised(&standing_text(candidate, l))) }
             @for objection in &candidate.objections { p.fail { (objection_text(candidate, objection, l)) } }
-            p { (counts(candidate, l)) }
+            p { (capitalised(&counts_text(candidate, l))) }
             @if !open.is_empty() { p { (capitalised(&verdict_count(Verdict::NotChecked, open.len(), l))) ": " (open.join("; ")) "." } }
         }
         (tiles(project, candidate, &words, l))
@@ -70,20 +70,6 @@ fn page_of(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>, 
         div.signatures { @for role in ["prepared", "checked", "released"] { div { strong { (word(role)) } p { (word("signature")) } } } }
         p.small { (word("disclaimer")) }
     }
-}
-
-/// Returns the number of checks by verdict.
-fn counts(candidate: &Candidate<'_>, language: Language) -> String {
-    let counts = candidate.counts();
-    let of = [
-        (Verdict::Fail, counts.failed),
-        (Verdict::Advice, counts.advised),
-        (Verdict::NotChecked, counts.not_checked),
-        (Verdict::Pass, counts.passed),
-    ];
-    let texts = of.into_iter().filter(|(_, count)| *count > 0).map(|(of, count)| verdict_count(of, count, language));
-    let shown = (counts.without_limit > 0).then(|| format!("{} {}", counts.without_limit, without_limit(language)));
-    texts.chain(shown).collect::<Vec<_>>().join(" · ")
 }
 
 /// Returns governing check, demand, cycle time and mass.

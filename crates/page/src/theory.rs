@@ -1,6 +1,6 @@
 //! Theory behind the models: the chapters of `docs/theory`, to which the derivation of a number leads.
 //!
-//! Each chapter exists in both languages, at an address of its own: `/theory/gear.html` in English, `/theory/de/gear.html` in German. The
+//! Chapters exist in both languages, each at an address of its own: `/theory/gear.html` in English, `/theory/de/gear.html` in German. The
 //! server sends them, and the writer of the static folder writes them as files; the engine in the browser does not contain them.
 //! Sections for developers are in the books of the repository alone; keys of the project file and checks appear with the names that the
 //! page gives them.
