@@ -16,6 +16,14 @@ pub struct PublishedDuty {
     pub overload: f64,
 }
 
+impl PublishedDuty {
+    /// Returns the factor that scales the modelled rise of the winding to the published curves.
+    #[must_use]
+    pub fn rise_scale(&self) -> f64 {
+        1.0 / self.rise_share
+    }
+}
+
 /// Returns the result of the heat model for the published curves at the duty factor and mean speed of a cycle; `None`
 /// if none is published there.
 ///

@@ -138,7 +138,8 @@ pub fn error_budget(actuator: &Parameters, case: &BudgetCase) -> ErrorBudget {
         (ErrorKind::FeedbackResolution, &resolution),
         (ErrorKind::Tilt, &tilt),
     ];
-    let mut budget = ErrorBudget { contributions: Vec::new(), missing: Vec::new() };
+    let mut budget =
+        ErrorBudget { contributions: Vec::with_capacity(of_the_gear.len() + of_the_rest.len()), missing: Vec::new() };
     let seen = of_the_gear.into_iter().filter(|_| case.position_loop == PositionLoop::Motor);
     for (kind, datum) in seen.chain(of_the_rest) {
         match datum.known() {

@@ -30,6 +30,8 @@ pub struct Gear {
     pub life_reference_speed: Datum<AngularVelocity>,
     /// L_50/L_10: ratio of both lives \[1\].
     pub life_ratio: Datum<f64>,
+    /// L_10N: life reached by 90 % of the gears at T_N and n_N, where a data sheet states it instead of L_n.
+    pub rated_life: Datum<Time>,
     /// Ratcheting torque of a cup-type gear of equal size; for orientation only.
     pub ratcheting_torque: Datum<Torque>,
     /// Buckling torque of the flexspline of a cup-type gear of equal size; for orientation only.
@@ -148,37 +150,39 @@ pub fn cubic_mean_torque(parts: impl Iterator<Item = (Torque, Angle)>) -> Torque
 
 /// Law of the life of the wave-generator bearing.
 ///
-/// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³, L_10 = L_50 / r
+/// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³, L_10 = L_50 / r; or L_10 = L_10N (n_N / n_in,av) (T_N / T_av)³
 ///
 /// # Symbols
-/// n_in,av mean input speed, T_N rated torque, T_av cubic mean torque, L_n, n_N and r see [`Gear`]
+/// n_in,av mean input speed, T_N rated torque, T_av cubic mean torque, L_n, L_10N, n_N and r see [`Gear`]
 /// # Source
 /// csd-2a-engineering-data
 /// # Valid
 /// n_in,av > 0 and T_av > 0
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct LifeLaw {
+    /// L_n, or L_10N.
     nominal: Sourced<Time>,
     reference_speed: Sourced<AngularVelocity>,
-    ratio: f64,
+    /// L_50/L_10 if the nominal life is the one reached by half of the gears; `None` if it is L_10N.
+    ratio: Option<Sourced<f64>>,
 }
 
 impl LifeLaw {
-    /// Creates the law of a gear.
+    /// Creates the law of a gear: by L_10N if it is known, else by L_n and r.
     ///
     /// # Errors
     /// [`Missing`] with the first unknown constant.
     pub fn of(gear: &Gear) -> Result<Self, Missing> {
-        Ok(Self {
-            nominal: gear.nominal_life.require("L_n")?.clone(),
-            reference_speed: gear.life_reference_speed.require("n_N_gear")?.clone(),
-            ratio: gear.life_ratio.require("life_ratio_50_10")?.value,
-        })
+        let (nominal, ratio) = match gear.rated_life.known() {
+            Some(rated) => (rated, None),
+            None => (gear.nominal_life.require("L_n")?, Some(gear.life_ratio.require("life_ratio_50_10")?.clone())),
+        };
+        let reference_speed = gear.life_reference_speed.require("n_N_gear")?.clone();
+        Ok(Self { nominal: nominal.clone(), reference_speed, ratio })
     }
 
-    /// Returns the life reached by half of the gears.
-    #[must_use]
-    pub fn l50(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
+    /// Returns the nominal life scaled to a speed and a torque.
+    fn scaled(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
         let speed_rpm = speed_in_mean.si().abs() * 60.0 / std::f64::consts::TAU;
         let (nominal, reference) =
             (self.nominal.value.in_unit(&HOUR), self.reference_speed.value.in_unit(&REVOLUTION_PER_MINUTE));
@@ -189,7 +193,8 @@ impl LifeLaw {
     /// Returns the life reached by 90 % of the gears.
     #[must_use]
     pub fn l10(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
-        Time::from_si(self.l50(rated, mean, speed_in_mean).si() / self.ratio)
+        let ratio = self.ratio.as_ref().map_or(1.0, |ratio| ratio.value);
+        Time::from_si(self.scaled(rated, mean, speed_in_mean).si() / ratio)
     }
 
     /// Returns [`LifeLaw::l10`] with its derivation; the result is `L_10`, computed from `T_N`, `T_av` and `n_in`,
@@ -199,11 +204,16 @@ impl LifeLaw {
         let life = self.l10(rated, mean, speed_in_mean);
         if work.is_on() {
             let source = Source::Model { name: "gear" };
-            work.given("L_n", &HOUR, &self.nominal);
+            work.given(if self.ratio.is_some() { "L_n" } else { "L_10N" }, &HOUR, &self.nominal);
             work.given("n_N_gear", &REVOLUTION_PER_MINUTE, &self.reference_speed);
-            let half = self.l50(rated, mean, speed_in_mean);
-            work.formula("L_50", &HOUR, half.si(), "L_n*n_N_gear/n_in*(T_N/T_av)^3", &source);
-            work.formula("L_10", &HOUR, life.si(), "L_50/5", &source);
+            if let Some(ratio) = &self.ratio {
+                work.given_number("r_L", ratio);
+                let half = self.scaled(rated, mean, speed_in_mean);
+                work.formula("L_50", &HOUR, half.si(), "L_n*n_N_gear/n_in*(T_N/T_av)^3", &source);
+                work.formula("L_10", &HOUR, life.si(), "L_50/r_L", &source);
+            } else {
+                work.formula("L_10", &HOUR, life.si(), "L_10N*n_N_gear/n_in*(T_N/T_av)^3", &source);
+            }
         }
         life
     }
@@ -354,7 +364,7 @@ mod tests {
         LifeLaw {
             nominal: known(Time::new_in(35_000.0, &HOUR)),
             reference_speed: known(AngularVelocity::new_in(2000.0, &REVOLUTION_PER_MINUTE)),
-            ratio: 5.0,
+            ratio: Some(known(5.0)),
         }
     }
 
@@ -389,6 +399,6 @@ mod tests {
     fn half_of_the_gears_live_five_times_as_long() {
         let speed = AngularVelocity::new_in(2000.0, &REVOLUTION_PER_MINUTE);
         let rated = Torque::from_si(25.0);
-        assert!((law().l50(rated, rated, speed).in_unit(&HOUR) - 35_000.0).abs() < 1e-6);
+        assert!((law().scaled(rated, rated, speed).in_unit(&HOUR) - 35_000.0).abs() < 1e-6);
     }
 }

@@ -20,6 +20,7 @@ in_the_engine! {
     orientation: Orientation => ::mechanism::Orientation { Parallel, Perpendicular }
     stage_kind: StageKind => ::mechanism::StageKind { Belt, Gear, Coupling }
     arm_shape: ArmShape => ::mechanism::ArmShape { Rod, Bar, Taper, Point }
+    bearing_type: BearingDesign => ::actuator::BearingType { CrossedRoller, FourPoint }
     winding: WebWinding => ::mechanism::Winding { Up, Off }
     operating_condition: OperatingCondition => ::sizing::OperatingCondition { Normal, Shock, HighAccuracy }
     mains_phases: MainsPhases => ::sizing::MainsPhases { Single, Three }

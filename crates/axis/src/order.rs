@@ -16,8 +16,13 @@ const DRIVE: [KeyOrder; 1] = [("current_continuous", "current_peak")];
 
 /// Both values of a pair are limits of one part: a permitted current that demagnetises the motor, or one that does not
 /// overcome the friction of the unit, describes no actuator.
-const ACTUATOR: [KeyOrder; 2] =
-    [("current_max", "current_demagnetisation"), ("no_load_starting_current", "current_max")];
+const ACTUATOR: [KeyOrder; 5] = [
+    ("current_max", "current_demagnetisation"),
+    ("no_load_starting_current", "current_max"),
+    ("gear_speed_mean_max", "gear_speed_max"),
+    ("torque_1", "torque_2"),
+    ("ambient_min", "ambient_max"),
+];
 
 /// Pairs of an own actuator whose order is usual but no law, with the remark on the other order: T_0, I_0 and n_N are limits
 /// of the motor by its heat, T_max, I_max and n_mot,max those of the unit, which the gear sets too. With a motor that is
@@ -106,6 +111,8 @@ mod tests {
                     " N m"
                 } else if lower.contains("speed") {
                     " 1/min"
+                } else if lower.contains("ambient") {
+                    " degC"
                 } else {
                     ""
                 };

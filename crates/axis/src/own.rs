@@ -1,10 +1,11 @@
 //! An actuator that is not in the catalogue.
 
+use crate::choices;
 use crate::curves::curve;
 use crate::fault::AxisReport;
 use crate::order::is_above;
 use crate::sourced::sourced;
-use actuator::Parameters;
+use actuator::{Accuracy, Brake, Feedback, FeedbackSide, Gear, OutputBearing, Parameters};
 use configurator::Product;
 use project::Fault;
 use project::sections::{ActuatorSection, KeyValue, Stated, StatedField};
@@ -67,7 +68,70 @@ pub(crate) fn build(
     if let Some(curve) = short_time {
         parameters.short_time_curve = known(&section.short_time_curve, curve);
     }
+    parameters.gear = gear(section);
+    parameters.accuracy = Accuracy {
+        transmission_accuracy: own(&section.transmission_accuracy),
+        repeatability: own(&section.repeatability),
+        hysteresis_loss: own(&section.hysteresis_loss),
+        lost_motion: own(&section.lost_motion),
+    };
+    parameters.output_bearing = OutputBearing {
+        kind: section
+            .bearing_type
+            .value()
+            .map_or(Datum::NotPrinted, |design| known(&section.bearing_type, choices::bearing_type(design))),
+        pitch_diameter: own(&section.bearing_pitch_diameter),
+        offset: own(&section.bearing_offset),
+        dynamic_rating: own(&section.bearing_dynamic),
+        static_rating: own(&section.bearing_static),
+        tilting_moment_max: own(&section.tilting_moment_max),
+        static_moment_max: own(&section.static_moment_max),
+        axial_max: own(&section.axial_force_max),
+        radial_max: own(&section.radial_force_max),
+        tilting_stiffness: own(&section.tilting_stiffness),
+        ..parameters.output_bearing.clone()
+    };
+    parameters.brake = Brake {
+        holding_torque: own(&section.brake_torque),
+        closing_time: own(&section.brake_closing_time),
+        opening_time: own(&section.brake_opening_time),
+        ..Brake::default()
+    };
+    // Data sheets of actuators state the errors of the encoder at the output.
+    parameters.feedback = Feedback {
+        side: FeedbackSide::Output,
+        resolution: own(&section.feedback_resolution),
+        accuracy: own(&section.feedback_accuracy),
+        ..Feedback::default()
+    };
+    parameters.heat.winding_time_constant = own(&section.winding_time_constant);
+    parameters.ambient_range = ambient_range(section);
     Some(Product::of_project(section.name.get()?, parameters))
+}
+
+/// Returns the data of the gear.
+fn gear(section: &ActuatorSection) -> Gear {
+    Gear {
+        torque_1: own(&section.torque_1),
+        torque_2: own(&section.torque_2),
+        stiffness: [own(&section.stiffness_1), own(&section.stiffness_2), own(&section.stiffness_3)],
+        rated_torque: own(&section.gear_torque_rated),
+        average_torque_max: own(&section.gear_torque_mean_max),
+        collision_torque_max: own(&section.gear_torque_momentary_max),
+        rated_life: own(&section.gear_life_rated),
+        life_reference_speed: own(&section.gear_life_speed),
+        input_speed_max: own(&section.gear_speed_max),
+        input_speed_mean_max: own(&section.gear_speed_mean_max),
+        ..Gear::default()
+    }
+}
+
+/// Returns the permitted ambient temperatures if both are stated.
+fn ambient_range(section: &ActuatorSection) -> Datum<(ThermodynamicTemperature, ThermodynamicTemperature)> {
+    match (section.ambient_min.value(), section.ambient_max.value()) {
+        (Some(low), Some(high)) => known(&section.ambient_max, (low, high)),
+        _ => Datum::NotPrinted,
+    }
 }
 
 fn known<T>(field: &dyn StatedField, value: T) -> Datum<T> {

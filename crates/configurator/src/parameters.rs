@@ -277,6 +277,7 @@ fn gear(code: &OrderCode) -> Gear {
         nominal_life: of_the_life(code, "L_n", Some(data.gear_series), quantity_of),
         life_reference_speed: of_the_life(code, "n_N_gear", None, quantity_of),
         life_ratio: of_the_life(code, "life_ratio_50_10", None, number_of),
+        rated_life: Datum::NotPrinted,
         ratcheting_torque: published("ratcheting-torque", "T_ratchet", code, code.ratio.as_str()),
         buckling_torque: published("ratcheting-torque", "T_buckle", code, ""),
         input_speed_max: input_speed("n_in_max"),

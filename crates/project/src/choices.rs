@@ -80,6 +80,15 @@ identified! {
         Point = "point",
     }
 
+    /// Design of the output bearing of an actuator.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum BearingDesign {
+        /// Crossed roller bearing.
+        CrossedRoller = "crossed_roller",
+        /// Four-point contact ball bearing.
+        FourPoint = "four_point",
+    }
+
     /// Direction in which a winder moves its web.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum WebWinding {
@@ -235,7 +244,7 @@ identified! {
 }
 
 choices_by_id! {
-    Hold, Spline, Orientation, StageKind, ArmShape, WebWinding, OperatingCondition, LeftOut, MainsPhases, MountingPosition, SpecialApplication, Reaction, Failure, ScenarioId, Turn, Counting
+    Hold, Spline, Orientation, StageKind, ArmShape, BearingDesign, WebWinding, OperatingCondition, LeftOut, MainsPhases, MountingPosition, SpecialApplication, Reaction, Failure, ScenarioId, Turn, Counting
 }
 
 /// Degree of protection of a rotating machine by EN 60034-5, or one of immersion and of jets at high pressure by EN 60529.

@@ -1,12 +1,14 @@
 //! An actuator that is not in the catalogue.
 
 use crate::about::About;
+use crate::choices::BearingDesign;
 use crate::curves::CURVE;
 use crate::section::section;
 use crate::value::{CurveRow, Rows};
 use quantities::{
-    AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass,
-    MomentOfInertia, NoLoadCurrentConstant, ThermodynamicTemperature, Torque, TorqueConstant, VoltageConstant,
+    Angle, AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Force, Inductance, Length, Mass,
+    MomentOfInertia, NoLoadCurrentConstant, ThermodynamicTemperature, TiltingStiffness, Time, Torque, TorqueConstant,
+    TorsionalStiffness, VoltageConstant,
 };
 
 section! {
@@ -38,6 +40,40 @@ section! {
         hollow_shaft: Length => not_negative, example("18 mm");
         dc_link_max: ElectricPotential => positive;
         terminal_voltage_min: ElectricPotential => positive;
+        gear_torque_rated: Torque => positive;
+        gear_torque_mean_max: Torque => positive;
+        gear_torque_momentary_max: Torque => positive;
+        gear_speed_max: AngularVelocity => positive, example("8500 1/min");
+        gear_speed_mean_max: AngularVelocity => positive, example("3500 1/min");
+        gear_life_rated: Time => positive, example("7000 h");
+        gear_life_speed: AngularVelocity => positive, example("2000 1/min");
+        stiffness_1: TorsionalStiffness => positive;
+        stiffness_2: TorsionalStiffness => positive;
+        stiffness_3: TorsionalStiffness => positive;
+        torque_1: Torque => positive;
+        torque_2: Torque => positive;
+        transmission_accuracy: Angle => not_negative, example("1 arcmin");
+        repeatability: Angle => not_negative, example("0.1 arcmin");
+        hysteresis_loss: Angle => not_negative, example("1 arcmin");
+        lost_motion: Angle => not_negative, example("1 arcmin");
+        feedback_resolution: Angle => positive, example("1 arcsec");
+        feedback_accuracy: Angle => not_negative, example("20 arcsec");
+        bearing_type: BearingDesign;
+        bearing_pitch_diameter: Length => positive, example("85 mm");
+        bearing_offset: Length => not_negative, example("15 mm");
+        bearing_dynamic: Force => positive, example("15 kN");
+        bearing_static: Force => positive, example("24 kN");
+        tilting_moment_max: Torque => positive;
+        static_moment_max: Torque => positive;
+        axial_force_max: Force => positive, example("5 kN");
+        radial_force_max: Force => positive, example("4 kN");
+        tilting_stiffness: TiltingStiffness => positive;
+        brake_torque: Torque => positive;
+        brake_closing_time: Time => positive, example("40 ms");
+        brake_opening_time: Time => positive, example("60 ms");
+        winding_time_constant: Time => positive, example("60 s");
+        ambient_min: ThermodynamicTemperature;
+        ambient_max: ThermodynamicTemperature;
         short_time_curve: Rows<CurveRow> => example(CURVE);
         continuous_curve: Rows<CurveRow> => example(CURVE);
     }

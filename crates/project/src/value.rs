@@ -10,8 +10,8 @@ use quantities::{
     Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, CurrentGain, Dimension, EffectiveVoltage,
     ElectricCurrent, ElectricPotential, ElectricalResistance, Energy, Force, Frequency, Inductance, Jerk, Lead, Length,
     Mass, MassDensity, Measure, MomentOfInertia, NoLoadCurrentConstant, PositionGain, Power, SpeedGain,
-    ThermodynamicTemperature, Time, Torque, TorqueConstant, TorsionalStiffness, Unit, Velocity, ViscousFriction,
-    VoltageConstant,
+    ThermodynamicTemperature, TiltingStiffness, Time, Torque, TorqueConstant, TorsionalStiffness, Unit, Velocity,
+    ViscousFriction, VoltageConstant,
 };
 use std::marker::PhantomData;
 use std::ops::Range as Span;
@@ -108,7 +108,7 @@ macro_rules! quantities {
 quantities! {
     Acceleration Angle AngularVelocity CurrentGain EffectiveVoltage ElectricCurrent ElectricPotential ElectricalResistance Energy Force Frequency Inductance Lead Length Mass
     MassDensity MomentOfInertia NoLoadCurrentConstant PositionGain Power SpeedGain ThermodynamicTemperature Time Torque TorqueConstant
-    TorsionalStiffness ViscousFriction VoltageConstant
+    TiltingStiffness TorsionalStiffness ViscousFriction VoltageConstant
 }
 
 /// A rotational quantity that may be stated along the line of a mechanism.

@@ -153,9 +153,7 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
 pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
     let id = CheckId::ErrorBudget;
-    let bearing = &actuator.output_bearing;
-    let moment =
-        axis.bearing.as_ref().and_then(|duty| Some(Borne::of(axis, duty, bearing).largest_moment().ok()?.value()));
+    let moment = case.bearing.and_then(|borne| Some(borne.largest_moment().ok()?.value()));
     let case = BudgetCase {
         torque: axis.moments().load_peak,
         tilting_moment: moment.map(Torque::from_si),

@@ -76,7 +76,7 @@ fn published(axis: &Axis, actuator: &Parameters, currents: &Currents<'_>) -> Opt
 
 /// Returns the factor that scales the modelled temperature rise of the winding to published curves; 1 without curves.
 pub(crate) fn rise_scale(axis: &Axis, actuator: &Parameters, currents: &Currents<'_>) -> f64 {
-    published(axis, actuator, currents).map_or(1.0, |published| 1.0 / published.rise_share)
+    published(axis, actuator, currents).as_ref().map_or(1.0, PublishedDuty::rise_scale)
 }
 
 /// Returns the two lags whose sum is the temperature rise above the ambient: each mode has its share of both losses.
@@ -113,7 +113,7 @@ fn temperature(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, Mi
     let coil = coil_loss(axis, actuator).si();
     let [_, r_ha] = model.network().resistances_k_per_w();
     let published = published(axis, actuator, currents);
-    let scale = rise_scale(axis, actuator, currents);
+    let scale = published.as_ref().map_or(1.0, PublishedDuty::rise_scale);
     let (low, high) = if published.is_some() { (1.0, 1.0) } else { model.band(axis.moments.speed_mean()) };
     let threshold = model.winding_limit();
     let room = threshold.si() - ambient.si();

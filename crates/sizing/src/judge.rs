@@ -245,7 +245,6 @@ impl<'a> Judge<'a> {
 }
 
 /// Answers that hold for several actuators, each under the condition under which it may be used again.
-#[derive(Default)]
 struct Shared {
     /// Answers of [`SharedBy::Drivetrain`] and current, heat and voltage laws: the same drivetrain.
     drivetrain: Option<(Arc<Drivetrain>, Arc<Electrics>)>,
@@ -253,7 +252,14 @@ struct Shared {
     bearing: Option<OutputBearing>,
     /// Index of the governing move, which the sources of all stored answers name.
     governing: usize,
-    answers: Vec<Arc<Check>>,
+    /// Stored answers, by the position of their check in [`CheckId::ALL`].
+    answers: [Option<Arc<Check>>; CheckId::ALL.len()],
+}
+
+impl Default for Shared {
+    fn default() -> Self {
+        Self { drivetrain: None, bearing: None, governing: 0, answers: [const { None }; CheckId::ALL.len()] }
+    }
 }
 
 impl Shared {
@@ -262,31 +268,39 @@ impl Shared {
         let electrics = match &self.drivetrain {
             Some((drivetrain, electrics)) if Arc::ptr_eq(drivetrain, &actuator.drivetrain) => Arc::clone(electrics),
             _ => {
-                self.answers.retain(|check| check.id.shared_by() != SharedBy::Drivetrain);
+                self.forget(|check| check.id.shared_by() == SharedBy::Drivetrain);
                 let electrics = Arc::new(Electrics::of(axis, actuator));
                 self.drivetrain = Some((Arc::clone(&actuator.drivetrain), Arc::clone(&electrics)));
                 electrics
             }
         };
         if self.bearing.as_ref() != Some(&actuator.output_bearing) {
-            self.answers.retain(|check| check.id.shared_by() != SharedBy::Bearing);
+            self.forget(|check| check.id.shared_by() == SharedBy::Bearing);
             self.bearing = Some(actuator.output_bearing.clone());
         }
         if self.governing != governing {
-            self.answers.clear();
+            self.forget(|_| true);
             self.governing = governing;
         }
         electrics
     }
 
+    fn forget(&mut self, is_outdated: impl Fn(&Check) -> bool) {
+        for answer in &mut self.answers {
+            answer.take_if(|check| is_outdated(check));
+        }
+    }
+
     fn get(&self, id: CheckId) -> Option<&Arc<Check>> {
-        self.answers.iter().find(|check| check.id == id)
+        self.answers.get(id as usize)?.as_ref()
     }
 
     /// Keeps an answer if it holds for several actuators, and returns it.
     fn store(&mut self, check: Arc<Check>) -> Arc<Check> {
-        if check.id.shared_by() != SharedBy::Nothing {
-            self.answers.push(Arc::clone(&check));
+        if check.id.shared_by() != SharedBy::Nothing
+            && let Some(answer) = self.answers.get_mut(check.id as usize)
+        {
+            *answer = Some(Arc::clone(&check));
         }
         check
     }

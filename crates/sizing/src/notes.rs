@@ -7,6 +7,7 @@ use quantities::{
     Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Frequency, Length, Power,
     ThermodynamicTemperature, Time, Torque,
 };
+use smallvec::SmallVec;
 use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -274,7 +275,7 @@ enum Held {
     /// One remark with values of a candidate, the most common case.
     One(Note),
     /// Several remarks with values of a candidate.
-    Found(Arc<[Note]>),
+    Found(Arc<SmallVec<[Note; 4]>>),
 }
 
 impl Notes {
@@ -288,10 +289,13 @@ impl Notes {
 
     /// Adds a remark.
     pub(crate) fn push(&mut self, note: Note) {
+        if let Held::Found(notes) = &mut self.0 {
+            Arc::make_mut(notes).push(note);
+            return;
+        }
         self.0 = match &self[..] {
             [] => Held::One(note),
-            [one] => Held::Found(Arc::new([one.clone(), note])),
-            reported => Held::Found(reported.iter().cloned().chain(std::iter::once(note)).collect()),
+            reported => Held::Found(Arc::new(reported.iter().cloned().chain(std::iter::once(note)).collect())),
         };
     }
 
@@ -321,7 +325,7 @@ impl From<Note> for Notes {
 
 impl<const N: usize> From<[Note; N]> for Notes {
     fn from(notes: [Note; N]) -> Self {
-        Self(Held::Found(Arc::new(notes)))
+        Self(Held::Found(Arc::new(SmallVec::from_iter(notes))))
     }
 }
 

@@ -12,6 +12,7 @@ use batches::{Batch, Batches};
 use course::{Bounds, Course, may_turn, turn};
 pub use lag::Lag;
 use numeric::{EQUAL, First};
+use smallvec::SmallVec;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
@@ -63,14 +64,18 @@ impl Period {
     }
 }
 
-/// One lag along the stretches of the cycle.
+/// Values of the lags of one sum, a few as a rule: a thermal network has two time constants.
+type Lags<T> = SmallVec<[T; LAGS]>;
+
+/// One lag along the stretches of the cycle. A cycle without recordings and repetitions is one run of few stretches, which
+/// needs no allocation: the peak is searched for every actuator.
 struct Flow {
     tau_s: f64,
     /// Decay e^(−λ) and added value of each stretch.
-    stretches: Vec<(f64, f64)>,
+    stretches: SmallVec<[(f64, f64); 8]>,
     /// Coefficients of the products in the signals of each run, and the gains of each run.
-    factors: Vec<Products>,
-    gains: Vec<Arc<Gains>>,
+    factors: SmallVec<[Products; 1]>,
+    gains: SmallVec<[Arc<Gains>; 1]>,
     /// y at the start of the cycle.
     start: f64,
 }
@@ -108,9 +113,9 @@ impl Trace {
     }
 
     fn highest_of_lags(&self, lags: &[Lag], least: f64) -> Peak {
-        let flows: Vec<Flow> = lags.iter().map(|lag| self.flow(lag)).collect();
+        let flows: SmallVec<[Flow; 2]> = lags.iter().map(|lag| self.flow(lag)).collect();
         let count = flows.first().map_or(0, |flow| flow.stretches.len());
-        let mut states: Vec<f64> = flows.iter().map(|flow| flow.start).collect();
+        let mut states: Lags<f64> = flows.iter().map(|flow| flow.start).collect();
         let mut ends = First::above(f64::NEG_INFINITY, None);
         let mut order = 0.0;
         ends.see(states.iter().sum(), order, None);
@@ -141,8 +146,8 @@ impl Trace {
 
     /// Computes a lag along all stretches: batches of stored panels and blocks of recordings.
     fn flow(&self, lag: &Lag) -> Flow {
-        let mut stretches = Vec::with_capacity(self.panels.len());
-        let (mut factors, mut gains) = (Vec::with_capacity(self.runs.len()), Vec::with_capacity(self.runs.len()));
+        let mut stretches = SmallVec::new();
+        let (mut factors, mut gains) = (SmallVec::new(), SmallVec::new());
         for (number, run) in self.runs.iter().enumerate() {
             let (q, found) = match run {
                 Run::Recorded(strip) => {
@@ -225,25 +230,25 @@ struct Search<'a> {
     trace: &'a Trace,
     lags: &'a [Lag],
     flows: &'a [Flow],
-    states: Vec<f64>,
+    states: Lags<f64>,
     /// Instant of these states \[s\].
     now_s: f64,
     best: First<()>,
     /// States at the start of the first evaluated panel of each kind, by index of the kind.
-    seen: BTreeMap<usize, Vec<f64>>,
+    seen: BTreeMap<usize, Lags<f64>>,
     /// States at the start of the first evaluated block of a recording that recurs, by index of the strip and place.
-    seen_blocks: BTreeMap<(usize, usize), Vec<f64>>,
+    seen_blocks: BTreeMap<(usize, usize), Lags<f64>>,
 }
 
 /// Returns `true` if a part of this kind was searched before and no lag starts higher now: the initial state only adds to
 /// the result, so no lag can get higher within the part either. Otherwise remembers the states.
-fn was_searched<K: Ord>(seen: &mut BTreeMap<K, Vec<f64>>, kind: K, states: &[f64]) -> bool {
+fn was_searched<K: Ord>(seen: &mut BTreeMap<K, Lags<f64>>, kind: K, states: &[f64]) -> bool {
     let is_no_higher =
-        |seen: &Vec<f64>| states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs());
+        |seen: &Lags<f64>| states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs());
     if seen.get(&kind).is_some_and(is_no_higher) {
         return true;
     }
-    seen.insert(kind, states.to_vec());
+    seen.insert(kind, states.into());
     false
 }
 
@@ -260,7 +265,7 @@ impl Search<'_> {
                             (|flow: &Flow| flow.stretch(index), || self.rise(number, &batch.swing, 1.0));
                         if self.may_rise((&self.states, self.now_s), through, batch.duration, most, own) {
                             if batch.panels.len() == 1 {
-                                let steps: Vec<(f64, f64)> = self.flows.iter().map(through).collect();
+                                let steps: Lags<(f64, f64)> = self.flows.iter().map(through).collect();
                                 self.inside_kept(batch.panels.start, &self.states.clone(), &steps);
                             } else {
                                 self.inside_lot((number, place), batch);
@@ -351,7 +356,7 @@ impl Search<'_> {
         });
         if may_turn(bounds, panel.duration_s, self.enough(panel.start_s())) {
             let lags = self.lags.iter().zip(steps);
-            let courses: Vec<Course> = lags.map(|(lag, step)| Course::with(lag, &panel, *step)).collect();
+            let courses: SmallVec<[Course; 2]> = lags.map(|(lag, step)| Course::with(lag, &panel, *step)).collect();
             self.turn(&courses, states, (panel.start_s(), panel.duration_s));
         }
     }
@@ -528,7 +533,7 @@ impl Search<'_> {
 
     /// Searches a panel, which recurs after a time, and advances the states to its end.
     fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64], later_s: f64) {
-        let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
+        let courses: SmallVec<[Course; 2]> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
         let start = panel.start_s() + later_s;
         let bounds = courses.iter().zip(&*states).map(|(course, state)| course.bounds(*state));
         if may_turn(bounds, panel.duration_s, self.enough(start)) {
@@ -570,7 +575,7 @@ mod tests {
             .map(|has_others| Kept { like: Like { first: 0, is_copy: false, has_others }, ..kept.clone() });
         let (alone, one_of_many) = (trace.panel(&alone), trace.panel(&one_of_many));
         let best = First::above(0.0, ());
-        let (states, seen) = (vec![2.0, 3.0], BTreeMap::new());
+        let (states, seen) = (SmallVec::from_slice(&[2.0, 3.0]), BTreeMap::new());
         let mut search = Search {
             trace: &trace,
             lags: &[],

@@ -1,14 +1,15 @@
 //! Words for the keys of the project file.
 
+use crate::actuator_keys::actuator_key_text;
 use crate::mechanism_keys::{mechanism_key_text, mechanism_text};
 use crate::pick;
 use crate::recorded_keys::{column_text, ratio_text, unit_text};
 use crate::texts::said;
 use crate::twin_keys::{replaced_key_text, twin_key_text};
 use project::names::{
-    ActuatorName, AxisName, BearingName, BodyName, CounterweightName, CurveName, DriveName, FlangeLoadsName,
-    FrictionName, GuideName, LoadName, LossesName, OneOfSeveralName, PartsName, ProcessForceName, RequirementsName,
-    RootName, SegmentName, SlideName, StageName, StartAngleName,
+    AxisName, BearingName, BodyName, CounterweightName, CurveName, DriveName, FlangeLoadsName, FrictionName, GuideName,
+    LoadName, LossesName, OneOfSeveralName, PartsName, ProcessForceName, RequirementsName, RootName, SegmentName,
+    SlideName, StageName, StartAngleName,
 };
 use project::{About, Key};
 use quantities::Language;
@@ -35,6 +36,7 @@ pub fn key_text(key: &Key, language: Language) -> String {
 pub const fn about_text(about: About, language: Language) -> &'static str {
     let (en, de) = match about {
         About::Mechanisms(name) => return mechanism_text(name, language),
+        About::Actuator(key) => return actuator_key_text(key, language),
         About::Twin(name) => return twin_key_text(name, language),
         About::Replaced(name) => return replaced_key_text(name, language),
         About::Mechanism(name) => return mechanism_key_text(name, language),
@@ -531,55 +533,6 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Requirements(RequirementsName::option_1) => ("sensor option", "Option 1 (Sensor)"),
         About::Requirements(RequirementsName::option_2) => ("cable and connector option", "Option 2 (Kabel/Stecker)"),
-        About::Actuator(ActuatorName::name) => ("name of the actuator", "Name des Antriebs"),
-        About::Actuator(ActuatorName::ratio) => ("i, reduction ratio", "i, Untersetzung"),
-        About::Actuator(ActuatorName::torque_max) => ("T_max, maximum torque at the output", "T_max, maximales Drehmoment am Abtrieb"),
-        About::Actuator(ActuatorName::speed_max) => ("n_max, maximum speed at the output", "n_max, maximale Drehzahl am Abtrieb"),
-        About::Actuator(ActuatorName::speed_motor_max) => ("maximum motor speed", "maximale Motordrehzahl"),
-        About::Actuator(ActuatorName::speed_motor_rated) => ("n_N, rated motor speed", "n_N, Motor-Bemessungsdrehzahl"),
-        About::Actuator(ActuatorName::inertia_out) => (
-            "J_out, own moment of inertia at the output",
-            "J_out, eigenes Massenträgheitsmoment am Abtrieb",
-        ),
-        About::Actuator(ActuatorName::stall_torque) => ("T_0, continuous stall torque at the output", "T_0, Stillstandsdrehmoment am Abtrieb"),
-        About::Actuator(ActuatorName::stall_current) => ("I_0, stall current, rms", "I_0, Stillstandsstrom, effektiv"),
-        About::Actuator(ActuatorName::current_max) => ("I_max, maximum current, rms", "I_max, Maximalstrom, effektiv"),
-        About::Actuator(ActuatorName::current_demagnetisation) => ("I_E, demagnetisation current, rms", "I_E, Entmagnetisierungsstrom, effektiv"),
-        About::Actuator(ActuatorName::no_load_starting_current) => ("I_NLS, no-load starting current, rms", "I_NLS, lastfreier Anlaufstrom, effektiv"),
-        About::Actuator(ActuatorName::no_load_current_constant_30) => (
-            "K_INL, no-load current constant at 30 °C, per output speed",
-            "K_INL, Leerlaufstromkonstante bei 30 °C, je Abtriebsdrehzahl",
-        ),
-        About::Actuator(ActuatorName::no_load_current_constant_80) => (
-            "K_INL, no-load current constant at 80 °C, per output speed",
-            "K_INL, Leerlaufstromkonstante bei 80 °C, je Abtriebsdrehzahl",
-        ),
-        About::Actuator(ActuatorName::torque_constant_out) => ("k_Tout, torque constant at the output, per A rms", "k_Tout, Drehmomentkonstante am Abtrieb, je A effektiv"),
-        About::Actuator(ActuatorName::torque_constant_motor) => ("k_TM, torque constant of the motor, per A rms", "k_TM, Drehmomentkonstante des Motors, je A effektiv"),
-        About::Actuator(ActuatorName::voltage_constant_motor) => ("k_EM, voltage constant of the motor, line to line, rms", "k_EM, Spannungskonstante des Motors, Leiter-Leiter, effektiv"),
-        About::Actuator(ActuatorName::resistance_ll) => ("R_LL, resistance line to line at 20 °C", "R_LL, Widerstand Leiter-Leiter bei 20 °C"),
-        About::Actuator(ActuatorName::winding_temperature_max) => (
-            "maximum winding temperature, at which the voltage is checked; default: the shutdown threshold of the catalogue",
-            "maximale Wicklungstemperatur, bei der die Spannung geprüft wird; ohne Angabe die Abschaltschwelle des Katalogs",
-        ),
-        About::Actuator(ActuatorName::inductance_ll) => ("L_LL, inductance line to line", "L_LL, Induktivität Leiter-Leiter"),
-        About::Actuator(ActuatorName::pole_pairs) => ("p, number of pole pairs", "p, Polpaarzahl"),
-        About::Actuator(ActuatorName::mass) => ("m, mass", "m, Masse"),
-        About::Actuator(ActuatorName::length) => ("L, length", "L, Baulänge"),
-        About::Actuator(ActuatorName::hollow_shaft) => ("d_H, hollow shaft bore diameter", "d_H, Hohlwellendurchmesser"),
-        About::Actuator(ActuatorName::dc_link_max) => ("U_DCmax, maximum steady DC link voltage", "U_DCmax, maximale stationäre Zwischenkreisspannung"),
-        About::Actuator(ActuatorName::terminal_voltage_min) => (
-            "U_M, terminal voltage from which the performance data are valid",
-            "U_M, Klemmenspannung, ab der die Leistungsdaten gelten",
-        ),
-        About::Actuator(ActuatorName::short_time_curve) => (
-            "corner points of the short-time curve, from standstill",
-            "Eckpunkte der Kurzzeitkennlinie, ab Stillstand",
-        ),
-        About::Actuator(ActuatorName::continuous_curve) => (
-            "corner points of the continuous-duty curve, from standstill",
-            "Eckpunkte der Dauerbetriebskennlinie, ab Stillstand",
-        ),
     };
     pick(language, en, de)
 }

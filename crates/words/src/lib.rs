@@ -4,6 +4,7 @@
 //! Returns the text for an identifier with its arguments: a check, a note, an assumption, a law, a rule, a fault.
 //! Nothing is computed here and nothing read.
 
+mod actuator_keys;
 mod assumptions;
 mod axis_faults;
 mod bodies;

@@ -102,6 +102,8 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("for", "cia402", "CiA 402 (CANopen, EtherCAT)", "CiA 402 (CANopen, EtherCAT)"),
     ("for", "plain", "of no particular manufacturer", "herstellerneutral"),
     ("shape", "bar", "bar with a width", "Balken mit Breite"),
+    ("bearing_type", "crossed_roller", "crossed roller bearing", "Kreuzrollenlager"),
+    ("bearing_type", "four_point", "four-point contact ball bearing", "Vierpunktlager"),
     ("shape", "taper", "tapering to a point", "spitz zulaufend"),
     ("spline", "cubic", "third degree", "dritter Grad"),
     ("spline", "quintic", "fifth degree", "fünfter Grad"),

@@ -2050,6 +2050,40 @@ class Actuator(Section):
         "hollow_shaft": Kind("quantity", example="18 mm"),
         "dc_link_max": Kind("quantity", example="560 V"),
         "terminal_voltage_min": Kind("quantity", example="560 V"),
+        "gear_torque_rated": Kind("quantity", example="5 N m"),
+        "gear_torque_mean_max": Kind("quantity", example="5 N m"),
+        "gear_torque_momentary_max": Kind("quantity", example="5 N m"),
+        "gear_speed_max": Kind("quantity", example="8500 1/min"),
+        "gear_speed_mean_max": Kind("quantity", example="3500 1/min"),
+        "gear_life_rated": Kind("quantity", example="7000 h"),
+        "gear_life_speed": Kind("quantity", example="2000 1/min"),
+        "stiffness_1": Kind("quantity", example="67000 N m/rad"),
+        "stiffness_2": Kind("quantity", example="67000 N m/rad"),
+        "stiffness_3": Kind("quantity", example="67000 N m/rad"),
+        "torque_1": Kind("quantity", example="5 N m"),
+        "torque_2": Kind("quantity", example="5 N m"),
+        "transmission_accuracy": Kind("quantity", example="1 arcmin"),
+        "repeatability": Kind("quantity", example="0.1 arcmin"),
+        "hysteresis_loss": Kind("quantity", example="1 arcmin"),
+        "lost_motion": Kind("quantity", example="1 arcmin"),
+        "feedback_resolution": Kind("quantity", example="1 arcsec"),
+        "feedback_accuracy": Kind("quantity", example="20 arcsec"),
+        "bearing_type": Kind("word", words=("crossed_roller", "four_point",)),
+        "bearing_pitch_diameter": Kind("quantity", example="85 mm"),
+        "bearing_offset": Kind("quantity", example="15 mm"),
+        "bearing_dynamic": Kind("quantity", example="15 kN"),
+        "bearing_static": Kind("quantity", example="24 kN"),
+        "tilting_moment_max": Kind("quantity", example="5 N m"),
+        "static_moment_max": Kind("quantity", example="5 N m"),
+        "axial_force_max": Kind("quantity", example="5 kN"),
+        "radial_force_max": Kind("quantity", example="4 kN"),
+        "tilting_stiffness": Kind("quantity", example="70 N m/arcmin"),
+        "brake_torque": Kind("quantity", example="5 N m"),
+        "brake_closing_time": Kind("quantity", example="40 ms"),
+        "brake_opening_time": Kind("quantity", example="60 ms"),
+        "winding_time_constant": Kind("quantity", example="60 s"),
+        "ambient_min": Kind("quantity", example="40 °C"),
+        "ambient_max": Kind("quantity", example="40 °C"),
         "short_time_curve": Kind("rows", example="[[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]", columns=2),
         "continuous_curve": Kind("rows", example="[[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]", columns=2),
     }
@@ -2080,6 +2114,40 @@ class Actuator(Section):
     hollow_shaft: str | None
     dc_link_max: str | None
     terminal_voltage_min: str | None
+    gear_torque_rated: str | None
+    gear_torque_mean_max: str | None
+    gear_torque_momentary_max: str | None
+    gear_speed_max: str | None
+    gear_speed_mean_max: str | None
+    gear_life_rated: str | None
+    gear_life_speed: str | None
+    stiffness_1: str | None
+    stiffness_2: str | None
+    stiffness_3: str | None
+    torque_1: str | None
+    torque_2: str | None
+    transmission_accuracy: str | None
+    repeatability: str | None
+    hysteresis_loss: str | None
+    lost_motion: str | None
+    feedback_resolution: str | None
+    feedback_accuracy: str | None
+    bearing_type: Literal["crossed_roller", "four_point"] | None
+    bearing_pitch_diameter: str | None
+    bearing_offset: str | None
+    bearing_dynamic: str | None
+    bearing_static: str | None
+    tilting_moment_max: str | None
+    static_moment_max: str | None
+    axial_force_max: str | None
+    radial_force_max: str | None
+    tilting_stiffness: str | None
+    brake_torque: str | None
+    brake_closing_time: str | None
+    brake_opening_time: str | None
+    winding_time_constant: str | None
+    ambient_min: str | None
+    ambient_max: str | None
     short_time_curve: tuple[tuple[str, ...], ...] | None
     continuous_curve: tuple[tuple[str, ...], ...] | None
 
@@ -2112,6 +2180,40 @@ class Actuator(Section):
         hollow_shaft: Quantity | None = None,
         dc_link_max: Quantity | None = None,
         terminal_voltage_min: Quantity | None = None,
+        gear_torque_rated: Quantity | None = None,
+        gear_torque_mean_max: Quantity | None = None,
+        gear_torque_momentary_max: Quantity | None = None,
+        gear_speed_max: Quantity | None = None,
+        gear_speed_mean_max: Quantity | None = None,
+        gear_life_rated: Quantity | None = None,
+        gear_life_speed: Quantity | None = None,
+        stiffness_1: Quantity | None = None,
+        stiffness_2: Quantity | None = None,
+        stiffness_3: Quantity | None = None,
+        torque_1: Quantity | None = None,
+        torque_2: Quantity | None = None,
+        transmission_accuracy: Quantity | None = None,
+        repeatability: Quantity | None = None,
+        hysteresis_loss: Quantity | None = None,
+        lost_motion: Quantity | None = None,
+        feedback_resolution: Quantity | None = None,
+        feedback_accuracy: Quantity | None = None,
+        bearing_type: Literal["crossed_roller", "four_point"] | None = None,
+        bearing_pitch_diameter: Quantity | None = None,
+        bearing_offset: Quantity | None = None,
+        bearing_dynamic: Quantity | None = None,
+        bearing_static: Quantity | None = None,
+        tilting_moment_max: Quantity | None = None,
+        static_moment_max: Quantity | None = None,
+        axial_force_max: Quantity | None = None,
+        radial_force_max: Quantity | None = None,
+        tilting_stiffness: Quantity | None = None,
+        brake_torque: Quantity | None = None,
+        brake_closing_time: Quantity | None = None,
+        brake_opening_time: Quantity | None = None,
+        winding_time_constant: Quantity | None = None,
+        ambient_min: Quantity | None = None,
+        ambient_max: Quantity | None = None,
         short_time_curve: Sequence[tuple[Quantity, Quantity]] | None = None,
         continuous_curve: Sequence[tuple[Quantity, Quantity]] | None = None,
     ) -> None:
@@ -2142,6 +2244,40 @@ class Actuator(Section):
             hollow_shaft: D_H, hollow shaft bore diameter. Length such as `"18 mm"`, zero or more.
             dc_link_max: U_DCmax, maximum steady DC link voltage. Voltage such as `"560 V"`, above zero.
             terminal_voltage_min: U_M, terminal voltage from which the performance data are valid. Voltage such as `"560 V"`, above zero.
+            gear_torque_rated: T_N, rated torque of the gear, for its life. Torque such as `"5 N m"`, above zero.
+            gear_torque_mean_max: T_A, limit of the mean torque of the gear. Torque such as `"5 N m"`, above zero.
+            gear_torque_momentary_max: T_M, limit of the momentary peak torque of the gear, in a collision. Torque such as `"5 N m"`, above zero.
+            gear_speed_max: Largest input speed of the gear. Rotational speed such as `"8500 1/min"`, above zero.
+            gear_speed_mean_max: Limit of the mean input speed of the gear. Rotational speed such as `"3500 1/min"`, above zero.
+            gear_life_rated: L_10 life of the gear at T_N and n_N. Time such as `"7000 h"`, above zero.
+            gear_life_speed: N_N, input speed to which the life applies. Rotational speed such as `"2000 1/min"`, above zero.
+            stiffness_1: K_1, torsional stiffness below T_1. Torsional stiffness such as `"67000 N m/rad"`, above zero.
+            stiffness_2: K_2, torsional stiffness between T_1 and T_2. Torsional stiffness such as `"67000 N m/rad"`, above zero.
+            stiffness_3: K_3, torsional stiffness above T_2. Torsional stiffness such as `"67000 N m/rad"`, above zero.
+            torque_1: T_1, end of the first region of stiffness. Torque such as `"5 N m"`, above zero.
+            torque_2: T_2, end of the second region of stiffness. Torque such as `"5 N m"`, above zero.
+            transmission_accuracy: Transmission accuracy of the gear, at the output. Angle such as `"1 arcmin"`, zero or more.
+            repeatability: Repeatability of the gear, in either direction. Angle such as `"0.1 arcmin"`, zero or more.
+            hysteresis_loss: Hysteresis loss of the gear. Angle such as `"1 arcmin"`, zero or more.
+            lost_motion: Lost motion of the gear. Angle such as `"1 arcmin"`, zero or more.
+            feedback_resolution: Step of the position, at the output. Angle such as `"1 arcsec"`, above zero.
+            feedback_accuracy: Largest deviation of the position in either direction, at the output. Angle such as `"20 arcsec"`, zero or more.
+            bearing_type: Design of the output bearing.
+            bearing_pitch_diameter: D_p, pitch circle diameter of the output bearing. Length such as `"85 mm"`, above zero.
+            bearing_offset: R, distance of the bearing centre from the flange face. Length such as `"15 mm"`, zero or more.
+            bearing_dynamic: C, dynamic load rating of the output bearing. Force such as `"15 kN"`, above zero.
+            bearing_static: C_0, static load rating of the output bearing. Force such as `"24 kN"`, above zero.
+            tilting_moment_max: Permissible tilting moment in motion. Torque such as `"5 N m"`, above zero.
+            static_moment_max: Permissible tilting moment at standstill. Torque such as `"5 N m"`, above zero.
+            axial_force_max: Permissible axial force in motion, without other loads. Force such as `"5 kN"`, above zero.
+            radial_force_max: Permissible radial force in motion, without other loads. Force such as `"4 kN"`, above zero.
+            tilting_stiffness: K_B, tilting stiffness of the output bearing. Tilting stiffness such as `"70 N m/arcmin"`, above zero.
+            brake_torque: T_Br, holding torque of the brake, at the output. Torque such as `"5 N m"`, above zero.
+            brake_closing_time: T_c, closing time of the brake. Time such as `"40 ms"`, above zero.
+            brake_opening_time: T_o, opening time of the brake. Time such as `"60 ms"`, above zero.
+            winding_time_constant: Τ_w, thermal time constant of the winding. Time such as `"60 s"`, above zero.
+            ambient_min: Lowest permitted ambient temperature in operation. Temperature such as `"40 °C"`.
+            ambient_max: Highest permitted ambient temperature in operation. Temperature such as `"40 °C"`.
             short_time_curve: Corner points of the short-time curve, from standstill.
             continuous_curve: Corner points of the continuous-duty curve, from standstill.
         """
@@ -2172,6 +2308,40 @@ class Actuator(Section):
             hollow_shaft=hollow_shaft,
             dc_link_max=dc_link_max,
             terminal_voltage_min=terminal_voltage_min,
+            gear_torque_rated=gear_torque_rated,
+            gear_torque_mean_max=gear_torque_mean_max,
+            gear_torque_momentary_max=gear_torque_momentary_max,
+            gear_speed_max=gear_speed_max,
+            gear_speed_mean_max=gear_speed_mean_max,
+            gear_life_rated=gear_life_rated,
+            gear_life_speed=gear_life_speed,
+            stiffness_1=stiffness_1,
+            stiffness_2=stiffness_2,
+            stiffness_3=stiffness_3,
+            torque_1=torque_1,
+            torque_2=torque_2,
+            transmission_accuracy=transmission_accuracy,
+            repeatability=repeatability,
+            hysteresis_loss=hysteresis_loss,
+            lost_motion=lost_motion,
+            feedback_resolution=feedback_resolution,
+            feedback_accuracy=feedback_accuracy,
+            bearing_type=bearing_type,
+            bearing_pitch_diameter=bearing_pitch_diameter,
+            bearing_offset=bearing_offset,
+            bearing_dynamic=bearing_dynamic,
+            bearing_static=bearing_static,
+            tilting_moment_max=tilting_moment_max,
+            static_moment_max=static_moment_max,
+            axial_force_max=axial_force_max,
+            radial_force_max=radial_force_max,
+            tilting_stiffness=tilting_stiffness,
+            brake_torque=brake_torque,
+            brake_closing_time=brake_closing_time,
+            brake_opening_time=brake_opening_time,
+            winding_time_constant=winding_time_constant,
+            ambient_min=ambient_min,
+            ambient_max=ambient_max,
             short_time_curve=short_time_curve,
             continuous_curve=continuous_curve,
         )

@@ -1,8 +1,11 @@
 //! Assumed data of an own actuator show in the grade, and stated data take precedence.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
+use actuator::{BearingType, Gear, Parameters};
 use axis::AxisProject;
-use provenance::Grade;
+use provenance::{Datum, Grade};
+use quantities::Measure;
+use quantities::unit::DEGREE_CELSIUS;
 use questions::check_own;
 use sizing::{Check, CheckId};
 use std::sync::Arc;
@@ -39,4 +42,145 @@ fn friction_in_the_cold_is_assumed() {
     let current = |ambient: &str| check(&project(&format!("ambient = \"{ambient}\"\n"), ""), CheckId::PeakCurrent);
     assert_eq!(current("25 degC").grade, Some(Grade::Published));
     assert_eq!(current("0 degC").grade, Some(Grade::Assumed));
+}
+
+/// Returns the section `[actuator]` with the data of gear, bearing, brake and encoder of a product of the catalogue.
+fn written(parameters: &Parameters) -> String {
+    fn line<T: Measure + Copy>(key: &str, datum: &Datum<T>, unit: &str) -> String {
+        datum.known().map_or(String::new(), |known| format!("{key} = \"{:?} {unit}\"\n", known.value.si()))
+    }
+    let Gear { torque_1, torque_2, stiffness: [k1, k2, k3], .. } = &parameters.gear;
+    let Gear { rated_torque, average_torque_max, collision_torque_max, life_reference_speed, .. } = &parameters.gear;
+    let bearing = &parameters.output_bearing;
+    let life = parameters.gear.nominal_life.known().zip(parameters.gear.life_ratio.known());
+    let (low, high) = parameters.ambient_range.known().unwrap().value;
+    let [low, high] = [low, high].map(|temperature| temperature.in_unit(&DEGREE_CELSIUS));
+    let mut text = format!(
+        "[actuator]\nname = \"written\"\nratio = {}\nambient_min = \"{low} degC\"\nambient_max = \"{high} degC\"\n\
+         bearing_type = \"{}\"\n",
+        parameters.ratio.known().unwrap().value,
+        match bearing.kind.known().unwrap().value {
+            BearingType::CrossedRoller => "crossed_roller",
+            BearingType::FourPoint => "four_point",
+        },
+    );
+    if let Some((life, ratio)) = life {
+        text.push_str(&format!("gear_life_rated = \"{:?} s\"\n", life.value.si() / ratio.value));
+    }
+    let ratio = &parameters.ratio;
+    for line in [
+        line("inertia_out", &parameters.inertia_out, "kg m^2"),
+        line("torque_max", &parameters.torque_max, "N m"),
+        line("gear_torque_rated", rated_torque, "N m"),
+        line("gear_torque_mean_max", average_torque_max, "N m"),
+        line("gear_torque_momentary_max", collision_torque_max, "N m"),
+        line("gear_speed_max", &parameters.gear.input_speed_max, "rad/s"),
+        line("gear_speed_mean_max", &parameters.gear.input_speed_mean_max, "rad/s"),
+        line("gear_life_speed", life_reference_speed, "rad/s"),
+        line("stiffness_1", k1, "N m/rad"),
+        line("stiffness_2", k2, "N m/rad"),
+        line("stiffness_3", k3, "N m/rad"),
+        line("torque_1", torque_1, "N m"),
+        line("torque_2", torque_2, "N m"),
+        line("transmission_accuracy", &parameters.accuracy.transmission_accuracy, "rad"),
+        line("repeatability", &parameters.accuracy.repeatability, "rad"),
+        line("hysteresis_loss", &parameters.accuracy.hysteresis_loss, "rad"),
+        line("lost_motion", &parameters.accuracy.lost_motion, "rad"),
+        line("feedback_resolution", &parameters.feedback.resolution_out(ratio), "rad"),
+        line("feedback_accuracy", &parameters.feedback.accuracy_out(ratio), "rad"),
+        line("bearing_pitch_diameter", &bearing.pitch_diameter, "m"),
+        line("bearing_offset", &bearing.offset, "m"),
+        line("bearing_dynamic", &bearing.dynamic_rating, "N"),
+        line("bearing_static", &bearing.static_rating, "N"),
+        line("tilting_moment_max", &bearing.tilting_moment_max, "N m"),
+        line("static_moment_max", &bearing.static_moment_max, "N m"),
+        line("axial_force_max", &bearing.axial_max, "N"),
+        line("radial_force_max", &bearing.radial_max, "N"),
+        line("tilting_stiffness", &bearing.tilting_stiffness, "N m/rad"),
+        line("brake_torque", &parameters.brake.holding_torque, "N m"),
+        line("brake_closing_time", &parameters.brake.closing_time, "s"),
+        line("brake_opening_time", &parameters.brake.opening_time, "s"),
+    ] {
+        text.push_str(&line);
+    }
+    text
+}
+
+/// Checks of the gear, of the output bearing, of the encoder and of the place.
+const OF_THE_DATA: [CheckId; 17] = [
+    CheckId::BrakeHolding,
+    CheckId::PeakTorque,
+    CheckId::GearMeanTorque,
+    CheckId::GearMeanInputSpeed,
+    CheckId::GearLife,
+    CheckId::CollisionTorque,
+    CheckId::Torsion,
+    CheckId::NaturalFrequency,
+    CheckId::ErrorBudget,
+    CheckId::FeedbackResolution,
+    CheckId::BearingTiltingMoment,
+    CheckId::BearingLife,
+    CheckId::BearingStatic,
+    CheckId::BearingAxial,
+    CheckId::BearingRadial,
+    CheckId::TiltAngle,
+    CheckId::Ambient,
+];
+
+/// A check of an actuator that is written out answers as for the product of the catalogue: same value, limit,
+/// utilisation and verdict.
+#[test]
+fn a_product_written_out_is_judged_as_in_the_catalogue() {
+    let head = "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\nfriction_torque = \"5 N m\"\nexternal_torque = \"3 N m\"\n\
+                [[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n\
+                [bearing]\nradial_force = \"900 N\"\nradial_distance = \"80 mm\"\naxial_force = \"1.2 kN\"\n\
+                axial_distance = \"30 mm\"\n[requirements]\nambient = \"30 degC\"\ncollision_torque = \"20 N m\"\n";
+    let catalogue = questions::read(head).unwrap();
+    let sizing = questions::size(&catalogue);
+    let (mut compared, mut open) = (0, 0);
+    for candidate in &sizing.candidates {
+        let text = format!("{head}{}", written(&candidate.product.parameters));
+        let own =
+            questions::read(&text).unwrap_or_else(|faults| panic!("{}: {faults:?}\n{text}", candidate.product.id));
+        let own = check_own(&own).unwrap();
+        for id in OF_THE_DATA {
+            // An actuator whose file states no brake may have one.
+            if id == CheckId::BrakeHolding && candidate.product.parameters.brake.holding_torque.known().is_none() {
+                continue;
+            }
+            let of = |checks: &[Arc<Check>]| checks.iter().find(|check| check.id == id).cloned();
+            let (there, here) = (of(&candidate.judgement.checks).unwrap(), of(&own.judgement.checks).unwrap());
+            let numbers = |check: &Check| {
+                [check.value.map(|amount| amount.si), check.limit.map(|amount| amount.si), check.utilisation]
+            };
+            for (there, here) in numbers(&there).into_iter().zip(numbers(&here)) {
+                let is_equal = match (there, here) {
+                    (Some(there), Some(here)) => (there - here).abs() <= 1e-12 * there.abs().max(1e-12),
+                    (there, here) => there == here,
+                };
+                assert!(is_equal, "{} {id:?}: {there:?} and {here:?}\n{text}", candidate.product.id);
+            }
+            // A rating of another manufacturer's gear only advises; stated by the user it decides.
+            if !there.is_of_another_gear() {
+                assert_eq!(there.verdict, here.verdict, "{} {id:?}", candidate.product.id);
+            }
+            compared += 1;
+            open += usize::from(there.is_open());
+        }
+    }
+    assert!(compared >= 4000 && open * 6 < compared, "{compared}, of them open {open}");
+}
+
+#[test]
+fn limits_in_the_wrong_order_are_refused() {
+    let refused = |lines: &str| {
+        let text = format!(
+            "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"1 rad\"\n\
+                            time = \"1 s\"\n[axis]\nsingle_move = true\n[actuator]\nname = \"own\"\n{lines}"
+        );
+        questions::read(&text).unwrap_err().len()
+    };
+    assert_eq!(refused("torque_1 = \"20 N m\"\ntorque_2 = \"10 N m\"\n"), 1);
+    assert_eq!(refused("ambient_min = \"40 degC\"\nambient_max = \"0 degC\"\n"), 1);
+    assert_eq!(refused("bearing_dynamic = \"-3 kN\"\nstiffness_1 = \"0 N m/rad\"\nbearing_type = \"ball\"\n"), 3);
 }
