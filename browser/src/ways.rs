@@ -108,6 +108,7 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("drafts-of-two-tabs", files::drafts_of_two_tabs),
     Way::both("paste-a-recording", files::paste_a_recording),
     Way::both("recording-through-the-door", door::recording_through_the_door),
+    Way::both("recording-along-a-line", door::recording_along_a_line),
     Way::both("hostile-recordings", door::hostile_recordings),
     Way::both("inertia-fills-its-field", axes::inertia_fills_its_field),
     Way::both("a-further-axis", axes::a_further_axis),

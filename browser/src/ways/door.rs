@@ -110,6 +110,43 @@ pub(crate) fn recording_through_the_door(stage: &OpenPage<'_>) -> Worded {
     Ok(())
 }
 
+/// A recording along a line asks for its mechanism; what is typed there stands in the project, and it has an answer.
+pub(crate) fn recording_along_a_line(stage: &OpenPage<'_>) -> Worded {
+    let tab = &stage.tab;
+    let rows = (0..400_u32).map(|row| {
+        let phase = std::f64::consts::TAU * f64::from(row) / 399.0;
+        format!("{:.3},{:.5},{:.3}\n", f64::from(row) * 0.02, 50.0 * (1.0 - phase.cos()), 90.0 * phase.sin())
+    });
+    let text: String = ["t [s],position [mm],force [N]\n".to_owned()].into_iter().chain(rows).collect();
+    for (width, height) in [(1440, 900), (375, 812)] {
+        tab.sized(width, height, 1.0)?;
+        stage.start("en")?;
+        tab.drop_file("line.csv", &text)?;
+        tab.there("#incoming-figure svg")?;
+        tab.click("#incoming-torque-process")?;
+        tab.says("#incoming-why", "State the mechanism first.")?;
+        let chosen = "const kind = document.querySelector('#incoming-mechanism-kind'); kind.value = 'screw'; \
+            kind.dispatchEvent(new Event('change', { bubbles: true }));";
+        tab.run(chosen, Vec::new())?;
+        for (field, value) in [("lead", "20"), ("mass", "8"), ("inclination", "0")] {
+            let field = format!("#f-mechanism-screw-{field}");
+            tab.there(&field)?;
+            tab.fill(&field, value)?;
+            tab.until("!document.querySelector('#incoming[aria-busy]')")?;
+        }
+        tab.until("!document.querySelector('#incoming-use').disabled")?;
+        stage.accessible("the preview of a recording along a line")?;
+        stage.no_sideways_scroll("the preview of a recording along a line")?;
+        tab.click("#incoming-use")?;
+        tab.there("#standing")?;
+        stage.listens()?;
+        tab.says("#text", "lead = \"20 mm\"")?;
+        tab.until("document.querySelector('#standing').textContent.includes('CHA-') || document.querySelector('.remedies')")?;
+        tab.run("window.onbeforeunload = null;", Vec::new())?;
+    }
+    Ok(())
+}
+
 /// A file that is no recording has a sentence; project and page stay, and the next file is read as if it were the first.
 pub(crate) fn hostile_recordings(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;

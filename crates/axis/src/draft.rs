@@ -72,7 +72,7 @@ pub(crate) fn prepare(root: &AxisSource, catalogue: &dyn Catalogue, report: &mut
         requirements::check(required, has_line, report);
     }
     let stage = root.parts.stage.get().and_then(|stage| stage::build(stage, report));
-    let Some(load) = mechanism::load(&root.parts, report) else {
+    let Some(load) = mechanism::load(root, report) else {
         motion::without_load(root, report);
         return None;
     };

@@ -5,6 +5,7 @@ mod parts;
 use crate::assumption::{Assumption, unstated};
 use crate::driven::{Driven, TURNED};
 use crate::fault::AxisReport;
+use crate::source::AxisSource;
 use mechanism::{Mechanism, MechanismKind, Rotor};
 use parts::friction;
 use project::sections::{DirectLoad, Fields, Guide, Losses, Mechanisms, Parts, Stated, StatedField, group};
@@ -60,8 +61,12 @@ pub(crate) struct Load {
     pub(crate) force: Force,
 }
 
+/// Example of a load that moves along a line.
+pub(crate) const OF_A_LINE: &str = "[mechanism.screw] lead = \"20 mm\", mass = \"25 kg\"";
+
 /// Builds the one load of the axis.
-pub(crate) fn load(parts: &Parts, report: &mut AxisReport<'_>) -> Option<Load> {
+pub(crate) fn load(axis: &AxisSource, report: &mut AxisReport<'_>) -> Option<Load> {
+    let parts = &axis.parts;
     match loads(parts).as_slice() {
         [driven] => build(*driven, report),
         [] => {
@@ -69,7 +74,9 @@ pub(crate) fn load(parts: &Parts, report: &mut AxisReport<'_>) -> Option<Load> {
             let misread = |all: &Mechanisms| all.head().has_strays || all.fields().iter().any(|each| each.is_written());
             let there = parts.load.is_written() || parts.mechanism.get().is_some_and(misread);
             if !there && !report.is_damaged() {
-                let hint = Hint::Example("[load] inertia = \"1.3 kg m^2\"".to_owned());
+                // A moment of inertia turns no millimetres into an angle.
+                let example = if axis.moves_along_a_line() { OF_A_LINE } else { "[load] inertia = \"1.3 kg m^2\"" };
+                let hint = Hint::Example(example.to_owned());
                 report.fault(parts.mechanism.span(), Fault::NoMechanism, Some(hint));
             }
             None

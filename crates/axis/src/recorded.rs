@@ -2,12 +2,13 @@
 
 use crate::along::turned;
 use crate::fault::{AxisFault, AxisReport};
+use crate::mechanism::OF_A_LINE;
 use crate::recordings::RecordingRead;
 use crate::side::ratios;
 use crate::source::SegmentSource;
 use motion::{Recorded, RecordedFault, Samples, Treatment};
-use project::Fault;
 use project::sections::{Fields, HeldValues, OfKinds, Segment, StatedField, TimeStamps};
+use project::{Fault, Hint};
 use quantities::AngularVelocity;
 use recording::{Along, Recording, Role, Series};
 use std::sync::Arc;
@@ -73,7 +74,8 @@ pub(crate) fn motion(
             (Along::Line, Some(travel)) if role != Role::Torque => 1.0 / travel,
             (Along::Line, Some(travel)) => travel,
             (Along::Line, None) => {
-                report.fault(segment.file.span(), Fault::NoLine { path: file.clone() }, None);
+                let hint = Hint::Example(OF_A_LINE.to_owned());
+                report.fault(segment.file.span(), Fault::NoLine { path: file.clone() }, Some(hint));
                 return None;
             }
         };

@@ -3,7 +3,8 @@
 use crate::bodies::check_texts;
 use crate::fault::AxisReport;
 use crate::recordings::{RecordingRead, Recordings};
-use project::sections::{AxisSection, Segment};
+use project::sections::{AxisSection, Fields, Segment, StatedField};
+use recording::{Along, Series};
 use std::ops::{Deref, DerefMut};
 
 /// An axis as the file states it, with the recordings that its segments name.
@@ -30,6 +31,17 @@ impl AxisSource {
         let recordings = self.recordings.iter().map(Option::as_ref).chain(std::iter::repeat(None));
         let segments = self.section.segments().iter().zip(recordings);
         segments.map(|(stated, recording)| SegmentSource { stated, recording }).collect()
+    }
+
+    /// Returns `true` if a segment or a recording states a motion along a line.
+    pub(crate) fn moves_along_a_line(&self) -> bool {
+        let is_along = |series: &Option<Series>| series.as_ref().is_some_and(|series| series.along == Along::Line);
+        let course = |read: &RecordingRead| {
+            [&read.recording.course.position, &read.recording.course.speed].into_iter().any(is_along)
+        };
+        let stated = self.section.segments();
+        stated.iter().any(|segment| segment.fields().into_iter().any(StatedField::is_of_a_line))
+            || self.recordings().any(course)
     }
 
     /// Returns the recordings that were read, in the order of the segments.

@@ -198,7 +198,10 @@ function unsaved() {
   const rows = drafts().map((each) => {
     const row = document.createElement('li');
     const [of, tab] = ofDraft(each.key);
-    const name = /^\s*name\s*=\s*"([^"]*)"/m.exec(each.text)?.[1];
+    // An axis without a name is called by its mechanism, as its tile is.
+    const kind = /^\s*\[(?:axis\.)?(?:mechanism\.)?(\w+)\]/gm;
+    const tile = [...each.text.matchAll(kind)].map(([, of]) => $(`.tile[data-kind="${of}"]`)).find(Boolean);
+    const name = /^\s*name\s*=\s*"([^"]*)"/m.exec(each.text)?.[1] || tile?.textContent.trim().replaceAll('\u00ad', '');
     const go = () => {
       if (!of.startsWith('/')) { try { if (tab) sessionStorage.setItem(CHOSEN, tab); } catch { /* a browser that keeps nothing */ } location.href = `${root()}?${new URLSearchParams({ open: of, lang: document.documentElement.lang })}`; return; }
       try { sessionStorage.setItem(CONTINUED, each.key); } catch { /* a browser that keeps nothing */ }

@@ -2,11 +2,11 @@
 
 use crate::markup::{id, label_of, vals};
 use crate::parts::part;
-use crate::value::with_mark;
+use crate::value::said;
 use axis::{AssumedKeys, AxisProject};
 use maud::{Markup, html};
 use project::{Kind, Written, key_at};
-use quantities::{Language, Unit};
+use quantities::Language;
 use words::{assumption_text, capitalised, key_word, page, without_keys};
 
 /// Returns the strip; empty without assumptions. `prefix`: `axis[2].` in a file with several axes.
@@ -78,9 +78,5 @@ fn shown(path: &str, value: &str, language: Language) -> String {
         let word = key_word(key.name, value, language);
         return word.map_or_else(|| value.to_owned(), |word| word.into_owned());
     }
-    let marked = with_mark(value, language);
-    match marked.split_once(' ').and_then(|(number, unit)| Some((number, Unit::of(unit)?))) {
-        Some((number, unit)) => format!("{number} {}", unit.symbol),
-        None => marked,
-    }
+    said(value, language)
 }

@@ -4,7 +4,7 @@ use crate::call::Shell;
 use crate::chapters::with_symbols;
 use crate::markup::vals;
 use crate::parts::part;
-use crate::state::{PageState, View};
+use crate::state::{PageState, ReadProject, View};
 use crate::{overlay, tolerances};
 use axis::AxisProject;
 use figures::{CyclePanels, Drawing, NoFigure, Size, Style};
@@ -39,12 +39,19 @@ pub(crate) fn column(
     }
 }
 
-/// Returns the pane without a result.
-pub(crate) fn nothing(language: Language) -> Markup {
+/// Returns the pane without a result; of an axis without a load, with the mechanisms to choose from.
+pub(crate) fn nothing(state: &PageState, held: &ReadProject) -> Markup {
+    let l = state.language;
+    let of_axis = [format!("{}mechanism", state.prefix), "mechanism".to_owned()];
+    let missing = of_axis.iter().find_map(|path| held.faults.at(path).map(|(_, fault)| fault).find(|fault| fault.id == "no_mechanism"));
     html! {
         section.pane id="demands" aria-labelledby="demands-title" {
-            h2 id="demands-title" { (page::what_it_demands(language)) }
-            p { (page::no_result_yet(language)) }
+            h2 id="demands-title" { (page::what_it_demands(l)) }
+            p { (page::no_result_yet(l)) }
+            @if let Some(fault) = missing {
+                p { (fault.message) }
+                (crate::start::choices(&state.prefix, fault.hint.is_some(), l))
+            }
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::markup::label_of;
 use crate::names::project_name;
 use crate::start::BEGINS;
 use crate::state::PageState;
-use crate::value::with_mark;
+use crate::value::said;
 use maud::{Markup, html};
 use project::{Clash, Prefer, Unmerged, merged};
 use quantities::Language;
@@ -219,7 +219,7 @@ pub(crate) fn merge(call: &Call<'_>, shell: &dyn Shell) -> Reply {
 fn clash_text(clash: &Clash, language: Language) -> String {
     let label = label_of(&clash.path, language).unwrap_or_else(|| clash.path.clone());
     let shown = |value: &Option<String>| {
-        value.as_ref().map_or_else(|| page::nothing_stated(language).to_owned(), |value| with_mark(value, language))
+        value.as_ref().map_or_else(|| page::not_stated(language).to_owned(), |value| said(value, language))
     };
     page::here_and_there(&label, &shown(&clash.ours), &shown(&clash.theirs), language)
 }

@@ -467,7 +467,9 @@ impl RowContent<'_> {
         let ghost = match placeholder {
             Some(solved) if value.is_empty() => Some(page::follows(&solved, l)),
             // A text is free.
-            _ => value::sample(key).filter(|sample| sample != "…").map(|sample| page::for_example(&sample, l)),
+            _ => value::sample(key)
+                .filter(|sample| sample != "…")
+                .map(|sample| page::for_example(&value::said(&sample, l), l)),
         };
         part(html! {
             div.row id={ (id) "-r" } data-path=(path) {
@@ -541,7 +543,8 @@ impl RowContent<'_> {
             select id=(id) name="value" data-chosen=(value) aria-invalid=[wrong.then_some("true")]
                 aria-describedby=[wrong.then_some(described)]
                 hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", path)])) {
-                option value="" selected[value.is_empty()] { (page::not_stated(l)) }
+                // Of a key that its table requires, no value is none of the choices.
+                @if value.is_empty() || !key_at(path).is_some_and(|key| key.required) { option value="" selected[value.is_empty()] { (page::not_stated(l)) } }
                 @if unknown { option value=(value) selected { (value) } }
                 @for word in words { option value=(word) selected[*word == value] { (shown(word)) } }
             }

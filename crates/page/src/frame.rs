@@ -152,7 +152,7 @@ fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result
     }
     let demands = match project {
         Some(project) => demand::column(state, project, looked_at.as_ref(), held.is_old, shell, progress),
-        None => demand::nothing(state.language),
+        None => demand::nothing(state, &held),
     };
     if let Err(refusal) = goes_on() {
         return Err((Box::new(held), refusal));
@@ -209,7 +209,7 @@ fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Ma
     let moves = form::column(state, held, None, shell);
     let bar = verdict::bar(state, held, &none, &moves.0, progress);
     let panes =
-        panes(&moves, &demand::nothing(state.language), &fits::column(state, &none, true, shell), state.language);
+        panes(&moves, &demand::nothing(state, held), &fits::column(state, &none, true, shell), state.language);
     page_of(state, held, shell, (&html! { (bar) (crate::markup::stopped(why)) }, false), &panes)
 }
 

@@ -5,6 +5,7 @@
 
 mod choices;
 mod examination;
+mod line;
 mod shown;
 
 use crate::call::{Call, Reply, Shell};
@@ -28,8 +29,8 @@ pub(crate) fn used(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let Request { state, choices, file } = &request;
     let l = state.language;
     let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
-    if choices.has_torque() && choices.torque.is_none() {
-        return Reply::text(422, words::incoming::answer_first(l));
+    if !choices.is_answered() {
+        return Reply::text(422, choices.waits_for(l));
     }
     // Nothing is kept for a project that cannot name it.
     if with_recording(state, choices, file.name(), None).is_err() {

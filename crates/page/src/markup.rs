@@ -1,9 +1,10 @@
 //! Markup that several parts of the page have: names of fields, labels, values of requests, faults, drawer.
 
+use axis::{AxisDiagnostic, AxisFault};
 use maud::{Markup, PreEscaped, html};
-use project::key_at;
+use project::{Fault, Hint, key_at};
 use quantities::Language;
-use words::{about_text, capitalised, hyphenated, page, short_label};
+use words::{Worded, about_text, capitalised, hyphenated, incoming, page, short_label};
 
 /// Sign of the program, that of the report.
 pub(crate) const LOGO: &str = include_str!("../../plot/logo.svg");
@@ -18,6 +19,16 @@ pub(crate) fn logo() -> Markup {
 pub(crate) fn id(path: &str) -> String {
     let sign = |sign: char| if sign.is_ascii_alphanumeric() || sign == '_' { sign } else { '-' };
     format!("f-{}", path.chars().map(sign).collect::<String>())
+}
+
+/// Returns a fault as the page states it: the place of a missing load is a choice there, and no table of the file.
+pub(crate) fn in_words(worded: Worded, fault: &AxisDiagnostic, language: Language) -> Worded {
+    if !matches!(fault.fault, AxisFault::Stated(Fault::NoMechanism)) {
+        return worded;
+    }
+    let is_line = matches!(&fault.hint, Some(Hint::Example(example)) if example.starts_with("[mechanism"));
+    let hint = is_line.then(|| incoming::line_missing(language).to_owned());
+    Worded { message: incoming::load_missing(language).to_owned(), hint, ..worded }
 }
 
 /// Returns a label that may begin with a symbol, set with its subscript: `T_L, friction torque`.

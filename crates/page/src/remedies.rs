@@ -7,7 +7,7 @@ use crate::shown::looked_at_alone;
 use crate::state::{PageState, ReadProject};
 use axis::AxisProject;
 use maud::{Markup, html};
-use project::{Edit, edit, paced};
+use project::{edit_values, load_scaled, paced};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::reserve_unasked;
@@ -34,25 +34,60 @@ struct Remedy {
     code: String,
     /// Condition of the verdict.
     proviso: Option<&'static str>,
+    /// Extent of the change, where its title does not say it.
+    extent: Option<String>,
     /// Verdict of the axis after the change; `None` if it was not judged.
     verdict: Option<String>,
-    /// Fields of the request that applies the change; `None` if it is up to the user how.
-    apply: Option<String>,
-    /// The change as lines `value PATH=VALUE`.
-    edits: Option<String>,
-    /// Factor on the times of the motion, if this is the change.
-    pace: Option<f64>,
+    /// The change of the project; `None` if it is up to the user how.
+    change: Option<TextChange>,
 }
 
-/// Largest number of segments of a motion whose times a button changes.
-const PACED_MOST: usize = 200;
+/// A change of a project that a button applies.
+enum TextChange {
+    /// Paths with their new values.
+    Values(Vec<(String, String)>),
+    /// Factor on the times of the motion.
+    Pace(f64),
+    /// Factors on the load and on the payloads.
+    Load([f64; 2]),
+}
 
-/// Returns a text with a change applied.
-fn edited(text: &str, edits: &str) -> Option<String> {
-    edits.lines().try_fold(text.to_owned(), |text, line| {
-        let (path, value) = line.strip_prefix("value ")?.split_once('=')?;
-        edit(&text, path, Edit::Value(value)).ok()
-    })
+impl TextChange {
+    /// Returns a text with the change, if the text has a place for it.
+    fn applied(&self, text: &str, prefix: &str) -> Option<String> {
+        match self {
+            Self::Values(values) => edit_values(text, values).ok(),
+            Self::Pace(factor) => paced(text, prefix, *factor),
+            Self::Load([load, payload]) => load_scaled(text, prefix, *load, *payload),
+        }
+    }
+
+    /// Returns the fields of the request that applies the change.
+    fn fields(&self, prefix: &str) -> String {
+        match self {
+            Self::Values(values) => {
+                let lines: String = values.iter().map(|(path, value)| format!("value {path}={value}\n")).collect();
+                vals(&[("do", &lines)])
+            }
+            Self::Pace(factor) => vals(&[("pace", &factor.to_string()), ("of", prefix)]),
+            Self::Load([load, payload]) => vals(&[("load_factors", &format!("{load} {payload}")), ("of", prefix)]),
+        }
+    }
+}
+
+/// Returns the text with the factors of a request on its motion or its load; `None` if the request has none, or if the text
+/// has no place for them.
+pub(crate) fn scaled(call: &Call<'_>, text: &str) -> Option<String> {
+    let prefix = call.field("of")?;
+    let change = match (call.field("pace"), call.field("load_factors")) {
+        (Some(factor), _) => TextChange::Pace(factor.parse().ok()?),
+        (None, factors) => {
+            let factors = factors?;
+            let (load, payload) = factors.split_once(' ')?;
+            TextChange::Load([load.parse().ok()?, payload.parse().ok()?])
+        }
+    };
+    change.applied(text, &prefix)
 }
 
 /// Returns the place of the cards in the right pane; they are requested after the page is shown, because they need
@@ -98,20 +133,14 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     );
     // A change that the file does not take, or after which it is judged otherwise, is left to the user.
     for remedy in &mut found {
-        let changed = match (&remedy.edits, remedy.pace) {
-            (Some(edits), _) => edited(&state.text, edits),
-            (None, Some(factor)) => paced(&state.text, &state.prefix, factor),
-            (None, None) => continue,
-        };
-        if remedy.apply.is_some() {
-            match changed.and_then(|text| verdict(&text)) {
-                Some((code, standing)) => (remedy.code, remedy.verdict) = (code, Some(standing)),
-                None => remedy.apply = None,
-            }
+        let Some(change) = &remedy.change else { continue };
+        match change.applied(&state.text, &state.prefix).and_then(|text| verdict(&text)) {
+            Some((code, standing)) => (remedy.code, remedy.verdict) = (code, Some(standing)),
+            None => remedy.change = None,
         }
     }
     // The first change that a button applies is the main action of the page.
-    let main = found.iter().position(|remedy| remedy.apply.is_some());
+    let main = found.iter().position(|remedy| remedy.change.is_some());
     let (first, rest) = found.split_at(found.len().min(FIRST));
     html! {
         @if first.is_empty() {
@@ -120,24 +149,25 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
             p { (capitalised(terminal::nearest_miss(l))) ": " strong.code { (nearest.id) } ", " (reason(&nearest, l)) }
         } @else {
             h3 { (page::what_would_fit(l)) }
-            div.remedy-cards { @for (place, remedy) in first.iter().enumerate() { (card(remedy, main == Some(place), l)) } }
+            div.remedy-cards { @for (place, remedy) in first.iter().enumerate() { (card(remedy, &state.prefix, main == Some(place), l)) } }
             @if !rest.is_empty() {
-                details id="more-remedies" { summary { (page::more_remedies(&rest.len(), l)) } div.remedy-cards { @for remedy in rest { (card(remedy, false, l)) } } }
+                details id="more-remedies" { summary { (page::more_remedies(&rest.len(), l)) } div.remedy-cards { @for remedy in rest { (card(remedy, &state.prefix, false, l)) } } }
             }
             p.small { (page::remedies_about(l)) }
         }
     }
 }
 
-fn card(remedy: &Remedy, is_main: bool, language: Language) -> Markup {
+fn card(remedy: &Remedy, prefix: &str, is_main: bool, language: Language) -> Markup {
     let l = language;
     html! {
         article.remedy {
             h4 { (remedy.title) }
             p { @if !remedy.before.is_empty() { s { (remedy.before) } " → " } strong { (remedy.after) } }
+            @if let Some(extent) = &remedy.extent { p.small { (extent) } }
             p.small { span.code { (remedy.code) } ": " @match (&remedy.verdict, remedy.proviso) { (Some(verdict), _) => { (verdict) }, (None, Some(proviso)) => { (page::fits_with_proviso(&proviso, l)) }, (None, None) => { (terms::fits(l)) } } }
-            @match &remedy.apply {
-                Some(fields) => button class=[is_main.then_some("primary")] type="button" hx-post="/work" hx-vals=(fields) { (page::apply(l)) },
+            @match &remedy.change {
+                Some(change) => button class=[is_main.then_some("primary")] type="button" hx-post="/work" hx-vals=(change.fields(prefix)) { (page::apply(l)) },
                 None => p.small { (page::by_your_own_change(l)) },
             }
         }
@@ -178,20 +208,21 @@ fn by_reserve(
             after: String::new(),
             code: reach.code.clone(),
             proviso,
+            extent: None,
             verdict: None,
-            apply: None,
-            edits: None,
-            pace: None,
+            change: None,
         };
         match reach.change {
             AxisChange::Payload => Remedy {
                 title: page::smaller_payload(l).to_owned(),
                 after: terminal::payload_factor(&number(reach.value), l),
+                change: Some(TextChange::Load([1.0, reach.value])),
                 ..plain
             },
             AxisChange::Load => Remedy {
                 title: page::smaller_load(l).to_owned(),
                 after: terminal::load_factor(&number(reach.value), l),
+                change: Some(TextChange::Load([reach.value; 2])),
                 ..plain
             },
             AxisChange::CycleTime => {
@@ -200,17 +231,14 @@ fn by_reserve(
                 let factor = reach.value / duration.si();
                 let is_reached =
                     |project: &AxisProject| (project.axis.motion.duration().si() / reach.value - 1.0).abs() < 1e-6;
-                let is_short = project.axis.motion.stretches().len() <= PACED_MOST;
-                let is_applicable = is_short
-                    && paced(text, prefix, factor)
-                        .and_then(|text| reads(&text))
-                        .is_some_and(|project| is_reached(&project));
+                let changed = paced(text, prefix, factor).and_then(|text| reads(&text));
+                let is_applicable = changed.is_some_and(|project| is_reached(&project));
                 Remedy {
                     title: page::longer_cycle(l).to_owned(),
                     before: seconds(duration.si()),
                     after: seconds(reach.value),
-                    apply: is_applicable.then(|| vals(&[("pace", &factor.to_string()), ("of", prefix)])),
-                    pace: is_applicable.then_some(factor),
+                    extent: Some(page::every_time_longer(&number(factor), l)),
+                    change: is_applicable.then_some(TextChange::Pace(factor)),
                     ..plain
                 }
             }
@@ -231,19 +259,19 @@ fn by_sharing(shared: &SharedLoad, held: &ReadProject, prefix: &str, language: L
     let named = held.written.iter().find(|key| key.path == format!("{prefix}{NAME}")).and_then(|key| key.value.clone());
     let name = page::one_of_several(&named.unwrap_or_default(), &shared.actuators, l);
     let shares = shared.shares.iter().map(|share| {
-        format!("value {prefix}{}={} {}\n", share.path, rounded(share.unit.from_si(share.si)), share.unit.ascii)
+        let value = format!("{} {}", rounded(share.unit.from_si(share.si)), share.unit.ascii);
+        (format!("{prefix}{}", share.path), value)
     });
-    let edits = format!("{}value {prefix}{NAME}={}", shares.collect::<String>(), name.trim());
+    let values = shares.chain([(format!("{prefix}{NAME}"), name.trim().to_owned())]).collect();
     Remedy {
         title: page::several_actuators(&shared.actuators, l),
         before: String::new(),
         after: page::each_with_its_share(&shared.actuators, l),
         code: shared.code.clone(),
         proviso: proviso_text(shared.proviso.estimate, shared.proviso.rating, l),
+        extent: None,
         verdict: None,
-        apply: Some(vals(&[("do", &edits)])),
-        edits: Some(edits),
-        pace: None,
+        change: Some(TextChange::Values(values)),
     }
 }
 
@@ -262,21 +290,20 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
     );
     let value = value.trim();
     let stage = proposal.adds_stage();
-    let kind = if stage { format!("value {prefix}stage.kind=gear\n") } else { String::new() };
-    let edits = format!("{kind}value {path}={value}");
+    let kind = stage.then(|| (format!("{prefix}stage.kind"), "gear".to_owned()));
+    let values = kind.into_iter().chain([(path, value.to_owned())]).collect();
     Remedy {
         title: if stage {
             page::an_intermediate_stage(l).to_owned()
         } else {
             label_of(&proposal.path, l).unwrap_or_default()
         },
-        before: stated.map(|stated| crate::value::with_mark(&stated, l)).unwrap_or_default(),
+        before: stated.map(|stated| crate::value::said(&stated, l)).unwrap_or_default(),
         after: if stage { terminal::a_stage(&shown(proposal.si), l) } else { shown(proposal.si) },
         code: proposal.code.clone(),
         proviso: proviso_text(proposal.proviso.estimate, proposal.proviso.rating, l),
+        extent: None,
         verdict: None,
-        apply: Some(vals(&[("do", &edits)])),
-        edits: Some(edits),
-        pace: None,
+        change: Some(TextChange::Values(values)),
     }
 }

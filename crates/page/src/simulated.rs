@@ -3,25 +3,26 @@
 use crate::chapters::folded;
 use crate::demand::picture;
 use crate::gains::gains;
+use crate::markup::vals;
 use crate::overlay;
 use crate::state::PageState;
 use axis::AxisProject;
 use maud::{Markup, html};
 use quantities::{Language, Unit, format_significant};
-use questions::list::simulate::{ScenarioId, of_scenario};
+use questions::list::simulate::{NotSimulated, ScenarioId, of_scenario};
 use questions::{Candidate, Progress, Simulated, Verdict, answer, chapter};
 use words::{capitalised, page, simulation, terms, verdict_word, views};
 
 /// Runs the selected scenario, else that of the project.
 ///
 /// # Errors
-/// The reason in one sentence, if it is not run.
+/// The reason, if it is not run.
 pub(crate) fn run<'p>(
     state: &PageState,
     project: &'p AxisProject,
     candidate: &Candidate<'_>,
     progress: &Progress,
-) -> Result<Simulated<'p>, String> {
+) -> Result<Simulated<'p>, NotSimulated> {
     of_scenario(project, Some(&candidate.id), chosen(state, project), progress, state.language)
 }
 
@@ -55,7 +56,13 @@ pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candida
                 (figures_of(&record, l))
                 (folded(&chapter::simulation(&record, l), "run", &[simulation::summary(l), simulation::gains(l)]))
             }
-            Err(why) => p.empty { (capitalised(why)) },
+            Err(why) => {
+                p.empty { (capitalised(&why.sentence)) }
+                @if !why.changes.is_empty() { div.downloads { @for change in &why.changes {
+                    @let edits: String = change.edits.iter().map(|(key, value)| format!("value {}{key}={value}\n", state.prefix)).collect();
+                    button type="button" hx-post="/work" hx-vals=(vals(&[("do", &edits)])) { (capitalised(&change.title)) }
+                } } }
+            }
         }
     }
 }

@@ -112,6 +112,12 @@ impl Begin {
         Some(Self { text, asked: ARM_BY_INERTIA, other: Some(arm), has_tile: false, mechanism: self.mechanism })
     }
 
+    /// Returns `true` if the travel of its mechanism per turn is constant.
+    pub(crate) fn has_travel(&self) -> bool {
+        let read = questions::read(&self.text(|_| None, true));
+        self.mechanism.is_some() && read.is_ok_and(|project| project.axis.mechanism.travel_m_per_rad().is_some())
+    }
+
     /// Iterates over the paths of the keys to fill in.
     fn paths(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.asked.iter().flat_map(|row| row.iter().copied())
@@ -162,7 +168,7 @@ fn reversed(value: &str) -> String {
 }
 
 /// Returns the title of a mechanism.
-fn title(mechanism: Option<&str>, language: Language) -> String {
+pub(crate) fn title(mechanism: Option<&str>, language: Language) -> String {
     let Some(name) = mechanism else { return page::load_at_the_output(language).to_owned() };
     key_at(&format!("mechanism.{name}")).map(|key| capitalised(about_text(key.about, language))).unwrap_or_default()
 }
@@ -172,7 +178,7 @@ pub(crate) fn tiles(language: Language) -> Markup {
     html! {
         ul.tiles { @for (place, begin) in BEGINS.iter().enumerate().filter(|(_, begin)| begin.has_tile) {
             @let title = title(begin.mechanism, language);
-            li { button.tile type="button" hx-get={ "/begin?kind=" (place) "&lang=" (language.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
+            li { button.tile type="button" data-kind=(begin.mechanism.unwrap_or("load")) hx-get={ "/begin?kind=" (place) "&lang=" (language.id()) } hx-target="#begin" hx-swap="innerHTML" hx-include="unset" {
                 span.sketch aria-hidden="true" { (sketch::still(begin.mechanism)) }
                 span { (hyphenated(&title)) }
             } }
@@ -182,6 +188,20 @@ pub(crate) fn tiles(language: Language) -> Markup {
                 span { (hyphenated(incoming::tile(language))) }
             } }
         }
+    }
+}
+
+/// Returns the mechanisms as drawings that state the load of an axis; `is_line`: those with a constant travel per turn.
+pub(crate) fn choices(prefix: &str, is_line: bool, language: Language) -> Markup {
+    let all = BEGINS.iter().filter(|begin| begin.has_tile && (!is_line || begin.has_travel()));
+    html! {
+        ul.tiles { @for begin in all {
+            @let change = begin.mechanism.map_or_else(|| format!("table {prefix}load"), |name| format!("instead {prefix}mechanism.{name}"));
+            li { button.tile type="button" hx-post="/work" hx-vals=(crate::markup::vals(&[("do", &change)])) {
+                span.sketch aria-hidden="true" { (sketch::still(begin.mechanism)) }
+                span { (hyphenated(&title(begin.mechanism, language))) }
+            } }
+        } }
     }
 }
 
@@ -259,13 +279,37 @@ fn asked_label(begin: &Begin, row: &[&str], language: Language) -> String {
 
 /// Returns one row of the form: its fields, then the unit beside them.
 fn asked_row(begin: &Begin, row: &[&str], language: Language) -> Markup {
+    row_of(begin, row, None, language)
+}
+
+/// Returns one row of another form with its stated values, without a drawing that follows it.
+pub(crate) fn value_row(begin: &Begin, row: &[&str], stated: &dyn Fn(&str) -> String, language: Language) -> Markup {
+    row_of(begin, row, Some(stated), language)
+}
+
+fn row_of(begin: &Begin, row: &[&str], stated: Option<&dyn Fn(&str) -> String>, language: Language) -> Markup {
     let l = language;
     let Some((path, key)) = row.first().and_then(|path| Some((*path, key_at(path)?))) else { return html! {} };
     let label = asked_label(begin, row, l);
     let usual = begin.of_template(path);
     let unit = usual.split_once(' ').and_then(|(_, unit)| Unit::of(unit));
     let units: Vec<&Unit> = unit.map(|unit| unit.dimension.units()).unwrap_or_default().iter().collect();
-    let follows = "input changed delay:100ms, change";
+    let is_alone = stated.is_some();
+    let follows = |trigger: &'static str| (!is_alone).then_some(trigger);
+    let drawn = || follows("/begin/drawing");
+    let chosen = |path: &str| stated.map(|stated| stated(path)).unwrap_or_default();
+    // A value in one of the units shows its number alone.
+    let parts = |value: &str| {
+        let (number, unit) = value.split_once(' ')?;
+        let unit = units.iter().find(|each| each.ascii == unit)?;
+        Some((number.to_owned(), unit.ascii))
+    };
+    let own_unit = parts(&chosen(path)).map(|(_, unit)| unit).or_else(|| unit.map(|unit| unit.ascii));
+    let shown = |path: &str| {
+        let value = chosen(path);
+        let number = parts(&value).filter(|(_, unit)| Some(*unit) == own_unit).map(|(number, _)| number);
+        is_alone.then(|| value::with_mark(&number.unwrap_or(value), l))
+    };
     html! {
         div.row {
             label for=(crate::markup::id(path)) { (label) }
@@ -274,25 +318,25 @@ fn asked_row(begin: &Begin, row: &[&str], language: Language) -> Markup {
                     @let id = crate::markup::id(path);
                     @let own = (number > 0).then(|| capitalised(&short_label(key_at(path).map(|key| about_text(key.about, l)).unwrap_or_default())));
                     @if let Kind::OneOf(words) = key.kind {
-                        select id=(id) name=(path) required aria-describedby=(fault_id(row)) hx-get="/begin/drawing" hx-trigger="change" hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form" {
+                        select id=(id) name=(path) required aria-describedby=[follows_row(is_alone, row)] hx-get=[drawn()] hx-trigger=[follows("change")] hx-target=[follows("#begin-sketch")] hx-swap=[follows("innerHTML")] hx-include=[follows("closest form")] {
                             option value="" { (page::choose(l)) }
                             // A bar has a width too, which is not among the few values.
                             @for word in words.iter().filter(|word| **word != "bar") { option value=(word) { (key_word(key.name, word, l).unwrap_or_else(|| (*word).to_owned().into())) } }
                         }
                     } @else {
                         @if number > 0 { span.unit { "–" } }
-                        input id=(id) name=(path) type="text" inputmode="decimal" required placeholder=(page::for_example(&number_of(begin, path, l), l)) aria-label=[own] aria-describedby=(fault_id(row))
-                            autocomplete="off" spellcheck="false"
-                            hx-get="/begin/drawing" hx-trigger=(follows) hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form";
+                        input id=(id) name=(path) type="text" inputmode="decimal" required placeholder=(page::for_example(&number_of(begin, path, l), l)) aria-label=[own] aria-describedby=[follows_row(is_alone, row)]
+                            autocomplete="off" spellcheck="false" value=[shown(path)]
+                            hx-get=[drawn()] hx-trigger=[follows("input changed delay:100ms, change")] hx-target=[follows("#begin-sketch")] hx-swap=[follows("innerHTML")] hx-include=[follows("closest form")];
                     }
                 }
                 @if units.len() > 1 {
-                    select name=(unit_name(path)) aria-label=(page::unit_of(&label, l)) title=(page::unit_of(&label, l)) hx-get="/begin/drawing" hx-trigger="change" hx-target="#begin-sketch" hx-swap="innerHTML" hx-include="closest form" {
-                        @for each in &units { option value=(each.ascii) selected[Some(each.ascii) == unit.map(|unit| unit.ascii)] { (each.symbol) } }
+                    select name=(unit_name(path)) aria-label=(page::unit_of(&label, l)) title=(page::unit_of(&label, l)) hx-get=[drawn()] hx-trigger=[follows("change")] hx-target=[follows("#begin-sketch")] hx-swap=[follows("innerHTML")] hx-include=[follows("closest form")] {
+                        @for each in &units { option value=(each.ascii) selected[Some(each.ascii) == own_unit] { (each.symbol) } }
                     }
                 } @else if let Some(only) = unit { span.unit { (only.symbol) } input type="hidden" name=(unit_name(path)) value=(only.ascii); }
             }
-            div.fault id=(fault_id(row)) role="status" {}
+            @if !is_alone { div.fault id=(fault_id(row)) role="status" {} }
         }
     }
 }
@@ -304,7 +348,7 @@ fn number_of(begin: &Begin, path: &str, language: Language) -> String {
 }
 
 /// Returns the typed value of a key, with the unit of its row.
-fn typed_value(begin: &Begin, path: &str, call: &Call<'_>) -> Option<String> {
+pub(crate) fn typed_value(begin: &Begin, path: &str, call: &Call<'_>) -> Option<String> {
     let (typed, l) = (call.field(path)?, call.language());
     let row = begin.asked.iter().find(|row| row.contains(&path))?;
     let unit = row.first().and_then(|first| call.field(&unit_name(first))).unwrap_or_default();
@@ -333,6 +377,11 @@ pub(crate) fn drawing_of(call: &Call<'_>) -> Markup {
             }
         }
     }
+}
+
+/// Returns the identifier of the place of a row's fault, if the row has one.
+fn follows_row(is_alone: bool, row: &[&str]) -> Option<String> {
+    (!is_alone).then(|| fault_id(row))
 }
 
 /// Returns the identifier of the place of a row's fault.

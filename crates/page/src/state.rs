@@ -395,9 +395,7 @@ impl PageState {
             let value = if band.is_empty() { value.to_owned() } else { format!("{value} ± {band}") };
             apply(&path, Edit::Value(&value));
         }
-        if let (Some(factor), Some(prefix)) = (call.field("pace"), call.field("of"))
-            && let Some(changed) = factor.parse().ok().and_then(|factor| project::paced(&self.text, &prefix, factor))
-        {
+        if let Some(changed) = crate::remedies::scaled(call, &self.text) {
             self.text = changed;
         }
         if let (Some(rows), Some(into)) = (call.field("rows"), call.field("into"))
@@ -582,7 +580,8 @@ pub(crate) fn placed(
         let axis = axis.and_then(|path| Some(path.split_once(']')?.0.to_owned()));
         Some(axis.map_or_else(|| String::from("mechanism"), |axis| format!("{axis}].mechanism")))
     };
-    worded(faults, language).into_iter().zip(faults).map(|(worded, fault)| (path(fault), worded)).collect()
+    let said = worded(faults, language).into_iter().zip(faults);
+    said.map(|(worded, fault)| (path(fault), crate::markup::in_words(worded, fault, language))).collect()
 }
 
 /// Returns the path, or that of the nearest enclosing table that a file has.

@@ -99,7 +99,10 @@ pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> M
         Ask::Bodies => inertia::shown(&scene),
         Ask::Mount => mounted(&scene),
         Ask::Of(entry, examples, show) => {
-            of(&scene, &Question { entry, first: &[], examples, show: *show, own: None, body: &[] })
+            // The twist of the axis is that under its peak torque.
+            let peak = if tool.id == "torsion" { scene.torque_peak() } else { None };
+            let first: Vec<(&str, &str)> = peak.iter().map(|peak| ("torque", peak.as_str())).collect();
+            of(&scene, &Question { entry, first: &first, examples, show: *show, own: None, body: &[] })
         }
     };
     if scene.is_in_view {
@@ -204,7 +207,7 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
         let usual = || first.iter().find(|(name, _)| *name == field.name).map(|(_, value)| (*value).to_owned());
         field.value = scene.typed(&field.name).unwrap_or_else(|| usual().unwrap_or_default());
         let example = examples.iter().find(|(name, _)| *name == field.name);
-        field.ghost = example.map(|(_, value)| page::for_example(&crate::value::with_mark(value, l), l));
+        field.ghost = example.map(|(_, value)| page::for_example(&crate::value::said(value, l), l));
     }
     let needs_code = takes_a_code(entry);
     if needs_code && let Err(fault) = read_code(&scene.about, l) {

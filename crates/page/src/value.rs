@@ -142,6 +142,13 @@ pub(crate) fn with_mark(value: &str, language: Language) -> String {
     if is_number { written(value, language) } else { value.to_owned() }
 }
 
+/// Returns a value of a project file for a sentence: decimal mark and sign of the unit as its readers write them.
+pub(crate) fn said(value: &str, language: Language) -> String {
+    let marked = with_mark(value, language);
+    let parts = marked.split_once(' ').and_then(|(number, unit)| Some((number, Unit::of(unit)?)));
+    parts.map_or_else(|| marked.clone(), |(number, unit)| format!("{number} {}", unit.symbol_in(language)))
+}
+
 /// Returns the value of an entry with a selected unit: unchanged if it has its own unit, else with the selected one.
 pub(crate) fn stated(typed: &str, unit: &str, language: Language) -> String {
     let typed = taken(typed, language);

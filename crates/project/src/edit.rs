@@ -107,8 +107,25 @@ pub fn edit_measured(text: &str, path: &str, change: Edit<'_>) -> Result<String,
     edit_as(crate::measured::MEASURED_KEYS, text, path, change)
 }
 
+/// Returns the text with several values set: the text is read once, so that the time grows with its length.
+///
+/// # Errors
+/// [`EditFault`].
+pub fn edit_values(text: &str, values: &[(String, String)]) -> Result<String, EditFault> {
+    let mut document: DocumentMut = text.parse().map_err(|_| EditFault::Syntax)?;
+    for (path, value) in values {
+        let _ = apply(KEYS, &mut document, path, Edit::Value(value))?;
+    }
+    Ok(document.to_string())
+}
+
 fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Result<String, EditFault> {
     let mut document: DocumentMut = text.parse().map_err(|_| EditFault::Syntax)?;
+    Ok(if apply(root, &mut document, path, change)? { document.to_string() } else { text.to_owned() })
+}
+
+/// Applies an edit; returns `false` if the document does not have what it removes.
+fn apply(root: &'static [Key], document: &mut DocumentMut, path: &str, change: Edit<'_>) -> Result<bool, EditFault> {
     let steps = steps(path).ok_or(EditFault::Path)?;
     let key = key_of(root, path).ok_or(EditFault::Path)?;
     let (last, above) = steps.split_last().ok_or(EditFault::Path)?;
@@ -120,7 +137,7 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
     };
     let Some(parent) = down(document.as_table_mut(), above, make, &mut reported) else {
         // A missing value need not be removed.
-        return if matches!(change, Edit::Down | Edit::Twice) { Err(EditFault::Path) } else { Ok(text.to_owned()) };
+        return if matches!(change, Edit::Down | Edit::Twice) { Err(EditFault::Path) } else { Ok(false) };
     };
     let reordered = match change {
         Edit::Value(value) => {
@@ -150,7 +167,7 @@ fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Re
         let mut place = 0;
         renumber(root, document.as_table_mut(), &mut place);
     }
-    Ok(document.to_string())
+    Ok(true)
 }
 
 /// Tables that are created on the way to a place.

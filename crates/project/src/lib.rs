@@ -89,7 +89,7 @@ pub mod sections {
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use diagnostic::{Diagnostic, place};
-pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, written};
+pub use edit::{Edit, EditFault, Written, edit, edit_measured, edit_values, key_at, measured_key_at, written};
 pub use encoding::decoded;
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
 pub use heading::{Counted, Heading, Objection, is_label, nearest_heading};

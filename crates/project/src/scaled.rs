@@ -2,11 +2,12 @@
 
 use crate::Range;
 use crate::choices::Law;
-use crate::edit::{Edit, EditFault, edit, key_at, written};
+use crate::edit::{EditFault, edit_values, key_at, written};
 use crate::key::{Key, Kind};
 use crate::motion::{Segment, SegmentLaw};
 use crate::section::{OfKinds, Section};
 use quantities::Dimension;
+use std::collections::BTreeMap;
 
 /// Digits of a stretched segment; more than a pointer in a picture resolves.
 const DIGITS: i32 = 6;
@@ -27,36 +28,51 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
     if !(time.is_finite() && way.is_finite() && time > 0.0 && way != 0.0) {
         return Err(EditFault::Path);
     }
-    let all = written(text).ok_or(EditFault::Syntax)?;
-    let value = |name: &str| {
-        let path = format!("{path}.{name}");
-        all.iter().find(|key| key.path == path).and_then(|key| key.value.as_deref())
-    };
-    let law = value(Segment::VARIANTS.by).ok_or(EditFault::Path)?;
-    // At constant speed the distance follows from the time.
-    let constant = SegmentLaw::of_id(law) == Some(SegmentLaw::Law(Law::Constant));
-    let powers = |key: &Key| match key.stretches? {
-        powers if !constant => Some(powers),
-        (-1, _) => None,
-        _ => Some((1, 0)),
-    };
-    // With a distance, its sign is the direction, and the magnitudes of the other values apply.
-    let is_way = |key: &Key| key.stretches == Some((0, 1));
-    let directed = Segment::KEYS.iter().any(|key| is_way(key) && value(key.name).is_some());
-    let mut changed = text.to_owned();
-    for key in Segment::KEYS {
-        let (Some(stated), Some((of_time, of_way))) = (value(key.name), powers(key)) else { continue };
-        let magnitude = directed && !is_way(key) || matches!(key.kind, Kind::Along(_, _, Range::Positive));
-        let way = if magnitude { way.abs() } else { way };
-        let factor = time.powi(of_time) * way.powi(of_way);
-        if factor == 1.0 {
-            continue;
-        }
-        let digits = if is_way(key) || !directed { DIGITS_OF_WAY } else { DIGITS };
-        let Some(scaled) = scaled(stated, factor, digits) else { continue };
-        changed = edit(&changed, &format!("{path}.{}", key.name), Edit::Value(&scaled))?;
+    let all = StatedValues::of(text).ok_or(EditFault::Syntax)?;
+    edit_values(text, &all.stretched(path, time, way)?)
+}
+
+/// Values of a text by their paths.
+struct StatedValues(BTreeMap<String, String>);
+
+impl StatedValues {
+    fn of(text: &str) -> Option<Self> {
+        Some(Self(written(text)?.into_iter().filter_map(|key| Some((key.path, key.value?))).collect()))
     }
-    Ok(changed)
+
+    fn get(&self, path: &str) -> Option<&str> {
+        self.0.get(path).map(String::as_str)
+    }
+
+    /// Returns the changed values of a segment scaled by `time` in its duration and by `way` in its distance.
+    fn stretched(&self, path: &str, time: f64, way: f64) -> Result<Vec<(String, String)>, EditFault> {
+        let value = |name: &str| self.get(&format!("{path}.{name}"));
+        let law = value(Segment::VARIANTS.by).ok_or(EditFault::Path)?;
+        // At constant speed the distance follows from the time.
+        let constant = SegmentLaw::of_id(law) == Some(SegmentLaw::Law(Law::Constant));
+        let powers = |key: &Key| match key.stretches? {
+            powers if !constant => Some(powers),
+            (-1, _) => None,
+            _ => Some((1, 0)),
+        };
+        // With a distance, its sign is the direction, and the magnitudes of the other values apply.
+        let is_way = |key: &Key| key.stretches == Some((0, 1));
+        let directed = Segment::KEYS.iter().any(|key| is_way(key) && value(key.name).is_some());
+        let mut changed = Vec::new();
+        for key in Segment::KEYS {
+            let (Some(stated), Some((of_time, of_way))) = (value(key.name), powers(key)) else { continue };
+            let magnitude = directed && !is_way(key) || matches!(key.kind, Kind::Along(_, _, Range::Positive));
+            let way = if magnitude { way.abs() } else { way };
+            let factor = time.powi(of_time) * way.powi(of_way);
+            if factor == 1.0 {
+                continue;
+            }
+            let digits = if is_way(key) || !directed { DIGITS_OF_WAY } else { DIGITS };
+            let Some(scaled) = scaled(stated, factor, digits) else { continue };
+            changed.push((format!("{path}.{}", key.name), scaled));
+        }
+        Ok(changed)
+    }
 }
 
 /// Returns the text with the whole motion of an axis slower by a factor, dwells and a stated cycle included; `prefix` stands
@@ -64,21 +80,24 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
 /// time, a web whose ramps are assumed.
 #[must_use]
 pub fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
-    let all = written(text)?;
-    let value = |path: &str| all.iter().find(|key| key.path == path).and_then(|key| key.value.as_deref());
+    let written = written(text)?;
     let is_segment = |path: &str| {
         let place = path.strip_prefix(prefix)?.strip_prefix("motion[")?.strip_suffix(']')?;
         place.parse::<usize>().ok()
     };
-    let mut changed = text.to_owned();
-    for segment in all.iter().map(|key| key.path.as_str()).filter(|path| is_segment(path).is_some()) {
+    let segments: Vec<String> =
+        written.iter().filter(|key| is_segment(&key.path).is_some()).map(|key| key.path.clone()).collect();
+    let all = StatedValues(written.into_iter().filter_map(|key| Some((key.path, key.value?))).collect());
+    let mut changed = Vec::new();
+    for segment in &segments {
         let mut times = |name: &str, factor: f64| {
             let path = format!("{segment}.{name}");
-            let Some(stated) = value(&path) else { return Some(false) };
-            changed = edit(&changed, &path, Edit::Value(&scaled(stated, factor, DIGITS_OF_LOAD)?)).ok()?;
+            let Some(stated) = all.get(&path) else { return Some(false) };
+            let value = scaled(stated, factor, DIGITS_OF_LOAD)?;
+            changed.push((path, value));
             Some(true)
         };
-        match value(&format!("{segment}.law"))? {
+        match all.get(&format!("{segment}.law"))? {
             "recorded" => return None,
             "points" => times("master_speed", 1.0 / factor)?.then_some(())?,
             "web" => {
@@ -92,10 +111,11 @@ pub fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
             }
             _ => {
                 times("cycle", factor)?;
-                changed = stretch(&changed, segment, factor, 1.0).ok()?;
+                changed.extend(all.stretched(segment, factor, 1.0).ok()?);
             }
         }
     }
+    let changed = edit_values(text, &changed).ok()?;
     (changed != text || factor == 1.0).then_some(changed)
 }
 
@@ -105,7 +125,7 @@ pub fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
 #[must_use]
 pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<String> {
     let all = written(text)?;
-    let mut changed = text.to_owned();
+    let mut changed = Vec::new();
     for key in &all {
         let Some(inside) = key.path.strip_prefix(prefix) else { continue };
         let is_of_load = inside.starts_with("load.") || inside.starts_with("mechanism.");
@@ -120,9 +140,10 @@ pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<
         };
         let kind = key_at(inside).map(|key| key.kind);
         if matches!(kind, Some(Kind::Quantity(Dimension::Mass | Dimension::MomentOfInertia, _))) {
-            changed = edit(&changed, &key.path, Edit::Value(&scaled(stated, factor, DIGITS_OF_LOAD)?)).ok()?;
+            changed.push((key.path.clone(), scaled(stated, factor, DIGITS_OF_LOAD)?));
         }
     }
+    let changed = edit_values(text, &changed).ok()?;
     (changed != text || load == 1.0 && payload == 1.0).then_some(changed)
 }
 
@@ -219,6 +240,24 @@ mod tests {
         ] {
             assert_eq!(paced(&motion(stated), "", 2.0), slower.map(motion), "{stated}");
         }
+    }
+
+    /// The time of a change grows with the number of segments: of ten times as many, at most some thirty times as long.
+    #[test]
+    fn a_long_cycle_is_slowed_in_proportion_to_its_length() {
+        let cycle = |segments: usize| {
+            "[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n".repeat(segments)
+        };
+        let seconds = |segments: usize| {
+            let text = cycle(segments);
+            let begin = std::time::Instant::now();
+            let slower = paced(&text, "", 2.0).unwrap();
+            assert_eq!(slower, text.replace("1 s", "2 s"));
+            begin.elapsed().as_secs_f64()
+        };
+        let few = (0..3).map(|_| seconds(400)).fold(f64::INFINITY, f64::min);
+        let many = seconds(4_000);
+        assert!(many < 30.0 * few, "{few} s, {many} s");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 mod steps;
 
+pub use steps::RunChange;
 pub(crate) use steps::{StepLimit, TooManySteps, Work};
 
 use crate::progress::Progress;

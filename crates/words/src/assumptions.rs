@@ -164,8 +164,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "keine Anzahl der Scherenpaare angegeben (stages): 1 angenommen",
         ),
         Assumption::LawOpen => (
-            "motion law not decided: polynomial of the fifth degree, without a jump of the acceleration",
-            "Bewegungsgesetz nicht festgelegt: Polynom fünften Grades, ohne Beschleunigungssprung",
+            "motion law not decided: polynomial 3-4-5, without a jump of the acceleration",
+            "Bewegungsgesetz nicht festgelegt: Polynom 3-4-5, ohne Beschleunigungssprung",
         ),
         Assumption::OneRevolution => (
             "neither duration nor distance of a constant speed given (time, distance): one revolution",

@@ -94,9 +94,14 @@ texts! {
     is_added_behind = "is added behind the motion" | "wird an die Bewegung angehängt";
     runs_once = "Single move: the axis is not required to end as it begins" | "Einzelfahrt: Die Achse muss nicht so enden, wie sie beginnt";
     load_later = "Optional: it can also be stated later." | "Optional: Die Angabe kann auch später folgen.";
-    load_missing =
-        "the load: its moment of inertia, or a mechanism (positions along a line need a screw, a belt or a conveyor)"
-        | "die Last: ihr Massenträgheitsmoment oder eine Mechanik (Positionen längs einer Geraden erfordern einen Gewindetrieb, einen Riemen oder einen Förderer)";
+    load_missing = "The load is missing: choose its mechanism." | "Die Last fehlt: die Mechanik wählen.";
+    line_missing =
+        "a motion along a line needs a constant travel per turn"
+        | "eine Bewegung längs einer Geraden erfordert einen festen Weg je Umdrehung";
+    mechanism_about =
+        "Its travel per turn relates the recording along a line to the output."
+        | "Ihr Weg je Umdrehung rechnet die Aufzeichnung längs einer Geraden auf den Abtrieb um.";
+    state_mechanism = "State the mechanism first." | "Zuerst die Mechanik angeben.";
     still_open = "Still open in the project afterwards" | "Danach im Projekt noch offen";
     unusable = "The file cannot be used like this" | "So lässt sich die Datei nicht verwenden";
     no_table(name) = "{name} holds no table of numbers." | "{name} enthält keine Tabelle mit Zahlen.";

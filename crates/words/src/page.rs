@@ -190,7 +190,6 @@ texts! {
         | "{name} wurde an anderer Stelle geändert; die Änderungen dort und die hier noch nicht gespeicherten sind zusammengeführt.";
     both_changed(name) = "{name} was changed elsewhere, and these values differ:" | "{name} wurde an anderer Stelle geändert, und diese Angaben unterscheiden sich:";
     here_and_there(label, here, there) = "{label}: here {here}, there {there}" | "{label}: hier {here}, dort {there}";
-    nothing_stated = "not stated" | "ohne Angabe";
     keep_these = "Keep the values here" | "Angaben von hier behalten";
     take_theirs = "Take those of the file" | "Angaben der Datei übernehmen";
     load_it = "Load" | "Laden";
@@ -241,6 +240,8 @@ texts! {
     apply = "Apply" | "Anwenden";
     by_your_own_change = "To be changed in the values of the load." | "In den Angaben der Last zu ändern.";
     longer_cycle = "Longer cycle" | "Längerer Zyklus";
+    every_time_longer(factor) =
+        "Every time of the cycle × {factor}, pauses included." | "Jede Zeit des Zyklus × {factor}, auch die Pausen.";
     smaller_payload = "Smaller payload" | "Kleinere Nutzlast";
     smaller_load = "Smaller load" | "Kleinere Last";
     several_actuators(count) = "{count} equal actuators" | "{count} gleiche Antriebe";

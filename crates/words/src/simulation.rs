@@ -172,6 +172,11 @@ texts! {
     steps_cold(key) = "start cold ({key})" | "kalt beginnen ({key})";
     steps_without_days = "leave out the days (--days)" | "die Tage weglassen (--days)";
     steps_one_axis = "select one axis (--axis)" | "eine Achse wählen (--axis)";
+    steps_in_the_terminal =
+        "on the command line the run is computed: antrieb simulate with a time limit (--deadline \"10 min\")"
+        | "die Befehlszeile rechnet den Lauf: antrieb simulate mit einer Zeitgrenze (--deadline \"10 min\")";
+    fewer_cycles(most) = "at most {most} cycles" | "höchstens {most} Zyklen";
+    cold_start = "start cold" | "kalt beginnen";
     steps_time_limit = "state a time limit (--deadline)" | "eine Zeitgrenze angeben (--deadline)";
     steps_and(one, other) = "{one} and {other}" | "{one} und {other}";
     steps_or(one, other) = "{one}, or {other}" | "{one} oder {other}";

@@ -1,9 +1,11 @@
 //! Choices about a recording: the use of each column, its unit and its ratio, smoothing, and the meaning of its torque.
 
+use super::line::LineMechanism;
 use crate::call::Call;
 use crate::value::{stated, taken};
-use quantities::{Time, Unit, parse_as};
+use quantities::{Dimension, Language, Time, Unit, parse_as};
 use questions::{ColumnRole, ColumnSpec, Layout, PREVIEW_COLUMNS_MAX, Preview, recording_roles};
+use words::incoming;
 
 /// Meaning of a recorded torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,6 +67,8 @@ pub(super) struct Choices {
     pub(super) is_evenly_spaced: bool,
     /// Moment of inertia of the load as in a project file; empty if it is not stated here.
     pub(super) inertia: String,
+    /// Mechanism that turns a motion along a line into one of the output, where the axis has none.
+    pub(super) line: Option<LineMechanism>,
 }
 
 /// Returns the word of a role in a project file.
@@ -118,12 +122,38 @@ impl Choices {
             interpolates: field("held") == "true",
             is_evenly_spaced: field("even") == "true",
             inertia: stated(&field("inertia"), "kg m^2", l),
+            line: None,
         }
     }
 
     /// Returns the index of the column with a role.
     fn column(&self, role: ColumnRole) -> Option<usize> {
         self.columns.iter().position(|column| column.role == Some(role))
+    }
+
+    /// Returns `true` if the used position or speed is one along a line, by its chosen unit or that of the file.
+    pub(super) fn is_along_a_line(&self) -> bool {
+        let recognised = self.preview.as_ref().map(|preview| preview.columns.as_slice()).unwrap_or_default();
+        self.columns.iter().zip(recognised).any(|(choice, column)| {
+            let Some(role @ (ColumnRole::Position | ColumnRole::Speed)) = choice.role else { return false };
+            let unit = if choice.unit.is_empty() { column.unit.as_deref() } else { Some(choice.unit.as_str()) };
+            let unit = unit.and_then(|unit| unit_of(role, unit));
+            unit.is_some_and(|unit| matches!(unit.dimension, Dimension::Length | Dimension::Velocity))
+        })
+    }
+
+    /// Returns `true` if the questions about torque and mechanism have an answer.
+    pub(super) fn is_answered(&self) -> bool {
+        (self.torque.is_some() || !self.has_torque()) && self.line.as_ref().is_none_or(LineMechanism::is_stated)
+    }
+
+    /// Returns the request to answer the first open question.
+    pub(super) fn waits_for(&self, language: Language) -> &'static str {
+        if self.has_torque() && self.torque.is_none() {
+            incoming::answer_first(language)
+        } else {
+            incoming::state_mechanism(language)
+        }
     }
 
     /// Returns `true` if a column holds a torque or a force.

@@ -1,6 +1,7 @@
 //! Reading of a recording that is not part of a project, alone and within the project that would use it.
 
 use super::choices::{Choices, TorqueUse};
+use super::line::{LineMechanism, NO_MASS};
 use crate::call::{Call, Shell};
 use crate::names::kept_name;
 use crate::state::PageState;
@@ -26,8 +27,10 @@ impl Request {
         let form = Call { media: Some("application/x-www-form-urlencoded"), body: fields, ..*call };
         let name = kept_name(&form.field("name").unwrap_or_default(), bytes);
         let file = IncomingFile::new(&name, bytes);
-        let choices = Choices::of(&form, file.preview());
-        Self { state: PageState::of(&form), choices, file }
+        let state = PageState::of(&form);
+        let mut choices = Choices::of(&form, file.preview());
+        choices.line = LineMechanism::of(&form, &state, &choices);
+        Self { state, choices, file }
     }
 }
 
@@ -74,13 +77,25 @@ pub(super) fn with_recording(
         }
     }
     let segment = format!("motion[{}]", index + 1);
-    if choices.torque == Some(TorqueUse::Whole) {
+    let is_whole = choices.torque == Some(TorqueUse::Whole);
+    if is_whole || choices.line.is_some() {
         for load in ["load", "mechanism"] {
             apply(load, Edit::Gone)?;
         }
-        apply("mechanism.joint", Edit::Table)?;
     }
-    if !choices.inertia.is_empty() && choices.torque != Some(TorqueUse::Whole) {
+    match &choices.line {
+        Some(line) => {
+            for (path, value) in &line.values {
+                apply(path, Edit::Value(value))?;
+            }
+            if let Some(name) = line.name.filter(|_| is_whole) {
+                apply(&format!("mechanism.{name}.mass"), Edit::Value(NO_MASS))?;
+            }
+        }
+        None if is_whole => apply("mechanism.joint", Edit::Table)?,
+        None => {}
+    }
+    if !choices.inertia.is_empty() && !is_whole && choices.line.is_none() {
         apply("load.inertia", Edit::Value(&choices.inertia))?;
     }
     apply(&segment, Edit::Table)?;
@@ -123,8 +138,8 @@ pub(super) fn examine(request: &Request, shell: &dyn Shell, progress: &Progress)
             Err(Unread::Refused(_)) => Ok(None),
         }
     };
-    // With the question about the torque open there is no project yet.
-    let has_answer = choices.torque.is_some() || !choices.has_torque();
+    // With a question open there is no project yet.
+    let has_answer = choices.is_answered();
     let mut project = None;
     match with_recording(state, choices, file.name(), None) {
         Err(_) => found.has_faulty_text = true,

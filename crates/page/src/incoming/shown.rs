@@ -4,11 +4,10 @@ use super::choices::{Choices, NO_ROLE, OTHER_WINDOW, TorqueUse, role_id};
 use super::examination::{Examination, Request, SegmentPlace};
 use crate::markup::{drawer, label_of, worded};
 use crate::recorded::rows;
-use axis::AxisFault;
 use figures::{Size, Style};
 use maud::{Markup, PreEscaped, html};
 use motion_words::{acceleration, alone, quality_rows};
-use project::{Fault, written};
+use project::written;
 use quantities::unit::NEWTON_METRE;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::{ColumnRole, Preview, recording_roles, window_text};
@@ -27,7 +26,7 @@ pub(super) fn preview(request: &Request, found: &Examination) -> Markup {
     let Request { state, choices, file } = request;
     let l = state.language;
     let is_whole = choices.torque == Some(TorqueUse::Whole);
-    let waits = choices.has_torque() && choices.torque.is_none();
+    let waits = !choices.is_answered();
     let is_usable = found.examined.is_some() && !found.has_faulty_text && !waits;
     let inside = html! {
         form id="incoming" class="rows" method="post" action="/recording" autocomplete="off" {
@@ -47,6 +46,7 @@ pub(super) fn preview(request: &Request, found: &Examination) -> Markup {
             }
             @if let Some(preview) = &choices.preview { (columns(preview, choices, found, l)) }
             @if choices.has_torque() { (torque(request, l)) }
+            @if let Some(line) = &choices.line { (line.fields(is_whole, l)) }
             @if let Some(examined) = &found.examined {
                 h3 { (incoming::found(l)) }
                 dl.facts id="incoming-found" { @for (name, value) in quality_rows(examined, l) { dt { (name) } dd { (value) } } }
@@ -56,7 +56,7 @@ pub(super) fn preview(request: &Request, found: &Examination) -> Markup {
             @if found.examined.is_some() && !is_whole && !has_load(request) && !found.is_along_a_line() {
                 div.row {
                     label for="incoming-inertia" { (label_of("load.inertia", l).unwrap_or_default()) }
-                    span.quantity { input id="incoming-inertia" name="inertia" type="text" value=(crate::value::with_mark(&choices.inertia, l)) placeholder=(page::for_example(&"1.3 kg m^2", l)) aria-describedby="incoming-inertia-a"; }
+                    span.quantity { input id="incoming-inertia" name="inertia" type="text" value=(crate::value::with_mark(&choices.inertia, l)) placeholder=(page::for_example(&crate::value::said("1.3 kg m^2", l), l)) aria-describedby="incoming-inertia-a"; }
                     p.small id="incoming-inertia-a" { (incoming::load_later(l)) }
                 }
             }
@@ -64,16 +64,16 @@ pub(super) fn preview(request: &Request, found: &Examination) -> Markup {
             @if !found.open.is_empty() {
                 div.advice id="incoming-open" {
                     p { strong { (incoming::still_open(l)) } }
-                    ul { @for (fault, text) in found.open.iter().zip(words::worded(&found.open, l)) { li {
-                        @if matches!(fault.fault, AxisFault::Stated(Fault::NoMechanism)) { (incoming::load_missing(l)) }
-                        @else { (worded(&text.message, text.hint.as_deref(), l)) }
-                    } } }
+                    ul { @for (fault, text) in found.open.iter().zip(words::worded(&found.open, l)) {
+                        @let text = crate::markup::in_words(text, fault, l);
+                        li { (worded(&text.message, text.hint.as_deref(), l)) }
+                    } }
                 }
             }
             div.downloads {
                 button.primary type="submit" id="incoming-use" disabled[!is_usable] aria-describedby="incoming-why" { (incoming::use_it(l)) }
                 button type="button" data-close="detail" { (page::close(l)) }
-                span.small id="incoming-why" { @if waits { (incoming::answer_first(l)) } @else { (incoming::not_written_yet(l)) } }
+                span.small id="incoming-why" { @if waits { (choices.waits_for(l)) } @else { (incoming::not_written_yet(l)) } }
             }
         }
     };
@@ -95,7 +95,7 @@ fn load_of(request: &Request) -> Vec<String> {
     let keys = written(&request.state.text).unwrap_or_default();
     let stated = keys.iter().filter(|key| is_of_load(&key.path));
     let said = stated.filter_map(|key| {
-        let value = crate::value::with_mark(key.value.as_deref()?, l);
+        let value = crate::value::said(key.value.as_deref()?, l);
         Some(format!("{} {value}", label_of(&key.path, l)?))
     });
     said.collect()

@@ -5,7 +5,7 @@ use super::calculators::inertia_table;
 use super::field::{MARK, Trouble};
 use super::scene::Scene;
 use crate::markup::{label_of, vals};
-use crate::value::{stated, with_mark};
+use crate::value::{said, stated, with_mark};
 use axis::{BodyAnswer, InertiaAnswer, inertia};
 use maud::{Markup, html};
 use project::{BODY_SHAPES, BodyShape};
@@ -236,7 +236,7 @@ fn fills(into: &str, found: &InertiaAnswer, language: Language) -> Markup {
     html! {
         p.downloads { button.primary type="button" id="fill-inertia" data-shuts="" hx-post="/work" hx-target="#work" hx-swap="outerMorph"
             hx-include="#state, [form=state]" hx-vals=(vals(&[("do", &format!("value {into}={value}"))])) {
-            (page::fill_field(&label_of(into, l).unwrap_or_default(), &with_mark(&value, l), l))
+            (page::fill_field(&label_of(into, l).unwrap_or_default(), &said(&value, l), l))
         } }
     }
 }

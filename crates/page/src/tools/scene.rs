@@ -5,8 +5,8 @@ use crate::call::{Call, Shell, query};
 use figures::Theme;
 use maud::{Markup, html};
 use project::{Written, written};
-use quantities::Language;
-use questions::{Progress, read_all_watched};
+use quantities::{Language, Measure, format_significant};
+use questions::{Progress, check, read_all_watched, read_code};
 use std::borrow::Cow;
 use words::page;
 
@@ -62,6 +62,17 @@ impl<'c> Scene<'c> {
             .ok()
             .filter(|axes| axes.len() > 1)?;
         axes.get(place).map(|axis| axis.name.clone())
+    }
+
+    /// Returns the peak torque of the shown axis with the actuator of the tool, as an entry of a field.
+    pub(super) fn torque_peak(&self) -> Option<String> {
+        let text = self.call.field("text").filter(|text| !text.is_empty())?;
+        let place: usize = self.call.field("axis").and_then(|axis| axis.parse().ok()).unwrap_or(0);
+        let axes = read_all_watched(&text, self.shell.files(), self.shell.catalogue(), self.progress).ok()?;
+        let code = read_code(&self.about, self.language).ok()?.parsed.code;
+        let candidate = check(axes.get(place)?, &code).ok()?;
+        let peak = format_significant(candidate.judgement.demand.as_ref()?.torque_peak.si(), 4, self.language);
+        Some(format!("{peak} N m"))
     }
 
     /// Returns the values at and below a path of the shown axis, with the rest of their paths.

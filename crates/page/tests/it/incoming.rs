@@ -112,9 +112,9 @@ fn a_recorded_torque_is_asked_about() {
     assert_eq!(folder.post_file("/recording", &fields, file.as_bytes()).status, 422);
     assert!(folder.0.borrow().is_empty());
     let added = preview(&folder, &[("text", LOAD), ("name", "run.csv"), ("torque", "process")], file.as_bytes());
-    assert!(added.contains("is added to") && added.contains("0.9 kg m^2") && added.contains("2 N m"), "{added}");
+    assert!(added.contains("is added to") && added.contains("0.9 kgm²") && added.contains("2 Nm"), "{added}");
     let whole = preview(&folder, &[("text", LOAD), ("name", "run.csv"), ("torque", "whole")], file.as_bytes());
-    assert!(whole.contains("Removed") && whole.contains("0.9 kg m^2"), "{whole}");
+    assert!(whole.contains("Removed") && whole.contains("0.9 kgm²"), "{whole}");
     // The largest recorded torque is the peak of the whole load.
     assert!(whole.contains("= 3.000 Nm"), "{whole}");
     let none = preview(
@@ -297,4 +297,55 @@ fn without_a_load_the_windows_have_their_acceleration() {
         assert!((peak / expected - 1.0).abs() < 0.02, "{headings}: {peak} {expected}");
         assert!(!html.contains("id=\"incoming-inertia\"") || unit == "rad/s²", "{html}");
     }
+}
+
+/// A recording along a line asks for its mechanism where the axis has none with a constant travel; the project that results
+/// has it in place of the load, with what was typed, and no fault.
+#[test]
+fn a_recording_along_a_line_asks_for_its_mechanism() {
+    let file = swing(400, 2.0, "t [ms],position [mm],force [N]", 1e-7);
+    let screw = "format = 1\n[mechanism.screw]\nlead = \"20 mm\"\nmass = \"12 kg\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"90 mm\"\ntime = \"1 s\"\n";
+    for (base, torque) in
+        [("", "process"), ("", "whole"), ("", "unused"), (LOAD, "process"), (LOAD, "whole"), (screw, "whole")]
+    {
+        let folder = InMemory::default();
+        let mut fields = vec![("text", base), ("name", "run.csv"), ("torque", torque)];
+        let html = preview(&folder, &fields, file.as_bytes());
+        assert!(html.contains("incoming-mechanism-kind") && !html.contains("incoming-inertia"), "{html}");
+        // A screw of the project is proposed with its lead.
+        assert_eq!(is_usable(&html), base == screw, "{html}");
+        if base != screw {
+            assert!(html.contains("State the mechanism first."), "{html}");
+            assert_eq!(folder.post_file("/recording", &fields, file.as_bytes()).status, 422);
+            fields.push(("mechanism", "screw"));
+            let html = preview(&folder, &fields, file.as_bytes());
+            assert!(!is_usable(&html) && html.contains("mechanism.screw.lead"), "{html}");
+            assert_eq!(html.contains("name=\"mechanism.screw.mass\""), torque != "whole", "{html}");
+            fields.extend([
+                ("mechanism.screw.lead", "20"),
+                ("unit.mechanism.screw.lead", "mm"),
+                ("mechanism.screw.mass", "8"),
+                ("unit.mechanism.screw.mass", "kg"),
+                ("mechanism.screw.inclination", "0"),
+                ("unit.mechanism.screw.inclination", "deg"),
+                ("once", "true"),
+            ]);
+        }
+        let html = preview(&folder, &fields, file.as_bytes());
+        assert!(is_usable(&html) && !html.contains("incoming-open"), "{html}");
+        let text = page(&folder.post_file("/recording", &fields, file.as_bytes()));
+        let found = keys(&text);
+        let of = |key: &str| found.get(&format!("mechanism.screw.{key}")).map(String::as_str);
+        assert_eq!(of("lead"), Some("20 mm"), "{text}");
+        assert_eq!(of("mass"), Some(if torque == "whole" { "0 kg" } else { "8 kg" }), "{text}");
+        assert!(!found.keys().any(|key| key.starts_with("load.")), "{text}");
+    }
+    // A mechanism whose travel is constant stays; a rotation needs none.
+    let folder = InMemory::default();
+    let fields = [("text", screw), ("name", "run.csv"), ("torque", "process")];
+    let html = preview(&folder, &fields, file.as_bytes());
+    assert!(is_usable(&html) && !html.contains("incoming-mechanism"), "{html}");
+    let turning = swing(400, 2.0, "t [ms],q [deg],M [N m]", 0.01);
+    let html = preview(&folder, &[("text", ""), ("name", "run.csv"), ("torque", "whole")], turning.as_bytes());
+    assert!(is_usable(&html) && !html.contains("incoming-mechanism"), "{html}");
 }

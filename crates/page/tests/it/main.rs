@@ -2,6 +2,7 @@
 
 mod axes;
 mod begin;
+mod cards;
 mod cost;
 mod faults;
 mod folder;

@@ -10,6 +10,7 @@ use crate::answer;
 use crate::chapters::{read_hours, read_quantity};
 use crate::progress::Progress;
 use crate::signal::Signal;
+pub use crate::simulate::RunChange;
 use crate::simulate::{NotRun, ROWS_MOST, Simulated, StepLimit, Wanted, Work, simulate};
 use axis::AxisProject;
 use configurator::ProductId;
@@ -234,17 +235,29 @@ pub fn of_the_project<'p>(
 /// Returns the run of a scenario with its course; all other data as stated by the project.
 ///
 /// # Errors
-/// The reason why it is not run, in a sentence.
+/// [`NotSimulated`].
 pub fn of_scenario<'p>(
     project: &'p AxisProject,
     product: Option<&ProductId>,
     id: ScenarioId,
     progress: &Progress,
     language: Language,
-) -> Result<Simulated<'p>, String> {
+) -> Result<Simulated<'p>, NotSimulated> {
     let wanted =
         Wanted { scenario: Scenario { id, ..project.twin.scenario }, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
-    simulate(project, product, wanted, StepLimit::Fixed, progress).map_err(|why| said(&why, language))
+    simulate(project, product, wanted, StepLimit::Fixed, progress).map_err(|why| NotSimulated {
+        changes: if let NotRun::Steps(fault) = &why { fault.of_the_project(language) } else { Vec::new() },
+        sentence: said(&why, language),
+    })
+}
+
+/// A run that is not computed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotSimulated {
+    /// The reason in a sentence.
+    pub sentence: String,
+    /// Changes of the project with which it is computed.
+    pub changes: Vec<RunChange>,
 }
 
 fn said(why: &NotRun, language: Language) -> String {

@@ -12,6 +12,9 @@ pub(crate) const STEPS_MOST: u64 = 50_000_000;
 const WARM_CYCLES: u64 = 8;
 const DAYS_CYCLES: u64 = 14;
 
+const CYCLES: &str = "twin.cycles";
+const COLD: &str = "twin.cold";
+
 /// Limit of the steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StepLimit {
@@ -119,7 +122,9 @@ impl Work {
             let together = cycles(&cold).map(|most| Change { cold: true, cycles: Some(most), ..Change::NONE });
             changes.extend(together);
         }
-        changes.extend((limit == StepLimit::WithoutTimeLimit).then_some(Change { time_limit: true, ..Change::NONE }));
+        // Where no time limit can be stated, the command line is the way for a run that nothing shortens.
+        let has_way = limit == StepLimit::WithoutTimeLimit || changes.is_empty();
+        changes.extend(has_way.then_some(Change { time_limit: true, ..Change::NONE }));
         Err(TooManySteps { run: sum(&Self::run), besides: sum(&Self::besides), limit, changes })
     }
 }
@@ -153,13 +158,14 @@ impl Change {
     fn said(self, limit: StepLimit, language: Language) -> String {
         // Without a call the project states them.
         let [cycles, cold] =
-            if limit == StepLimit::Fixed { ["twin.cycles", "twin.cold = true"] } else { ["--cycles", "--cold"] };
+            if limit == StepLimit::Fixed { [CYCLES, "twin.cold = true"] } else { ["--cycles", "--cold"] };
         let of_cycles = self.cycles.map(|most| simulation::steps_cycles(&most, &cycles, language));
         let flags = [
             (self.cold, simulation::steps_cold(&cold, language)),
             (self.without_days, simulation::steps_without_days(language).to_owned()),
             (self.one_axis, simulation::steps_one_axis(language).to_owned()),
-            (self.time_limit, simulation::steps_time_limit(language).to_owned()),
+            (self.time_limit && limit == StepLimit::Fixed, simulation::steps_in_the_terminal(language).to_owned()),
+            (self.time_limit && limit != StepLimit::Fixed, simulation::steps_time_limit(language).to_owned()),
         ];
         let words = flags.into_iter().filter(|(is_made, _)| *is_made).map(|(_, words)| words);
         let together =
@@ -168,14 +174,37 @@ impl Change {
     }
 }
 
+/// Change of a project that keeps its run within the limit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RunChange {
+    /// The change in words.
+    pub title: String,
+    /// Keys of the axis with their new values.
+    pub edits: Vec<(&'static str, String)>,
+}
+
 impl TooManySteps {
-    /// Returns the fault in words.
+    /// Returns the changes of the project of which each suffices.
+    pub(crate) fn of_the_project(&self, language: Language) -> Vec<RunChange> {
+        let changes = self.changes.iter().filter(|change| change.cycles.is_some() || change.cold);
+        let change = |change: &Change| {
+            let cycles =
+                change.cycles.map(|most| (simulation::fewer_cycles(&most, language), (CYCLES, most.to_string())));
+            let cold = change.cold.then(|| (simulation::cold_start(language).to_owned(), (COLD, "true".to_owned())));
+            let (titles, edits): (Vec<String>, Vec<_>) = cycles.into_iter().chain(cold).unzip();
+            let title = titles.into_iter().reduce(|one, other| simulation::steps_and(&one, &other, language));
+            RunChange { title: title.unwrap_or_default(), edits }
+        };
+        changes.map(change).collect()
+    }
+
+    /// Returns the fault in words, with the changes of the call or, without one, of the project.
     pub(crate) fn said(&self, language: Language) -> String {
-        let most = STEPS_MOST;
+        let [run, besides, most] = [self.run, self.besides, STEPS_MOST].map(grouped);
         let fault = if self.besides == 0 {
-            simulation::too_many_steps(&self.run, &most, language)
+            simulation::too_many_steps(&run, &most, language)
         } else {
-            simulation::too_many_steps_besides(&self.run, &self.besides, &most, language)
+            simulation::too_many_steps_besides(&run, &besides, &most, language)
         };
         let changes = self.changes.iter().map(|change| change.said(self.limit, language));
         match changes.reduce(|one, other| simulation::steps_or(&one, &other, language)) {
@@ -183,6 +212,19 @@ impl TooManySteps {
             None => fault,
         }
     }
+}
+
+/// Returns a count with a space between groups of three digits.
+fn grouped(count: u64) -> String {
+    let digits = count.to_string();
+    let mut found = String::with_capacity(digits.len() + digits.len() / 3);
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            found.push('\u{a0}');
+        }
+        found.push(digit);
+    }
+    found
 }
 
 #[cfg(test)]
@@ -207,12 +249,18 @@ mod tests {
                             assert_eq!(found.is_err(), is_over, "{works:?}");
                             let Err(fault) = found else { continue };
                             refused += 1;
-                            alone += usize::from(fault.changes.is_empty());
+                            assert!(!fault.changes.is_empty(), "a way out for {work:?}");
+                            for change in fault.of_the_project(Language::En) {
+                                assert!(!change.title.is_empty() && !change.edits.is_empty(), "{change:?}");
+                            }
+                            let is_terminal =
+                                limit == StepLimit::Fixed && fault.changes.iter().all(|change| change.time_limit);
+                            alone += usize::from(is_terminal);
                             assert_eq!(fault.run + fault.besides, sum(&works));
                             assert_eq!(fault.run, axes as u64 * cycle * u64::from(cycles));
                             for change in fault.changes {
                                 if change.time_limit {
-                                    assert_eq!(limit, StepLimit::WithoutTimeLimit);
+                                    assert!(limit != StepLimit::None);
                                     continue;
                                 }
                                 assert!(change.cycles.is_none_or(|most| most < cycles), "{work:?} {change:?}");
@@ -238,6 +286,19 @@ mod tests {
         assert!(refused > 50 && alone > 0 && alone < refused / 2, "{refused} {alone}");
     }
 
+    /// A roll of half an hour is too long for the page however it starts; the command line computes it.
+    #[test]
+    fn a_long_roll_has_a_way_out_on_the_page() {
+        let roll = Work { cycle: 160_200_000, after: 0, cycles: 1, warm: true, days: false };
+        let fault = Work::within(&[roll], StepLimit::Fixed).unwrap_err();
+        assert!(fault.of_the_project(Language::De).is_empty());
+        assert!(fault.said(Language::En).contains("antrieb simulate"), "{}", fault.said(Language::En));
+        let short = Work { cycle: 10_761_060, ..roll };
+        let fault = Work::within(&[short], StepLimit::Fixed).unwrap_err();
+        let cold = RunChange { title: "kalt beginnen".to_owned(), edits: vec![(COLD, "true".to_owned())] };
+        assert_eq!(fault.of_the_project(Language::De), [cold]);
+    }
+
     #[test]
     fn a_winder_may_start_cold_instead() {
         let winder = Work { cycle: 10_761_060, after: 0, cycles: 1, warm: true, days: false };
@@ -245,13 +306,13 @@ mod tests {
         for (language, words) in [
             (
                 Language::En,
-                "10761060 steps and up to 86088480 for the temperatures at its start exceed the limit of 50000000: \
+                "10\u{a0}761\u{a0}060 steps and up to 86\u{a0}088\u{a0}480 for the temperatures at its start exceed the limit of 50\u{a0}000\u{a0}000: \
                  start cold (--cold), or state a time limit (--deadline)",
             ),
             (
                 Language::De,
-                "10761060 Schritte und bis zu 86088480 für die Temperaturen am Beginn überschreiten die Grenze von \
-                 50000000: kalt beginnen (--cold) oder eine Zeitgrenze angeben (--deadline)",
+                "10\u{a0}761\u{a0}060 Schritte und bis zu 86\u{a0}088\u{a0}480 für die Temperaturen am Beginn überschreiten die Grenze von \
+                 50\u{a0}000\u{a0}000: kalt beginnen (--cold) oder eine Zeitgrenze angeben (--deadline)",
             ),
         ] {
             assert_eq!(fault.said(language), words);

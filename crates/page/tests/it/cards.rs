@@ -1,0 +1,54 @@
+//! The cards of a project that no actuator of the catalogue fits: each change of the cycle or the load has a button, and
+//! with it the axis is judged as the card says.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use crate::shell;
+
+use shell::{page, post};
+
+const LOAD: &str = "format = 1\n[load]\ninertia = \"200 kg m^2\"\n";
+
+/// Returns a to-and-fro motion with a payload, of a number of strokes.
+fn strokes(count: usize) -> String {
+    let one = |way: &str| {
+        format!(
+            "[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"{way}60 deg\"\ntime = \"0.8 s\"\npayload_inertia = \"30 kg m^2\"\n"
+        )
+    };
+    format!("{LOAD}{}", format!("{}{}", one(""), one("-")).repeat(count))
+}
+
+/// Returns each card: its title, the actuator, and the fields of its button.
+fn cards(text: &str) -> Vec<(String, String, Option<Vec<(String, String)>>)> {
+    let html = page(&post("/would-fit", &[("text", text)]));
+    let cut = |html: &str, from: &str, to: &str| Some(html.split_once(from)?.1.split_once(to)?.0.to_owned());
+    let card = |html: &str| {
+        let fields = cut(html, "hx-vals=\"", "\"").map(|json| {
+            let json: std::collections::BTreeMap<String, String> =
+                serde_json::from_str(&json.replace("&quot;", "\"")).unwrap();
+            json.into_iter().collect()
+        });
+        (cut(html, "<h4>", "</h4>").unwrap(), cut(html, "class=\"code\">", "<").unwrap(), fields)
+    };
+    html.split("<article").skip(1).map(card).collect()
+}
+
+#[test]
+fn every_card_of_cycle_and_load_has_a_button_that_leads_to_its_verdict() {
+    // Of a long cycle a smaller load is sought for the nearest actuator only, and not always found.
+    for (count, titles) in [(1, ["Longer cycle", "Smaller load"].as_slice()), (130, &["Longer cycle"])] {
+        let text = strokes(count);
+        let found = cards(&text);
+        for title in titles {
+            let (_, code, fields) =
+                found.iter().find(|(of, ..)| of == *title).unwrap_or_else(|| panic!("{title} of {count}: {found:?}"));
+            let fields = fields.as_ref().unwrap_or_else(|| panic!("{title} of {count} without a button"));
+            let mut sent: Vec<(&str, &str)> =
+                fields.iter().map(|(name, value)| (name.as_str(), value.as_str())).collect();
+            sent.push(("text", &text));
+            let html = page(&post("/work", &sent));
+            let standing = html.split("id=\"standing\"").nth(1).unwrap().split("</p>").next().unwrap();
+            assert!(standing.contains(code.as_str()), "{title} of {count}: {code}, {standing}");
+        }
+    }
+}
