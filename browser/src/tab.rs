@@ -289,7 +289,11 @@ impl Tab {
         );
         let is_before = self.eval(&is_before)? == Value::Bool(true);
         for _ in 0..400 {
-            if is_before { self.chord(key::SHIFT, key::TAB)? } else { self.keys(&key::TAB.to_string())? }
+            if is_before {
+                self.chord(key::SHIFT, key::TAB)?
+            } else {
+                self.keys(&key::TAB.to_string())?
+            }
             if self.eval(&format!("document.activeElement.matches({})", json!(selector)))? == Value::Bool(true) {
                 return Ok(());
             }

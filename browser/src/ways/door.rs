@@ -110,7 +110,7 @@ pub(crate) fn recording_through_the_door(stage: &OpenPage<'_>) -> Worded {
     Ok(())
 }
 
-/// A recording along a line asks for its mechanism; what is typed there stands in the project, and it has an answer.
+/// A recording along a line requires a mechanism; what is typed there stands in the project, and it has an answer.
 pub(crate) fn recording_along_a_line(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     let rows = (0..400_u32).map(|row| {
@@ -141,7 +141,9 @@ pub(crate) fn recording_along_a_line(stage: &OpenPage<'_>) -> Worded {
         tab.there("#standing")?;
         stage.listens()?;
         tab.says("#text", "lead = \"20 mm\"")?;
-        tab.until("document.querySelector('#standing').textContent.includes('CHA-') || document.querySelector('.remedies')")?;
+        tab.until(
+            "document.querySelector('#standing').textContent.includes('CHA-') || document.querySelector('.remedies')",
+        )?;
         tab.run("window.onbeforeunload = null;", Vec::new())?;
     }
     Ok(())

@@ -43,7 +43,9 @@ pub(crate) fn column(
 pub(crate) fn nothing(state: &PageState, held: &ReadProject) -> Markup {
     let l = state.language;
     let of_axis = [format!("{}mechanism", state.prefix), "mechanism".to_owned()];
-    let missing = of_axis.iter().find_map(|path| held.faults.at(path).map(|(_, fault)| fault).find(|fault| fault.id == "no_mechanism"));
+    let missing = of_axis
+        .iter()
+        .find_map(|path| held.faults.at(path).map(|(_, fault)| fault).find(|fault| fault.id == "no_mechanism"));
     html! {
         section.pane id="demands" aria-labelledby="demands-title" {
             h2 id="demands-title" { (page::what_it_demands(l)) }

@@ -208,8 +208,7 @@ fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Ma
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
     let bar = verdict::bar(state, held, &none, &moves.0, progress);
-    let panes =
-        panes(&moves, &demand::nothing(state, held), &fits::column(state, &none, true, shell), state.language);
+    let panes = panes(&moves, &demand::nothing(state, held), &fits::column(state, &none, true, shell), state.language);
     page_of(state, held, shell, (&html! { (bar) (crate::markup::stopped(why)) }, false), &panes)
 }
 

@@ -46,6 +46,7 @@ mod sketch;
 mod start;
 mod state;
 #[cfg(feature = "theory")]
+mod text_change;
 mod theory;
 mod tip;
 mod tolerances;

@@ -395,7 +395,7 @@ impl PageState {
             let value = if band.is_empty() { value.to_owned() } else { format!("{value} ± {band}") };
             apply(&path, Edit::Value(&value));
         }
-        if let Some(changed) = crate::remedies::scaled(call, &self.text) {
+        if let Some(changed) = crate::text_change::scaled(call, &self.text) {
             self.text = changed;
         }
         if let (Some(rows), Some(into)) = (call.field("rows"), call.field("into"))

@@ -94,7 +94,7 @@ texts! {
     is_added_behind = "is added behind the motion" | "wird an die Bewegung angehängt";
     runs_once = "Single move: the axis is not required to end as it begins" | "Einzelfahrt: Die Achse muss nicht so enden, wie sie beginnt";
     load_later = "Optional: it can also be stated later." | "Optional: Die Angabe kann auch später folgen.";
-    load_missing = "The load is missing: choose its mechanism." | "Die Last fehlt: die Mechanik wählen.";
+    load_missing = "The load is missing: choose its mechanism" | "Die Last fehlt: die Mechanik wählen";
     line_missing =
         "a motion along a line needs a constant travel per turn"
         | "eine Bewegung längs einer Geraden erfordert einen festen Weg je Umdrehung";

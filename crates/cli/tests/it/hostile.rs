@@ -418,7 +418,7 @@ fn the_steps_of_all_axes_are_counted_together() {
     let errors = faults(folder.path(), &["simulate", "axes.toml", code[0], code[1]]);
     // 1.3 s at 16 kHz and six steps, up to eight more cycles for the settled state: 1.1 million steps of each.
     let message = errors[0]["message"].as_str().unwrap();
-    assert!(message.starts_with("7488000 steps and up to 59904000"), "{message}");
+    assert!(message.starts_with("7\u{a0}488\u{a0}000 steps and up to 59\u{a0}904\u{a0}000"), "{message}");
     assert!(["--cold", "--axis", "--deadline"].iter().all(|each| message.contains(each)), "{message}");
     assert!(begun.elapsed() < std::time::Duration::from_secs(20), "{:?}", begun.elapsed());
 }

@@ -29,7 +29,11 @@ impl Request {
         let file = IncomingFile::new(&name, bytes);
         let state = PageState::of(&form);
         let mut choices = Choices::of(&form, file.preview());
-        choices.line = LineMechanism::of(&form, &state, &choices);
+        if choices.is_along_a_line() {
+            let SegmentPlace { prefix, .. } = SegmentPlace::of(&state);
+            let is_whole = choices.torque == Some(TorqueUse::Whole);
+            choices.line = LineMechanism::of(&form, (&state.text, &prefix), is_whole);
+        }
         Self { state, choices, file }
     }
 }

@@ -1,10 +1,7 @@
 //! Mechanism of a recording along a line: its travel per turn relates positions and forces to the output.
 
-use super::choices::{Choices, TorqueUse};
-use super::examination::SegmentPlace;
 use crate::call::Call;
 use crate::start::{BEGINS, Begin};
-use crate::state::PageState;
 use maud::{Markup, html};
 use project::{Written, written};
 use quantities::Language;
@@ -18,9 +15,8 @@ const FIELD: &str = "mechanism";
 pub(super) const NO_MASS: &str = "0 kg";
 
 /// Ways to begin whose mechanism has a constant travel per turn.
-static LINEAR: LazyLock<Vec<&'static Begin>> = LazyLock::new(|| {
-    BEGINS.iter().filter(|begin| begin.has_travel()).collect()
-});
+static LINEAR: LazyLock<Vec<&'static Begin>> =
+    LazyLock::new(|| BEGINS.iter().filter(|begin| begin.has_travel()).collect());
 
 /// Mechanism stated together with a recording.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,19 +41,17 @@ fn rows(begin: &'static Begin, is_whole: bool) -> impl Iterator<Item = &'static 
 }
 
 impl LineMechanism {
-    /// Returns the statements of a call; `None` if the recording needs no mechanism: its motion is a rotation, or the
-    /// axis has a mechanism with a constant travel per turn that stays.
-    pub(super) fn of(call: &Call<'_>, state: &PageState, choices: &Choices) -> Option<Self> {
-        let keys = written(&state.text).unwrap_or_default();
-        let SegmentPlace { prefix, .. } = SegmentPlace::of(state);
+    /// Returns the statements of a call about a recording along a line; `None` if the axis whose keys have a prefix in the
+    /// text has a mechanism with a constant travel per turn that stays. `is_whole`: the recorded force is the whole load.
+    pub(super) fn of(call: &Call<'_>, (text, prefix): (&str, &str), is_whole: bool) -> Option<Self> {
+        let keys = written(text).unwrap_or_default();
         let is_stated = |name: &&str| {
             let table = format!("{prefix}mechanism.{name}");
             keys.iter()
                 .any(|key| key.path.strip_prefix(&table).is_some_and(|rest| rest.is_empty() || rest.starts_with('.')))
         };
         let present = LINEAR.iter().filter_map(|begin| begin.mechanism).find(is_stated);
-        let is_whole = choices.torque == Some(TorqueUse::Whole);
-        if !choices.is_along_a_line() || present.is_some() && !is_whole {
+        if present.is_some() && !is_whole {
             return None;
         }
         let chosen = call.field(FIELD);

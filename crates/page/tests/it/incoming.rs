@@ -224,7 +224,7 @@ fn hostile_files_have_a_sentence_and_change_nothing() {
     let file = swing(40, 10.0, "t,q,mode\nms,deg,", 0.01);
     let html = preview(&folder, &[("text", ""), ("name", "run.csv")], file.as_bytes());
     assert!(is_usable(&html) && html.contains("Still open in the project afterwards"), "{html}");
-    assert!(html.contains("the load: its moment of inertia") && !html.contains("[load]"), "{html}");
+    assert!(html.contains("The load is missing") && !html.contains("[load]"), "{html}");
 }
 
 /// A file of any name is kept under one that a project may state.
@@ -299,7 +299,7 @@ fn without_a_load_the_windows_have_their_acceleration() {
     }
 }
 
-/// A recording along a line asks for its mechanism where the axis has none with a constant travel; the project that results
+/// A recording along a line requires a mechanism where the axis has none with a constant travel; the project that results
 /// has it in place of the load, with what was typed, and no fault.
 #[test]
 fn a_recording_along_a_line_asks_for_its_mechanism() {
