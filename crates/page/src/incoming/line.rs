@@ -37,7 +37,7 @@ fn rows(begin: &'static Begin, is_whole: bool) -> impl Iterator<Item = &'static 
     let is_asked = move |path: &&str| {
         path.starts_with("mechanism.") && !(is_whole && (path.ends_with(".mass") || path.ends_with(".inclination")))
     };
-    begin.asked.iter().copied().filter(move |row| row.first().is_some_and(|path| is_asked(path)))
+    begin.asked.iter().copied().filter(move |row| row.first().is_some_and(&is_asked))
 }
 
 impl LineMechanism {

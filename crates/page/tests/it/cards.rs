@@ -18,8 +18,11 @@ fn strokes(count: usize) -> String {
     format!("{LOAD}{}", format!("{}{}", one(""), one("-")).repeat(count))
 }
 
-/// Returns each card: its title, the actuator, and the fields of its button.
-fn cards(text: &str) -> Vec<(String, String, Option<Vec<(String, String)>>)> {
+/// A card: its title, the actuator, and the fields of its button.
+type Card = (String, String, Option<Vec<(String, String)>>);
+
+/// Returns each card.
+fn cards(text: &str) -> Vec<Card> {
     let html = page(&post("/would-fit", &[("text", text)]));
     let cut = |html: &str, from: &str, to: &str| Some(html.split_once(from)?.1.split_once(to)?.0.to_owned());
     let card = |html: &str| {
