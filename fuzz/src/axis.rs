@@ -100,7 +100,7 @@ pub fn twin_of<'p>(
     project: &'p AxisProject,
     code: &ProductId,
     language: Language,
-) -> Option<std::result::Result<questions::Simulated<'p>, String>> {
+) -> Option<std::result::Result<questions::Simulated<'p>, list::simulate::NotSimulated>> {
     if project.axis.motion.duration().si() > 1.0 || project.twin.scenario.cycles > 1 {
         return None;
     }
@@ -114,7 +114,7 @@ pub fn twin_of<'p>(
             assert!(ends || figures.iter().all(|figure| figure.is_finite()), "{s:?}");
             assert!(ends || run.course.iter().all(|row| row.position_rad.is_finite() && row.current_q_a.is_finite()));
         }
-        Err(why) => assert!(!why.is_empty()),
+        Err(why) => assert!(!why.sentence.is_empty()),
     }
     Some(found)
 }

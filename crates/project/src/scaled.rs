@@ -12,11 +12,9 @@ use std::collections::BTreeMap;
 /// Digits of a stretched segment; more than a pointer in a picture resolves.
 const DIGITS: i32 = 6;
 
-/// Digits of a scaled load: those of a stated value and of a factor.
-const DIGITS_OF_LOAD: i32 = 12;
-
-/// Digits of a value that decides the distance, so that a cycle stays closed.
-const DIGITS_OF_WAY: i32 = 12;
+/// Digits of a value scaled by a computed factor, and of one that decides the distance: a limit that the factor just keeps
+/// is kept, and a cycle stays closed.
+const EXACT_DIGITS: i32 = 12;
 
 /// Returns the text with a segment scaled by `time` in its duration and by `way` in its distance.
 ///
@@ -29,7 +27,7 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
         return Err(EditFault::Path);
     }
     let all = StatedValues::of(text).ok_or(EditFault::Syntax)?;
-    edit_values(text, &all.stretched(path, time, way)?)
+    edit_values(text, &all.stretched(path, (time, way), DIGITS)?)
 }
 
 /// Values of a text by their paths.
@@ -44,8 +42,14 @@ impl StatedValues {
         self.0.get(path).map(String::as_str)
     }
 
-    /// Returns the changed values of a segment scaled by `time` in its duration and by `way` in its distance.
-    fn stretched(&self, path: &str, time: f64, way: f64) -> Result<Vec<(String, String)>, EditFault> {
+    /// Returns the changed values of a segment scaled by `time` in its duration and by `way` in its distance, with so many
+    /// digits where they do not decide the distance.
+    fn stretched(
+        &self,
+        path: &str,
+        (time, way): (f64, f64),
+        digits: i32,
+    ) -> Result<Vec<(String, String)>, EditFault> {
         let value = |name: &str| self.get(&format!("{path}.{name}"));
         let law = value(Segment::VARIANTS.by).ok_or(EditFault::Path)?;
         // At constant speed the distance follows from the time.
@@ -67,7 +71,7 @@ impl StatedValues {
             if factor == 1.0 {
                 continue;
             }
-            let digits = if is_way(key) || !directed { DIGITS_OF_WAY } else { DIGITS };
+            let digits = if is_way(key) || !directed { EXACT_DIGITS } else { digits };
             let Some(scaled) = scaled(stated, factor, digits) else { continue };
             changed.push((format!("{path}.{}", key.name), scaled));
         }
@@ -93,7 +97,7 @@ pub fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
         let mut times = |name: &str, factor: f64| {
             let path = format!("{segment}.{name}");
             let Some(stated) = all.get(&path) else { return Some(false) };
-            let value = scaled(stated, factor, DIGITS_OF_LOAD)?;
+            let value = scaled(stated, factor, EXACT_DIGITS)?;
             changed.push((path, value));
             Some(true)
         };
@@ -111,7 +115,7 @@ pub fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
             }
             _ => {
                 times("cycle", factor)?;
-                changed.extend(all.stretched(segment, factor, 1.0).ok()?);
+                changed.extend(all.stretched(segment, (factor, 1.0), EXACT_DIGITS).ok()?);
             }
         }
     }
@@ -140,7 +144,7 @@ pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<
         };
         let kind = key_at(inside).map(|key| key.kind);
         if matches!(kind, Some(Kind::Quantity(Dimension::Mass | Dimension::MomentOfInertia, _))) {
-            changed.push((key.path.clone(), scaled(stated, factor, DIGITS_OF_LOAD)?));
+            changed.push((key.path.clone(), scaled(stated, factor, EXACT_DIGITS)?));
         }
     }
     let changed = edit_values(text, &changed).ok()?;
@@ -188,6 +192,20 @@ fn shown(number: f64, digits: i32) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A factor that just reaches a limit is kept up to the rounding of twelve digits.
+    #[test]
+    fn a_pace_is_kept_to_twelve_digits() {
+        let text = "[[motion]]\nlaw = \"trapezoid\"\ndistance = \"1 rad\"\ntime = \"0.8 s\"\n\
+            [[motion]]\nlaw = \"dwell\"\ntime = \"0.3 s\"\n";
+        for factor in [1.0 / 3.0, 1.338_461_538_461, 7.0 / 6.0, 1.000_001] {
+            let paced = paced(text, "", factor).unwrap();
+            let times = written(&paced).unwrap().into_iter().filter(|key| key.path.ends_with(".time"));
+            let seconds = times.map(|key| key.value.unwrap().trim_end_matches(" s").parse::<f64>().unwrap());
+            let sum: f64 = seconds.sum();
+            assert!((sum / (1.1 * factor) - 1.0).abs() < 1e-11, "{factor}: {paced}");
+        }
+    }
 
     #[test]
     fn what_is_given_grows_in_proportion_and_the_rest_stays() {

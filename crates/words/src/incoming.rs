@@ -70,12 +70,12 @@ texts! {
     other_window = "other width" | "andere Breite";
     peak_later =
         "The peak torque follows with the answer about the torque and a load." | "Das Spitzendrehmoment folgt mit der Angabe zum Drehmoment und einer Last.";
-    torque_question = "What is the recorded torque?" | "Was ist das aufgezeichnete Drehmoment?";
+    torque_question = "What is the recorded torque or force?" | "Was ist das aufgezeichnete Drehmoment oder die Kraft?";
     torque_whole = "The whole load" | "Die gesamte Last";
     torque_whole_about =
         "inertia, friction and process together; nothing is added to it"
         | "Massenträgheit, Reibung und Prozess zusammen; nichts wird addiert";
-    torque_process = "A process torque" | "Ein Prozessmoment";
+    torque_process = "A torque or force of the process" | "Ein Prozessmoment oder eine Prozesskraft";
     torque_process_about =
         "it is added to inertia, gravity and friction described in the project"
         | "wird zu Massenträgheit, Schwerkraft und Reibung des Projekts addiert";

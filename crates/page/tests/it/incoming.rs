@@ -107,7 +107,7 @@ fn a_recorded_torque_is_asked_about() {
     let file = swing(400, 2.0, "t [ms],q [deg],M [N m]", 0.01);
     let fields = [("text", LOAD), ("name", "run.csv")];
     let html = preview(&folder, &fields, file.as_bytes());
-    assert!(!is_usable(&html) && html.contains("What is the recorded torque?"), "{html}");
+    assert!(!is_usable(&html) && html.contains("What is the recorded torque or force?"), "{html}");
     assert!(!html.contains("checked required"), "no answer is chosen beforehand");
     assert_eq!(folder.post_file("/recording", &fields, file.as_bytes()).status, 422);
     assert!(folder.0.borrow().is_empty());
