@@ -62,6 +62,16 @@ class _Source(Section, ProjectSource):
     def __hash__(self) -> int:
         return hash(repr(self._document()))
 
+    def __repr__(self) -> str:
+        text = super().__repr__()
+        for axis in self._values.get("axis") or ():
+            text = text.replace(repr(axis), Section.__repr__(axis))
+        if not self._recordings:
+            return text
+        # As Python it would look for files; a comment says that there are none.
+        shown = ", ".join(list(self._recordings)[:3]) + (", …" if len(self._recordings) > 3 else "")
+        return f"{text}  # with recordings that are in no file: {shown}; save writes them"
+
     def to_toml(self) -> str:
         """Returns the text of the project file.
 

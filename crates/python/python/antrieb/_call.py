@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from antrieb import _antrieb, _origin
 from antrieb._axis import to_source
 from antrieb._decode import decoder
+from antrieb._fault import fault
 from antrieb._lazy import lazy
 from antrieb._quantity import Q, of_pint
 from antrieb._source import Handed, ProjectSource, folder_text
@@ -21,6 +22,8 @@ from antrieb._trace import HeldFile
 
 if TYPE_CHECKING:
     from antrieb import answers
+    from antrieb._lines import Drawn, Line
+    from antrieb._record import Rows
 
     Fault = answers.Fault | answers.CodeFault
     """A fault of a call or of an ordering code."""
@@ -84,13 +87,27 @@ def _line(fault: Fault) -> str:
 class Picture:
     """A picture as SVG; a notebook shows it."""
 
-    __slots__ = ("svg",)
+    __slots__ = ("_drawn", "svg")
 
     svg: str
     """The picture."""
 
-    def __init__(self, svg: str) -> None:
+    def __init__(self, svg: str, drawn: Drawn | None = None) -> None:
         self.svg = svg
+        self._drawn = drawn
+
+    def arrays(self) -> Rows[Line]:
+        """Return what it shows as arrays with labels and units, for Matplotlib: `ax.plot(*line, label=line.name)`.
+
+        The data are asked anew, with the arguments of the call.
+
+        Raises:
+            TypeError: Its data are in no answer; the message says where its figures are.
+            ValueError: The project has changed since it was drawn.
+        """
+        from antrieb import _lines
+
+        return _lines.of_picture(self.svg, self._drawn)
 
     def _repr_svg_(self) -> str:
         return self.svg
@@ -121,6 +138,8 @@ def handed(text: Text, name: str | None, folder: Path | None, others: bool = Fal
     if isinstance(text, (str, os.PathLike)):
         if folder is not None and not others:
             raise TypeError("folder is for a text or an Axis; the recordings of a file lie beside it")
+        if name is not None and not others:
+            raise TypeError("file is what a text is called in faults; a path has its own name: leave it out")
         return None, os.fspath(text), "", {}
     source = to_source(text)
     # Callers without a type checker.
@@ -273,6 +292,16 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
     return found
 
 
+def _has_tolerances(answer: Any) -> bool:
+    """Returns true if an axis has tolerances; where nothing fits and nothing is near they count as there."""
+    judged: list[Any] = [answer] if hasattr(answer, "tolerance") else [*answer.ranking[:1], *([answer.own] if answer.own else [])]
+    if not judged:
+        if answer.nearest_miss is None:
+            return True
+        judged = [answer.best]
+    return any(each.tolerance is not None for each in judged)
+
+
 def ask(
     of: Any,
     command: str,
@@ -306,9 +335,20 @@ def ask(
         if len(texts) == 1:
             named = {"file": file, "folder": folder, "memory": memory}
             _origin.attach(answer, _origin.Origin.of(texts[0], pairs_given, lang, **named))
+        drawn = [name for name, value in pairs_given if name in ("samples", "seed") and value is not None]
+        if drawn and command in ("size", "check") and not any(map(_has_tolerances, answer.axes)):
+            raise fault(
+                f"{drawn[0]}: the project has no tolerances, so nothing is sampled",
+                'leave it out, or state one, such as mass="30 kg ± 5 %"',
+            )
         return answer
     if media == SVG:
-        return Picture(body.decode())
+        from antrieb._lines import Drawn
+
+        named = {"file": file, "folder": folder, "deadline": deadline, "memory": memory}
+        kept = {name: value for name, value in named.items() if value is not None}
+        text = _origin.absolute(texts[0])
+        return Picture(body.decode(), Drawn(command, text, {name: value for name, value in pairs_given if value is not None}, lang, kept))
     if media.startswith(TEXTS):
         return body.decode()
     return body

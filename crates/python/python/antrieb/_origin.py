@@ -25,12 +25,17 @@ class Origin:
     @classmethod
     def of(cls, text: Any, pairs: Any, lang: str, **named: Any) -> Origin:
         """The origin of the answers of a call; a path keeps its meaning in another folder."""
-        path: Any = text
-        if isinstance(text, (str, os.PathLike)) and os.path.exists(path):
-            path = os.path.abspath(path)
         given = {name: value for name, value in pairs if name == "axis" and value is not None}
         given.update({name: value for name, value in named.items() if value is not None})
-        return cls(path, {**given, "lang": lang})
+        return cls(absolute(text), {**given, "lang": lang})
+
+
+def absolute(text: Any) -> Any:
+    """A path that keeps its meaning in another folder; another project as it is."""
+    path: Any = text
+    if isinstance(text, (str, os.PathLike)) and os.path.exists(path):
+        return os.path.abspath(path)
+    return path
 
 
 def attach(answer: Any, origin: Origin) -> None:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import dataclasses
 import difflib
 import importlib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, Generic, SupportsIndex, TypeVar, overload
 
 if TYPE_CHECKING:
+    from antrieb._lines import Line
     from antrieb.answers import Explained
 
 T = TypeVar("T")
@@ -39,6 +40,46 @@ class Record:
     def to_dict(self) -> dict[str, Any]:
         """Return the fields as dictionaries and lists, by the names of Python."""
         return {name: _plain(getattr(self, name)) for name in _names(type(self))}
+
+    def to_dicts(self) -> list[dict[str, Any]]:
+        """Return the entries over which the answer iterates as dictionaries.
+
+        Raises:
+            TypeError: It has no entries, or several lists of them.
+        """
+        return Rows(_entries(self, "to_dicts")).to_dicts()
+
+    def to_pandas(self) -> Any:
+        """Return a data frame of pandas, a row for each entry over which the answer iterates.
+
+        Entries that are lists themselves have a row for each of theirs: the pins of the connectors, the values of the
+        sections, the points of the curves; those of several axes have the axis in front.
+
+        Raises:
+            TypeError: It has no entries, or several lists of them.
+        """
+        return _library("pandas", "to_pandas").DataFrame(_frame(self, "to_pandas"))
+
+    def to_polars(self) -> Any:
+        """Return a data frame of polars with the rows of `to_pandas`.
+
+        Raises:
+            TypeError: It has no entries, or several lists of them.
+        """
+        return _library("polars", "to_polars").DataFrame(_frame(self, "to_polars"), strict=False)
+
+    def arrays(self) -> Rows[Line]:
+        """Return what a picture of the answer shows as arrays with labels and units; see `antrieb.Line`.
+
+        A table with a course has each quantity over time, `curve` its curves, `torsion` the curve of the gear, and `check`
+        the utilisations as bars.
+
+        Raises:
+            TypeError: No picture shows it.
+        """
+        from antrieb import _lines
+
+        return _lines.of_answer(self)
 
     def __repr__(self) -> str:
         from antrieb import _shown
@@ -74,6 +115,24 @@ class Explainable(Record):
         from antrieb import _origin
 
         return _origin.explained(self, deadline)
+
+
+class Tabular(Record):
+    """A table of an answer: its rows by place, its columns by name."""
+
+    __slots__ = ()
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        own: Any = self
+        return iter(own.rows)
+
+    def __getitem__(self, key: int | str, /) -> Any:
+        own: Any = self
+        if not isinstance(key, str):
+            return own.rows[key]
+        if own.columns._named(key) is not None:
+            return [row[key] for row in own.rows]
+        raise KeyError(key)
 
 
 class Rows(list[T], Generic[T]):
@@ -122,16 +181,14 @@ class Rows(list[T], Generic[T]):
 
     def to_pandas(self) -> Any:
         """Return a data frame of pandas, a row for each record: its plain fields, and those of records in it as `demand.T_rms`."""
-        return _library("pandas", "to_pandas").DataFrame(self._columns())
+        return _library("pandas", "to_pandas").DataFrame(_columns(_rows(self)))
 
     def to_polars(self) -> Any:
         """Return a data frame of polars, a row for each record: its plain fields, and those of records in it as `demand.T_rms`."""
-        return _library("polars", "to_polars").DataFrame(self._columns(), strict=False)
+        return _library("polars", "to_polars").DataFrame(_columns(_rows(self)), strict=False)
 
     def _columns(self) -> dict[str, list[Any]]:
-        rows = [_flat(each) for each in self]
-        names = dict.fromkeys(name for row in rows for name in row)
-        return {name: [row.get(name) for row in rows] for name in names}
+        return _columns([_flat(each) for each in self])
 
     def __repr__(self) -> str:
         from antrieb import _shown
@@ -188,6 +245,73 @@ def _flat(record: Any, above: str = "") -> dict[str, Any]:
         elif not isinstance(value, dict):
             found[above + name] = value
     return found
+
+
+INSIDE = {"BearingOfSize": "checks", "Connector": "pins", "EncoderWord": "fields", "Measured": "units", "SheetSection": "values", "CommissionList": "entries"}
+"""Lists that hold what the entries of a list are about."""
+
+
+def _columns(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
+    names = dict.fromkeys(name for row in rows for name in row)
+    return {name: [row.get(name) for row in rows] for name in names}
+
+
+def _rows(entries: Iterable[Any]) -> list[dict[str, Any]]:
+    """The rows of a data frame: one for each entry, or one for each of what the entries hold."""
+    rows: list[dict[str, Any]] = []
+    for each in entries:
+        given: Any = each
+        own: dict[str, Any] = given if isinstance(each, dict) else _flat(each)
+        inside = _inside(each)
+        rows.extend({**own, **part} for part in inside or [{}])
+    return rows
+
+
+def _inside(record: Any) -> list[dict[str, Any]]:
+    """What an entry holds, with the name of its list in front."""
+    if type(record).__name__ == "Curve":
+        edges: list[tuple[str, list[Any]]] = [("value", record.points), ("upper", record.upper or [])]
+        return [{"edge": edge, "n": point[0], "T": point[1]} for edge, points in edges for point in points]
+    field = INSIDE.get(type(record).__name__, "")
+    parts: list[Any] = getattr(record, field, None) or []
+    return [_flat(part, f"{field}.") for part in parts]
+
+
+def _entries(record: Any, method: str) -> list[Any]:
+    """The entries over which a record iterates."""
+    of: Any = type(record)  # pyright: ignore[reportUnknownVariableType]
+    if hasattr(of, "__iter__"):
+        return list(record)
+    lists = [name for name in _names(type(record)) if isinstance(getattr(record, name), Rows)]
+    name = type(record).__name__
+    if lists:
+        raise TypeError(f"{name} has several lists; write .{lists[0]}.{method}(); there are {', '.join(lists)}")
+    raise TypeError(f"{name} is one record without a list; to_dict() returns its fields")
+
+
+def _frame(record: Any, method: str) -> dict[str, list[Any]]:
+    """The columns of a data frame of a record."""
+    entries = _entries(record, method)
+    if not type(record).__name__.startswith("AxesOf"):
+        return _columns(_rows_of(record, entries))
+    rows: list[dict[str, Any]] = []
+    for each in entries:
+        rows.extend({"axis": each.axis, **row} for row in _rows_of(each, _entries(each, method)))
+    return _columns(rows)
+
+
+def _rows_of(record: Any, entries: list[Any]) -> list[dict[str, Any]]:
+    """The rows of a record; of a comparison one for each check of each actuator."""
+    if type(record).__name__ == "Line":
+        return [{record.x_label: x, record.y_label: y} for x, y in zip(record.x, record.y, strict=True)]
+    if type(record).__name__ != "Comparison":
+        return _rows(entries)
+    return [
+        {**_flat(row), "code": head.code, **_flat(answer, "answers.")}
+        for row in entries
+        for head, answer in zip(record.candidates, row.answers, strict=True)
+        if answer is not None
+    ]
 
 
 def _library(name: str, method: str) -> Any:

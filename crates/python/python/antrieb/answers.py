@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from antrieb._origin import judged_nearest
-from antrieb._record import Explainable, Record, Rows
+from antrieb._record import Explainable, Record, Rows, Tabular
 
 
 
@@ -698,6 +698,12 @@ class SweepSummary(Record):
     answers: Rows[SweepRow]
     """The answers of the rows; empty where a file holds them."""
 
+    def __iter__(self) -> Iterator[SweepRow]:
+        return iter(self.answers)
+
+    def __getitem__(self, key: int | str, /) -> SweepRow:
+        return self.answers[key]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class MissedBy(Record):
@@ -933,6 +939,12 @@ class Simulation(Record):
         """It as the answer of its only axis, as `AxesOfSimulation` has those of several."""
         return Rows([self])
 
+    def __iter__(self) -> Iterator[SimulatedVerdict]:
+        return iter(self.verdicts)
+
+    def __getitem__(self, key: int | str, /) -> SimulatedVerdict:
+        return self.verdicts[key]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Figure(Record):
@@ -1091,6 +1103,12 @@ axis, `overrides` is empty, and the exit status is 1."""
     """Lines of the project file with the measured values of actuator and load."""
     notes: list[str]
     """Method, assumptions and what is left out, in words."""
+
+    def __iter__(self) -> Iterator[Identified95]:
+        return iter(self.estimates)
+
+    def __getitem__(self, key: int | str, /) -> Identified95:
+        return self.estimates[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -1348,7 +1366,7 @@ class AxesOfDifference(Record):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
-class Table(Record):
+class Table(Tabular):
     """`export --table`: one table of the results."""
 
     table: str
@@ -1361,12 +1379,6 @@ class Table(Record):
     """Descriptions of the columns."""
     rows: list[TableRow]
     """One record per row, by the names of the columns."""
-
-    def __iter__(self) -> Iterator[TableColumn]:
-        return iter(self.columns)
-
-    def __getitem__(self, key: int | str, /) -> TableColumn:
-        return self.columns[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -1510,6 +1522,12 @@ class SheetSection(Record):
     errata: list[str]
     """Ids of the errata that concern the table instead of a single cell."""
 
+    def __iter__(self) -> Iterator[SheetValue]:
+        return iter(self.values)
+
+    def __getitem__(self, key: int | str, /) -> SheetValue:
+        return self.values[key]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class SheetValue(Record):
@@ -1581,6 +1599,12 @@ class Wiring(Record):
     errata: list[str]
     """Ids of the errata that concern the data shown."""
 
+    def __iter__(self) -> Iterator[Connector]:
+        return iter(self.connectors)
+
+    def __getitem__(self, key: int | str, /) -> Connector:
+        return self.connectors[key]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Connector(Record):
@@ -1610,6 +1634,12 @@ class Connector(Record):
     """Colours shared by several wires: identify the wire by its pin."""
     tables: list[str]
     """Tables of the connector and of its pins."""
+
+    def __iter__(self) -> Iterator[ConnectorPin]:
+        return iter(self.pins)
+
+    def __getitem__(self, key: int | str, /) -> ConnectorPin:
+        return self.pins[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -1877,6 +1907,12 @@ resolver."""
     """Errata that concern the data."""
     trace: str | None = None
     """File of the trace; `null` if none was written."""
+
+    def __iter__(self) -> Iterator[EncoderWord]:
+        return iter(self.words)
+
+    def __getitem__(self, key: int | str, /) -> EncoderWord:
+        return self.words[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -2299,6 +2335,12 @@ class Commissioning(Record):
     errata: Rows[CitedErratum]
     """Errata of the values shown, with their evidence."""
 
+    def __iter__(self) -> Iterator[CommissionParameter]:
+        return iter(self.parameters)
+
+    def __getitem__(self, key: int | str, /) -> CommissionParameter:
+        return self.parameters[key]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class CommissionParameter(Record):
@@ -2504,6 +2546,12 @@ class Recorded(Record):
     """The measurements."""
     errata: Rows[CitedErratum]
     """Errata of the expected values, with their evidence."""
+
+    def __iter__(self) -> Iterator[RecordedValue]:
+        return iter(self.measurements)
+
+    def __getitem__(self, key: int | str, /) -> RecordedValue:
+        return self.measurements[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -2910,6 +2958,12 @@ class Upkeep(Record):
     calendar: str | None = None
     """ICalendar file of the plan; `null` if none was written."""
 
+    def __iter__(self) -> Iterator[Planned]:
+        return iter(self.plan)
+
+    def __getitem__(self, key: int | str, /) -> Planned:
+        return self.plan[key]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Planned(Record):
@@ -2952,6 +3006,17 @@ class Glossary(Record):
     symbols: Rows[GlossarySymbol]
     """Symbols of the derivations and of the values for a servo drive. A symbol with several meanings has several
 entries."""
+
+    @property
+    def entries(self) -> Rows[GlossaryWord | GlossaryTerm | GlossarySymbol]:
+        """The words, the terms and the symbols."""
+        return Rows([*self.words, *self.terms, *self.symbols])
+
+    def __iter__(self) -> Iterator[GlossaryWord | GlossaryTerm | GlossarySymbol]:
+        return iter(self.entries)
+
+    def __getitem__(self, key: int | str, /) -> GlossaryWord | GlossaryTerm | GlossarySymbol:
+        return self.entries[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -3137,6 +3202,12 @@ class ExportWritten(Record):
     left_out: Rows[TableWritten]
     """Tables left out because they are too long for a sheet of a workbook."""
 
+    def __iter__(self) -> Iterator[TableWritten]:
+        return iter(self.tables)
+
+    def __getitem__(self, key: int | str, /) -> TableWritten:
+        return self.tables[key]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class TableWritten(Record):
@@ -3186,6 +3257,12 @@ class CodeFaults(Record):
     """Nearest valid codes with data in the manual."""
     nearest_codes: Rows[ListedCode]
     """Nearest valid codes with their availability."""
+
+    def __iter__(self) -> Iterator[CodeFault]:
+        return iter(self.errors)
+
+    def __getitem__(self, key: int | str, /) -> CodeFault:
+        return self.errors[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)

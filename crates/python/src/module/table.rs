@@ -45,6 +45,7 @@ impl Table {
             arrays.push(array);
         }
         let schema: SchemaRef = Arc::new(Schema::new(fields));
+        of_one_length(&schema, &arrays)?;
         let options = arrow_array::RecordBatchOptions::new().with_row_count(arrays.first().map(Array::len).or(Some(0)));
         let batch = RecordBatch::try_new_with_options(Arc::clone(&schema), arrays, &options);
         let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
@@ -186,6 +187,27 @@ impl Table {
 /// Calls a function of the package for a table.
 fn frames<'py>(table: &Bound<'py, Table>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     table.py().import(intern!(table.py(), "antrieb._frames"))?.getattr(name)?.call1((table,))
+}
+
+/// Refuses columns of different lengths, with the length of each.
+fn of_one_length(schema: &Schema, arrays: &[ArrayRef]) -> PyResult<()> {
+    /// Columns that a message states.
+    const SHOWN: usize = 6;
+    let Some(rows) = arrays.first().map(Array::len) else { return Ok(()) };
+    if arrays.iter().all(|array| array.len() == rows) {
+        return Ok(());
+    }
+    // The first column, and those that differ from it.
+    let lengths = schema.fields().iter().zip(arrays).map(|(field, array)| (field.name(), array.len()));
+    let (first, others): (Vec<_>, Vec<_>) = lengths.partition(|(_, length)| *length == rows);
+    let shown: Vec<String> = first
+        .iter()
+        .take(1)
+        .chain(&others)
+        .take(SHOWN)
+        .map(|(name, length)| format!("'{name}' has {length}"))
+        .collect();
+    Err(PyValueError::new_err(format!("the columns have different lengths: {}", shown.join(", "))))
 }
 
 /// Returns the values of a column as a list.

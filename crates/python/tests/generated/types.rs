@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from antrieb._origin import judged_nearest
-from antrieb._record import Explainable, Record, Rows
+from antrieb._record import Explainable, Record, Rows, Tabular
 
 "#;
 
@@ -98,7 +98,11 @@ fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
     let required: BTreeSet<&str> =
         shape.get("required").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str).collect();
     let own = class(definition);
-    let base = if own == "Check" { "Explainable" } else { "Record" };
+    let base = match own.as_str() {
+        "Check" => "Explainable",
+        "Table" => "Tabular",
+        _ => "Record",
+    };
     let mut out = format!("\n\n@dataclass(frozen=True, slots=True, kw_only=True, repr=False)\nclass {own}({base}):\n");
     let about = described(shape).map_or_else(|| format!("{own}."), sentence);
     let _ = writeln!(out, "    \"\"\"{}\"\"\"\n", doc(&about));
@@ -119,8 +123,10 @@ fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
              `AxesOf{axis}` has those of several.\"\"\"\n        return Rows([self])\n"
         );
     }
-    if own == "Sizing" {
-        out.push_str(CANDIDATES);
+    match own.as_str() {
+        "Sizing" => out.push_str(CANDIDATES),
+        "Glossary" => out.push_str(ENTRIES),
+        _ => {}
     }
     if let Some((field, of)) = entries(&own, fields, &required, schema) {
         let _ = write!(
@@ -149,16 +155,43 @@ const CANDIDATES: &str = r#"
         return Rows([*self.ranking, *self.rejected])
 "#;
 
-/// Returns the list of records over which a record iterates, and its type: its axes, checks or candidates, else its only
-/// list of records.
+/// Property of the answer of `glossary`.
+const ENTRIES: &str = r#"
+    @property
+    def entries(self) -> Rows[GlossaryWord | GlossaryTerm | GlossarySymbol]:
+        """The words, the terms and the symbols."""
+        return Rows([*self.words, *self.terms, *self.symbols])
+"#;
+
+/// Lists over which records with several of them iterate, by class.
+const PRINCIPAL: &[(&str, &str)] = &[
+    ("CodeFaults", "errors"),
+    ("Commissioning", "parameters"),
+    ("Connector", "pins"),
+    ("Encoder", "words"),
+    ("ExportWritten", "tables"),
+    ("Identification", "estimates"),
+    ("Recorded", "measurements"),
+    ("SheetSection", "values"),
+    ("Simulation", "verdicts"),
+    ("SweepSummary", "answers"),
+    ("Upkeep", "plan"),
+    ("Wiring", "connectors"),
+];
+
+/// Returns the list of records over which a record iterates, and its type: its axes, checks or candidates, else the
+/// principal one of several, else its only list of records; `None` for a table, which iterates over its rows.
 fn entries(
     own: &str,
     fields: &Map<String, Value>,
     required: &BTreeSet<&str>,
     schema: &Schema,
 ) -> Option<(String, String)> {
-    if own == "Sizing" {
-        return Some(("candidates".to_owned(), "Ranked | Rejection".to_owned()));
+    match own {
+        "Sizing" => return Some(("candidates".to_owned(), "Ranked | Rejection".to_owned())),
+        "Glossary" => return Some(("entries".to_owned(), "GlossaryWord | GlossaryTerm | GlossarySymbol".to_owned())),
+        "Table" => return None,
+        _ => {}
     }
     let lists: Vec<(String, String)> = fields
         .iter()
@@ -171,7 +204,8 @@ fn entries(
         .collect();
     let named = |wanted: &str| lists.iter().find(|(field, _)| field == wanted).cloned();
     let only = (lists.len() == 1).then(|| lists.first().cloned()).flatten();
-    named("axes").or_else(|| named("checks")).or_else(|| named("candidates")).or(only)
+    let principal = || PRINCIPAL.iter().find(|(class, _)| *class == own).and_then(|(_, field)| named(field));
+    named("axes").or_else(|| named("checks")).or_else(|| named("candidates")).or_else(principal).or(only)
 }
 
 /// Returns the class of a record that answers about one axis and has no field of this name itself.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import io
 import json
 import os
@@ -18,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[4]
 GUIDES = [ROOT / "docs" / "guide" / "python.md", ROOT / "docs" / "anleitung" / "python.md"]
 NOTEBOOK = ROOT / "examples" / "three-tasks.ipynb"
 
-LIBRARIES = ("", "joblib")
+LIBRARIES = ("", "joblib", *(["matplotlib"] if importlib.util.find_spec("matplotlib") else []))
 NIGHTLY = ("dask", "ray")
 """What the recipes need; the second only the tests of a night install."""
 
@@ -54,7 +55,7 @@ def run(parts: list[str], folder: str) -> str:
 def run_scripts(guide: pathlib.Path, folder: str, libraries: tuple[str, ...]) -> None:
     """Runs the scripts of a guide that need one of these libraries, or none."""
     scripts = [block for block in blocks(guide) if block.mark.startswith("script")]
-    assert [block.mark for block in scripts] == ["script", "script: joblib", "script: dask", "script: ray"]
+    assert [block.mark for block in scripts] == ["script: matplotlib", "script", "script: joblib", "script: dask", "script: ray"]
     if not (pathlib.Path(folder) / "axis.toml").exists():
         run([block.code for block in blocks(guide) if not block.mark.startswith("script")][:4], folder)
     for block in scripts:
@@ -64,6 +65,9 @@ def run_scripts(guide: pathlib.Path, folder: str, libraries: tuple[str, ...]) ->
         file.write_text(block.code, encoding="utf-8")
         done = subprocess.run([sys.executable, str(file)], cwd=folder, capture_output=True, check=False, timeout=300)
         assert done.returncode == 0, done.stderr.decode()
+        if block.mark == "script: matplotlib":
+            assert (pathlib.Path(folder) / "plane.png").stat().st_size > 1000
+            continue
         assert done.stdout.count(b"'CHA-") == 3, done.stdout
 
 
