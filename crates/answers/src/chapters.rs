@@ -26,7 +26,7 @@ pub struct Curve {
     pub duty: Option<Number>,
     /// Name of the curve.
     pub title: String,
-    /// DC link voltage of the curve; `null` if it holds for all voltages.
+    /// Terminal voltage of the curve, rms; `null` if it holds for all voltages.
     pub voltage: Option<Number>,
     /// Speed and torque, by rising speed.
     pub points: Vec<[Number; 2]>,

@@ -2677,7 +2677,7 @@ class Curve(Record):
     title: str
     """Name of the curve."""
     voltage: float | None = None
-    """DC link voltage of the curve; `null` if it holds for all voltages."""
+    """Terminal voltage of the curve, rms; `null` if it holds for all voltages."""
     points: list[list[float | None]]
     """Speed and torque, by rising speed."""
     upper: list[list[float | None]] | None = None
