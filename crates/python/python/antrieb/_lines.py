@@ -191,15 +191,18 @@ def _only(answer: Any) -> Any:
 def _plane(drawn: Drawn) -> list[Line]:
     judged = _only(drawn.asked("check"))
     n_of, t_of = ("n", "1/min"), ("T", "Nm")
-    lines: list[Line] = []
-    if judged.code:
-        from antrieb import questions
+    if not judged.code:
+        raise TypeError(
+            "the limits of an actuator of the project's own are no arrays of an answer: antrieb.check(…) has them, "
+            "antrieb.export(…, table='course') has the cycle"
+        )
+    from antrieb import questions
 
-        # The limits are those at the terminals, of which the check of the voltage has what the supply leaves.
-        terminal: Any = next((each.limit for each in judged.checks if each.id == "voltage"), None)
-        voltage = {} if terminal is None else {"voltage": f"{terminal!r} V"}
-        ask: Any = questions.curve
-        lines += _curves(ask(judged.code, lang=drawn.lang, **voltage))
+    # The limits are those at the terminals, of which the check of the voltage has what the supply leaves.
+    terminal: Any = next((each.limit for each in judged.checks if each.id == "voltage"), None)
+    voltage = {} if terminal is None else {"voltage": f"{terminal!r} V"}
+    ask: Any = questions.curve
+    lines = _curves(ask(judged.code, lang=drawn.lang, **voltage))
     course = drawn.asked("export", table="course")
     lines.append(_line("cycle", course["speed"], course["torque"], n_of, t_of))
     demand = judged.demand

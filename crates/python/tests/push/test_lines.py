@@ -95,6 +95,8 @@ class Pictures(unittest.TestCase):
 
     def test_answers_without_a_picture_are_refused(self) -> None:
         self.assertRaisesRegex(TypeError, "curve", antrieb.units().arrays)
+        # Its limits are not left out in silence.
+        self.assertRaisesRegex(TypeError, "project's own", antrieb.plot(EXAMPLES / "manual-example.toml", "torque_speed").arrays)
         self.assertRaisesRegex(TypeError, "maker", antrieb.Picture("<svg/>").arrays)
 
     def test_a_missing_value_is_not_a_number(self) -> None:
