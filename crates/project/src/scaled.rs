@@ -44,12 +44,7 @@ impl StatedValues {
 
     /// Returns the changed values of a segment scaled by `time` in its duration and by `way` in its distance, with so many
     /// digits where they do not decide the distance.
-    fn stretched(
-        &self,
-        path: &str,
-        (time, way): (f64, f64),
-        digits: i32,
-    ) -> Result<Vec<(String, String)>, EditFault> {
+    fn stretched(&self, path: &str, (time, way): (f64, f64), digits: i32) -> Result<Vec<(String, String)>, EditFault> {
         let value = |name: &str| self.get(&format!("{path}.{name}"));
         let law = value(Segment::VARIANTS.by).ok_or(EditFault::Path)?;
         // At constant speed the distance follows from the time.

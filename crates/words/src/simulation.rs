@@ -173,8 +173,8 @@ texts! {
     steps_without_days = "leave out the days (--days)" | "die Tage weglassen (--days)";
     steps_one_axis = "select one axis (--axis)" | "eine Achse wählen (--axis)";
     steps_in_the_terminal =
-        "on the command line the run is computed: antrieb simulate with a time limit (--deadline \"10 min\")"
-        | "die Befehlszeile rechnet den Lauf: antrieb simulate mit einer Zeitgrenze (--deadline \"10 min\")";
+        "on the command line the run is computed: antrieb simulate with a time limit (--deadline 10min)"
+        | "die Befehlszeile rechnet den Lauf: antrieb simulate mit einer Zeitgrenze (--deadline 10min)";
     fewer_cycles(most) = "at most {most} cycles" | "höchstens {most} Zyklen";
     cold_start = "start cold" | "kalt beginnen";
     steps_time_limit = "state a time limit (--deadline)" | "eine Zeitgrenze angeben (--deadline)";
