@@ -454,10 +454,14 @@ fn two_hundred_clients_at_once_are_answered_or_refused_to_come_again() {
 }
 
 /// A client that leaves while its project is worked on: the work ends, and its place is free for the next.
+///
+/// The limit is a share of the whole work, measured in the same run, since machines differ in speed.
 #[test]
-fn the_work_of_a_client_that_leaves_ends_within_a_second() {
-    /// Share of the work after which the client leaves.
-    const LEAVES: [u32; 3] = [4, 2, 1];
+fn the_work_of_a_client_that_leaves_ends_soon() {
+    /// Shares of the work after which the client leaves.
+    const LEAVES: [f64; 3] = [0.05, 0.1, 0.2];
+    /// Largest share of the work that may follow.
+    const REST: f64 = 0.15;
     let segments = "[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"30 deg\"\ntime = \"0.3 s\"\n\
         [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"-30 deg\"\ntime = \"0.3 s\"\n";
     let text = format!("format = 1\n[load]\ninertia = \"0.3 kg m^2\"\n{}", segments.repeat(1500));
@@ -465,18 +469,31 @@ fn the_work_of_a_client_that_leaves_ends_within_a_second() {
     let body = format!("text={form}");
     let since = Instant::now();
     let used = || testkit::cost::processor_seconds(since);
-    for share in LEAVES {
-        let up = Up::new(RequestLimits { computed: 1, ..RequestLimits::default() });
+    let computed_alone = || Up::new(RequestLimits { computed: 1, ..RequestLimits::default() });
+    let sent = |up: &Up| {
         let mut stream = up.connect();
         let head = format!(
-            "POST /work HTTP/1.1\r\nhost: {}\r\ncontent-type: application/x-www-form-urlencoded\r\ncontent-length: {}\r\n\r\n",
+            "POST /work HTTP/1.1\r\nhost: {}\r\ncontent-type: application/x-www-form-urlencoded\r\ncontent-length: {}\r\nconnection: close\r\n\r\n",
             up.address,
             body.len()
         );
         stream.write_all(head.as_bytes()).unwrap();
         stream.write_all(body.as_bytes()).unwrap();
+        stream
+    };
+    let whole = {
+        let up = computed_alone();
         let begun = used();
-        while used() - begun < 2.0 / f64::from(share) {
+        let mut answer = String::new();
+        sent(&up).read_to_string(&mut answer).unwrap();
+        assert_eq!(status(&answer), 200);
+        used() - begun
+    };
+    for share in LEAVES {
+        let up = computed_alone();
+        let begun = used();
+        let stream = sent(&up);
+        while used() - begun < share * whole {
             std::thread::sleep(Duration::from_millis(5));
         }
         drop(stream);
@@ -490,6 +507,6 @@ fn the_work_of_a_client_that_leaves_ends_within_a_second() {
                 (last, still) = (used(), Instant::now());
             }
         }
-        assert!(last - left < 1.0, "{} s after the client had left at {share}", last - left);
+        assert!(last - left < REST * whole, "{} s of {whole} s after the client had left at {share}", last - left);
     }
 }
