@@ -45,8 +45,8 @@ mod simulated;
 mod sketch;
 mod start;
 mod state;
-#[cfg(feature = "theory")]
 mod text_change;
+#[cfg(feature = "theory")]
 mod theory;
 mod tip;
 mod tolerances;
