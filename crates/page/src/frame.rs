@@ -85,7 +85,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
 fn drawer_of(call: &Call<'_>, state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Markup {
     html! {
         @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, progress)) }
-        @else if let Some(check) = call.field("check") { (derivation_of(&check, state, shell, progress)) }
+        @else if let Some(check) = call.field("check").filter(|_| crate::WHOLE) { (derivation_of(&check, state, shell, progress)) }
         @else if crate::WHOLE && state.marked.len() > 1 { (comparison(state, shell, progress)) }
     }
 }

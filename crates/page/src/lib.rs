@@ -126,7 +126,7 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         (Method::Post, "/tolerances") if WHOLE => html(tolerances::judged(call, shell, progress)),
         (Method::Get, PROGRESS) => waiting::progress(call, shell),
         (Method::Post, CANCEL) => waiting::cancelled(call, shell),
-        (Method::Post, "/explain") => html(frame::explained(call, shell, progress)),
+        (Method::Post, "/explain") if WHOLE => html(frame::explained(call, shell, progress)),
         (Method::Post, "/compare") if WHOLE => html(frame::compared(call, shell, progress)),
         (Method::Post, "/tools") if WHOLE => html(tools::pane(call, shell, progress)),
         (Method::Post, "/paper") if WHOLE => html(paper::first_page(call, shell, progress)),
@@ -160,13 +160,15 @@ const WHOLE: bool = cfg!(feature = "interface");
 const MISDIRECTED: u16 = 421;
 
 /// Returns true for the requests that only the larger engine answers: `/api/`, tools, simulation, tolerances,
-/// recordings, versions, two versions in one, the gallery, the printed page, and the comparison, and what would let a rejected actuator in.
+/// recordings, versions, two versions in one, the gallery, the printed page, derivations, the comparison, and what would
+/// let a rejected actuator in.
 fn is_for_the_larger(call: &Call<'_>) -> bool {
     let path = [
         "/tools",
         "/compare",
         "/tolerances",
         "/versions",
+        "/explain",
         "/let-in",
         "/gallery",
         "/merge",
@@ -177,7 +179,8 @@ fn is_for_the_larger(call: &Call<'_>) -> bool {
     let simulation = state::View::Simulation.id();
     call.path.starts_with("/api/")
         || path.contains(&call.path)
-        || (call.path == "/" && (call.field("tool").is_some() || call.all("mark").nth(1).is_some()))
+        || (call.path == "/"
+            && (call.field("tool").is_some() || call.field("check").is_some() || call.all("mark").nth(1).is_some()))
         || call.fields().filter(|(name, _)| name == "view").last().is_some_and(|(_, view)| view == simulation)
 }
 
