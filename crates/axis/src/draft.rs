@@ -86,10 +86,12 @@ pub(crate) fn prepare(root: &AxisSource, catalogue: &dyn Catalogue, report: &mut
 
 /// Combines load, motion and requirements.
 pub(crate) fn finish(root: &AxisSource, draft: Draft) -> Axis {
-    let mut axis = match draft.brake_times {
-        Some(times) => Axis::braked(draft.mechanism, draft.motion, draft.extras, times),
-        None => Axis::new(draft.mechanism, draft.motion, draft.extras),
-    };
+    let uses = root.recordings().find_map(|read| read.uses.as_ref());
+    let surveys = uses.map(|uses| uses.surveys()).unwrap_or_default();
+    let mut axis = Axis::surveyed(draft.mechanism, draft.motion, draft.extras, draft.brake_times, &surveys);
+    if let Some(uses) = uses {
+        uses.keep_surveys(axis.surveys());
+    }
     if let Some(required) = root.parts.requirements.get() {
         requirements::apply(required, &mut axis);
     }

@@ -1,5 +1,6 @@
 //! Access to the files that a project refers to.
 
+use crate::kept::KeptRecordings;
 use recording::MEMORY_USUAL;
 use std::io::Read;
 use std::sync::Arc;
@@ -22,6 +23,11 @@ pub trait Files {
 
     /// Returns a flag that the caller sets to cancel the reading.
     fn cancelled(&self) -> Option<Arc<AtomicBool>> {
+        None
+    }
+
+    /// Returns the recordings of earlier projects, if they are kept.
+    fn kept(&self) -> Option<&KeptRecordings> {
         None
     }
 

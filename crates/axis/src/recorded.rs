@@ -21,12 +21,15 @@ pub(crate) struct RecordedMotions {
 }
 
 /// A recording with the use that a segment makes of it, and the motion that results.
-struct RecordedUse {
+#[derive(Clone, Debug)]
+pub(crate) struct RecordedUse {
     recording: Arc<Recording>,
     /// Factors of position, speed and torque.
     factors: [f64; 3],
+    /// Linear travel per angle of a recording along a line \[m/rad\].
+    travel: Option<f64>,
     treatment: Treatment,
-    motion: Arc<Recorded>,
+    pub(crate) motion: Arc<Recorded>,
 }
 
 impl RecordedMotions {
@@ -58,11 +61,19 @@ pub(crate) fn motion(
     // Known without the recording.
     let standstill = turned(&segment.standstill, travel, report);
     let ratios = ratios(segment, report);
-    let RecordingRead { file, recording } = segment.recording?;
+    let RecordingRead { file, recording, uses } = segment.recording?;
     let treatment = Treatment { repeats: known.repeats, ..treatment(&segment, standstill) };
     let factors = [Role::Position, Role::Speed, Role::Torque].map(|role| ratios.factor(role));
     if let Some(same) = known.find(recording, factors, &treatment).filter(|_| states_its_motion(&segment)) {
         return Some(same);
+    }
+    let is_same =
+        |known: &RecordedUse| known.factors == factors && known.treatment == treatment && known.travel == travel;
+    let kept = uses.as_ref().filter(|_| states_its_motion(&segment)).and_then(|uses| uses.motion(is_same));
+    if let Some(motion) = kept {
+        let recording = Arc::clone(recording);
+        known.uses.push(RecordedUse { recording, factors, travel, treatment, motion: Arc::clone(&motion) });
+        return Some(motion);
     }
     let mut turned = |series: &Option<Series>, role: Role| -> Option<Arc<Vec<f64>>> {
         let Series { along, values } = series.as_ref()?;
@@ -96,7 +107,11 @@ pub(crate) fn motion(
         Ok(recorded) => {
             let motion = Arc::new(recorded);
             let recording = Arc::clone(recording);
-            known.uses.push(RecordedUse { recording, factors, treatment, motion: Arc::clone(&motion) });
+            let made = RecordedUse { recording, factors, travel, treatment, motion: Arc::clone(&motion) };
+            if let Some(uses) = uses {
+                uses.keep_motion(made.clone());
+            }
+            known.uses.push(made);
             Some(motion)
         }
         Err(fault) => {

@@ -2,11 +2,12 @@
 
 use crate::fault::{AxisFault, AxisReport};
 use crate::files::{Files, Grant, Reach};
+use crate::kept::{FILE_MOST, RecordingUses};
 use crate::layout::{depends_on_layout, has_layout, layout};
 use project::sections::{Segment, StatedField};
 use project::{Fault, SegmentLaw};
 use recording::{Bytes, Content, FILE_BYTES_MAX, Layout, Limit, Memory, Recording};
-use std::io::Read;
+use std::io::{Cursor, Read};
 use std::sync::Arc;
 
 /// Bytes of a sample of a segment in addition to those of its recording: time, position, speed and torque at the
@@ -20,7 +21,12 @@ pub struct RecordingRead {
     pub file: String,
     /// Recording.
     pub recording: Arc<Recording>,
+    /// Results of earlier projects with the recording, if it is kept.
+    pub(crate) uses: Option<Arc<RecordingUses>>,
 }
+
+/// A recording with the results of earlier projects, if it is kept.
+type Found = (Arc<Recording>, Option<Arc<RecordingUses>>);
 
 /// Recordings of a project: each is read once, independent of the number of segments and axes that name it.
 pub(crate) struct Recordings<'f> {
@@ -28,7 +34,7 @@ pub(crate) struct Recordings<'f> {
     reach: Reach,
     memory: Memory,
     /// Recordings by file and layout; `None` for a refused one.
-    read: Vec<(String, Layout, Option<Arc<Recording>>)>,
+    read: Vec<(String, Layout, Option<Found>)>,
     /// Files examined without a valid layout.
     examined: Vec<String>,
 }
@@ -78,19 +84,43 @@ impl<'f> Recordings<'f> {
             // A rejected file is reported at its first use.
             Some((.., found)) => found.clone(),
             None => {
-                let found = self.read_file(&name, &layout).map_err(|faults| listed(faults, report)).ok().map(Arc::new);
+                let found = self.read_or_kept(&name, &layout).map_err(|faults| listed(faults, report)).ok();
                 self.read.push((name.clone(), layout, found.clone()));
                 found
             }
         };
-        let found = found.filter(|recording| {
+        let found = found.filter(|(recording, _)| {
             let bytes = SEGMENT_BYTES * recording.time_s.len() as u64;
             self.memory.take(bytes).map_err(|fault| listed(unreadable(&name, vec![fault]), report)).is_ok()
         });
         if found.is_none() {
             segment.file.refuse();
         }
-        found.map(|recording| RecordingRead { file: name, recording })
+        found.map(|(recording, uses)| RecordingRead { file: name, recording, uses })
+    }
+
+    /// Returns the recording of a file: the kept one if its content is the same, else read anew and kept.
+    fn read_or_kept(&mut self, name: &str, layout: &Layout) -> Result<Found, Vec<AxisFault>> {
+        let is_small = || self.files.size(name).is_some_and(|size| size <= FILE_MOST);
+        let kept = self.files.kept().filter(|_| self.reach.admits(name) && is_small());
+        let Some(kept) = kept else { return Ok((Arc::new(self.read_file(name, layout)?), None)) };
+        let mut content = Vec::new();
+        let opened = self.files.open(name).and_then(|file| file.take(FILE_MOST + 1).read_to_end(&mut content));
+        if opened.is_err() || content.len() as u64 > FILE_MOST {
+            return Ok((Arc::new(self.read_file(name, layout)?), None));
+        }
+        let left = self.memory.left();
+        // With less memory than before it may be refused.
+        if let Some(found) = kept.find(&content, layout).filter(|found| found.memory.0 <= left)
+            && self.memory.take(found.memory.1).is_ok()
+        {
+            return Ok((found.recording, Some(found.uses)));
+        }
+        let content: Arc<[u8]> = content.into();
+        let recording = Arc::new(self.read_opened(name, layout, &|| Ok(Box::new(Cursor::new(Arc::clone(&content)))))?);
+        let taken = left.saturating_sub(self.memory.left());
+        let uses = kept.keep(content, layout, &recording, (left, taken));
+        Ok((recording, Some(uses)))
     }
 
     /// Returns the faults of a file that no layout can mend, once for each file.
@@ -107,6 +137,17 @@ impl<'f> Recordings<'f> {
     }
 
     fn read_file(&mut self, name: &str, layout: &Layout) -> Result<Recording, Vec<AxisFault>> {
+        let files = self.files;
+        self.read_opened(name, layout, &|| files.open(name))
+    }
+
+    /// Reads a recording from its opened file, after the checks that need none.
+    fn read_opened(
+        &mut self,
+        name: &str,
+        layout: &Layout,
+        open: &dyn Fn() -> std::io::Result<Box<dyn Read>>,
+    ) -> Result<Recording, Vec<AxisFault>> {
         if !self.reach.admits(name) {
             return Err(vec![Fault::FileOutOfReach { name: name.to_owned() }.into()]);
         }
@@ -126,7 +167,7 @@ impl<'f> Recordings<'f> {
             self.memory.give_back(whole);
         }
         // The content decides the format, independent of the name: data frames are saved as `run.parquet.gzip`.
-        let (content, source) = self.files.open(name).and_then(recording::opened).map_err(unopened)?;
+        let (content, source) = open().and_then(recording::opened).map_err(unopened)?;
         match content {
             Content::Parquet => {}
             Content::Foreign(format) => return Err(refused(recording::Fault::Foreign { format })),

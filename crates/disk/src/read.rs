@@ -1,6 +1,6 @@
 //! Reading of files: within a size limit, and for files named in a project only in permitted places.
 
-use axis::{Files, Grant, Reach, is_recording_name};
+use axis::{Files, Grant, KeptRecordings, Reach, is_recording_name};
 use project::Unopened;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
@@ -34,6 +34,40 @@ pub struct ProjectFiles {
     pub links: Links,
     /// Memory for all recordings of a project \[bytes\], and the permitted places of their files.
     pub grant: Grant,
+}
+
+/// [`ProjectFiles`] that keep the recordings of earlier projects.
+#[derive(Debug)]
+pub struct KeepingFiles {
+    /// Access to the files.
+    pub files: ProjectFiles,
+    kept: KeptRecordings,
+}
+
+impl KeepingFiles {
+    /// Creates access that keeps what is read.
+    #[must_use]
+    pub fn new(files: ProjectFiles) -> Self {
+        Self { files, kept: KeptRecordings::default() }
+    }
+}
+
+impl Files for KeepingFiles {
+    fn open(&self, name: &str) -> Result<Box<dyn Read>> {
+        self.files.open(name)
+    }
+
+    fn size(&self, name: &str) -> Option<u64> {
+        self.files.size(name)
+    }
+
+    fn kept(&self) -> Option<&KeptRecordings> {
+        Some(&self.kept)
+    }
+
+    fn grant(&self) -> Grant {
+        self.files.grant()
+    }
 }
 
 impl ProjectFiles {

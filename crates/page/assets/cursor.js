@@ -130,9 +130,13 @@ function named(place, symbol, label) {
 const formats = new Map();
 function formatted(value, digits) {
   if (!Number.isFinite(value)) return '–';
-  const name = document.documentElement.lang + digits;
-  if (!formats.has(name)) formats.set(name, new Intl.NumberFormat(document.documentElement.lang, { minimumFractionDigits: digits, maximumFractionDigits: digits, signDisplay: 'negative' }));
-  return formats.get(name).format(value).replace('-', '\u2212');
+  // As everywhere on the page: nothing between the digits of a number, and a power of ten from a million on.
+  const [mantissa, power] = Math.abs(value) >= 1e6 ? value.toExponential(3).split('e+') : [value, ''];
+  const decimals = power ? 3 : digits;
+  const name = document.documentElement.lang + decimals;
+  if (!formats.has(name)) formats.set(name, new Intl.NumberFormat(document.documentElement.lang, { minimumFractionDigits: decimals, maximumFractionDigits: decimals, signDisplay: 'negative', useGrouping: false }));
+  const text = formats.get(name).format(mantissa).replace('-', '\u2212');
+  return power ? `${text}·10${[...power].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).join('')}` : text;
 }
 const digitsOf = (most) => (most > 0 ? Math.min(6, Math.max(0, 3 - Math.floor(Math.log10(most)))) : 0);
 

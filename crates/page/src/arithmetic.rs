@@ -27,18 +27,21 @@ pub(crate) enum ArithmeticFault {
 }
 
 impl ArithmeticFault {
-    /// Returns the fault as text.
-    pub(crate) const fn text(self, language: Language) -> &'static str {
-        match self {
+    /// Returns the fault as text; `unit` is one of the field, empty for a plain number.
+    pub(crate) fn text(self, unit: &str, language: Language) -> String {
+        let text = match self {
             Self::NumberMissing => page::arithmetic_number_missing(language),
             Self::Parenthesis => page::arithmetic_parenthesis(language),
             Self::DivisionByZero => page::arithmetic_division_by_zero(language),
             Self::OutOfRange => page::arithmetic_out_of_range(language),
             Self::TooLong => page::arithmetic_too_long(language),
             Self::NoUnit => page::arithmetic_no_unit(language),
-            Self::UnitInside => page::arithmetic_unit_inside(language),
+            Self::UnitInside => {
+                return page::arithmetic_unit_inside(&unit, language).trim_end().to_owned();
+            }
             Self::Separators => page::arithmetic_separators(language),
-        }
+        };
+        text.to_owned()
     }
 }
 

@@ -6,7 +6,7 @@ use crate::checks;
 use crate::markup::vals;
 use crate::parts::part;
 use crate::shown::Outcome;
-use crate::state::{Filter, List, MARKED_MOST, PageState, Sort};
+use crate::state::{Filter, List, MARKED_MOST, PageState, ReadProject, Sort};
 use crate::{rejected, remedies};
 use figures::{By, Size, Style, candidate_map};
 use maud::{Markup, PreEscaped, html};
@@ -25,8 +25,8 @@ const BEST_SHOWN: usize = 12;
 const REST: &str = "ranking-rest";
 
 /// Returns the pane.
-pub(crate) fn column(state: &PageState, found: &Outcome<'_, '_>, is_old: bool, shell: &dyn Shell) -> Markup {
-    let l = state.language;
+pub(crate) fn column(state: &PageState, held: &ReadProject, found: &Outcome<'_, '_>, shell: &dyn Shell) -> Markup {
+    let (l, is_old) = (state.language, held.is_old);
     html! {
         section id="fits" class=(if is_old { "pane old" } else { "pane" }) aria-labelledby="fits-title" {
             h2.unseen id="fits-title" { (page::what_fits(l)) }
@@ -37,7 +37,7 @@ pub(crate) fn column(state: &PageState, found: &Outcome<'_, '_>, is_old: bool, s
                     List::Rejected => (rejected::list(state, sizing, found, &shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()))),
                     List::Map => (map(state, sizing, found.candidate.map(|candidate| &candidate.id))),
                 } }
-            } @else { p { (page::no_result_yet(l)) } }
+            } @else { (crate::next::steps(state, held)) }
         }
     }
 }

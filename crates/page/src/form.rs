@@ -498,8 +498,7 @@ impl RowContent<'_> {
                     (self.band(&id, path, &label, value))
                 }
                 @if let Some((_, count)) = self.needed.iter().find(|(key, _)| path.strip_prefix(self.prefix) == Some(key)) { p.small.needed { (page::checks_wait(*count, l)) } }
-                @if let (true, Some(fault)) = (wrong, value::arithmetic_fault(key, value, l)) { div.fault id=(described) { p { (fault) } } }
-                @else if wrong {
+                @if wrong {
                     div.fault id=(described) {
                         @for (_, fault) in &faults { p { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) } }
                     }

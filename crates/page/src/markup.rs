@@ -1,5 +1,6 @@
 //! Markup that several parts of the page have: names of fields, labels, values of requests, faults, drawer.
 
+use crate::file_lines::in_words as words_of_lines;
 use axis::{AxisDiagnostic, AxisFault};
 use maud::{Markup, PreEscaped, html};
 use project::{Fault, Hint, key_at};
@@ -77,6 +78,9 @@ pub(crate) fn quoted(text: &str, language: Language) -> Markup {
     html! { @for (place, piece) in text.split('`').enumerate() {
         @if place % 2 == 0 { (piece) }
         @else if let Some(label) = label_of(piece, language) { em data-key=(piece) { (label) } }
+        // A key of a segment without its table.
+        @else if let Some(label) = label_of(&format!("motion[1].{piece}"), language) { em data-key=(piece) { (label) } }
+        @else if let Some(words) = Some(words_of_lines(piece, language)).filter(|words| words != piece) { (words) }
         @else { code { (piece) } }
     } }
 }

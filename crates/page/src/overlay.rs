@@ -87,6 +87,18 @@ pub(crate) struct Worst<'c> {
     checks: Vec<&'c Check>,
 }
 
+impl<'c> Worst<'c> {
+    /// Returns the instant \[s\].
+    pub(crate) const fn at_s(&self) -> f64 {
+        self.at_s
+    }
+
+    /// Returns the checks with their highest utilisation at the instant.
+    pub(crate) fn checks(&self) -> &[&'c Check] {
+        &self.checks
+    }
+}
+
 /// Returns the governing instants of a candidate in order of time; checks at the same instant are grouped.
 pub(crate) fn worst<'c>(candidate: &'c Candidate<'_>) -> Vec<Worst<'c>> {
     let mut found: Vec<Worst<'c>> = Vec::new();

@@ -1,7 +1,7 @@
 //! Changes with which an actuator fits where none does, as cards that apply them.
 
 use crate::call::{Call, Shell};
-use crate::markup::label_of;
+use crate::markup::{label_of, vals};
 use crate::shown::looked_at_alone;
 use crate::state::{PageState, ReadProject};
 use crate::text_change::TextChange;
@@ -10,17 +10,26 @@ use maud::{Markup, html};
 use project::paced;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
-use questions::list::check::reserve_unasked;
+use questions::list::check::{reserve_unasked, reserve_within};
 use questions::list::size::{
     AxisChange, CatalogueReach, GearingProposal, Reach, SharedLoad, catalogue_reserve, gearing_proposals, shared_load,
     sized,
 };
 use questions::texts::{reason, standing_text};
-use questions::{Candidate, Progress, Rejected, read_all_watched};
-use words::{capitalised, page, proviso_text, terminal, terms, unpadded};
+use questions::{Progress, Rejected, read_all_watched};
+use words::{capitalised, page, proviso_text, terminal, terms, unpadded, views};
 
 /// Number of cards above the fold.
 const FIRST: usize = 3;
+
+/// Number of actuators whose changes are searched in a long cycle.
+const NEAREST: usize = 6;
+
+/// Parts of an ordering code that decide about speed and torque: series, size and ratio.
+const KIND_PARTS: usize = 3;
+
+/// Field of a request that searches a load however long its cycle is.
+const THOROUGH: &str = "thorough";
 
 /// Key of the name of an axis.
 const NAME: &str = "axis.name";
@@ -60,11 +69,11 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     let held = state.hold(shell, progress);
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
     let Some(nearest) = looked_at_alone(&state, project, progress) else { return html! {} };
-    let reached = match catalogue_reserve(project, progress) {
-        Ok(Some(reached)) => reached,
-        // A cycle too long for a search in the whole catalogue: the actuator with the smallest excess.
-        Ok(None) => of_nearest(project, &nearest, progress),
-        Err(_) => Vec::new(),
+    let (reached, unsought) = match catalogue_reserve(project, progress) {
+        Ok(Some(reached)) => (reached, None),
+        // A cycle too long for a search in the whole catalogue: the actuators with the smallest excess.
+        Ok(None) => of_nearest(project, call.field(THOROUGH).is_some(), progress),
+        Err(_) => (Vec::new(), None),
     };
     let gearings = gearing_proposals(project, progress).unwrap_or_default();
     let reads = |text: &str| {
@@ -107,6 +116,12 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
             }
             p.small { (page::remedies_about(l)) }
         }
+        @if let Some(samples) = unsought {
+            p.small id="not-sought" { (views::load_not_sought(&samples, l))
+                // Without a time limit a search of any length would not end.
+                @if progress.is_limited() { " " button.small type="button" hx-post="/would-fit" hx-vals=(vals(&[(THOROUGH, "true")])) hx-target="closest .remedies" hx-swap="innerHTML" { (views::seek_load(l)) } }
+            }
+        }
     }
 }
 
@@ -126,20 +141,50 @@ fn card(remedy: &Remedy, prefix: &str, is_main: bool, language: Language) -> Mar
     }
 }
 
-/// Returns the changes of cycle time and load with which the nearest actuator fits.
-fn of_nearest(project: &AxisProject, nearest: &Candidate<'_>, progress: &Progress) -> Vec<CatalogueReach> {
-    // Where a requirement is not met, no change of load or motion makes the actuator fit.
-    if !nearest.objections.is_empty() {
-        return Vec::new();
+/// Returns the smallest changes of cycle time and load with which one of the nearest actuators fits, and the number of instants
+/// of each trial if the load was not searched because of them.
+///
+/// The nearest one alone is not enough: where its ratio makes it too slow, no load helps, and that of another one does.
+fn of_nearest(project: &AxisProject, is_thorough: bool, progress: &Progress) -> (Vec<CatalogueReach>, Option<usize>) {
+    let reserve = if is_thorough { reserve_within } else { reserve_unasked };
+    let mut found: Vec<CatalogueReach> = Vec::new();
+    let mut unsought = None;
+    let Ok(sizing) = sized(project, 0, Rejected::All, progress) else { return (found, unsought) };
+    let mut tried: Vec<String> = Vec::new();
+    for candidate in &sizing.candidates {
+        let code = candidate.id.to_string();
+        let kind = code.splitn(KIND_PARTS + 1, '-').take(KIND_PARTS).collect::<Vec<_>>().join("-");
+        // Where a requirement is not met, no change of load or motion makes the actuator fit.
+        if !candidate.objections.is_empty() || tried.contains(&kind) {
+            continue;
+        }
+        if tried.len() >= NEAREST {
+            break;
+        }
+        tried.push(kind);
+        let reserve = reserve(project, candidate, progress).unwrap_or_default();
+        unsought = unsought.or(reserve.unsought.map(|unsought| unsought.samples));
+        let cycle_time =
+            reserve.cycle_time.map(|reach| Reach { value: reach.value.si(), fit: reach.fit, proviso: reach.proviso });
+        for (change, reach) in [
+            (AxisChange::CycleTime, cycle_time),
+            (AxisChange::Payload, reserve.payload_factor),
+            (AxisChange::Load, reserve.load_factor),
+        ] {
+            let Some(Reach { value, fit, proviso }) = reach else { continue };
+            let made = CatalogueReach { change, value, code: code.clone(), fit, proviso };
+            let is_smaller = |known: &CatalogueReach| {
+                if change == AxisChange::CycleTime { value < known.value } else { value > known.value }
+            };
+            match found.iter_mut().find(|known| known.change == change) {
+                Some(known) if is_smaller(known) => *known = made,
+                Some(_) => {}
+                None => found.push(made),
+            }
+        }
     }
-    let reserve = reserve_unasked(project, nearest, progress).unwrap_or_default();
-    let code = nearest.id.to_string();
-    let of = |change, value: f64, fit, proviso| CatalogueReach { change, value, code: code.clone(), fit, proviso };
-    let seconds = reserve.cycle_time.map(|found| of(AxisChange::CycleTime, found.value.si(), found.fit, found.proviso));
-    let factor =
-        |change, found: Option<Reach<f64>>| found.map(|found| of(change, found.value, found.fit, found.proviso));
-    let payload = factor(AxisChange::Payload, reserve.payload_factor);
-    [seconds, payload, factor(AxisChange::Load, reserve.load_factor)].into_iter().flatten().collect()
+    let has_load = found.iter().any(|reach| reach.change == AxisChange::Load);
+    (found, unsought.filter(|_| !has_load))
 }
 
 /// Returns changes of cycle time and load as cards.

@@ -6,11 +6,22 @@ use crate::markup::{id, tolerance_of, vals, worded};
 use crate::value;
 use maud::{Markup, html};
 use project::{Key, Kind, Variants};
-use quantities::Language;
+use quantities::{Angle, Language, Measure, format_significant, parse_as};
+use std::f64::consts::TAU;
 use words::{about_text, capitalised, page, short_label, views};
 
 /// Keys of the cells behind the law.
 pub(crate) const CELLS: [&str; 2] = ["distance", "time"];
+
+/// Number of turns of the output in a segment from which it is remarked: at 10 000 1/min it lasts for ten minutes.
+const TURNS_MANY: f64 = 1e5;
+
+/// Returns the turns of a distance that are remarked, because they are more likely a slip than a motion.
+fn many_turns(distance: &str) -> Option<f64> {
+    let (nominal, _) = tolerance_of(distance);
+    let turns = parse_as::<Angle>(nominal).ok()?.si().abs() / TAU;
+    (turns > TURNS_MANY).then_some(turns)
+}
 
 /// Returns the headings of the table.
 pub(crate) fn heads(language: Language) -> Markup {
@@ -53,6 +64,9 @@ impl RowContent<'_> {
                 }
             }
             @for name in [variants.by].into_iter().chain(CELLS) { (self.faults_of_cell(&format!("{path}.{name}"))) }
+            @if let Some(turns) = self.value(&format!("{path}.distance")).and_then(many_turns) {
+                p.small.advice.long-way { (views::long_way(&format_significant(turns, 3, l), l)) }
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use crate::demand::picture;
 use crate::gains::gains;
 use crate::markup::vals;
 use crate::overlay;
+use crate::run_part;
 use crate::state::PageState;
 use axis::AxisProject;
 use maud::{Markup, html};
@@ -23,7 +24,12 @@ pub(crate) fn run<'p>(
     candidate: &Candidate<'_>,
     progress: &Progress,
 ) -> Result<Simulated<'p>, NotSimulated> {
-    of_scenario(project, Some(&candidate.id), chosen(state, project), progress, state.language)
+    let part = run_part::of(state, project).map_err(|sentence| NotSimulated {
+        sentence,
+        changes: Vec::new(),
+        is_too_long: true,
+    })?;
+    of_scenario(project, Some(&candidate.id), (chosen(state, project), part), progress, state.language)
 }
 
 fn chosen(state: &PageState, project: &AxisProject) -> ScenarioId {
@@ -48,6 +54,10 @@ pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candida
         }
         @match &found {
             Ok(run) => {
+                @if let Some(part) = &run.part {
+                    (run_part::fields(state, project, candidate))
+                    (run_part::statement(part, project, !run.scenario.starts_warm(), state))
+                }
                 @let record = answer::simulation(run, l);
                 (exceeded(&record, l))
                 (gains(state, &record))
@@ -58,6 +68,7 @@ pub(crate) fn view(state: &PageState, project: &AxisProject, candidate: &Candida
             }
             Err(why) => {
                 p.empty { (capitalised(&why.sentence)) }
+                @if why.is_too_long { (run_part::fields(state, project, candidate)) }
                 @if !why.changes.is_empty() { div.downloads { @for change in &why.changes {
                     @let edits: String = change.edits.iter().map(|(key, value)| format!("value {}{key}={value}\n", state.prefix)).collect();
                     button type="button" hx-post="/work" hx-vals=(vals(&[("do", &edits)])) { (capitalised(&change.title)) }

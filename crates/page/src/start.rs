@@ -1,8 +1,8 @@
 //! The start page: a mechanism, at most six values, a first answer.
 
 use crate::call::{Call, Shell};
+use crate::placed::placed;
 use crate::sketch;
-use crate::state::placed;
 use crate::value::{self, stated, taken};
 use maud::{Markup, html};
 use project::{Edit, Kind, edit, key_at, written};
@@ -397,12 +397,7 @@ fn faults(begin: &Begin, text: &str, language: Language) -> Vec<Option<Markup>> 
     let of_row = |row: &&'static [&'static str]| {
         let path = row.iter().find(|path| found.iter().any(|(at, _)| at.as_deref() == Some(**path)))?;
         let (_, fault) = found.iter().find(|(at, _)| at.as_deref() == Some(*path))?;
-        let value = stated.iter().find(|key| key.path == *path).and_then(|key| key.value.clone()).unwrap_or_default();
-        let arithmetic = key_at(path).and_then(|key| value::arithmetic_fault(key, &value, language));
-        Some(match arithmetic {
-            Some(fault) => html! { (fault) },
-            None => crate::markup::worded(&fault.message, fault.hint.as_deref(), language),
-        })
+        Some(crate::markup::worded(&fault.message, fault.hint.as_deref(), language))
     };
     begin.asked.iter().map(of_row).collect()
 }

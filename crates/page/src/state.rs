@@ -6,12 +6,11 @@ use crate::by_path::ByPath;
 use crate::call::{Call, Shell};
 use crate::markup::tolerance_of;
 use crate::pasted::{Cell, pasted};
-use crate::places::Places;
+use crate::placed::placed;
 use crate::value::{in_unit, stated, taken};
-use axis::AxisDiagnostic;
 use axis::AxisProject;
 use figures::{By, MapPoint, Theme, nearest};
-use project::{Edit, Key, Kind, Written, edit, key_at, stretch, with_axis, written};
+use project::{Edit, Kind, Written, edit, key_at, stretch, with_axis, written};
 use quantities::Language;
 use questions::list::simulate::ScenarioId;
 use questions::{
@@ -19,7 +18,7 @@ use questions::{
     read_all_watched, read_code,
 };
 use std::borrow::Cow;
-use words::{Worded, page, worded};
+use words::{Worded, page};
 
 /// State as a request carries it, with the changes of that request.
 pub(crate) struct PageState {
@@ -35,6 +34,8 @@ pub(crate) struct PageState {
     pub(crate) window: Option<(f64, f64)>,
     /// Range of each panel in the kept run of the simulation, which the picture of the next run contains.
     pub(crate) kept_ranges: Vec<(f64, f64)>,
+    /// Part of the motion that is simulated, as typed: its beginning and its duration; `None` for the whole.
+    pub(crate) part: Option<[String; 2]>,
     /// Point in the map of candidates; the nearest actuator is to be selected.
     near: Option<MapPoint>,
     /// Prefix of the paths of the axis: `axis[2].` if the project has several axes, else empty.
@@ -285,6 +286,7 @@ impl PageState {
             all_axes: field("axis") == ALL_AXES,
             window: window(&field("from"), &field("until")),
             kept_ranges: ranges(&field("run_ranges")),
+            part: (field("run_part") == "true").then(|| [field("run_from"), field("run_for")]),
             near: MapPoint::read(&field("near")),
             prefix: String::new(),
             code: code(&field("code")),
@@ -553,44 +555,3 @@ const RANGES_MOST: usize = 16;
 
 /// Largest number of compared actuators.
 pub(crate) const MARKED_MOST: usize = 5;
-
-/// Returns every fault with its path: the one that it names, else that of the smallest enclosing value, else that of
-/// the key at its position. A path that the file does not have belongs to the enclosing table.
-pub(crate) fn placed(
-    faults: &[AxisDiagnostic],
-    (text, written): (&str, &[Written]),
-    key_at: fn(&str) -> Option<&'static Key>,
-    language: Language,
-) -> Vec<(Option<String>, Worded)> {
-    use axis::AxisFault;
-    use project::Fault;
-    let places = Places::of(written);
-    let path = |fault: &AxisDiagnostic| -> Option<String> {
-        if let AxisFault::Stated(Fault::MissingKey { path, .. }) = &fault.fault {
-            return Some(path.clone());
-        }
-        // A key stands on the line of its value, before it.
-        let found = places.around(&fault.span).or_else(|| places.behind_on_line(fault.span.end, text));
-        let found = found.map(|key| known(&key.path, key_at));
-        if !matches!(fault.fault, AxisFault::Stated(Fault::NoMechanism)) {
-            return found;
-        }
-        // The value is not in the text: the fault belongs to its future place, in its axis.
-        let axis = found.filter(|path| path.starts_with("axis["));
-        let axis = axis.and_then(|path| Some(path.split_once(']')?.0.to_owned()));
-        Some(axis.map_or_else(|| String::from("mechanism"), |axis| format!("{axis}].mechanism")))
-    };
-    let said = worded(faults, language).into_iter().zip(faults);
-    said.map(|(worded, fault)| (path(fault), crate::markup::in_words(worded, fault, language))).collect()
-}
-
-/// Returns the path, or that of the nearest enclosing table that a file has.
-fn known(path: &str, key_at: fn(&str) -> Option<&'static Key>) -> String {
-    let mut path = path;
-    while key_at(path).is_none()
-        && let Some((above, _)) = path.rsplit_once('.')
-    {
-        path = above;
-    }
-    path.to_owned()
-}

@@ -4,11 +4,12 @@
 //! The texts come from several crates, whose other readers (terminal, JSON) need the plain forms. They are set here once, when a page is
 //! complete. Program text (`code`, the text of the file) is quoted and stays.
 
+use crate::file_lines::in_words;
 use crate::markup::label_of;
 use project::key_at;
 use quantities::Language;
 use std::borrow::Cow;
-use words::row_sign;
+use words::{page, row_sign};
 
 /// Elements whose content is a quotation or no text.
 const QUOTED: [&str; 6] = ["script", "style", "code", "textarea", "symbol", "template"];
@@ -118,8 +119,9 @@ fn signs(text: &str) -> Cow<'_, str> {
 
 /// Writes a text with its symbols and keys set.
 fn words_of(text: &str, form: Form, language: Language, out: &mut String) {
-    let text = &*signs(text);
-    if !text.contains(['_', '.']) {
+    let text = signs(text);
+    let text = &*in_words(&text, language);
+    if !text.contains(['_', '.', '[']) {
         out.push_str(text);
         return;
     }
@@ -142,7 +144,8 @@ fn words_of(text: &str, form: Form, language: Language, out: &mut String) {
             continue;
         }
         let after = &tail[word.len()..];
-        let is_key = word.contains(['_', '.']);
+        let segment = segment_of(word);
+        let is_key = word.contains(['_', '.']) || segment.is_some();
         if is_key && before.ends_with('(') && in_parentheses(word, after, language) {
             // The sentence says it in words.
             let end = after.find(')').map_or(after.len(), |end| end + 1);
@@ -154,6 +157,8 @@ fn words_of(text: &str, form: Form, language: Language, out: &mut String) {
         rest = after;
         if before.ends_with('-') || !is_key {
             out.push_str(word);
+        } else if let Some(number) = segment {
+            out.push_str(&page::segment(&number, language));
         } else if let Some(label) = word.contains('.').then(|| label_of(word, language)).flatten() {
             out.push_str(&escaped(&label, form));
         } else if !word.contains('.')
@@ -168,6 +173,13 @@ fn words_of(text: &str, form: Form, language: Language, out: &mut String) {
         }
     }
     out.push_str(rest);
+}
+
+/// Returns the number of the segment that a path names: `motion[2]`.
+fn segment_of(word: &str) -> Option<&str> {
+    let path = word.strip_prefix("axis[").and_then(|rest| rest.split_once("].")).map_or(word, |(_, inside)| inside);
+    let number = path.strip_prefix("motion[")?.strip_suffix(']')?;
+    number.bytes().all(|byte| byte.is_ascii_digit()).then_some(number)
 }
 
 /// Returns `true` if a word in parentheses is a key that the sentence before it describes: alone, or with a value.
@@ -256,5 +268,14 @@ mod tests {
         assert_eq!(shown("<li>vertical (axis_tilt), e.g. (T_L)</li>"), "<li>vertical, e.g. (T<sub>L</sub>)</li>");
         assert_eq!(shown("<li>left out (bearing.mechanism = &quot;ignore&quot;).</li>"), "<li>left out.</li>");
         assert_eq!(shown("<p>axis.toml, www.example.org.</p>"), "<p>axis.toml, www.example.org.</p>");
+        assert_eq!(
+            shown("<li>motion[2]: at rest, axis[2].motion[13].</li>"),
+            "<li>Segment 2: at rest, Segment 13.</li>"
+        );
+        assert_eq!(
+            shown("<li>state gaps = &quot;allow&quot; to permit them</li>"),
+            "<li>state “gaps: permitted” to permit them</li>"
+        );
+        assert_eq!(shown("<code>gaps = &quot;allow&quot;</code>"), "<code>gaps = &quot;allow&quot;</code>");
     }
 }

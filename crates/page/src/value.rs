@@ -119,10 +119,15 @@ fn is_of_thousands(typed: &str, language: Language) -> bool {
 }
 
 /// Returns the fault of the arithmetic in the value of a number; `None` if there is none.
-pub(crate) fn arithmetic_fault(key: &Key, value: &str, language: Language) -> Option<&'static str> {
+pub(crate) fn arithmetic_fault(key: &Key, value: &str, language: Language) -> Option<String> {
     let is_number = matches!(key.kind, Kind::Quantity(..) | Kind::Along(..) | Kind::Number(..) | Kind::Integer(..));
     let (nominal, _) = tolerance_of(value);
-    computed(nominal, language).err().filter(|_| is_number).map(|fault| fault.text(language))
+    let fault = computed(nominal, language).err().filter(|_| is_number)?;
+    // In the unit that the field has as an example.
+    let dimensions = dimensions(key);
+    let usual = sample(key).and_then(|sample| Some(taken_apart(&sample, &dimensions)?.1));
+    let unit = usual.or_else(|| units(&dimensions).first().copied()).map_or("", |unit| unit.symbol_in(language));
+    Some(fault.text(unit, language))
 }
 
 /// Returns an entry with the decimal point of the project file, if the language has a comma and the number contains

@@ -16,7 +16,7 @@ use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
 use crate::tolerance::Draw;
 use axis::AxisDiagnostic;
-use axis::{AxisProject, Catalogue, Files, Grant, RatioAnswer};
+use axis::{AxisProject, Catalogue, Files, Grant, KeptRecordings, RatioAnswer};
 use quantities::Language;
 use serde_json::Value;
 use sizing::{StepObserver, Unobserved, finished, rank};
@@ -130,6 +130,10 @@ impl Files for Cancellable<'_> {
 
     fn cancelled(&self) -> Option<Arc<AtomicBool>> {
         Some(self.progress.flag())
+    }
+
+    fn kept(&self) -> Option<&KeptRecordings> {
+        self.files.kept()
     }
 
     fn grant(&self) -> Grant {

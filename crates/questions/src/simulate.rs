@@ -17,7 +17,7 @@ use order_code::OrderCode;
 use quantities::{ElectricPotential, Frequency, Measure, MomentOfInertia};
 use sizing::{CheckId, RunCase, RunCheck, RunCheckId, StepObserver as _, Verdict};
 use twin::{
-    Averaged, Event, EventKind, Failed, Fault, Gains, LoopResponse, Operation, Parameters, Sample, Scenario,
+    Averaged, Event, EventKind, Failed, Fault, Gains, LoopResponse, Operation, Parameters, Part, Sample, Scenario,
     ScenarioId, Setup, Summary, Supply, Twin,
 };
 use words::{Word, simulation};
@@ -40,6 +40,8 @@ pub(crate) struct Wanted {
     pub(crate) every_s: Option<f64>,
     /// Operation over days, by the mean losses of the cycle.
     pub(crate) operation: Option<Operation>,
+    /// Part of the motion instead of its cycles.
+    pub(crate) part: Option<Part>,
 }
 
 /// Reasons why nothing is simulated.
@@ -82,6 +84,8 @@ pub struct Simulated<'p> {
     pub candidate: Candidate<'p>,
     /// Scenario of the run.
     pub scenario: Scenario,
+    /// Part of the motion that was run; `None` for all cycles.
+    pub part: Option<Part>,
     /// Seed of phases and noise.
     pub seed: u64,
     /// The run in figures.
@@ -146,7 +150,8 @@ pub(crate) fn simulate<'p>(
     let ready = Ready::of(project, &candidate);
     let (ambient_k, assumed_v) = (ready.ambient_k, ready.assumed_v);
     let encoder = id.and_then(ProductId::order_code).and_then(encoder_of);
-    let mut setup = Setup { scenario: wanted.scenario, seed: wanted.seed, encoder: encoder.as_ref(), ..ready.setup() };
+    let Wanted { scenario, seed, part, .. } = wanted;
+    let mut setup = Setup { scenario, seed, part, encoder: encoder.as_ref(), ..ready.setup() };
     let (gains, gains_stated) = ready.controlled(&mut setup)?;
     let loops = LoopResponse::of(&setup)?;
     // An unstable inner loop makes the outer ones unstable.
@@ -155,7 +160,11 @@ pub(crate) fn simulate<'p>(
     }
     let twin = Twin::new(&setup)?;
     let is_warm = wanted.scenario.starts_warm();
-    let work = Work::of_axis(project, wanted.scenario.cycles.max(1), is_warm, wanted.operation.is_some());
+    let work = match part {
+        // Its temperatures at the start are those of the sizing.
+        Some(_) => Work::of_part(),
+        None => Work::of_axis(project, wanted.scenario.cycles.max(1), is_warm, wanted.operation.is_some()),
+    };
     Work::within(&[work.with_run(twin.steps())], limit)?;
     let rows_every = wanted.every_s.map(|every| (every * twin::CURRENT_RATE_HZ).round().max(1.0));
     if let Some(every) = rows_every {
@@ -170,7 +179,11 @@ pub(crate) fn simulate<'p>(
             return Err(NotRun::Rows(rows));
         }
     }
-    let start_k = if is_warm { watched(progress, |goes_on| twin::settled(&setup, goes_on))? } else { None };
+    let start_k = match part {
+        _ if !is_warm => None,
+        Some(part) => steady_at(project, &candidate, part.from_s),
+        None => watched(progress, |goes_on| twin::settled(&setup, goes_on))?,
+    };
     let averaged = match wanted.operation {
         Some(operation) => {
             let found = watched(progress, |goes_on| twin::averaged(&setup, operation, goes_on))?;
@@ -206,8 +219,9 @@ pub(crate) fn simulate<'p>(
     Ok(Simulated {
         project,
         candidate,
-        scenario: wanted.scenario,
-        seed: wanted.seed,
+        scenario,
+        part,
+        seed,
         summary: twin.summary(),
         events: twin.events().to_vec(),
         failed: twin.failed(),
@@ -226,6 +240,21 @@ pub(crate) fn simulate<'p>(
         resonance,
         parameters: ready.parameters,
     })
+}
+
+/// Returns the temperatures of winding and housing in the steady cycle at an instant, as the check on the winding computes
+/// them \[K\]; `None` if the actuator has no heat model.
+fn steady_at(project: &AxisProject, candidate: &Candidate<'_>, at_s: f64) -> Option<[f64; 2]> {
+    let course = crate::sizing_use::course(project, candidate);
+    let behind = course.samples.partition_point(|sample| sample.time_s <= at_s);
+    let last = course.samples.get(behind.saturating_sub(1))?;
+    let next = course.samples.get(behind).unwrap_or(last);
+    let long = next.time_s - last.time_s;
+    let share = if long > 0.0 { (at_s - last.time_s) / long } else { 0.0 };
+    let between = |a: f64, b: f64| a + share * (b - a);
+    let winding_k = between(last.winding_k?, next.winding_k?);
+    let housing_k = last.housing_k.zip(next.housing_k).map_or(winding_k, |(a, b)| between(a, b));
+    Some([winding_k, housing_k])
 }
 
 /// Returns the signals of the motor encoder of a code.

@@ -1,7 +1,7 @@
 //! The working folder: project files by name, and the recordings that they name; no access outside of it.
 
 use axis::{Catalogue, Files, Grant, Reach};
-use disk::{Links, ProjectFiles, Unwritten, read_within};
+use disk::{KeepingFiles, Links, ProjectFiles, Unwritten, read_within};
 use page::{
     FileEntry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names,
 };
@@ -26,7 +26,7 @@ const DAY_S: u64 = 86_400;
 
 /// Resources of this machine for the page.
 pub(crate) struct Workplace {
-    files: ProjectFiles,
+    files: KeepingFiles,
     time: Duration,
     press: Option<Press>,
     /// Lock for one save at a time: between the comparison with the old version and the new file, no other save of this
@@ -45,7 +45,7 @@ impl Workplace {
     pub(crate) fn new(folder: PathBuf, memory: u64, time: Duration, press: Option<Press>) -> Self {
         let grant = Grant { memory, reach: Reach::Folder };
         Self {
-            files: ProjectFiles { folder, links: Links::Inside, grant },
+            files: KeepingFiles::new(ProjectFiles { folder, links: Links::Inside, grant }),
             time,
             press,
             saving: Mutex::new(()),
@@ -124,12 +124,12 @@ impl Shell for Workplace {
 impl Folder for Workplace {
     fn list(&self) -> Result<Vec<FileEntry>> {
         let mut found = Vec::new();
-        for entry in std::fs::read_dir(&self.files.folder)?.take(LOOKED_AT_MOST).flatten() {
+        for entry in std::fs::read_dir(&self.files.files.folder)?.take(LOOKED_AT_MOST).flatten() {
             let Ok(name) = entry.file_name().into_string() else { continue };
             if !is_project_name(&name) {
                 continue;
             }
-            let Ok(about) = self.files.regular(&name).and_then(|path| path.metadata()) else { continue };
+            let Ok(about) = self.files.files.regular(&name).and_then(|path| path.metadata()) else { continue };
             let modified = about.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
             found.push(FileEntry { name, modified_s: modified.map_or(0, |time| time.as_secs()) });
         }
@@ -142,7 +142,7 @@ impl Folder for Workplace {
         if !is_project_name(name) {
             return Err(ErrorKind::NotFound.into());
         }
-        let bytes = read_within(File::open(self.files.regular(name)?)?, PROJECT_MAX_BYTES)?;
+        let bytes = read_within(File::open(self.files.files.regular(name)?)?, PROJECT_MAX_BYTES)?;
         if bytes.len() > PROJECT_MAX_BYTES { Err(ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
     }
 
@@ -164,7 +164,7 @@ impl Folder for Workplace {
                 return Err(SaveFault::Changed);
             }
         }
-        let path = self.files.folder.join(name);
+        let path = self.files.files.folder.join(name);
         // A file without a known version must be a new one.
         disk::save(&[(&path, text)], &[], known.is_some()).map_err(why)
     }
@@ -173,12 +173,12 @@ impl Folder for Workplace {
         let names = recording_names(name).ok_or(SaveFault::Name)?;
         let _alone = self.saving.lock().unwrap_or_else(PoisonError::into_inner);
         for name in names {
-            let path = self.files.folder.join(&name);
+            let path = self.files.files.folder.join(&name);
             match disk::save(&[(&path, bytes)], &[], false).map_err(why) {
                 Ok(()) => return Ok(name),
                 // An identical recording is not written again.
                 Err(SaveFault::Changed) => {
-                    let there = File::open(self.files.regular(&name).map_err(SaveFault::Disk)?);
+                    let there = File::open(self.files.files.regular(&name).map_err(SaveFault::Disk)?);
                     let there = there.and_then(|file| read_within(file, bytes.len())).map_err(SaveFault::Disk)?;
                     if there == bytes {
                         return Ok(name);

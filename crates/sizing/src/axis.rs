@@ -13,7 +13,7 @@ use quantities::{
     Angle, AngularVelocity, ElectricPotential, Measure, MomentOfInertia, ThermodynamicTemperature, Time, Torque,
 };
 use std::sync::OnceLock;
-use trace::{Convex, Extent, Node, TorqueWith, Trace};
+use trace::{Convex, Extent, Node, Surveys, TorqueWith, Trace};
 
 /// Operating condition of the output bearing (table 76.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -181,18 +181,33 @@ impl Axis {
     /// Prepares an axis without a brake, whose motor holds through every dwell: one pass over the motion.
     #[must_use]
     pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {
-        Self::prepared(mechanism, motion, extras, None)
+        Self::surveyed(mechanism, motion, extras, None, &Surveys::default())
     }
 
     /// Prepares an axis whose dwells may be held by a brake: one pass over the motion.
     #[must_use]
     pub fn braked(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, times: BrakeTimes) -> Self {
-        Self::prepared(mechanism, motion, extras, Some(times))
+        Self::surveyed(mechanism, motion, extras, Some(times), &Surveys::default())
     }
 
-    fn prepared(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, times: Option<BrakeTimes>) -> Self {
-        let trace = Trace::of(&mechanism, &motion, &extras, &carried(&motion, times.as_ref()));
+    /// Prepares an axis with or without a brake; a recording whose survey is among the given ones is not evaluated again.
+    /// The axis is the same to the last bit.
+    #[must_use]
+    pub fn surveyed(
+        mechanism: Mechanism,
+        motion: Motion,
+        extras: Vec<Extra>,
+        times: Option<BrakeTimes>,
+        surveys: &Surveys,
+    ) -> Self {
+        let trace = Trace::surveyed(&mechanism, &motion, &extras, &carried(&motion, times.as_ref()), surveys);
         Self { brake_times: times, ..Self::with_trace(mechanism, motion, extras, trace) }
+    }
+
+    /// Returns the surveys of its recordings, for another axis with the same ones.
+    #[must_use]
+    pub fn surveys(&self) -> Surveys {
+        self.trace.surveys()
     }
 
     pub(crate) fn with_trace(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, trace: Trace) -> Self {

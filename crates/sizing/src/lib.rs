@@ -62,4 +62,4 @@ pub use reserve::{AxisChange, Reach, Reserve, SAMPLES_ANEW, Unsought, nearest_ch
 pub use run_checks::{RUN_TOLERANCE, RunCase, RunCheck, RunCheckId};
 pub use screen::{Entrant, Found, Ranked, Screen, Screening};
 pub use supply::{MainsPhases, Supply, SupplyFrom};
-pub use trace::INSTANTS_MOST;
+pub use trace::{INSTANTS_MOST, Surveys};

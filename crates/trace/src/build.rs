@@ -20,6 +20,8 @@ pub(super) struct Builder<'a> {
     carried: &'a [Carried],
     /// Strips of an existing trace of the same recordings.
     known: &'a [Strip],
+    /// Strips of a trace of an earlier motion; used where the survey of this motion would be the same.
+    recalled: &'a [Strip],
     nodes: Vec<Node>,
     panels: Vec<Kept>,
     strips: Vec<Strip>,
@@ -76,6 +78,7 @@ impl<'a> Builder<'a> {
             extras,
             carried,
             known: &[],
+            recalled: &[],
             nodes: Vec::with_capacity(4 * motion.pieces().len()),
             panels: Vec::with_capacity(motion.pieces().len()),
             strips: Vec::new(),
@@ -94,6 +97,11 @@ impl<'a> Builder<'a> {
     /// depends on load or pace.
     pub(super) fn knowing(self, known: &'a [Strip], has_copies: bool) -> Self {
         Self { known, seeks_alike: has_copies, ..self }
+    }
+
+    /// Adds the strips of an earlier trace whose surveys are used where they equal those of this one.
+    pub(super) fn recalling(self, recalled: &'a [Strip]) -> Self {
+        Self { recalled, ..self }
     }
 
     pub(super) fn trace(mut self) -> Trace {
@@ -163,7 +171,7 @@ impl<'a> Builder<'a> {
         let none = Extra::none();
         let extra = self.extras.get(placed.segment).unwrap_or(&none);
         let others = self.known.iter().chain(&self.strips);
-        let mut strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, others);
+        let mut strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, others, self.recalled);
         strip.first = self.strips.iter().position(|other| other.is_like(&strip)).unwrap_or(self.strips.len());
         let mut survey = strip.found(self.strips.len());
         if let Some(share) = self.shares.get_mut(placed.segment) {

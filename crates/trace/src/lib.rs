@@ -28,7 +28,7 @@ pub use form::Form;
 pub use kinks::kink_passes;
 pub use lags::{Lag, Peak};
 pub use panel::{Like, Panel};
-pub use recording::{Cell, Inside, Ramps, Strip, Swept};
+pub use recording::{Cell, Inside, Ramps, Strip, Surveys, Swept};
 pub use search::{Any, Convex, Sought, TorqueWith};
 pub use smooth::Smooth;
 

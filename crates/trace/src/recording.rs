@@ -63,6 +63,31 @@ pub struct Strip {
     pub(super) first: usize,
 }
 
+/// Surveys of long recordings, for other traces of the same recordings.
+#[derive(Clone, Debug, Default)]
+pub struct Surveys(Vec<Strip>);
+
+impl super::Trace {
+    /// Evaluates a motion under its load as [`Self::of`] does, to the last bit; a recording whose survey is among the given
+    /// ones is not evaluated again.
+    #[must_use]
+    pub fn surveyed(
+        mechanism: &Mechanism,
+        motion: &motion::Motion,
+        extras: &[Extra],
+        carried: &[super::Carried],
+        surveys: &Surveys,
+    ) -> Self {
+        super::build::Builder::new(mechanism, motion, extras, carried).recalling(&surveys.0).trace()
+    }
+
+    /// Returns the surveys of its recordings.
+    #[must_use]
+    pub fn surveys(&self) -> Surveys {
+        Surveys(self.strips.clone())
+    }
+}
+
 /// Result of one pass over a recording, in the signals before the view.
 #[derive(Debug)]
 pub(super) struct Survey {
@@ -92,12 +117,13 @@ type Part = (f64, f64, f64);
 
 impl Strip {
     /// Creates the strip of a recording under a load; reuses the survey of one of the known strips if only the view
-    /// differs.
+    /// differs, or of a recalled one if a survey made now would be the same.
     pub(super) fn new<'k>(
         placed: Placed,
         mechanism: Mechanism,
         extra: Extra,
         known: impl IntoIterator<Item = &'k Self>,
+        recalled: &'k [Self],
     ) -> Self {
         let plain = mechanism.plain(&extra);
         let view = match &plain {
@@ -115,7 +141,10 @@ impl Strip {
             Some(_) => Placed { start_s: 0.0, stretch: 1.0, ..placed.clone() },
             None => placed.clone(),
         };
-        let known = plain.and_then(|plain| known.into_iter().find(|other| other.shows(&plain, &placed)));
+        let known = plain.and_then(|plain| {
+            let is_same = |other: &&Self| other.shows(&plain, &placed) && other.surveyed_weight_nm == plain.weight_nm;
+            known.into_iter().find(|other| other.shows(&plain, &placed)).or_else(|| recalled.iter().find(is_same))
+        });
         let kinks = mechanism.kinks();
         let surveyed_weight_nm = plain.map_or(0.0, |plain| plain.weight_nm);
         let (loads, survey) = (Arc::default(), Arc::new(Survey::empty()));

@@ -37,7 +37,7 @@ pub use identify::{
 pub use parameters::{MeasuredLoad, Model, Parameter, Parameters};
 pub use plant::Energies;
 pub use scenario::{Event, EventKind, Failed, Reaction, Scenario, ScenarioId};
-pub use setup::{Fault, SUBSTEPS_USUAL, Setup, Supply, Switches};
+pub use setup::{Fault, Part, SUBSTEPS_USUAL, Setup, Supply, Switches};
 pub use summary::Summary;
 pub use twin::{Reading, Sample, Twin};
 pub use warm::settled;

@@ -1,5 +1,6 @@
 //! Setpoints from the motion of the project, repeated over the cycles.
 
+use crate::setup::Part;
 use motion::{Hold, Motion};
 use quantities::Measure;
 
@@ -14,10 +15,12 @@ pub(crate) struct SetPoint {
     pub(crate) braked: Option<[f64; 2]>,
 }
 
-/// A repeated motion.
+/// A repeated motion, or a part of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Course<'a> {
     motion: &'a Motion,
+    /// Time of the motion at which the run begins, and the duration of the run \[s\].
+    part: Part,
     period_s: f64,
     net_rad: f64,
     cycles: f64,
@@ -36,29 +39,33 @@ const RESTS: f64 = 1e-3;
 const RUNS_ON: f64 = 0.02;
 
 impl<'a> Course<'a> {
-    pub(crate) fn of(motion: &'a Motion, cycles: u32) -> Self {
+    pub(crate) fn of(motion: &'a Motion, cycles: u32, part: Option<Part>) -> Self {
         let (period_s, net_rad) = (motion.duration().si(), motion.net().si());
         let cycles = f64::from(cycles.max(1));
-        let course = Self { motion, period_s, net_rad, cycles, begins_in_motion: false, runs_on: false };
+        let part = part.unwrap_or(Part { from_s: 0.0, for_s: period_s * cycles });
+        let course = Self { motion, part, period_s, net_rad, cycles, begins_in_motion: false, runs_on: false };
         let speed = |time: f64| course.state(time)[1];
+        let moves = |speed_at: f64| speed_at != 0.0 && speed_at.abs() > RESTS * speed(course.fastest_s()).abs();
         let [begin, end] = [speed(0.0), speed(period_s)];
-        let begins_in_motion = begin != 0.0 && begin.abs() > RESTS * speed(course.fastest_s()).abs();
-        let runs_on = begins_in_motion && (end - begin).abs() <= RUNS_ON * begin.abs();
-        Self { begins_in_motion, runs_on, ..course }
+        let runs_on = moves(begin) && (end - begin).abs() <= RUNS_ON * begin.abs();
+        let course = Self { runs_on, ..course };
+        let begins_in_motion = if part.from_s > 0.0 { moves(course.at(0.0).state[1]) } else { moves(begin) };
+        Self { begins_in_motion, ..course }
     }
 
-    /// Returns the duration of all cycles \[s\].
-    pub(crate) fn duration_s(&self) -> f64 {
-        self.period_s * self.cycles
+    /// Returns the duration of the run along the motion: all cycles, or the part \[s\].
+    pub(crate) const fn duration_s(&self) -> f64 {
+        self.part.for_s
     }
 
     /// Returns the setpoint at a time. Before the first cycle an axis that begins in motion runs up: through the cycle
     /// before, if its end joins, otherwise at constant speed. After the last cycle it runs on if its end joins, otherwise
-    /// it is at rest.
-    pub(crate) fn at(&self, time_s: f64) -> SetPoint {
+    /// it is at rest. Before and after a part the motion itself continues.
+    pub(crate) fn at(&self, run_s: f64) -> SetPoint {
+        let time_s = self.part.from_s + run_s;
         let cycle = (time_s / self.period_s).floor();
         let cycle = if self.runs_on { cycle } else { cycle.clamp(0.0, self.cycles - 1.0) };
-        let is_over = !self.runs_on && time_s >= self.duration_s();
+        let is_over = !self.runs_on && time_s >= self.period_s * self.cycles;
         let time = (time_s - cycle * self.period_s).clamp(0.0, self.period_s);
         let stretches = self.motion.stretches();
         let segment = stretches.partition_point(|each| each.start.si() <= time).saturating_sub(1);
@@ -102,11 +109,16 @@ impl<'a> Course<'a> {
         })
     }
 
-    /// Returns the instant of the highest speed in the first cycle \[s\].
+    /// Returns the instant of the highest speed in the first cycle, or in the part \[s\].
     pub(crate) fn fastest_s(&self) -> f64 {
         let samples = 2000;
-        let instants = (0..=samples).map(|k| self.period_s * f64::from(k) / f64::from(samples));
-        let speed = |time: f64| self.state(time)[1].abs();
+        let (from, long) = if self.part.from_s > 0.0 {
+            (self.part.from_s, self.part.for_s)
+        } else {
+            (0.0, self.period_s.min(self.part.for_s))
+        };
+        let instants = (0..=samples).map(|k| long * f64::from(k) / f64::from(samples));
+        let speed = |time: f64| self.state(from + time)[1].abs();
         instants.fold((0.0, -1.0), |best, time| if speed(time) > best.1 { (time, speed(time)) } else { best }).0
     }
 }

@@ -62,6 +62,18 @@ impl Supply {
     }
 }
 
+/// Part of a motion that is run instead of the whole.
+///
+/// The run begins at the state of the motion at that instant: an axis in motion runs up along it, with the temperatures of
+/// [`Setup::start_k`]. Times of the run count from the beginning of the part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Time of the motion at which the run begins \[s\].
+    pub from_s: f64,
+    /// Duration of the run along the motion \[s\].
+    pub for_s: f64,
+}
+
 /// Setup of a simulation.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup<'a> {
@@ -75,6 +87,8 @@ pub struct Setup<'a> {
     pub extras: &'a [Extra],
     /// Scenario of the run.
     pub scenario: Scenario,
+    /// Part of the motion to run; `None` for all cycles.
+    pub part: Option<Part>,
     /// Parts of the model that are switched on.
     pub switches: Switches,
     /// Supply of the DC link.
@@ -125,6 +139,7 @@ impl<'a> Setup<'a> {
             motion,
             extras,
             scenario: Scenario::default(),
+            part: None,
             switches: Switches::default(),
             supply: Supply::of(SUPPLY_USUAL_V),
             modulation: 1.0,

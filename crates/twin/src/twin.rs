@@ -17,7 +17,7 @@ use crate::parameters::Parameter;
 use crate::plant::{Energies, Given, Plant, Sliding, State, Stop, Variables};
 use crate::scenario::{Event, EventKind, ScenarioId};
 use crate::setpoint::{Course, SetPoint};
-use crate::setup::{Fault, STEP_MOST, SUBSTEPS_MOST, Setup, Supply};
+use crate::setup::{Fault, Part, STEP_MOST, SUBSTEPS_MOST, Setup, Supply};
 use crate::summary::{Gathered, Summary};
 use actuator::{Losses, Temperatures};
 use numeric::Random;
@@ -161,7 +161,15 @@ impl<'a> Twin<'a> {
             return Err(Fault::OutOfRange(key));
         }
         let machine = Machine::of(setup.parameters, setup.switches, setup.seed)?;
-        let course = Course::of(setup.motion, setup.scenario.cycles);
+        let cycles_s = setup.motion.duration().si() * f64::from(setup.scenario.cycles.max(1));
+        // The limits allow for the rounding of a part that ends with the motion.
+        let is_within = |part: &Part| {
+            part.from_s >= 0.0 && part.for_s >= PERIOD_S && part.from_s + part.for_s <= cycles_s * (1.0 + 1e-9)
+        };
+        if !setup.part.as_ref().is_none_or(is_within) {
+            return Err(Fault::OutOfRange("part"));
+        }
+        let course = Course::of(setup.motion, setup.scenario.cycles, setup.part);
         let model = &setup.parameters.model;
         let ambient_k = start::ambient(&setup);
         let scenario = setup.scenario.id;

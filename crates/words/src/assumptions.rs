@@ -350,7 +350,7 @@ fn key_text(remark: Remark, language: Language) -> String {
             let (with, without) = (of(acceleration_rad_s2), of(without_rad_s2));
             said!(language =>
                 "the stated standstill of {speed} contains speeds of the motion: the axis stops in a step, with accelerations of up to {with} instead of {without}; a smaller value avoids this"
-                | "der angegebene Stillstand (standstill) von {speed} umfasst Drehzahlen der Bewegung: die Achse hält sprunghaft an, mit Beschleunigungen bis {with} statt {without}; ein kleinerer Wert vermeidet das"
+                | "die angegebene Grenze des Stillstands von {speed} umfasst Drehzahlen der Bewegung: die Achse hält sprunghaft an, mit Beschleunigungen bis {with} statt {without}; ein kleinerer Wert vermeidet das"
             )
         }
     }
@@ -362,7 +362,7 @@ fn motionless_text(segment: usize, hidden_rad_s: f64, language: Language) -> Str
         let speed = figure(hidden_rad_s, &REVOLUTION_PER_MINUTE, language);
         return said!(language =>
             "motion[{segment}]: the stated standstill is above the largest recorded speed, {speed}: the whole recording is taken as rest, and the torque at rest alone is judged"
-            | "motion[{segment}]: der angegebene Stillstand (standstill) liegt über der größten aufgezeichneten Drehzahl, {speed}: die ganze Aufzeichnung gilt als Stillstand, bewertet wird nur das Drehmoment im Stillstand"
+            | "motion[{segment}]: die angegebene Grenze des Stillstands liegt über der größten aufgezeichneten Drehzahl, {speed}: die ganze Aufzeichnung gilt als Stillstand, bewertet wird nur das Drehmoment im Stillstand"
         );
     }
     said!(language =>

@@ -175,8 +175,8 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
                 | "die Aufzeichnung beginnt mit {}, die Achse hat dort {}", speed(first.si()), speed(before.si())
             ),
             Some(said!(language =>
-                "choose the window with from and to so that it begins at that speed, or state standstill"
-                | "mit from und to ein Fenster wählen, das mit dieser Drehzahl beginnt, oder standstill angeben"
+                "choose the window so that it begins at that speed, from = \"…\" and to = \"…\", or state standstill = \"…\""
+                | "ein Fenster wählen, das mit dieser Drehzahl beginnt, from = \"…\" und to = \"…\", oder standstill = \"…\" angeben"
             )),
         ),
         MoveFault::RecordingPositionJumps { gap } => plain(said!(language =>
@@ -275,8 +275,8 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
                     | "die Zeilen haben keinen gleichen Abstand: die Zeitstempel weichen um {scatter} (Standardabweichung) von gleichen Abständen zu {interval} ab"
                 ),
                 Some(said!(language =>
-                    "leave out time_stamps, or select a part with one interval by from and to"
-                    | "time_stamps weglassen oder mit from und to einen Abschnitt mit einem einzigen Abstand wählen"
+                    "leave out time_stamps = \"even\", or select a part with one interval, from = \"…\" and to = \"…\""
+                    | "time_stamps = \"even\" weglassen oder einen Abschnitt mit einem einzigen Abstand wählen, from = \"…\" und to = \"…\""
                 )),
             )
         }
@@ -321,26 +321,27 @@ fn single_move(language: Language) -> String {
 
 fn needed_words(needed: Needed, language: Language) -> String {
     let (en, de) = match needed {
-        Needed::TwoOfFour => {
-            ("any two of distance, time, speed, acceleration", "zwei von distance, time, speed, acceleration")
-        }
+        Needed::TwoOfFour => (
+            "any two of `distance`, `time`, `speed`, `acceleration`",
+            "zwei von `distance`, `time`, `speed`, `acceleration`",
+        ),
         Needed::TwoOrThreeOfFour => (
-            "any three of distance, time, speed, acceleration, or two for a trapezoid with equal thirds",
-            "drei von distance, time, speed, acceleration, oder zwei für ein Trapez mit gleichen Dritteln",
+            "any three of `distance`, `time`, `speed`, `acceleration`, or two for a trapezoid with equal thirds",
+            "drei von `distance`, `time`, `speed`, `acceleration`, oder zwei für ein Trapez mit gleichen Dritteln",
         ),
         Needed::DistanceAndLimits => {
-            ("distance, speed, acceleration and jerk", "distance, speed, acceleration und jerk")
+            ("`distance`, `speed`, `acceleration` and `jerk`", "`distance`, `speed`, `acceleration` und `jerk`")
         }
         Needed::DistanceAndTime => (
-            "distance and time, because the move does not begin and end at rest",
-            "distance und time, weil die Bewegung nicht von Stillstand zu Stillstand führt",
+            "`distance` and `time`, because the move does not begin and end at rest",
+            "`distance` und `time`, weil die Bewegung nicht von Stillstand zu Stillstand führt",
         ),
         Needed::DistanceSpeedAcceleration => (
-            "distance, speed and acceleration, because the move does not begin and end at rest",
-            "distance, speed und acceleration, weil die Bewegung nicht von Stillstand zu Stillstand führt",
+            "`distance`, `speed` and `acceleration`, because the move does not begin and end at rest",
+            "`distance`, `speed` und `acceleration`, weil die Bewegung nicht von Stillstand zu Stillstand führt",
         ),
         Needed::SpeedAndTimeOrDistance => {
-            ("speed and either time or distance", "speed und entweder time oder distance")
+            ("`speed` and either `time` or `distance`", "`speed` und entweder `time` oder `distance`")
         }
     };
     pick(language, en, de).to_owned()
@@ -357,8 +358,8 @@ pub(crate) fn time_of_clock(language: Language) -> String {
 /// Returns the ways to make a recorded cycle close.
 pub(crate) fn close_the_recording(language: Language) -> String {
     said!(language =>
-        "choose the window with from and to, state standstill, or state single_move = true under [axis]"
-        | "das Fenster mit from und to wählen, standstill angeben oder unter [axis] single_move = true angeben"
+        "choose the window, from = \"…\" and to = \"…\", state standstill = \"…\", or state single_move = true under [axis]"
+        | "das Fenster wählen, from = \"…\" und to = \"…\", standstill = \"…\" oder unter [axis] single_move = true angeben"
     )
 }
 

@@ -343,8 +343,8 @@ texts! {
     arithmetic_number_missing =
         "a number is missing behind an operator" | "hinter einem Rechenzeichen fehlt eine Zahl";
     arithmetic_parenthesis = "a parenthesis has no counterpart" | "eine Klammer hat kein Gegenstück";
-    arithmetic_unit_inside =
-        "write the unit once, behind the whole expression: 2*5 kg" | "die Einheit einmal hinter den ganzen Ausdruck schreiben: 2*5 kg";
+    arithmetic_unit_inside(unit) =
+        "write the unit once, behind the whole expression: 2*5 {unit}" | "die Einheit einmal hinter den ganzen Ausdruck schreiben: 2*5 {unit}";
     arithmetic_separators =
         "write numbers without separators between the digits and with a decimal point: 1000.5"
         | "Zahlen ohne Trennzeichen zwischen den Ziffern und mit Dezimalkomma schreiben: 1000,5";

@@ -77,13 +77,22 @@ pub fn body_key(key: &str, language: Language) -> Option<&'static str> {
 /// Returns the part of a description that labels a key; the rest is for authors of the file.
 #[must_use]
 pub fn short_label(label: &str) -> String {
-    let label = label.split(';').next().unwrap_or(label).trim_start_matches("true: ");
+    let label = label.split(';').next().unwrap_or(label);
+    // The word of the file for which the description is true; a switch that is off by it is labelled by what it switches.
+    let stated = ["true: ", "allow: ", "even: ", "interpolate: "].iter().find_map(|word| label.strip_prefix(word));
+    let label = match label.strip_prefix("false: ") {
+        Some(off) => OFF.iter().find_map(|tail| off.strip_suffix(tail)).unwrap_or(off),
+        None => stated.unwrap_or(label),
+    };
     let label = label.replace(" (true)", "").replace(" (false)", "");
     // The sign is shown with the value.
     const TAILS: [&str; 3] =
         [", entgegen der positiven Richtung", ", against the positive direction", ", at the output or along the guide"];
     TAILS.iter().find_map(|tail| label.strip_suffix(tail)).map_or(label.clone(), str::to_owned)
 }
+
+/// Ends of a description of what `false` switches off.
+const OFF: [&str; 4] = [" is neglected", " are neglected", " wird vernachlässigt", " werden vernachlässigt"];
 
 /// Words of the project file: key, word, English, German. A word without a key is valid for every key.
 const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
@@ -194,5 +203,29 @@ mod tests {
         let mut left = Vec::new();
         walk(KEYS, &mut left);
         assert!(left.is_empty(), "{left:?}");
+    }
+
+    /// A label begins with no word of the project file.
+    #[test]
+    fn a_label_is_words() {
+        fn walk(keys: &[Key], left: &mut Vec<String>) {
+            for key in keys {
+                let words = match key.kind {
+                    Kind::OneOf(words) | Kind::ListOf(words) => words,
+                    _ => &["true", "false"],
+                };
+                let labels = Language::ALL.map(|language| short_label(crate::about_text(key.about, language)));
+                let is_file = |label: &String| words.iter().any(|word| label.starts_with(&format!("{word}: ")));
+                left.extend(labels.into_iter().filter(is_file));
+                walk(key.kind.keys(true), left);
+            }
+        }
+        let mut left = Vec::new();
+        walk(KEYS, &mut left);
+        assert!(left.is_empty(), "{left:?}");
+        assert_eq!(
+            short_label("false: Reibung von Motor und Getriebe wird vernachlässigt"),
+            "Reibung von Motor und Getriebe"
+        );
     }
 }

@@ -144,7 +144,9 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::Stopped => (said!(language => "reading was cancelled" | "das Lesen wurde abgebrochen"), None),
         Fault::TooManySamples { most } => (
             said!(language => "the file has more than {most} samples" | "die Datei hat mehr als {most} Abtastwerte"),
-            Some(said!(language => "select a part with from and to" | "mit from und to einen Abschnitt wählen")),
+            Some(
+                said!(language => "select a part: from = \"…\", to = \"…\"" | "einen Abschnitt wählen: from = \"…\", to = \"…\""),
+            ),
         ),
         Fault::ParquetUnreadable { reason } => {
             let reason = damage(reason, language);
@@ -230,14 +232,14 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         ),
         Fault::TimeMissing { headers, near } => (
             said!(language => "no time column found" | "keine Zeitspalte gefunden"),
-            Some(columns_and_names(headers, near, "time", &[Role::Time], language)),
+            Some(columns_and_names(headers, near, &[Role::Time], language)),
         ),
         Fault::CourseMissing { headers, near } => (
             said!(language =>
                 "neither a position column nor a speed column found"
                 | "weder eine Positions- noch eine Geschwindigkeitsspalte gefunden"
             ),
-            Some(columns_and_names(headers, near, "position or speed", &[Role::Position, Role::Speed], language)),
+            Some(columns_and_names(headers, near, &[Role::Position, Role::Speed], language)),
         ),
         Fault::Ambiguous { role, columns, numbers } => {
             let (role, key) = (role_text(*role, language), role_key(*role));
@@ -452,8 +454,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 said!(language => "{}: a gap of {length} before this sample, more than {factor} times the median interval of {median}" | "{}: vor diesem Abtastwert liegt eine Lücke von {length}, mehr als das {factor}-Fache des mittleren \
                          Abstands (Median) von {median}", place(*at, language)),
                 Some(said!(language =>
-                    "select a part with from and to, or accept gaps with gaps = \"allow\""
-                    | "mit from und to einen Abschnitt wählen oder Lücken mit gaps = \"allow\" zulassen"
+                    "select a part, from = \"…\" and to = \"…\", or accept gaps with gaps = \"allow\""
+                    | "einen Abschnitt wählen, from = \"…\" und to = \"…\", oder Lücken mit gaps = \"allow\" zulassen"
                 )),
             )
         }

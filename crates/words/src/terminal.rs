@@ -171,8 +171,8 @@ texts! {
         "{asked} samples of these tolerances take more than about ten seconds; by default at most {most} are evaluated: state fewer with --samples, or a time limit with --deadline"
         | "{asked} Stichproben dieser Toleranzen dauern länger als etwa zehn Sekunden; ohne Angabe werden höchstens {most} ausgewertet: mit --samples weniger oder mit --deadline eine Zeitgrenze angeben";
     too_long(samples, most, seconds) =
-        "{samples} samples of recordings take more than about {seconds} seconds; by default at most {most} are evaluated for such a load: state a time limit with --deadline, or use fewer samples with from and to"
-        | "{samples} Abtastwerte von Aufzeichnungen dauern länger als etwa {seconds} Sekunden; ohne Angabe werden bei einer solchen Last höchstens {most} ausgewertet: mit --deadline eine Zeitgrenze angeben oder mit from und to weniger Abtastwerte verwenden";
+        "{samples} samples of recordings take more than about {seconds} seconds; by default at most {most} are evaluated for such a load: state a time limit with --deadline, or use fewer samples (from, to)"
+        | "{samples} Abtastwerte von Aufzeichnungen dauern länger als etwa {seconds} Sekunden; ohne Angabe werden bei einer solchen Last höchstens {most} ausgewertet: mit --deadline eine Zeitgrenze angeben oder weniger Abtastwerte verwenden (from, to)";
     too_many_axes(axes, seconds) =
         "{axes} axes together take more than about {seconds} seconds: select one with --axis, or state a time limit with --deadline"
         | "{axes} Achsen dauern zusammen länger als etwa {seconds} Sekunden: mit --axis eine wählen oder mit --deadline eine Zeitgrenze angeben";
@@ -180,8 +180,8 @@ texts! {
         "evaluating the catalogue for each of {ratios} stage ratios takes more than about {seconds} seconds: state fewer in stage.ratios, or a time limit with --deadline"
         | "die Bewertung des Katalogs für jede von {ratios} Übersetzungen der Zwischenstufe dauert länger als etwa {seconds} Sekunden: in stage.ratios weniger oder mit --deadline eine Zeitgrenze angeben";
     too_many_rows(rows, needed, most) =
-        "the time series table has up to {rows} rows and requires {needed} MiB; {most} MiB are permitted: raise the limit with --memory, or use fewer samples with from and to"
-        | "die Tabelle des Verlaufs hat bis zu {rows} Zeilen und benötigt {needed} MiB; zulässig sind {most} MiB: Grenze mit --memory erhöhen oder mit from und to weniger Abtastwerte verwenden";
+        "the time series table has up to {rows} rows and requires {needed} MiB; {most} MiB are permitted: raise the limit with --memory, or use fewer samples (from, to)"
+        | "die Tabelle des Verlaufs hat bis zu {rows} Zeilen und benötigt {needed} MiB; zulässig sind {most} MiB: Grenze mit --memory erhöhen oder weniger Abtastwerte verwenden (from, to)";
     not_in_time(most) =
         "no answer within {most} s; raise the limit with --deadline, or reduce the work: fewer samples, a shorter cycle, a single axis with --axis"
         | "keine Antwort innerhalb von {most} s; Zeitgrenze mit --deadline erhöhen oder Umfang verringern: weniger Stichproben, kürzerer Zyklus, einzelne Achse mit --axis";

@@ -34,4 +34,40 @@ texts! {
     slider = "slider" | "Schieber";
     default_gain = "default value" | "Standardwert";
     margin = "margin" | "Reserve";
+    next_steps = "Next steps" | "Nächste Schritte";
+    is_stated = "stated" | "angegeben";
+    is_open = "still open" | "noch offen";
+    then_actuators = "Then the actuators that fit stand here, each with its checks." | "Danach stehen hier die geeigneten Antriebe mit ihren Nachweisen.";
+    load_not_sought(samples) =
+        "A smaller load was not searched: each trial computes the load at {samples} instants again."
+        | "Eine kleinere Last wurde nicht gesucht: Jeder Versuch berechnet die Last an {samples} Zeitpunkten neu.";
+    seek_load = "Search it" | "Suchen";
+    part_of_cycle = "Part of the cycle" | "Teil des Zyklus";
+    part_from = "from" | "ab";
+    part_for = "for" | "Dauer";
+    part_start = "Beginning of the part" | "Beginn des Teils";
+    part_duration = "Duration of the part" | "Dauer des Teils";
+    run_part = "Simulate this part" | "Diesen Teil rechnen";
+    whole_cycle = "Whole cycle" | "Ganzer Zyklus";
+    part_shown(from, until, whole) =
+        "Simulated: {from} to {until} of the cycle of {whole}. Times count from the beginning of this part."
+        | "Gerechnet: {from} bis {until} des Zyklus von {whole}. Die Zeiten zählen ab Beginn dieses Teils.";
+    part_is_warm =
+        "Winding and housing begin at the temperatures of the sizing in the steady cycle."
+        | "Wicklung und Gehäuse beginnen mit den Temperaturen der Auslegung im eingeschwungenen Zyklus.";
+    part_outside(whole, least) =
+        "The part must lie within the cycle, 0 to {whole}, and last at least {least}."
+        | "Der Teil muss innerhalb des Zyklus liegen, 0 bis {whole}, und mindestens {least} dauern.";
+    part_around(long, time, checks) = "{long} around {time}: {checks}" | "{long} um {time}: {checks}";
+    long_way(turns) =
+        "{turns} turns of the output in one segment: is the number right?"
+        | "{turns} Umdrehungen des Abtriebs in einem Abschnitt: stimmt die Zahl?";
+    in_quotes(words) = "“{words}”" | "„{words}“";
+    line_gaps = "gaps" | "Lücken";
+    line_held_values = "held values" | "gehaltene Werte";
+    line_time_stamps = "time stamps" | "Zeitstempel";
+    line_smoothing = "smoothing" | "Glättung";
+    line_standstill = "limit of standstill" | "Grenze des Stillstands";
+    line_from = "start of the window" | "Beginn des Fensters";
+    line_to = "end of the window" | "Ende des Fensters";
 }

@@ -59,7 +59,7 @@ impl Trouble {
 pub(super) fn with_arithmetic(fields: &[ToolField], troubles: Vec<Trouble>, language: Language) -> Vec<Trouble> {
     let of_field = |field: &ToolField| {
         let fault = computed(&field.value, language).err().filter(|_| field.is_line())?;
-        Some(Trouble { field: Some(field.name.clone()), message: fault.text(language).to_owned(), hint: None })
+        Some(Trouble { field: Some(field.name.clone()), message: fault.text("kg", language), hint: None })
     };
     let own: Vec<Trouble> = fields.iter().filter_map(of_field).collect();
     let others = troubles.into_iter().filter(|each| !own.iter().any(|one| one.field == each.field));

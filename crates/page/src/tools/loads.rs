@@ -3,7 +3,7 @@
 use super::field::{MARK, ToolField, Trouble, at_their_fields};
 use super::scene::{GOOD, Scene, fields_of};
 use crate::checks::{check_heads, verdict_class};
-use crate::state::placed;
+use crate::placed::placed;
 use axis::AxisProject;
 use maud::{Markup, html};
 use project::{Edit, edit, key_at, written};

@@ -5,7 +5,7 @@ use super::field::{MARK, ToolField, Trouble};
 use super::scene::{GOOD, Scene};
 use crate::checks::verdict_class;
 use crate::markup::vals;
-use crate::state::placed;
+use crate::placed::placed;
 use maud::{Markup, html};
 use project::{About, Edit, Key, Kind, MEASURED_KEYS, MeasuredKey, Written, edit_measured, measured_key_at, written};
 use quantities::{Language, Unit};

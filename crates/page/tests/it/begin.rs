@@ -54,7 +54,7 @@ fn a_fault_of_a_number_says_what_to_write() {
         ("1.000", "de", "Dezimalkomma"),
         ("1.000,5", "de", "Dezimalkomma"),
         ("1,000.5", "de", "Dezimalkomma"),
-        ("5kg*2", "en", "write the unit once"),
+        ("5kg*2", "en", "write the unit once, behind the whole expression: 2*5 kg"),
         ("5kg*2", "de", "die Einheit einmal"),
         ("1e-400", "en", "too small"),
         ("1e-400", "de", "zu klein"),
@@ -66,4 +66,32 @@ fn a_fault_of_a_number_says_what_to_write() {
         let at = found.iter().find(|(field, _)| field == "f-mechanism-screw-mass").unwrap();
         assert!(at.1.contains(words), "{typed} {lang}: {at:?}");
     }
+}
+
+/// The same fault stands in the line of a segment, with the unit of its field; a distance that is most likely a slip is remarked.
+#[test]
+fn a_cell_of_a_segment_says_what_to_write() {
+    let of = |law: &str| {
+        let text = format!("format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"trapezoid\"\n{law}\n");
+        crate::shell::page(&crate::shell::post("/work", &[("text", &text)]))
+    };
+    let html = of("distance = \"90 deg\"\ntime = \"5kg*2\"");
+    let fault = html.split("id=\"f-motion-1--time-x\"").nth(1).unwrap().split("</div>").next().unwrap();
+    assert!(fault.contains("behind the whole expression: 2*5 s"), "{fault}");
+    let list = html.split("id=\"faults\"").nth(1).unwrap().split("id=\"stopped\"").next().unwrap();
+    assert!(list.contains("behind the whole expression: 2*5 s"), "{list}");
+    assert!(of("distance = \"1e9 deg\"\ntime = \"5 s\"").contains("2.78·10⁶ turns"));
+    assert!(!of("distance = \"3600 deg\"\ntime = \"5 s\"").contains("long-way"));
+}
+
+/// Without a load the right pane leads to what is to be stated.
+#[test]
+fn next_steps_stand_where_the_actuators_will() {
+    let html = crate::shell::page(&crate::shell::post(
+        "/work",
+        &[("text", "format = 1\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n")],
+    ));
+    let pane = html.split("id=\"fits\"").nth(1).unwrap();
+    assert!(pane.contains("href=\"#mechanism\"") && pane.contains("still open"), "{pane}");
+    assert!(pane.contains("href=\"#f-motion-t\"") && pane.contains("Motion: stated"), "{pane}");
 }

@@ -226,6 +226,18 @@ fn plain(html: &str) -> String {
         .replace("&amp;", "&")
 }
 
+/// Returns the longest part of a message without a line or a table of the file, which the page says in its own words.
+fn without_lines(message: &str) -> String {
+    if ![" = ", "[[", " [", "`["].iter().any(|sign| message.contains(sign)) {
+        return message.to_owned();
+    }
+    let parts: Vec<&str> = message.split(['=', '[', ']', '{', '}', '"']).collect();
+    let longest = parts.iter().max_by_key(|part| part.len()).copied().unwrap_or_default().trim();
+    // The words next to the cut belong to the line.
+    let words: Vec<&str> = longest.split(' ').collect();
+    words.get(1..words.len() - 1).unwrap_or_default().join(" ")
+}
+
 #[test]
 fn every_fault_has_its_place_in_the_page() {
     let folder = InMemory::default();
@@ -246,6 +258,7 @@ fn every_fault_has_its_place_in_the_page() {
             "no_mechanism" => words::incoming::load_missing(quantities::Language::En).to_owned(),
             _ => words::fault_text(&fault.fault, quantities::Language::En),
         };
+        let message = without_lines(&message);
         let html = page(&folder.post("/work", &[("text", &text), ("good", &good)]));
         whole(&html);
         let list = html.split("id=\"faults\"").nth(1).unwrap().split("id=\"stopped\"").next().unwrap();

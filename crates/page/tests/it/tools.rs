@@ -303,3 +303,20 @@ fn a_tool_begins_from_the_axis_in_work() {
         assert!(bodies.contains(&format!("J = {shown} kgm²")), "{bodies}");
     }
 }
+
+/// The twist of an axis is that under its own peak torque; without an axis an example of a torque stands in its place.
+#[test]
+fn torsion_takes_the_peak_torque_of_the_axis() {
+    let code = "CHA-20A-100-H-C1024";
+    let text = "format = 1\n[load]\ninertia = \"0.9 kg m^2\"\n[[motion]]\nlaw = \"polynomial_5\"\ndistance = \"60 deg\"\ntime = \"0.8 s\"\n\
+        [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"-60 deg\"\ntime = \"0.8 s\"\n";
+    let work = page(&post("/work", &[("text", text), ("code", code)]));
+    let sums = work.split("class=\"sums\"").nth(1).unwrap();
+    let peak = sums.split("<sub>peak</sub>").nth(1).unwrap().split("Nm").next().unwrap();
+    let peak = peak.rsplit('>').next().unwrap().trim().to_owned();
+    let html = page(&post("/tools", &[("tool", "torsion"), ("about", code), ("text", text)]));
+    let field = html.split("id=\"t-torque\"").nth(1).unwrap().split('>').next().unwrap();
+    assert!(!peak.is_empty() && field.contains(&format!("value=\"{peak}")), "{peak}: {field}");
+    let alone = page(&post("/tools", &[("tool", "torsion"), ("about", code)]));
+    assert!(!alone.split("id=\"t-torque\"").nth(1).unwrap().split('>').next().unwrap().contains(&peak));
+}

@@ -118,9 +118,32 @@ fn choices_without_words(html: &str) -> Vec<String> {
         .collect()
 }
 
+/// Keys of the project file that are no German words, nor headings of a recording.
+const ENGLISH_KEYS: [&str; 9] =
+    ["standstill", "gaps", "speed", "distance", "acceleration", "jerk", "smoothing", "columns", "from"];
+
+/// Returns lines and tables of the project file in a text, and in a German one its keys.
+fn file_syntax(own: &str, is_german: bool) -> Vec<String> {
+    let mut found = Vec::new();
+    for (at, _) in own.match_indices(" = ") {
+        let behind = own.get(at + 3..).unwrap_or_default();
+        let is_value = ["\"", "{", "true", "false"].iter().any(|begin| behind.starts_with(begin));
+        if is_value {
+            found.push(own.get(at.saturating_sub(12)..).unwrap_or(own).chars().take(24).collect());
+        }
+    }
+    if is_german {
+        let words: Vec<&str> = own.split(|sign: char| !is_part(sign)).collect();
+        // A line of a body is typed as it is quoted: `distance=80mm`.
+        let is_key = |key: &&&str| words.contains(*key) && !own.contains(&format!("{key}="));
+        found.extend(ENGLISH_KEYS.iter().filter(is_key).map(|key| (*key).to_owned()));
+    }
+    found
+}
+
 /// Returns the identifiers in a text.
-fn identifiers(text: &VisibleText, known: &BTreeSet<String>) -> Vec<String> {
-    let mut found: Vec<String> = Vec::new();
+fn identifiers(text: &VisibleText, known: &BTreeSet<String>, is_german: bool) -> Vec<String> {
+    let mut found: Vec<String> = file_syntax(&text.words, is_german);
     for word in text.words.split(|sign: char| !is_part(sign)) {
         let word = word.trim_matches(|sign: char| !sign.is_alphanumeric());
         let letters: Vec<char> = word.chars().collect();
@@ -133,14 +156,14 @@ fn identifiers(text: &VisibleText, known: &BTreeSet<String>) -> Vec<String> {
         }
     }
     // What the user typed is quoted as it was typed.
-    let own: String = text.words.split(['"', '„', '“']).step_by(2).collect();
+    let own: String = text.words.split(['"', '„', '“', '”']).step_by(2).collect();
     let quotes = DEVELOPERS.iter().filter(|sign| own.contains(**sign));
     found.extend(quotes.map(|sign| (*sign).to_owned()));
     found
 }
 
 /// Returns the identifiers on pages with a place of each; `html` reads the page of a request.
-fn found_in(requests: &[Request]) -> BTreeMap<(String, String), String> {
+fn found_in(requests: &[Request], files: &[(&str, &[u8])]) -> BTreeMap<(String, String), String> {
     let errata: BTreeSet<String> = errata_about(None, Language::En)
         .map_or_else(|_| Vec::new(), |found| found.errata)
         .iter()
@@ -149,6 +172,7 @@ fn found_in(requests: &[Request]) -> BTreeMap<(String, String), String> {
     let mut found = BTreeMap::new();
     for (path, query, fields) in requests {
         let folder = InMemory::default();
+        folder.0.borrow_mut().extend(files.iter().map(|(name, content)| ((*name).to_owned(), content.to_vec())));
         let fields: Vec<(&str, &str)> = fields.iter().map(|(name, value)| (*name, value.as_str())).collect();
         let reply = if fields.is_empty() { folder.get(path, query) } else { folder.post(path, &fields) };
         let html = String::from_utf8_lossy(&reply.body).into_owned();
@@ -159,7 +183,7 @@ fn found_in(requests: &[Request]) -> BTreeMap<(String, String), String> {
             let _ = found.entry((value, "option".to_owned())).or_insert_with(|| format!("{path} {query}"));
         }
         for text in visible_texts(&html, &["file"]) {
-            for word in identifiers(&text, &errata) {
+            for word in identifiers(&text, &errata, is_german) {
                 let cut: String = text.words.chars().take(160).collect();
                 let state: String =
                     form(&fields.iter().copied().filter(|(name, _)| *name != "text").collect::<Vec<_>>());
@@ -171,7 +195,12 @@ fn found_in(requests: &[Request]) -> BTreeMap<(String, String), String> {
 }
 
 fn expect_none(requests: &[Request]) {
-    let found = found_in(requests);
+    expect_none_with(requests, &[]);
+}
+
+/// Requires words on the pages of requests in a folder with files.
+fn expect_none_with(requests: &[Request], files: &[(&str, &[u8])]) {
+    let found = found_in(requests, files);
     let lines: Vec<String> = found.iter().map(|((word, place), at)| format!("@{word} | {place} | {at}")).collect();
     assert!(lines.is_empty(), "{} identifiers\n{}", lines.len(), lines.join("\n"));
 }
@@ -236,6 +265,73 @@ fn faults_show_words() {
             ("/work", String::new(), vec![("text", text.clone()), ("lang", language.id().to_owned())])
         };
         expect_none(&cases().iter().map(of).collect::<Vec<_>>());
+    }
+}
+
+/// Contents of recordings that cannot be read, or only with a remark, one for each advice.
+fn recordings() -> Vec<String> {
+    let rows = |heading: &str, times: &[f64]| {
+        let rows: String =
+            times.iter().enumerate().map(|(at, time)| format!("{time},{}\n", (at as f64 * 0.1).sin())).collect();
+        format!("{heading}\n{rows}")
+    };
+    let even: Vec<f64> = (0..400).map(|at| f64::from(at) * 0.002).collect();
+    let scattered: Vec<f64> = (0..400).map(|at| f64::from(at) * 0.002 + f64::from(at * 7 % 5) * 1e-4).collect();
+    let mut gap = even.clone();
+    gap.iter_mut().skip(200).for_each(|time| *time += 1.0);
+    let steps = |step: f64| {
+        let row = |at: u32| {
+            format!("{:.4},{:.4}\n", f64::from(at) * 0.001, step * (40.0 * (f64::from(at) * 0.01).sin() / step).round())
+        };
+        (0..800).map(row).fold(String::from("t [s],q [deg]\n"), |all, row| all + &row)
+    };
+    let held = (0..800)
+        .map(|at: u32| format!("{:.4},{:.5}\n", f64::from(at) * 0.001, 40.0 * (f64::from(at / 10) * 0.1).sin()));
+    vec![
+        rows("t [s],q [deg]", &even),
+        rows("t [s],q [deg]", &scattered),
+        rows("t [s],q [deg]", &gap),
+        rows("t [s],q [deg]", &[4.0, 3.0, 2.0, 1.0]),
+        rows("t [s],q [deg]", &[1.0, 2.0, 3.0, 1.0, 2.0, 3.0]),
+        rows("t [s],q [deg]", &[0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0]),
+        rows("t,q", &even),
+        rows("a [s],b [deg]", &even),
+        rows("t [s],x", &even),
+        rows("t [s],q [furlong]", &even),
+        rows("0,1", &even),
+        rows("s,deg", &even),
+        steps(0.5),
+        held.fold(String::from("t [s],q [deg]\n"), |all, row| all + &row),
+        format!("{}[Statistics]\nMax;2\n", rows("t [s],q [deg]", &even)),
+        String::from("t [s],q [deg],p [deg]\n0,1,1\n1,2,2\n2,3,3\n"),
+        String::from("t [s],q [deg],n [1/min]\n0,0,0\n1,1,900\n2,0,5\n3,8,2\n"),
+        String::from("t [s],q [deg]\n0,350\n0.1,355\n0.2,0\n0.3,5\n"),
+        String::from("t [s],t [s],q [deg]\n0,0,1\n1,1.5,2\n2,3,3\n"),
+    ]
+}
+
+/// Texts about a recording show words: in the list of faults, at the fields, among the assumptions, and in the preview of a file.
+#[test]
+fn recordings_show_words() {
+    let keys = [
+        "",
+        "standstill = \"5 1/min\"\n",
+        "time_stamps = \"even\"\n",
+        "held_values = \"interpolate\"\n",
+        "gaps = \"allow\"\n",
+        "from = \"0.1 s\"\nto = \"0.05 s\"\n",
+    ];
+    for content in recordings() {
+        let mut requests = Vec::new();
+        for language in Language::ALL {
+            for (key, single) in keys.iter().flat_map(|key| [(key, true), (key, false)]) {
+                let text = format!(
+                    "format = 1\n[axis]\nsingle_move = {single}\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\n{key}"
+                );
+                requests.push(("/work", String::new(), vec![("text", text), ("lang", language.id().to_owned())]));
+            }
+        }
+        expect_none_with(&requests, &[("run.csv", content.as_bytes())]);
     }
 }
 

@@ -17,8 +17,8 @@ use configurator::ProductId;
 use feedback::Failure;
 use quantities::unit::HOUR;
 use quantities::{Language, Length, Measure, Time, format_significant};
-pub use twin::ScenarioId;
 use twin::{CURRENT_RATE_HZ, Operation, Reaction, Scenario};
+pub use twin::{Part, ScenarioId};
 use words::{help, help::values, simulation};
 
 arguments! {
@@ -205,6 +205,7 @@ impl Args {
             },
             seed: self.seed as u64,
             every_s: with_course.then_some(every),
+            part: None,
         };
         simulate(project, self.code.as_ref(), wanted, StepLimit::of(inquiry.refuses_long), inquiry.progress).map_err(
             |why| match why {
@@ -232,21 +233,25 @@ pub fn of_the_project<'p>(
     Some(simulate(project, product, wanted, StepLimit::Fixed, progress).map_err(|why| said(&why, language)))
 }
 
-/// Returns the run of a scenario with its course; all other data as stated by the project.
+/// Returns the run of a scenario with its course, of a part of the motion if one is stated; all other data as stated by the
+/// project.
 ///
 /// # Errors
 /// [`NotSimulated`].
 pub fn of_scenario<'p>(
     project: &'p AxisProject,
     product: Option<&ProductId>,
-    id: ScenarioId,
+    (id, part): (ScenarioId, Option<Part>),
     progress: &Progress,
     language: Language,
 ) -> Result<Simulated<'p>, NotSimulated> {
-    let wanted =
-        Wanted { scenario: Scenario { id, ..project.twin.scenario }, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
+    // The instant of an event is one of the whole motion.
+    let at_s = project.twin.scenario.at_s.filter(|_| part.is_none());
+    let scenario = Scenario { id, at_s, ..project.twin.scenario };
+    let wanted = Wanted { scenario, part, every_s: Some(ROWS_USUAL_S), ..Wanted::default() };
     simulate(project, product, wanted, StepLimit::Fixed, progress).map_err(|why| NotSimulated {
         changes: if let NotRun::Steps(fault) = &why { fault.of_the_project(language) } else { Vec::new() },
+        is_too_long: matches!(why, NotRun::Steps(_) | NotRun::Rows(_)),
         sentence: said(&why, language),
     })
 }
@@ -258,6 +263,8 @@ pub struct NotSimulated {
     pub sentence: String,
     /// Changes of the project with which it is computed.
     pub changes: Vec<RunChange>,
+    /// The run exceeds a limit of its length; a part of the motion has a run.
+    pub is_too_long: bool,
 }
 
 fn said(why: &NotRun, language: Language) -> String {

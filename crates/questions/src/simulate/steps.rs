@@ -62,9 +62,17 @@ impl Work {
         Self { cycle, after: 0, cycles, warm, days }
     }
 
+    /// Returns the work of a part of the motion, whose steps are known with the actuator.
+    pub(crate) const fn of_part() -> Self {
+        Self { cycle: 0, after: 0, cycles: 1, warm: false, days: false }
+    }
+
     /// Returns the work with the steps of its run as they are known with the actuator.
     pub(crate) fn with_run(self, run: u64) -> Self {
         let cycles = u64::from(self.cycles.max(1));
+        if self.cycle == 0 {
+            return Self { cycle: run / cycles, ..self };
+        }
         let after = run.saturating_sub(self.cycle.saturating_mul(cycles));
         Self { cycle: (run - after) / cycles, after, ..self }
     }

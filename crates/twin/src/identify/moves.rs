@@ -59,7 +59,7 @@ impl<'a> Followed<'a> {
         let period = motion.duration().si();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
         let cycles = ((last - first) / period).clamp(0.0, 1e6).ceil() as u32 + 2;
-        let course = Course::of(motion, cycles);
+        let course = Course::of(motion, cycles, None);
         let pace_s = pace_s(&picked);
         let at = |shift_s: f64| {
             let (slope, offset_rad, correlation) = compared(&picked, &course, shift_s);

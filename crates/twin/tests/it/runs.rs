@@ -4,7 +4,7 @@ use super::{NOTHING, encoder, load, one_move, parameters, replaced};
 use feedback::{Failure, Finding};
 use mechanism::{Friction, Mechanism};
 use quantities::{Measure, Torque};
-use twin::{EventKind, Fault, LoopResponse, Reaction, Scenario, ScenarioId, Setup, Switches, Twin, settled};
+use twin::{EventKind, Fault, LoopResponse, Part, Reaction, Scenario, ScenarioId, Setup, Switches, Twin, settled};
 
 const CODE: &str = "CHA-17A-80-H-M128S-B";
 
@@ -354,4 +354,33 @@ fn a_loop_over_the_output_takes_the_twist_out() {
     let bare = super::parameters(CODE);
     let setup = Setup { loop_at_output: true, ..Setup::of(&bare, &rubbing, &motion, &extras) };
     assert_eq!(Twin::new(&setup).unwrap_err(), Fault::NoOutputEncoder);
+}
+
+/// A part of a cycle runs as the whole cycle does there, after a run-up along the motion; one outside of it is refused.
+#[test]
+fn a_part_runs_as_the_whole_does_there() {
+    let parameters = parameters("CHA-20A-100-H-C1024");
+    let (mechanism, motion, extras) = (load(1.3, 5.0), one_move(30.0, 0.3, 0.6, 0.5), NOTHING());
+    let switches = Switches { noise: false, ..Switches::default() };
+    let whole = Setup { switches, ..Setup::of(&parameters, &mechanism, &motion, &extras) };
+    let row_after = |setup: &Setup<'_>, periods: u64| {
+        let mut twin = Twin::new(setup).unwrap();
+        twin.advance(periods);
+        twin.sample()
+    };
+    for (from_s, after_s) in [(0.35, 0.1), (0.5, 0.4), (0.0, 0.7)] {
+        let part = Some(Part { from_s, for_s: 0.6 });
+        let periods = |seconds: f64| (seconds * twin::CURRENT_RATE_HZ).round() as u64;
+        let (of_whole, of_part) =
+            (row_after(&whole, periods(from_s + after_s)), row_after(&Setup { part, ..whole }, periods(after_s)));
+        assert!((of_whole.position_rad - of_part.position_rad).abs() < 2e-5, "{of_whole:?} {of_part:?}");
+        assert!(
+            (of_whole.torque_nm - of_part.torque_nm).abs() < 0.05 * of_whole.torque_nm.abs() + 0.2,
+            "{of_whole:?} {of_part:?}"
+        );
+    }
+    for (from_s, for_s) in [(-0.1, 0.2), (0.0, 99.0), (0.5, 0.0), (f64::NAN, 1.0), (99.0, 0.1)] {
+        let part = Some(Part { from_s, for_s });
+        assert_eq!(Twin::new(&Setup { part, ..whole }).err(), Some(Fault::OutOfRange("part")), "{from_s} {for_s}");
+    }
 }

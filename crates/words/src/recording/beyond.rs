@@ -65,8 +65,8 @@ pub(super) fn beyond(limit: Limit, found: u64, most: u64, language: Language) ->
                     | "die Aufzeichnungen des Projekts benötigen {found} Arbeitsspeicher; zulässig sind {most}"
                 ),
                 Some(said!(language =>
-                    "select a part with from and to, or raise the limit with --memory"
-                    | "mit from und to einen Abschnitt wählen oder die Grenze mit --memory erhöhen"
+                    "select a part, from = \"…\" and to = \"…\", or raise the limit with --memory"
+                    | "einen Abschnitt wählen, from = \"…\" und to = \"…\", oder die Grenze mit --memory erhöhen"
                 )),
             )
         }

@@ -40,13 +40,7 @@ pub(super) fn columns(headers: &[String], language: Language) -> String {
 }
 
 /// The lines that name the columns which were probably meant, or the columns and the names that are recognised.
-pub(super) fn columns_and_names(
-    headers: &[String],
-    near: &[NearColumn],
-    keys: &str,
-    roles: &[Role],
-    language: Language,
-) -> String {
+pub(super) fn columns_and_names(headers: &[String], near: &[NearColumn], roles: &[Role], language: Language) -> String {
     if !near.is_empty() {
         let table = |pairs: Vec<String>| format!("{{ {} }}", pairs.join(", "));
         let pair = |near: &NearColumn, value: &str| format!("{} = {}", role_key(near.role), toml_text(value));
@@ -62,10 +56,11 @@ pub(super) fn columns_and_names(
     }
     let names: Vec<&str> = roles.iter().flat_map(|role| role.names()).copied().collect();
     let (columns, names) = (columns(headers, language), names.join(", "));
-    let keys_de = keys.replace(" or ", " oder ");
+    let lines: Vec<String> = roles.iter().map(|role| format!("columns = {{ {} = \"…\" }}", role_key(*role))).collect();
+    let lines = lines.join(&said!(language => " or " | " oder "));
     said!(language =>
-        "{columns}; recognised names: {names}; state any other name under {keys}"
-        | "{columns}; erkannte Namen: {names}; andere Namen unter {keys_de} angeben"
+        "{columns}; recognised names: {names}; state any other name: {lines}"
+        | "{columns}; erkannte Namen: {names}; andere Namen angeben: {lines}"
     )
 }
 
