@@ -1,7 +1,6 @@
 //! Recordings of earlier projects, kept while a project is edited: with each key the load changes, the recording does not.
 
-use crate::recorded::RecordedUse;
-use motion::Recorded;
+use motion::{Recorded, Treatment};
 use recording::{Layout, Recording};
 use sizing::Surveys;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -31,6 +30,18 @@ pub(crate) struct KeptRecording {
     /// Memory that was available for it, and that it took \[bytes\].
     pub(crate) memory: (u64, u64),
     pub(crate) uses: Arc<RecordingUses>,
+}
+
+/// A recording with the use that a segment makes of it, and the motion that results.
+#[derive(Clone, Debug)]
+pub(crate) struct RecordedUse {
+    pub(crate) recording: Arc<Recording>,
+    /// Factors of position, speed and torque.
+    pub(crate) factors: [f64; 3],
+    /// Linear travel per angle of a recording along a line \[m/rad\].
+    pub(crate) travel: Option<f64>,
+    pub(crate) treatment: Treatment,
+    pub(crate) motion: Arc<Recorded>,
 }
 
 /// Results computed from a recording for earlier projects.

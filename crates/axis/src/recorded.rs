@@ -2,6 +2,7 @@
 
 use crate::along::turned;
 use crate::fault::{AxisFault, AxisReport};
+use crate::kept::RecordedUse;
 use crate::mechanism::OF_A_LINE;
 use crate::recordings::RecordingRead;
 use crate::side::ratios;
@@ -18,18 +19,6 @@ pub(crate) struct RecordedMotions {
     /// The only segment is one recording, of a cycle that repeats.
     repeats: bool,
     uses: Vec<RecordedUse>,
-}
-
-/// A recording with the use that a segment makes of it, and the motion that results.
-#[derive(Clone, Debug)]
-pub(crate) struct RecordedUse {
-    recording: Arc<Recording>,
-    /// Factors of position, speed and torque.
-    factors: [f64; 3],
-    /// Linear travel per angle of a recording along a line \[m/rad\].
-    travel: Option<f64>,
-    treatment: Treatment,
-    pub(crate) motion: Arc<Recorded>,
 }
 
 impl RecordedMotions {

@@ -434,7 +434,7 @@ impl RowContent<'_> {
         let others = |path: &str| path.rsplit_once('.').is_some_and(|(above, _)| above == mechanism);
         let is_ours = |path: &str| path == mechanism || path == load || others(path) || Some(path) == chosen;
         html! { @for (_, fault) in self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(is_ours)) {
-            p.fault { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) }
+            p.fault { (crate::sentences::worded(&fault.message, fault.hint.as_deref(), self.language)) }
         } }
     }
 
@@ -443,10 +443,10 @@ impl RowContent<'_> {
         html! { @for (_, fault) in self.held.faults.at(path) {
             @match &self.held.open_cycle {
                 Some((at, can_close)) if at == path => {
-                    p.fault { (crate::markup::worded(&fault.message, None, self.language)) }
+                    p.fault { (crate::sentences::worded(&fault.message, None, self.language)) }
                     (self.closings(path, *can_close))
                 }
-                _ => p.fault { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) },
+                _ => p.fault { (crate::sentences::worded(&fault.message, fault.hint.as_deref(), self.language)) },
             }
         } }
     }
@@ -500,7 +500,7 @@ impl RowContent<'_> {
                 @if let Some((_, count)) = self.needed.iter().find(|(key, _)| path.strip_prefix(self.prefix) == Some(key)) { p.small.needed { (page::checks_wait(*count, l)) } }
                 @if wrong {
                     div.fault id=(described) {
-                        @for (_, fault) in &faults { p { (crate::markup::worded(&fault.message, fault.hint.as_deref(), self.language)) } }
+                        @for (_, fault) in &faults { p { (crate::sentences::worded(&fault.message, fault.hint.as_deref(), self.language)) } }
                     }
                 }
             }

@@ -131,7 +131,7 @@ fn export_items(shell: &dyn Shell, language: Language) -> Markup {
         @if shell.report().is_some() {
             button type="button" id="report" data-api=(report::ENTRY.path) data-ending="pdf" { (page::report_pdf(l)) }
             (title_page(l))
-        } @else { p.small { (crate::markup::quoted(page::report_elsewhere(l), l)) } }
+        } @else { p.small { (crate::sentences::quoted(page::report_elsewhere(l), l)) } }
         button type="button" id="workbook" data-api=(export::ENTRY.path) data-ending="xlsx" { (page::workbook(l)) }
         button type="button" id="data" data-api=(size::ENTRY.path) data-ending="json" { (page::data_json(l)) }
         button type="button" id="picture" data-picture="" { (page::picture_shown(l)) }

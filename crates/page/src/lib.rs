@@ -44,6 +44,7 @@ mod rejected;
 mod remedies;
 mod run_part;
 mod segment_line;
+mod sentences;
 mod shown;
 mod simulated;
 mod sketch;

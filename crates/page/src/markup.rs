@@ -1,6 +1,5 @@
 //! Markup that several parts of the page have: names of fields, labels, values of requests, faults, drawer.
 
-use crate::file_lines::in_words as words_of_lines;
 use axis::{AxisDiagnostic, AxisFault};
 use maud::{Markup, PreEscaped, html};
 use project::{Fault, Hint, key_at};
@@ -71,41 +70,6 @@ pub(crate) fn label_within(path: &str, language: Language) -> Option<String> {
     // The keys of a file with several axes stand under `axis[N]`.
     let inside = path.strip_prefix("axis[").and_then(|rest| rest.split_once("].")).map_or(path, |(_, inside)| inside);
     Some(short_label(about_text(key_at(inside)?.about, language)))
-}
-
-/// Returns a sentence about the file: text between grave accents is a quotation of it; a key is shown by its label.
-pub(crate) fn quoted(text: &str, language: Language) -> Markup {
-    html! { @for (place, piece) in text.split('`').enumerate() {
-        @if place % 2 == 0 { (piece) }
-        @else if let Some(label) = label_of(piece, language) { em data-key=(piece) { (label) } }
-        // A key of a segment without its table.
-        @else if let Some(label) = label_of(&format!("motion[1].{piece}"), language) { em data-key=(piece) { (label) } }
-        @else if let Some(words) = Some(words_of_lines(piece, language)).filter(|words| words != piece) { (words) }
-        @else { code { (piece) } }
-    } }
-}
-
-pub(crate) fn hint(hint: Option<&str>, language: Language) -> Markup {
-    let line = |hint: &str| {
-        let (head, example) = hint.split_once(": ").filter(|(_, example)| is_line(example))?;
-        let value = example.split_once(" = ").map_or(example, |(_, value)| value).to_owned();
-        let (head, alone) = (head.to_owned(), value.strip_prefix('"').and_then(|value| value.strip_suffix('"')));
-        Some(
-            html! { (head) ": " @match alone { Some(alone) if !alone.contains('"') => { (alone) }, _ => code { (value) } } },
-        )
-    };
-    html! { @if let Some(hint) = hint { " – " @match line(hint) { Some(example) => { (example) }, None => { (quoted(hint, language)) } } } }
-}
-
-/// Returns `true` for a line of the file, which a hint states as an example; its field is where the hint stands.
-fn is_line(text: &str) -> bool {
-    let key = text.split_once(" = ").map_or("", |(key, _)| key);
-    !key.is_empty() && key.bytes().all(|byte| byte == b'_' || byte.is_ascii_lowercase() || byte.is_ascii_digit())
-}
-
-/// Returns a fault with its hint.
-pub(crate) fn worded(message: &str, advice: Option<&str>, language: Language) -> Markup {
-    html! { (quoted(message, language)) (hint(advice, language)) }
 }
 
 /// Returns the place of the message that the last work was stopped; empty if it was not.

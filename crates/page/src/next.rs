@@ -1,4 +1,4 @@
-//! What is to be stated before an axis has a result: shown where the actuators will stand.
+//! Steps to the first result of an axis, in the place of the actuators.
 
 use crate::markup::id;
 use crate::sketch;

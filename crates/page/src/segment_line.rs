@@ -2,7 +2,8 @@
 
 use crate::form::{AT_ONCE, Followed, RowContent};
 use crate::laws;
-use crate::markup::{id, tolerance_of, vals, worded};
+use crate::markup::{id, tolerance_of, vals};
+use crate::sentences::worded;
 use crate::value;
 use maud::{Markup, html};
 use project::{Key, Kind, Variants};

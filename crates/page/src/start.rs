@@ -397,7 +397,7 @@ fn faults(begin: &Begin, text: &str, language: Language) -> Vec<Option<Markup>> 
     let of_row = |row: &&'static [&'static str]| {
         let path = row.iter().find(|path| found.iter().any(|(at, _)| at.as_deref() == Some(**path)))?;
         let (_, fault) = found.iter().find(|(at, _)| at.as_deref() == Some(*path))?;
-        Some(crate::markup::worded(&fault.message, fault.hint.as_deref(), language))
+        Some(crate::sentences::worded(&fault.message, fault.hint.as_deref(), language))
     };
     begin.asked.iter().map(of_row).collect()
 }

@@ -1,6 +1,7 @@
 //! The bar under the head, always visible: verdict, governing checks, open checks, and the faults of the text.
 
-use crate::markup::{hint, id, label, quoted, vals, worded};
+use crate::markup::{id, label, vals};
+use crate::sentences::{hint, quoted, worded};
 use crate::shown::{Outcome, class};
 use crate::state::{List, PageState, ReadProject};
 use maud::{Markup, html};

@@ -1,7 +1,7 @@
 //! Construction of a trace in one pass over the motion.
 
 use super::kinks::{kink_passes, passes, recorded_passes};
-use super::recording::Strip;
+use super::recording::{Strip, Surveys};
 use super::repeats;
 use super::rule::rule;
 use super::short::Straight;
@@ -64,6 +64,27 @@ const STRAIGHT: usize = 4;
 /// candidate and fit into a few megabytes; for longer recordings storing and loading would cost more than computing the
 /// nodes again.
 const KEPT: usize = 1 << 13;
+
+impl Trace {
+    /// Evaluates a motion under its load as [`Self::of`] does, to the last bit; a recording whose survey is among the given
+    /// ones is not evaluated again.
+    #[must_use]
+    pub fn surveyed(
+        mechanism: &Mechanism,
+        motion: &Motion,
+        extras: &[Extra],
+        carried: &[Carried],
+        surveys: &Surveys,
+    ) -> Self {
+        Builder::new(mechanism, motion, extras, carried).recalling(&surveys.0).trace()
+    }
+
+    /// Returns the surveys of its recordings.
+    #[must_use]
+    pub fn surveys(&self) -> Surveys {
+        Surveys(self.strips.clone())
+    }
+}
 
 impl<'a> Builder<'a> {
     pub(super) fn new(

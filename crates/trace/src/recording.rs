@@ -65,28 +65,7 @@ pub struct Strip {
 
 /// Surveys of long recordings, for other traces of the same recordings.
 #[derive(Clone, Debug, Default)]
-pub struct Surveys(Vec<Strip>);
-
-impl super::Trace {
-    /// Evaluates a motion under its load as [`Self::of`] does, to the last bit; a recording whose survey is among the given
-    /// ones is not evaluated again.
-    #[must_use]
-    pub fn surveyed(
-        mechanism: &Mechanism,
-        motion: &motion::Motion,
-        extras: &[Extra],
-        carried: &[super::Carried],
-        surveys: &Surveys,
-    ) -> Self {
-        super::build::Builder::new(mechanism, motion, extras, carried).recalling(&surveys.0).trace()
-    }
-
-    /// Returns the surveys of its recordings.
-    #[must_use]
-    pub fn surveys(&self) -> Surveys {
-        Surveys(self.strips.clone())
-    }
-}
+pub struct Surveys(pub(super) Vec<Strip>);
 
 /// Result of one pass over a recording, in the signals before the view.
 #[derive(Debug)]

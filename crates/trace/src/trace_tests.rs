@@ -501,7 +501,7 @@ fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_
 
 /// Returns the sums of the blocks of a recording, after checking that a sequential pass gives the same.
 fn swing_blocks(motion: &Motion) -> Vec<Gram> {
-    let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none(), &[]);
+    let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none(), &[], &[]);
     let count = motion.recordings()[0].intervals();
     let most = strip.block_intervals();
     let raw: Vec<Gram> =

@@ -36,8 +36,8 @@ pub use identify::{
 };
 pub use parameters::{MeasuredLoad, Model, Parameter, Parameters};
 pub use plant::Energies;
-pub use scenario::{Event, EventKind, Failed, Reaction, Scenario, ScenarioId};
-pub use setup::{Fault, Part, SUBSTEPS_USUAL, Setup, Supply, Switches};
+pub use scenario::{Event, EventKind, Failed, Part, Reaction, Scenario, ScenarioId};
+pub use setup::{Fault, SUBSTEPS_USUAL, Setup, Supply, Switches};
 pub use summary::Summary;
 pub use twin::{Reading, Sample, Twin};
 pub use warm::settled;

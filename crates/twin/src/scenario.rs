@@ -57,6 +57,18 @@ impl ScenarioId {
     }
 }
 
+/// Part of a motion that is run instead of the whole.
+///
+/// The run begins at the state of the motion at that instant: an axis in motion runs up along it, with the temperatures of
+/// the setup. Times of the run count from the beginning of the part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Time of the motion at which the run begins \[s\].
+    pub from_s: f64,
+    /// Duration of the run along the motion \[s\].
+    pub for_s: f64,
+}
+
 /// A scenario with its parameters.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scenario {

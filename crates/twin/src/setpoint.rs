@@ -1,6 +1,6 @@
 //! Setpoints from the motion of the project, repeated over the cycles.
 
-use crate::setup::Part;
+use crate::scenario::Part;
 use motion::{Hold, Motion};
 use quantities::Measure;
 

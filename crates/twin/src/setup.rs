@@ -4,7 +4,7 @@ use crate::control::Gains;
 use crate::control_loop::Loop;
 use crate::drive::Limits;
 use crate::parameters::Parameters;
-use crate::scenario::Scenario;
+use crate::scenario::{Part, Scenario};
 use feedback::{Encoder, Failure};
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
@@ -60,18 +60,6 @@ impl Supply {
     pub const fn of(voltage_v: f64) -> Self {
         Self { least_v: voltage_v, nominal_v: voltage_v, most_v: voltage_v }
     }
-}
-
-/// Part of a motion that is run instead of the whole.
-///
-/// The run begins at the state of the motion at that instant: an axis in motion runs up along it, with the temperatures of
-/// [`Setup::start_k`]. Times of the run count from the beginning of the part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
-    /// Time of the motion at which the run begins \[s\].
-    pub from_s: f64,
-    /// Duration of the run along the motion \[s\].
-    pub for_s: f64,
 }
 
 /// Setup of a simulation.

@@ -2,8 +2,9 @@
 
 use super::choices::{Choices, NO_ROLE, OTHER_WINDOW, TorqueUse, role_id};
 use super::examination::{Examination, Request, SegmentPlace};
-use crate::markup::{drawer, label_of, worded};
+use crate::markup::{drawer, label_of};
 use crate::recorded::rows;
+use crate::sentences::worded;
 use figures::{Size, Style};
 use maud::{Markup, PreEscaped, html};
 use motion_words::{acceleration, alone, quality_rows};

@@ -51,7 +51,7 @@ pub(super) fn incomplete(typed: &str, fault: &CodeRefusal, language: Language) -
             }
             ul.rejected { @for (code, found) in list_codes(Some(pattern)).iter().take(PROPOSED) { li { (into(code.to_string(), found.is_available())) } } }
         } @else {
-            @for each in &fault.faults { p.fault { (crate::markup::worded(&each.message, each.hint.as_deref(), l)) } }
+            @for each in &fault.faults { p.fault { (crate::sentences::worded(&each.message, each.hint.as_deref(), l)) } }
         }
         @if !fault.nearest.is_empty() {
             p { (capitalised(terminal::nearest_valid_codes(l))) ": " }
@@ -129,7 +129,7 @@ pub(super) fn errata(typed: &str, language: Language) -> Markup {
         Err(ErrataRefusal::Code(fault)) => return incomplete(typed, &fault, l),
         Err(ErrataRefusal::NoData) => return html! { p.unchecked { (terminal::no_data(l)) } },
         Err(ErrataRefusal::Unknown { message, hint }) => {
-            return html! { p.fault { (crate::markup::worded(&message, hint.as_deref(), l)) } };
+            return html! { p.fault { (crate::sentences::worded(&message, hint.as_deref(), l)) } };
         }
     };
     let record = answer::errata(&found, l);

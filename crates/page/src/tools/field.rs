@@ -51,7 +51,7 @@ pub(super) struct Trouble {
 
 impl Trouble {
     pub(super) fn shown(&self, language: Language) -> Markup {
-        html! { p.fault { (crate::markup::worded(&self.message, self.hint.as_deref(), language)) } }
+        html! { p.fault { (crate::sentences::worded(&self.message, self.hint.as_deref(), language)) } }
     }
 }
 

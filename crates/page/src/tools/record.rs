@@ -66,7 +66,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
         p id="record-status" role="status" hx-morph-skip="" {}
         (records(scene))
         @for (path, fault) in &faults { @if !form.has_field(path.as_deref()) {
-            p.fault { (page::at_line(&fault.line, &fault.column, l)) ": " (crate::markup::worded(&fault.message, fault.hint.as_deref(), l)) }
+            p.fault { (page::at_line(&fault.line, &fault.column, l)) ": " (crate::sentences::worded(&fault.message, fault.hint.as_deref(), l)) }
         } }
         fieldset id="record-fields" disabled[keys.is_none()] {
             @for key in MEASURED_KEYS { (form.table(key)) }

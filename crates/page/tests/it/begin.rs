@@ -68,7 +68,7 @@ fn a_fault_of_a_number_says_what_to_write() {
     }
 }
 
-/// The same fault stands in the line of a segment, with the unit of its field; a distance that is most likely a slip is remarked.
+/// A fault of a number stands in the line of a segment too, with the unit of its field; a distance that is most likely a slip is remarked.
 #[test]
 fn a_cell_of_a_segment_says_what_to_write() {
     let of = |law: &str| {

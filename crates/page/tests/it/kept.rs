@@ -105,7 +105,7 @@ fn what_is_kept_changes_no_answer() {
     }
 }
 
-/// Of a key in the load, the recording is neither read nor evaluated again.
+/// A recording is neither read nor evaluated again for a key in the load.
 #[test]
 fn a_key_in_the_load_costs_no_recording() {
     let of = |number: u32| project(&format!("[load]\ninertia = \"1.{number} kg m^2\""), "");
@@ -118,8 +118,8 @@ fn a_key_in_the_load_costs_no_recording() {
     assert!(kept < 0.75 * fresh, "{kept} s with the recording kept, {fresh} s without");
 }
 
-/// Where a smaller load is not searched because of the length of the recording, the cards say so, and a button searches it if
-/// the answer has a time limit.
+/// The cards say that a smaller load is not searched because of the length of the recording; a button searches it if the answer
+/// has a time limit.
 #[test]
 fn a_load_that_was_not_searched_is_said() {
     let heavy = project(
