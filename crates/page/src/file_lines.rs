@@ -19,7 +19,7 @@ const TABLES: [&str; 6] = ["motion[1]", "axis", "bearing", "requirements", "stag
 const NO_COLUMN: &str = "none";
 
 /// Keys behind the words that describe them.
-const WINDOW: &str = " (from, to)";
+const ASIDES: [&str; 2] = [" (from, to)", " (time, distance)"];
 
 /// A value in a line of the project file.
 enum Stated<'t> {
@@ -31,7 +31,7 @@ enum Stated<'t> {
 
 /// Returns a text with the lines of the project file in it replaced by the names of their fields and the chosen words.
 pub(crate) fn in_words(text: &str, language: Language) -> Cow<'_, str> {
-    if let Some((before, behind)) = text.split_once(WINDOW) {
+    if let Some((before, behind)) = ASIDES.into_iter().find_map(|aside| text.split_once(aside)) {
         return Cow::Owned(format!("{before}{}", in_words(behind, language)));
     }
     if !text.contains(" = ") && !text.contains('[') {

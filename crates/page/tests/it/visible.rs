@@ -134,8 +134,9 @@ fn file_syntax(own: &str, is_german: bool) -> Vec<String> {
     }
     if is_german {
         let words: Vec<&str> = own.split(|sign: char| !is_part(sign)).collect();
-        // A line of a body is typed as it is quoted: `distance=80mm`.
-        let is_key = |key: &&&str| words.contains(*key) && !own.contains(&format!("{key}="));
+        // A line of a body is typed as it is quoted: `distance=80mm`, with the keys that are listed.
+        let is_of_body = |key: &str| own.contains(&format!("{key}=")) || own.contains("mass, density, distance");
+        let is_key = |key: &&&str| words.contains(*key) && !is_of_body(key);
         found.extend(ENGLISH_KEYS.iter().filter(is_key).map(|key| (*key).to_owned()));
     }
     found
@@ -182,8 +183,10 @@ fn found_in(requests: &[Request], files: &[(&str, &[u8])]) -> BTreeMap<(String, 
         for value in if is_german { choices_without_words(&html) } else { Vec::new() } {
             let _ = found.entry((value, "option".to_owned())).or_insert_with(|| format!("{path} {query}"));
         }
+        // The glossary has both languages side by side.
+        let is_one_language = !fields.iter().any(|(name, value)| *name == "tool" && *value == "glossary");
         for text in visible_texts(&html, &["file"]) {
-            for word in identifiers(&text, &errata, is_german) {
+            for word in identifiers(&text, &errata, is_german && is_one_language) {
                 let cut: String = text.words.chars().take(160).collect();
                 let state: String =
                     form(&fields.iter().copied().filter(|(name, _)| *name != "text").collect::<Vec<_>>());
@@ -324,7 +327,7 @@ fn recordings_show_words() {
     for content in recordings() {
         let mut requests = Vec::new();
         for language in Language::ALL {
-            for (key, single) in keys.iter().flat_map(|key| [(key, true), (key, false)]) {
+            for (key, single) in keys.iter().map(|key| (key, true)).chain([(&"", false)]) {
                 let text = format!(
                     "format = 1\n[axis]\nsingle_move = {single}\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\n{key}"
                 );
