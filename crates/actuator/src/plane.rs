@@ -291,7 +291,7 @@ impl Drivetrain {
     /// Returns the short-time curve whose torque is permitted although its current exceeds I_max: that of the manufacturer, with
     /// the manufacturer's I_max. Of a curve or an I_max of the project the lower limit governs.
     pub fn curve_above_current_max(&self, terminal_voltage: Option<ElectricPotential>) -> Option<&Sourced<Curve>> {
-        let is_own = |source: &Source| matches!(source, Source::Project { .. });
+        let is_own = Source::is_of_the_user;
         let curve = self.at_voltage(&self.short_time_curve, terminal_voltage)?;
         let has_own_limit = self.current_max.known().is_some_and(|limit| is_own(&limit.source));
         (!is_own(&curve.source) && !has_own_limit).then_some(curve)

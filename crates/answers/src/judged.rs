@@ -5,6 +5,23 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use sizing::CheckId;
 
+/// Maker, series and kind of a product, stated where products of catalogue files compete.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Make {
+    /// Maker; `null` if no file states it.
+    pub maker: Option<String>,
+    /// Series of the maker; `null` if no file states it.
+    pub series: Option<String>,
+    /// Kind of the product: `actuator`.
+    pub kind: &'static str,
+    /// Length in mm; `null` if it is not stated.
+    pub length_mm: Option<Number>,
+    /// Price as written; `null` if it is not stated.
+    pub price: Option<String>,
+    /// Time of delivery in days; `null` if it is not stated.
+    pub lead_time_d: Option<Number>,
+}
+
 /// One judged actuator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Candidate {
@@ -14,6 +31,9 @@ pub struct Candidate {
     /// Name of the project's own actuator.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
+    /// Maker, series and kind, if products of catalogue files compete.
+    #[serde(flatten)]
+    pub make: Option<Make>,
     /// Verdict on the actuator.
     pub verdict: Fit,
     /// Utilisation of the governing check; 1 is the limit. `null` if it fails at a limit of zero or outside a range.
@@ -204,6 +224,9 @@ pub struct Assessed {
 pub struct Rejection {
     /// Ordering code of the rejected actuator.
     pub code: String,
+    /// Maker, series and kind, if products of catalogue files compete.
+    #[serde(flatten)]
+    pub make: Option<Make>,
     /// Id of the governing check: the failing one with the largest excess; `null` if only objections reject the
     /// actuator.
     pub check: Option<Id<CheckId>>,

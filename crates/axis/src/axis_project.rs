@@ -3,6 +3,7 @@
 use crate::assumption::Assumption;
 use crate::bodies::{InertiaAnswer, summed};
 use crate::catalogue::Catalogue;
+use crate::catalogue_files;
 use crate::curves;
 use crate::draft::{assumptions, build_actuator, finish, prepare, requirements};
 use crate::fault::{AxisDiagnostic, AxisReport};
@@ -113,6 +114,8 @@ impl AxisProject {
     ) -> Result<Vec<Self>, Vec<AxisDiagnostic>> {
         let ReadProject { project, report } = read;
         let mut report: AxisReport<'_> = report.into_other();
+        let with_files = catalogue_files::read(project.shared.catalogue.as_ref(), files, catalogue, &mut report);
+        let catalogue = with_files.as_ref().unwrap_or(catalogue);
         let with_curves = curves::read(&project.shared.curves, catalogue, &mut report);
         let catalogue = with_curves.as_ref().unwrap_or(catalogue);
         let mut recordings = Recordings::new(files);

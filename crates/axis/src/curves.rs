@@ -56,6 +56,10 @@ impl Catalogue for OwnCatalogue {
     fn own_actuator(&self) -> Parameters {
         self.catalogue.own_actuator()
     }
+
+    fn has_files(&self) -> bool {
+        self.catalogue.has_files()
+    }
 }
 
 /// A curve with the codes for which it holds.

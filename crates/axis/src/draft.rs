@@ -27,7 +27,7 @@ pub(crate) fn assumptions(root: &AxisSource, axis: &Axis, toleranced: bool) -> V
     found.extend(unstated(&required.ambient));
     found.extend(requirements::conditions_note(required));
     found.push(Assumption::CoolingPlate);
-    if root.parts.actuator.get().is_some_and(|own| own.stall_current.is_given()) {
+    if root.parts.actuator.get().is_some_and(|own| own.values.stall_current.is_given()) {
         found.push(Assumption::OwnStallCurrentIncludesFriction);
     }
     found.extend(order::unusual(&root.parts));

@@ -86,6 +86,34 @@ pub enum AxisFault {
         /// Fault of the body.
         error: BodyError,
     },
+    /// A fault of a catalogue file that the project names.
+    InCatalogue {
+        /// Name of the file.
+        name: String,
+        /// Fault with its place in the file.
+        found: Box<AxisDiagnostic>,
+    },
+    /// A catalogue file without products.
+    NoProducts,
+    /// A product with the name of another one of the file.
+    ProductNamedTwice {
+        /// Name.
+        id: String,
+        /// Line of the first product with the name.
+        line: usize,
+    },
+    /// A product with the name of one of another catalogue file.
+    ProductOfTwoFiles {
+        /// Name.
+        id: String,
+    },
+    /// A product whose name is an ordering code of the series in the program.
+    ProductNamedAsCode {
+        /// Name.
+        id: String,
+    },
+    /// Neither the series in the program nor a catalogue file is offered.
+    NothingOffered,
 }
 
 impl From<Fault> for AxisFault {
@@ -134,6 +162,12 @@ impl AxisFault {
             Self::Recorded { fault, .. } => ids::recorded(fault),
             Self::Body(error) => ids::body(error),
             Self::BodyOfText { error, .. } => ids::body(error),
+            Self::InCatalogue { found, .. } => found.fault.id(),
+            Self::NoProducts => "catalogue_without_products",
+            Self::ProductNamedTwice { .. } => "product_named_twice",
+            Self::ProductOfTwoFiles { .. } => "product_of_two_files",
+            Self::ProductNamedAsCode { .. } => "product_named_as_code",
+            Self::NothingOffered => "nothing_offered",
         }
     }
 }

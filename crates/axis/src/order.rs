@@ -4,7 +4,7 @@ use crate::assumption::Assumption;
 use crate::fault::AxisReport;
 use actuator::CurvePoint;
 use project::Fault;
-use project::sections::{Fields, Parts};
+use project::sections::{ActuatorValues, Fields, Parts};
 use quantities::Measure;
 
 /// Keys of a section of which the value of the first is at most that of the second.
@@ -46,22 +46,32 @@ pub(crate) fn unusual(parts: &Parts) -> impl Iterator<Item = Assumption> + '_ {
 
 /// Reports the pairs of an axis that are stated in the wrong order, at the key of the lower value.
 pub(crate) fn check(parts: &Parts, report: &mut AxisReport<'_>) {
-    let of = |section: Option<&dyn Fields>, orders: &[KeyOrder], report: &mut AxisReport<'_>| {
-        let Some(section) = section else { return };
-        for (lower, upper) in orders {
-            let [Some(low), Some(high)] = [lower, upper].map(|name| section.field(name)) else { continue };
-            if let (Some(least), Some(most)) = (low.si(), high.si())
-                && least > most
-            {
-                report.fault(low.span(), Fault::WrongOrder { lower: low.name(), upper: high.name() }, None);
-            }
+    let mut of = |section: Option<&dyn Fields>, orders: &[KeyOrder]| {
+        if let Some(section) = section {
+            check_orders(section, orders, report);
         }
     };
-    of(parts.requirements.get().map(|section| section as _), &REQUIREMENTS, report);
-    of(parts.drive.get().map(|section| section as _), &DRIVE, report);
-    of(parts.actuator.get().map(|section| section as _), &ACTUATOR, report);
+    of(parts.requirements.get().map(|section| section as _), &REQUIREMENTS);
+    of(parts.drive.get().map(|section| section as _), &DRIVE);
+    of(parts.actuator.get().map(|section| section as _), &ACTUATOR);
     let measured = parts.twin.get().and_then(|twin| twin.measured.get());
-    of(measured.map(|section| section as _), &MEASURED, report);
+    of(measured.map(|section| section as _), &MEASURED);
+}
+
+/// Reports the pairs of an actuator that are stated in the wrong order.
+pub(crate) fn check_actuator(values: &ActuatorValues, report: &mut AxisReport<'_>) {
+    check_orders(values, &ACTUATOR, report);
+}
+
+fn check_orders(section: &dyn Fields, orders: &[KeyOrder], report: &mut AxisReport<'_>) {
+    for (lower, upper) in orders {
+        let [Some(low), Some(high)] = [lower, upper].map(|name| section.field(name)) else { continue };
+        if let (Some(least), Some(most)) = (low.si(), high.si())
+            && least > most
+        {
+            report.fault(low.span(), Fault::WrongOrder { lower: low.name(), upper: high.name() }, None);
+        }
+    }
 }
 
 /// Returns `true` if a continuous limit is above a short-time one at a speed that both have, by more than rounding.

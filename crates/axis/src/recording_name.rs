@@ -12,6 +12,15 @@ pub fn is_recording_name(name: &str) -> bool {
     let packed = |ending: &str| lower.strip_suffix(ending)?.strip_suffix('.');
     let plain = PACKED.iter().find_map(|ending| packed(ending)).unwrap_or(&lower);
     let ending = plain.rsplit_once('.').map(|(_, ending)| ending);
-    ending.is_some_and(|ending| RECORDINGS.contains(&ending))
-        && !name.split(['/', '\\']).any(|part| part.starts_with('.'))
+    ending.is_some_and(|ending| RECORDINGS.contains(&ending)) && !has_hidden_part(name)
+}
+
+/// Returns `true` if a path is that of a file to which a project may refer: a recording, or a catalogue file.
+#[must_use]
+pub fn is_referable_name(name: &str) -> bool {
+    is_recording_name(name) || name.to_ascii_lowercase().ends_with(".toml") && !has_hidden_part(name)
+}
+
+fn has_hidden_part(name: &str) -> bool {
+    name.split(['/', '\\']).any(|part| part.starts_with('.'))
 }

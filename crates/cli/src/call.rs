@@ -1,20 +1,24 @@
 //! A call of a command as a question: its files are read, its arguments become texts for the list.
 
 use crate::answer::CommandAnswer;
-use crate::fault::memory;
+use crate::fault::{memory, path_text};
 use crate::save::Saver;
 use crate::source::SourceFile as File;
 use crate::waiting::{progress, waited_s};
-use axis::AxisProject;
+use axis::{AxisProject, Catalogue};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
+use project::CATALOGUE_MAX_BYTES;
 use quantities::Language;
-use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, Reads, Unanswered, bounded};
-use questions::{embedded_catalogue, read_code};
+use questions::list::{
+    Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, Reads, ReferencedText, Unanswered, bounded,
+};
+use questions::{embedded_catalogue, read_code, with_catalogue_files};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
-use words::terminal;
+use words::{file_trouble, terminal};
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -28,6 +32,8 @@ pub(crate) struct Call<'m> {
     files: Vec<File>,
     /// Remark on each value that the call states in place of a file.
     changes: String,
+    /// Products that are offered.
+    catalogue: Arc<dyn Catalogue>,
 }
 
 /// Returns the days since 1 January 1970 by the clock of this machine.
@@ -66,6 +72,33 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
     if faults.is_empty() { Ok(files) } else { Err(Unanswered::combined(faults)) }
 }
 
+/// Returns the catalogue of a call: that of the program, with the products of its catalogue files.
+fn catalogue(matches: &ArgMatches, language: Language) -> Result<Arc<dyn Catalogue>, Unanswered> {
+    let base = embedded_catalogue();
+    let named: Vec<&PathBuf> =
+        matches.try_get_many::<PathBuf>("catalogue").ok().flatten().into_iter().flatten().collect();
+    if named.is_empty() {
+        return Ok(Arc::clone(base));
+    }
+    let read = |path: &&PathBuf| {
+        let name = path_text(path);
+        let bytes = std::fs::File::open(path).and_then(|file| disk::read_within(file, CATALOGUE_MAX_BYTES));
+        match bytes {
+            Ok(bytes) => Ok((name, bytes)),
+            Err(error) => {
+                let message = file_trouble(&error, language);
+                Err(Unanswered::File { name, message, is_too_large: false })
+            }
+        }
+    };
+    let (files, faults): (Vec<_>, Vec<_>) = named.iter().map(read).partition(Result::is_ok);
+    let faults: Vec<Unanswered> = faults.into_iter().filter_map(Result::err).collect();
+    if !faults.is_empty() {
+        return Err(Unanswered::combined(faults));
+    }
+    with_catalogue_files(base, files.into_iter().flatten(), language)
+}
+
 /// Changes the projects of a call as its options say; returns a remark on each change.
 fn change(files: &mut [File], matches: &ArgMatches, language: Language) -> Result<String, Unanswered> {
     let mut remarks = String::new();
@@ -92,17 +125,20 @@ impl<'m> Call<'m> {
     ) -> Result<Self, Unanswered> {
         let mut files = read(entry, matches, language)?;
         let changes = change(&mut files, matches, language)?;
-        Ok(Self { entry, matches, as_json, language, files, changes })
+        let catalogue = catalogue(matches, language)?;
+        Ok(Self { entry, matches, as_json, language, files, changes, catalogue })
     }
 }
 
 impl Call<'_> {
     /// Converts the call to the question of its command.
     pub(crate) fn inquiry(&self, entry: &Entry) -> Result<Inquiry<'_>, Unanswered> {
+        let sources: Vec<ReferencedText<'_>> = self.files.iter().map(File::source).collect();
+        let has_names = self.catalogue.has_files() || sources.iter().any(ReferencedText::may_name_products);
         Ok(Inquiry {
-            given: self.given(entry.arguments)?,
-            sources: self.files.iter().map(File::source).collect(),
-            catalogue: embedded_catalogue(),
+            given: self.given(entry.arguments)?.naming_products(has_names),
+            sources,
+            catalogue: &self.catalogue,
             days_since_1970: days_since_1970(),
             progress: progress(),
             refuses_long: waited_s().is_none(),

@@ -81,7 +81,13 @@ fn headed(command: Command, examples: &[(&str, String)], language: Language) -> 
     let reads_a_project =
         command.get_arguments().any(|argument| ["project", "old"].contains(&argument.get_id().as_str()));
     let command = if reads_a_project {
-        command.args(own::changes(language)).arg(deadline(language)).arg(own::memory(language))
+        command
+            .args(own::changes(language))
+            .arg(own::catalogue_files(language))
+            .arg(deadline(language))
+            .arg(own::memory(language))
+    } else if PRODUCTS.contains(&command.get_name()) {
+        command.arg(own::catalogue_files(language))
     } else {
         command
     };
@@ -120,6 +126,9 @@ fn headed(command: Command, examples: &[(&str, String)], language: Language) -> 
     }
     command.mut_subcommands(|subcommand| headed(subcommand, examples, language))
 }
+
+/// Commands about a product without a project.
+const PRODUCTS: [&str; 2] = ["curve", "torsion"];
 
 /// Example calls of the commands that only the command line has.
 const EXAMPLES: [(&str, &str); 9] = [

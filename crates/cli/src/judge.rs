@@ -161,7 +161,7 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     }
     if fitting > 0 {
         out.push_str(&ranking_table(sizing, top, language).render());
-        out.push_str(&paragraph("", &ranking_rule(language)));
+        out.push_str(&paragraph("", &ranking_rule(sizing.by_mass, language)));
         let shown = sizing.fitting().iter().take(top);
         let masses = shown.filter_map(|candidate| candidate.parameters.mass.known());
         let errata: BTreeSet<&str> = masses.flat_map(|mass| mass.errata).copied().collect();
@@ -201,9 +201,10 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
 }
 
 fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTable {
+    let product = if sizing.by_mass { terms::product(language) } else { terms::ordering_code(language) };
     let mut table = TextTable::new([
         ("#", Align::Right),
-        (terms::ordering_code(language), Align::Left),
+        (product, Align::Left),
         (terms::utilisation_short(language), Align::Right),
         (terms::tightest_check(language), Align::Left),
         ("T_rms Nm", Align::Right),

@@ -4,6 +4,7 @@ use crate::rules::{Availability, BrokenRule, availability};
 use actuator::Parameters;
 use catalogue::SeriesData;
 use order_code::{Brake, Feedback, Option1, Option2, OrderCode, Pattern};
+use quantities::{Measure, Time};
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
@@ -27,6 +28,17 @@ pub struct Product {
     pub feedback: Option<Feedback>,
     /// Holding brake; `None` if the source does not state whether there is one.
     pub brake: Option<Brake>,
+    /// Price and time of delivery, as a catalogue file states them.
+    pub supply: Supply,
+}
+
+/// Price and time of delivery of a product.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Supply {
+    /// Price as written, such as `1250 EUR`.
+    pub price: Option<Arc<str>>,
+    /// Time of delivery.
+    pub lead_time: Option<Time>,
 }
 
 /// Frame size of a product.
@@ -45,6 +57,8 @@ pub enum ProductSource {
     Manual,
     /// The project that uses the actuator.
     Project,
+    /// A catalogue file of the user.
+    File,
 }
 
 /// Identity of a product, opaque except to the questions about ordering codes.
@@ -73,6 +87,7 @@ impl Product {
             frame_size: Some(FrameSize { name: Cow::Borrowed(code.size.as_str()), number: code.size.number() }),
             feedback: Some(code.feedback),
             brake: Some(code.brake),
+            supply: Supply::default(),
         }
     }
 
@@ -88,6 +103,25 @@ impl Product {
             frame_size: None,
             feedback: None,
             brake: None,
+            supply: Supply::default(),
+        }
+    }
+
+    /// Creates the product that a catalogue file describes.
+    #[must_use]
+    pub fn of_file(
+        name: &str,
+        (manufacturer, series): (Option<&str>, Option<&str>),
+        parameters: Parameters,
+        supply: Supply,
+    ) -> Self {
+        let owned = |text: &str| Cow::Owned(text.to_owned());
+        Self {
+            source: ProductSource::File,
+            manufacturer: manufacturer.map(owned),
+            series: series.map(owned),
+            supply,
+            ..Self::of_project(name, parameters)
         }
     }
 
@@ -103,10 +137,32 @@ impl Product {
         self.frame_size.as_ref().map_or(0, |size| size.number)
     }
 
+    /// Returns the size by which candidates are ranked, the smaller first: the number of the frame size, or, where products
+    /// without frame sizes compete, the mass in whole grams; the largest number if the mass is unknown.
+    #[must_use]
+    pub fn rank_size(&self, by_mass: bool) -> u32 {
+        if !by_mass {
+            return u32::from(self.size_number());
+        }
+        let grams = self.parameters.mass.known().map(|mass| (1000.0 * mass.value.si()).round());
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "positive, and cut off at the largest"
+        )]
+        grams.map_or(u32::MAX, |grams| grams as u32)
+    }
+
     /// Returns `true` if the project that uses the actuator describes it.
     #[must_use]
     pub const fn is_of_project(&self) -> bool {
         matches!(self.source, ProductSource::Project)
+    }
+
+    /// Returns `true` if a file of the user describes the actuator: what it leaves open is unknown, not absent.
+    #[must_use]
+    pub const fn is_described(&self) -> bool {
+        matches!(self.source, ProductSource::Project | ProductSource::File)
     }
 
     /// Returns the identity of the product with options; `None` if it is not offered with them.

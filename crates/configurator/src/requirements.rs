@@ -94,6 +94,13 @@ impl Requirements {
         of_the_product.into_iter().flatten().chain(self.unmet_of((length_max, mass_max), &product.parameters))
     }
 
+    /// Returns `true` if a product meets the requirements as it is ordered. Data that a file of the user leaves open are
+    /// unknown and break no requirement.
+    #[must_use]
+    pub fn are_met(&self, ordered: &ProductId, product: &Product) -> bool {
+        self.unmet(ordered, product).all(|unmet| product.is_described() && matches!(unmet, Unmet::NotKnown { .. }))
+    }
+
     /// Iterates over the unmet requirements among those that depend on data only, with the limits of length and mass
     /// passed in.
     fn unmet_of(

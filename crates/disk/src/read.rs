@@ -1,6 +1,6 @@
 //! Reading of files: within a size limit, and for files named in a project only in permitted places.
 
-use axis::{Files, Grant, KeptRecordings, Reach, is_recording_name};
+use axis::{Files, Grant, KeptRecordings, Reach, is_referable_name};
 use project::Unopened;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
@@ -90,14 +90,14 @@ impl ProjectFiles {
         regular(&path).map(|_| path)
     }
 
-    /// Returns the path of a recording. For a remote user only files named as recordings are opened: a project cannot
+    /// Returns the path of a recording. For a remote user only files named as recordings or catalogue files are opened: a project cannot
     /// read a hidden file, a key or a note, nor through a link.
     fn recording(&self, name: &str) -> Result<PathBuf> {
         let path = self.regular(name)?;
         if self.links == Links::Inside {
             let folder = self.folder.canonicalize()?;
             let real = path.strip_prefix(&folder).ok().and_then(Path::to_str).map(|path| path.replace('\\', "/"));
-            if !is_recording_name(name) || !real.is_some_and(|real| is_recording_name(&real)) {
+            if !is_referable_name(name) || !real.is_some_and(|real| is_referable_name(&real)) {
                 return Err(Error::other(Unopened::NoRecordingName));
             }
         }

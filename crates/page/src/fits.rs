@@ -193,7 +193,7 @@ fn ranking(state: &PageState, sizing: &Sizing<'_>, looked_at: Option<&Candidate<
         }
         p.small {
             span id="answer" { @if fitting.is_empty() { strong.fail { (capitalised(terminal::no_actuator_fits(l))) } ". " } (capitalised(&fitting_text(sizing, l))) } ". "
-            @if !fitting.is_empty() { (page::shown_of(&all.len(), &fitting.len(), l)) ". " (capitalised(&ranking_rule(l))) "." }
+            @if !fitting.is_empty() { (page::shown_of(&all.len(), &fitting.len(), l)) ". " (capitalised(&ranking_rule(sizing.by_mass, l))) "." }
         }
         // Of the rejected ones, only the actuator with the smallest excess says what would let it fit.
         @if fitting.is_empty() && own.is_none() { button type="button" id="go-rejected" hx-post="/work" hx-vals=(vals(&[("list", List::Rejected.id())])) { (page::why_not(l)) } }

@@ -484,7 +484,7 @@ impl RowContent<'_> {
                             hx-post="/work" hx-trigger="input changed delay:120ms, change" hx-vals=(vals(&[("path", path)])) { (value) }
                     },
                     Kind::Quantity(..) | Kind::Along(..) => (value::field(key, (&id, path, &label), value, placeholder.filter(|_| value.is_empty()), (wrong, &described), AT_ONCE, l)),
-                    Kind::Number(..) | Kind::Numbers(..) | Kind::Integer(..) | Kind::Text | Kind::Table(_) | Kind::OneOrMany(..) | Kind::Variants(_) => {
+                    Kind::Number(..) | Kind::Numbers(..) | Kind::Integer(..) | Kind::Text | Kind::Texts | Kind::Table(_) | Kind::OneOrMany(..) | Kind::Variants(_) => {
                         input id=(id) name="value" type="text" value=(value::number(key, value, l)) placeholder=[ghost.as_ref()] autocomplete="off" spellcheck="false"
                             aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
                             hx-post="/work" hx-trigger=(AT_ONCE) hx-vals=(vals(&[("path", path)]));

@@ -27,6 +27,7 @@ pub(crate) fn dimensions(key: &Key) -> Vec<Dimension> {
         | Kind::Integer(..)
         | Kind::Bool
         | Kind::Text
+        | Kind::Texts
         | Kind::OneOf(_)
         | Kind::ListOf(_)
         | Kind::Rows(_)

@@ -1,6 +1,7 @@
 //! Purposes of the keys of the project file; `words` has the texts.
 
 use crate::bodies::BodyName;
+use crate::catalogue_file::{ActuatorEntryName, CatalogueFileName, CatalogueHeadName, CatalogueName};
 use crate::curves::CurveName;
 use crate::flange::{BearingName, FlangeLoadsName};
 use crate::measured::MeasuredKey;
@@ -9,7 +10,7 @@ use crate::mechanism::names::{
     SlideName, StartAngleName,
 };
 use crate::motion::SegmentName;
-use crate::own::ActuatorName;
+use crate::own::{ActuatorName, ActuatorValueName};
 use crate::recorded::{ColumnsName, RatiosName, UnitsName};
 use crate::requirements::{DriveName, RequirementsName};
 use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
@@ -69,6 +70,16 @@ pub enum About {
     Drive(DriveName),
     /// Key of `[actuator]`.
     Actuator(ActuatorName),
+    /// Datum of an actuator.
+    ActuatorValue(ActuatorValueName),
+    /// Key of `[catalogue]` of a project.
+    Catalogue(CatalogueName),
+    /// A table of a catalogue file.
+    CatalogueFile(CatalogueFileName),
+    /// Key of `[catalogue]` of a catalogue file.
+    CatalogueHead(CatalogueHeadName),
+    /// Key of `[[actuator]]` of a catalogue file.
+    ActuatorEntry(ActuatorEntryName),
     /// Key of `[twin]`.
     Twin(TwinName),
     /// Key of `[twin.measured]`.

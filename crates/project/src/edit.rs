@@ -252,7 +252,7 @@ fn typed_as(kind: Kind, typed: &str) -> Value {
         Kind::Number(..) | Kind::Integer(..) => number(typed),
         Kind::Bool => typed.parse::<bool>().map_or_else(|_| typed.into(), Value::from),
         Kind::Numbers(..) => parts(typed).iter().map(|part| number(part)).collect::<Array>().into(),
-        Kind::ListOf(_) => parts(typed).into_iter().collect::<Array>().into(),
+        Kind::ListOf(_) | Kind::Texts => parts(typed).into_iter().collect::<Array>().into(),
         Kind::Bodies => spread(lines().map(Value::from).collect()),
         Kind::Rows(_) => {
             let row = |line: &str| line.split(';').map(str::trim).filter(|part| !part.is_empty()).collect::<Array>();

@@ -533,6 +533,8 @@ pub enum Expected {
     Bool,
     /// Text in quotes.
     Text,
+    /// A list of texts.
+    Texts,
     /// One of these words.
     OneOf(&'static [&'static str]),
     /// A list of these words.

@@ -75,6 +75,7 @@ impl Heading {
                 None
             }
             Kind::Numbers(..)
+            | Kind::Texts
             | Kind::Rows(_)
             | Kind::Table(_)
             | Kind::OneOrMany(..)
@@ -215,7 +216,8 @@ fn parts(written: &str) -> (Cow<'_, str>, Option<Cow<'_, str>>) {
 fn located(name: &str, counted: Counted, axis: Option<usize>) -> Option<(String, &'static Key)> {
     let path = from_one(name, counted)?;
     let within = axis.map_or_else(|| path.clone(), |index| format!("axis[{}].{path}", index + 1));
-    let is_of_an_axis = !["axis", "curve", "format"].contains(&path.split(['.', '[']).next().unwrap_or_default());
+    let is_of_an_axis =
+        !["axis", "catalogue", "curve", "format"].contains(&path.split(['.', '[']).next().unwrap_or_default());
     let key = key_at(&within).filter(|_| is_of_an_axis && names_its_entries(&within))?;
     Some((path, key))
 }
@@ -224,7 +226,13 @@ fn located(name: &str, counted: Counted, axis: Option<usize>) -> Option<(String,
 const fn may_be_a_column(key: &Key) -> bool {
     !matches!(
         key.kind,
-        Kind::Numbers(..) | Kind::Rows(_) | Kind::Table(_) | Kind::OneOrMany(..) | Kind::Bodies | Kind::Variants(_)
+        Kind::Numbers(..)
+            | Kind::Texts
+            | Kind::Rows(_)
+            | Kind::Table(_)
+            | Kind::OneOrMany(..)
+            | Kind::Bodies
+            | Kind::Variants(_)
     )
 }
 
@@ -361,7 +369,12 @@ fn columns(keys: &'static [Key], above: &str, first: &str, found: &mut Vec<Strin
             Kind::Variants(variants) if path == "motion" => {
                 columns(variants.keys, &format!("{path}{first}"), first, found)
             }
-            Kind::OneOrMany(..) | Kind::Variants(_) | Kind::Numbers(..) | Kind::Rows(_) | Kind::Bodies => {}
+            Kind::OneOrMany(..)
+            | Kind::Variants(_)
+            | Kind::Numbers(..)
+            | Kind::Texts
+            | Kind::Rows(_)
+            | Kind::Bodies => {}
             Kind::Quantity(..)
             | Kind::Along(..)
             | Kind::Number(..)

@@ -26,6 +26,8 @@ pub enum Kind {
     Bool,
     /// Free text of bounded length.
     Text,
+    /// A list of free texts.
+    Texts,
     /// One of these words.
     OneOf(&'static [&'static str]),
     /// A list of these words.
@@ -53,6 +55,7 @@ impl Kind {
             Self::Integer(..) => Expected::Integer,
             Self::Bool => Expected::Bool,
             Self::Text => Expected::Text,
+            Self::Texts => Expected::Texts,
             Self::OneOf(words) => Expected::OneOf(words),
             Self::ListOf(words) => Expected::ListOf(words),
             Self::Rows(_) => Expected::Rows,
@@ -82,6 +85,7 @@ impl Kind {
             | Self::Integer(..)
             | Self::Bool
             | Self::Text
+            | Self::Texts
             | Self::OneOf(_)
             | Self::ListOf(_)
             | Self::Rows(_)
@@ -230,6 +234,7 @@ pub fn example(key: &Key) -> Option<String> {
         Kind::Numbers(..) => format!("{name} = [{}]", own("1.0, 2.5")),
         Kind::Bool => format!("{name} = true"),
         Kind::Text => format!("{name} = \"{}\"", own("…")),
+        Kind::Texts => format!("{name} = [\"{}\"]", own("…")),
         Kind::OneOf(words) => format!("{name} = \"{}\"", words.first()?),
         Kind::ListOf(words) => format!("{name} = [\"{}\"]", words.first()?),
         Kind::Table(_) | Kind::OneOrMany(..) => format!("[{name}]"),

@@ -7,6 +7,7 @@ mod about;
 mod axis_names;
 mod bodies;
 mod cam;
+mod catalogue_file;
 /// Choices of the file, each with its word.
 pub mod choices;
 mod curves;
@@ -15,6 +16,7 @@ mod edit;
 mod encoding;
 mod fault;
 mod flange;
+mod free_text;
 mod heading;
 mod hint;
 mod ids;
@@ -49,6 +51,7 @@ mod value;
 /// Names of the keys of each section, by which their texts are found.
 pub mod names {
     pub use crate::bodies::BodyName;
+    pub use crate::catalogue_file::{ActuatorEntryName, CatalogueFileName, CatalogueHeadName, CatalogueName};
     pub use crate::curves::CurveName;
     pub use crate::flange::{BearingName, FlangeLoadsName};
     pub use crate::measured::{
@@ -56,7 +59,7 @@ pub mod names {
     };
     pub use crate::mechanism::names::*;
     pub use crate::motion::SegmentName;
-    pub use crate::own::ActuatorName;
+    pub use crate::own::{ActuatorName, ActuatorValueName};
     pub use crate::recorded::{ColumnsName, RatiosName, UnitsName};
     pub use crate::requirements::{DriveName, RequirementsName};
     pub use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
@@ -68,12 +71,13 @@ pub mod names {
 pub mod sections {
     pub use crate::bodies::BodySection;
     pub use crate::cam::{CamEnds, CamPoint};
+    pub use crate::catalogue_file::{ActuatorEntry, CatalogueFile, CatalogueHead, CatalogueSection};
     pub use crate::curves::{CurveLimit, CurveSection};
     pub use crate::flange::{Bearing, Derived, FlangeLoads};
     pub use crate::measured::{Brake, Direction, Emf, MeasuredRoot, NoLoadPoint, Sensor, Speed, Winding};
     pub use crate::mechanism::sections::*;
     pub use crate::motion::Segment;
-    pub use crate::own::ActuatorSection;
+    pub use crate::own::{ActuatorSection, ActuatorValues};
     pub use crate::recorded::{Columns, Gaps, HeldValues, Ratios, TimeStamps, Units};
     pub use crate::requirements::{DriveSection, PositionLoop, RequirementsSection};
     pub use crate::root::{AxisSection, Parts};
@@ -82,12 +86,14 @@ pub mod sections {
     pub use crate::stated::{SectionHead, Stated, StatedField};
     pub use crate::twin::{MeasuredSection, TwinSection};
     pub use crate::value::{
-        Along, BodyLines, Choices, CurveRow, KeyValue, Numbers, OneOrMany, Rows, TableRow, Tables, Turning, Written,
+        Along, BodyLines, Choices, CurveRow, KeyValue, Numbers, OneOrMany, Rows, TableRow, Tables, Texts, Turning,
+        Written,
     };
 }
 
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
+pub use catalogue_file::{CATALOGUE_KEYS, CATALOGUE_MAX_BYTES, ReadCatalogue, read_catalogue};
 pub use diagnostic::{Diagnostic, place};
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, edit_values, key_at, measured_key_at, written};
 pub use encoding::decoded;
@@ -101,6 +107,7 @@ pub use label::input_label;
 pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured_lines, read_measured};
 pub use merged::{Clash, Prefer, Unmerged, merged};
 pub use motion::SegmentLaw;
+pub use nearest::nearest as nearest_name;
 pub use read::shortened;
 pub use recovery::with_newlines;
 pub use report::FaultReport;

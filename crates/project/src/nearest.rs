@@ -71,7 +71,8 @@ pub(crate) fn in_another_table(written: &str) -> Option<Hint> {
 }
 
 /// Returns "did you mean …", or the whole list if no name is near.
-pub(crate) fn nearest(written: &str, valid: &[&str]) -> Hint {
+#[must_use]
+pub fn nearest(written: &str, valid: &[&str]) -> Hint {
     let written = shortened(written, WORD_SHOWN);
     // An abbreviated or extended word is nearer than its number of letters suggests.
     let akin = valid

@@ -15,6 +15,13 @@ section! {
     /// An actuator that is not in the catalogue.
     ActuatorSection, ActuatorName of About::Actuator {
         name: String => needed;
+        ..values: ActuatorValues;
+    }
+}
+
+section! {
+    /// Data of an actuator, as its data sheet states them.
+    ActuatorValues, ActuatorValueName of About::ActuatorValue {
         ratio: f64 => within(1.0, 10_000.0), example("50");
         torque_max: Torque => positive;
         speed_max: AngularVelocity => positive;

@@ -11,7 +11,7 @@ use crate::stated::SectionHead;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
 use crate::value::{BodyLines, QuantityRow, Rows, ValueCell, WordChoice};
 use crate::{Diagnostic, Expected, Fault, Hint, PROJECT_MAX_BYTES, Range};
-use quantities::{Dimension, HalfWidth, QuantityError, Reading, is_unseen};
+use quantities::{Dimension, HalfWidth, QuantityError, Reading};
 use std::borrow::Cow;
 use std::ops::Range as Span;
 use toml::Spanned;
@@ -19,9 +19,6 @@ use toml::de::{DeArray, DeTable, DeValue};
 
 /// Longest excerpt of a word of the user in a fault, in characters.
 pub(crate) const WORD_SHOWN: usize = 60;
-
-/// Longest free text.
-const TEXT_MAX: usize = 200;
 
 /// Magnitudes that a machine can have, in SI; their products and powers stay finite.
 pub(crate) const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
@@ -57,8 +54,13 @@ impl<'t> Reader<'t> {
 
     /// Creates a reader of a file that is not too large.
     pub(crate) fn of_file(text: &'t str) -> Result<Self, Vec<Diagnostic>> {
-        if text.len() > PROJECT_MAX_BYTES {
-            let fault = Fault::FileTooLarge { bytes: text.len(), most: PROJECT_MAX_BYTES };
+        Self::within(text, PROJECT_MAX_BYTES)
+    }
+
+    /// Creates a reader of a file of at most so many bytes.
+    pub(crate) fn within(text: &'t str, most: usize) -> Result<Self, Vec<Diagnostic>> {
+        if text.len() > most {
+            let fault = Fault::FileTooLarge { bytes: text.len(), most };
             return Err(vec![Diagnostic::at(text, 0..0, fault, None)]);
         }
         Ok(Self::new(text))
@@ -244,19 +246,6 @@ impl<'t> Reader<'t> {
         number
     }
 
-    /// Returns free text of bounded length.
-    pub(crate) fn free_text(&mut self, found: &FoundValue<'_, '_>) -> Option<String> {
-        let DeValue::String(text) = found.value else { return self.wrong_type(found) };
-        if text.chars().count() > TEXT_MAX {
-            let fault = Fault::TextTooLong { path: found.path.to_owned(), most: TEXT_MAX };
-            return self.refuse(found.span.clone(), fault);
-        }
-        if text.chars().any(is_unseen) {
-            return self.refuse(found.span.clone(), Fault::ControlCharacter { path: found.path.to_owned() });
-        }
-        Some(text.to_string())
-    }
-
     /// Returns one of a fixed set of words.
     pub(crate) fn choice<W: WordChoice>(&mut self, found: &FoundValue<'_, '_>) -> Option<W> {
         let DeValue::String(text) = found.value else { return self.wrong_type(found) };
@@ -296,7 +285,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reports an entry of another type than the list has.
-    fn of_another_type(&mut self, path: &str, span: Span<usize>, expected: Expected, found: &DeValue<'_>) {
+    pub(crate) fn of_another_type(&mut self, path: &str, span: Span<usize>, expected: Expected, found: &DeValue<'_>) {
         self.fault(span, Fault::WrongType { path: path.to_owned(), expected, found: found.type_str() }, None);
     }
 
@@ -417,7 +406,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns the entries of a list, if there are not too many.
-    fn items<'v, 'd>(&mut self, found: &FoundValue<'v, 'd>) -> Option<&'v DeArray<'d>> {
+    pub(crate) fn items<'v, 'd>(&mut self, found: &FoundValue<'v, 'd>) -> Option<&'v DeArray<'d>> {
         let DeValue::Array(items) = found.value else { return self.wrong_type(found) };
         if items.len() > LIST_MAX {
             let fault = Fault::TooManyEntries { path: found.path.to_owned(), most: LIST_MAX };

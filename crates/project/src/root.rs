@@ -2,6 +2,7 @@
 
 use crate::about::About;
 use crate::axis_names::named_apart;
+use crate::catalogue_file::CatalogueSection;
 use crate::curves::CurveSection;
 use crate::flange::Bearing;
 use crate::mechanism::{DirectLoad, Mechanisms};
@@ -29,6 +30,7 @@ section! {
         axis: OneOrMany<AxisTable, OneOfSeveral>;
         ..parts: Parts;
         curve: Tables<CurveSection>;
+        catalogue: CatalogueSection;
     }
 }
 
@@ -81,6 +83,8 @@ pub struct Project {
 pub struct Shared {
     /// Curves of the user for actuators of the catalogue.
     pub curves: Vec<CurveSection>,
+    /// Catalogue files, and whether the series in the program is offered.
+    pub catalogue: Option<CatalogueSection>,
 }
 
 /// One axis, alone or among several.
@@ -113,6 +117,7 @@ pub fn read(text: &str) -> Result<ReadProject<'_>, Vec<Diagnostic>> {
     let mut reader = Reader::of_file(text)?;
     let mut root: Root = reader.read();
     let curves = root.curve.get_mut().map(|all| std::mem::take(&mut all.0)).unwrap_or_default();
+    let catalogue = root.catalogue.get().cloned();
     let several = match root.axis.get_mut() {
         Some(OneOrMany::Many(several)) => std::mem::take(several),
         Some(OneOrMany::One(_)) | None => Vec::new(),
@@ -127,7 +132,7 @@ pub fn read(text: &str) -> Result<ReadProject<'_>, Vec<Diagnostic>> {
         let of_several = |(index, axis)| AxisSection::of_several(axis, tolerance::of_axis(&reader.tolerances, index));
         several.into_iter().enumerate().map(of_several).collect()
     };
-    Ok(ReadProject { project: Project { axes, shared: Shared { curves } }, report: reader.report })
+    Ok(ReadProject { project: Project { axes, shared: Shared { curves, catalogue } }, report: reader.report })
 }
 
 /// Returns `true` for a single move; a faulty statement counts as one, so that no cycle needs to close.

@@ -117,6 +117,7 @@ fn kind(key: &Key, text: Words<'_>) -> Value {
         Kind::Bool => json!({ "type": "boolean" }),
         Kind::Text => json!({ "type": "string" }),
         Kind::OneOf(words) => json!({ "type": "string", "enum": words }),
+        Kind::Texts => json!({ "type": "array", "minItems": 1, "items": { "type": "string" } }),
         Kind::ListOf(words) => json!({ "type": "array", "items": { "type": "string", "enum": words } }),
         Kind::Along(turning, line, _) => json!({
             "anyOf": [reference(turning), reference(line)],

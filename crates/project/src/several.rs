@@ -8,7 +8,7 @@ use toml_edit::Value;
 const AXIS: &str = "axis";
 
 /// Root keys that all axes share.
-const SHARED: [&str; 2] = ["format", "curve"];
+const SHARED: [&str; 3] = ["format", "curve", "catalogue"];
 
 /// Returns the text of a project with a further axis behind those that it has.
 ///

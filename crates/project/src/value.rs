@@ -236,6 +236,22 @@ impl KeyValue for Numbers {
     }
 }
 
+/// Free texts, each with its place.
+#[derive(Clone, Debug)]
+pub struct Texts(pub Vec<(String, Span<usize>)>);
+
+impl KeyValue for Texts {
+    const KIND: Kind = Kind::Texts;
+
+    fn read(found: &FoundValue<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.texts(found).map(Self)
+    }
+
+    fn noted(&self) -> Option<Amount> {
+        Some(None)
+    }
+}
+
 /// One of a fixed set of words.
 pub trait WordChoice: Sized {
     /// Words of a file.

@@ -205,6 +205,11 @@ pub enum Source {
         /// Dotted path of the key, e.g. `actuator.torque_max`.
         key: Key,
     },
+    /// A value of a catalogue file of the user.
+    CatalogueFile {
+        /// File, line of the product, key, and the document that the file names: `stock.toml:12: torque_max (data sheet B)`.
+        place: Key,
+    },
     /// A value that the project file leaves open: the default of a key.
     NotStated {
         /// Dotted path of the key, e.g. `mechanism.belt.inclination`.
@@ -219,11 +224,20 @@ impl Source {
         let number = match self {
             Self::Cell(cell) if cell.document == MANUAL => cell.table,
             Self::Equation { number } => number,
-            Self::Cell(_) | Self::Published(_) | Self::Model { .. } | Self::Project { .. } | Self::NotStated { .. } => {
-                return None;
-            }
+            Self::Cell(_)
+            | Self::Published(_)
+            | Self::Model { .. }
+            | Self::Project { .. }
+            | Self::CatalogueFile { .. }
+            | Self::NotStated { .. } => return None,
         };
         number.split_once('.')?.0.parse().ok()
+    }
+
+    /// Returns `true` if a file of the user states the value: the project, or a catalogue file.
+    #[must_use]
+    pub const fn is_of_the_user(&self) -> bool {
+        matches!(self, Self::Project { .. } | Self::CatalogueFile { .. })
     }
 
     /// Returns the page of `docs/theory` that explains the source.
@@ -235,6 +249,7 @@ impl Source {
             | Self::Published(_)
             | Self::Equation { .. }
             | Self::Project { .. }
+            | Self::CatalogueFile { .. }
             | Self::NotStated { .. } => None,
         }
     }
@@ -248,6 +263,7 @@ impl PartialEq for Source {
             (Self::Equation { number: a }, Self::Equation { number: b })
             | (Self::Model { name: a }, Self::Model { name: b }) => a == b,
             (Self::Project { key: a }, Self::Project { key: b }) => a == b,
+            (Self::CatalogueFile { place: a }, Self::CatalogueFile { place: b }) => a == b,
             (Self::NotStated { key: a }, Self::NotStated { key: b }) => a == b,
             _ => false,
         }
@@ -262,6 +278,7 @@ impl fmt::Display for Source {
             Self::Published(cell) => write!(f, "{} ({cell})", cell.document),
             Self::Model { name } => write!(f, "model {name}"),
             Self::Project { key } => write!(f, "project {key}"),
+            Self::CatalogueFile { place } => f.write_str(place),
             Self::NotStated { key } => write!(f, "{key} not stated"),
         }
     }

@@ -75,9 +75,11 @@ impl QuestionCall {
         let memory = antrieb::memory_allowed(self.memory.clone(), self.language)?;
         let read = self.texts.iter().map(|text| text.read(memory, self.language));
         let files: Vec<CallSource> = read.collect::<Result<_, _>>()?;
+        let sources: Vec<_> = files.iter().map(CallSource::source).collect();
+        let has_names = sources.iter().any(|source| source.may_name_products());
         let inquiry = Inquiry {
-            given: Given::of(entry.arguments, self.given(entry), self.language)?,
-            sources: files.iter().map(CallSource::source).collect(),
+            given: Given::of(entry.arguments, self.given(entry), self.language)?.naming_products(has_names),
+            sources,
             catalogue: embedded_catalogue(),
             days_since_1970: antrieb::days_since_1970(),
             progress,

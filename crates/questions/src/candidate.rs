@@ -35,6 +35,8 @@ pub struct Candidate<'p> {
     pub standing: Standing,
     /// `true` if neither the call nor the project names an actuator and the answer is about the best of the ranking.
     pub is_best_of_ranking: bool,
+    /// `true` if products of catalogue files compete, so that each is named with its maker.
+    pub is_among_makers: bool,
 }
 
 impl Candidate<'_> {

@@ -55,7 +55,9 @@ pub use closed::{OpenCycle, closed, is_open_cycle};
 pub use codes::{CodeRefusal, read_code};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use progress::Progress;
-pub use reading::{Unread, embedded_catalogue, read, read_all, read_all_watched, read_all_with, read_with};
+pub use reading::{
+    Unread, embedded_catalogue, read, read_all, read_all_watched, read_all_with, read_with, with_catalogue_files,
+};
 pub use subject::candidate_for;
 
 // Judgement of an axis.

@@ -11,12 +11,12 @@ mod project_tests;
 #[cfg(test)]
 mod stage_tests;
 
-use crate::list::Cost;
+use crate::list::{Cost, Unanswered};
 use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
 use crate::tolerance::Draw;
-use axis::AxisDiagnostic;
-use axis::{AxisProject, Catalogue, Files, Grant, KeptRecordings, RatioAnswer};
+use axis::{AxisDiagnostic, AxisFault, AxisProject, Catalogue, FileCatalogue, Files, Grant, KeptRecordings, RatioAnswer};
+use configurator::Product;
 use quantities::Language;
 use serde_json::Value;
 use sizing::{StepObserver, Unobserved, finished, rank};
@@ -30,6 +30,40 @@ use std::sync::{Arc, LazyLock};
 pub fn embedded_catalogue() -> &'static Arc<dyn Catalogue> {
     static EMBEDDED: LazyLock<Arc<dyn Catalogue>> = LazyLock::new(|| configurator::Catalogue::cha());
     &EMBEDDED
+}
+
+/// Returns a catalogue with the products of catalogue files beside its own; each file is its name and its bytes.
+///
+/// # Errors
+/// Every fault of the files, each with its place; a product of two files.
+pub fn with_catalogue_files(
+    base: &Arc<dyn Catalogue>,
+    files: impl IntoIterator<Item = (String, Vec<u8>)>,
+    language: Language,
+) -> Result<Arc<dyn Catalogue>, Unanswered> {
+    let parameters = base.own_actuator();
+    let (mut products, mut refused): (Vec<Product>, Vec<Unanswered>) = (Vec::new(), Vec::new());
+    for (name, bytes) in files {
+        let faults = match axis::read_products(&name, &bytes, &parameters) {
+            Ok(own) => {
+                let is_known = |product: &Product| products.iter().any(|known| known.id == product.id);
+                let twice = |product: &Product| AxisFault::ProductOfTwoFiles { id: product.id.to_string() };
+                let twice: Vec<AxisFault> = own.iter().filter(|product| is_known(product)).map(twice).collect();
+                products.extend(own);
+                twice.into_iter().map(|fault| AxisDiagnostic::at("", 0..0, fault, None)).collect()
+            }
+            Err(faults) => faults,
+        };
+        if !faults.is_empty() {
+            let (text, _) = project::decoded(&bytes);
+            refused.push(Unanswered::unread(Unread::Faults(faults), &name, &text, language));
+        }
+    }
+    if refused.is_empty() {
+        Ok(Arc::new(FileCatalogue::new(base, true, products)))
+    } else {
+        Err(Unanswered::combined(refused))
+    }
 }
 
 /// Reads a project file with one axis that refers to no other file, with the embedded catalogue.

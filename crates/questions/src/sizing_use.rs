@@ -4,8 +4,8 @@ use crate::input_keys::InputKeys;
 use crate::progress::Stopped;
 use actuator::Parameters;
 use axis::Assumption;
-use axis::AxisProject;
-use configurator::{BrokenRule, Product, ProductId, Unmet};
+use axis::{AxisProject, Catalogue};
+use configurator::{BrokenRule, Product, ProductId};
 use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;
@@ -40,6 +40,8 @@ pub struct Sizing<'p> {
     pub candidates: Vec<Candidate<'p>>,
     /// Number of fitting candidates, which come first.
     fitting: usize,
+    /// `true` if products without frame sizes compete, so that the lighter is preferred to the smaller.
+    pub by_mass: bool,
     /// The user's own actuator, judged besides the catalogue.
     pub own: Option<Candidate<'p>>,
     /// Default values in use.
@@ -120,6 +122,13 @@ pub enum Refusal {
     Broken(Vec<BrokenRule>),
     /// The manual prints no data for this code.
     NoData,
+    /// No catalogue file has a product of this name.
+    NoProduct {
+        /// Name as given.
+        name: String,
+        /// The name of a product that is spelt similarly.
+        near: Option<String>,
+    },
     /// The project describes no actuator of its own, and no code is given.
     NoActuator,
     /// This check is not part of the judgement of this axis and actuator.
@@ -228,6 +237,7 @@ pub(crate) fn size_watched<'p, W: StepObserver>(
         name: &project.name,
         candidates,
         fitting,
+        by_mass: project.catalogue().has_files(),
         own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
         assumptions: &project.assumptions,
     })
@@ -355,8 +365,23 @@ pub(crate) fn check_part<'p>(project: &'p AxisProject, id: &ProductId, part: Par
 fn check_with<'p>(project: &'p AxisProject, id: ProductId, mut judging: Judging<'p>) -> Result<Candidate<'p>, Refusal> {
     id.availability().map_err(Refusal::Broken)?;
     let own = project.actuator.as_ref().filter(|own| own.id == id);
-    let product = own.or_else(|| project.catalogue().product(&id)).ok_or(Refusal::NoData)?;
+    let product = own.or_else(|| project.catalogue().product(&id));
+    let product = product.ok_or_else(|| not_offered(&**project.catalogue(), &id))?;
     Ok(candidate(&mut judging, id, product))
+}
+
+/// Returns the reason why a catalogue has no product with an identity.
+pub(crate) fn not_offered(catalogue: &dyn Catalogue, id: &ProductId) -> Refusal {
+    if id.order_code().is_some() {
+        return Refusal::NoData;
+    }
+    let name = id.to_string();
+    let names: Vec<String> = catalogue.products(false).iter().map(|product| product.id.to_string()).collect();
+    let near = match project::nearest_name(&name, &names.iter().map(String::as_str).collect::<Vec<_>>()) {
+        project::Hint::DidYouMean(near) => Some(near),
+        _ => None,
+    };
+    Refusal::NoProduct { name, near }
 }
 
 /// Judges one product like [`check`], each check with the workings of its value and its limit.
@@ -465,11 +490,22 @@ fn candidate<'p>(judging: &mut Judging<'p>, id: ProductId, product: &'p Product)
             Vec::new()
         }
     };
-    // Data of a user's actuator may be unknown: an unknown datum leaves a requirement open and does not break it.
-    let is_open = |objection: &Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
-    let met = objections.iter().all(|objection| product.is_of_project() && is_open(objection));
-    let standing = Standing::of(&judgement, met, product.size_number(), known_si(&parameters.mass));
-    Candidate { id, product, parameters, on_request, judgement, objections, standing, is_best_of_ranking: false }
+    let is_ordered = !objections.iter().any(|objection| matches!(objection, Objection::Rule(_)));
+    let met = is_ordered && project.requirements.are_met(&id, product);
+    let is_among_makers = project.catalogue().has_files();
+    let size = product.rank_size(is_among_makers);
+    let standing = Standing::of(&judgement, met, size, known_si(&parameters.mass));
+    Candidate {
+        id,
+        product,
+        parameters,
+        on_request,
+        judgement,
+        objections,
+        standing,
+        is_best_of_ranking: false,
+        is_among_makers,
+    }
 }
 
 fn own_candidate<'p>(project: &'p AxisProject, own: &'p Product) -> Candidate<'p> {

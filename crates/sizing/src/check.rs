@@ -212,7 +212,7 @@ impl Check {
     #[must_use]
     pub fn is_of_another_gear(&self) -> bool {
         self.notes.contains(&Note::RatingOfInterchangeableGear)
-            && !matches!(self.limit_source, Some(Source::Project { .. }))
+            && !self.limit_source.as_ref().is_some_and(Source::is_of_the_user)
     }
 
     /// Returns value over the edge above which the check fails: its utilisation; for an estimate, that by the upper edge

@@ -27,7 +27,11 @@ const MODEL: Source = Source::Model { name: "gear" };
 /// another series or of another manufacturer are advice.
 pub(crate) const fn beyond(rating: &Source) -> Verdict {
     match rating {
-        Source::Cell(_) | Source::Equation { .. } | Source::Project { .. } | Source::NotStated { .. } => Verdict::Fail,
+        Source::Cell(_)
+        | Source::Equation { .. }
+        | Source::Project { .. }
+        | Source::CatalogueFile { .. }
+        | Source::NotStated { .. } => Verdict::Fail,
         Source::Published(_) | Source::Model { .. } => Verdict::Advice,
     }
 }
@@ -35,7 +39,11 @@ pub(crate) const fn beyond(rating: &Source) -> Verdict {
 /// Returns the remark on a rating of another gear than that of the actuator.
 const fn of_another_gear(rating: &Source) -> Notes {
     match rating {
-        Source::Cell(_) | Source::Equation { .. } | Source::Project { .. } | Source::NotStated { .. } => Notes::NONE,
+        Source::Cell(_)
+        | Source::Equation { .. }
+        | Source::Project { .. }
+        | Source::CatalogueFile { .. }
+        | Source::NotStated { .. } => Notes::NONE,
         Source::Published(_) => Notes::fixed(&[Note::RatingOfInterchangeableGear]),
         Source::Model { .. } => Notes::fixed(&[Note::RatingByStrongerGear]),
     }

@@ -11,8 +11,8 @@ pub struct Standing {
     pub fit: Fit,
     /// The load is held without power, or need not be.
     pub holds: bool,
-    /// Frame size; the smaller is preferred.
-    pub size: u16,
+    /// Frame size, the smaller of which is preferred; where products without frame sizes compete, the mass \[g\].
+    pub size: u32,
     /// Utilisation of the governing check, see [`Judgement::utilisation`].
     pub utilisation: f64,
     /// Mass \[kg\], for ties; infinite if unknown.
@@ -22,7 +22,7 @@ pub struct Standing {
 impl Standing {
     /// Returns the standing of a judged candidate.
     #[must_use]
-    pub fn of(judgement: &Judgement, requirements_met: bool, size: u16, mass_kg: Option<f64>) -> Self {
+    pub fn of(judgement: &Judgement, requirements_met: bool, size: u32, mass_kg: Option<f64>) -> Self {
         Self {
             fit: if requirements_met { judgement.fit() } else { Fit::DoesNotFit },
             holds: !judgement.leaves_load_unheld(),
@@ -35,7 +35,8 @@ impl Standing {
 
 /// Compares by the stated rule: fitting before others; among fitting ones, those that hold a load under gravity or
 /// tension without power first, then those within every limit before those inside the band of an estimate, whose
-/// utilisation is above one; then the smaller frame size; then the lower utilisation, i.e. the larger margin; then the
+/// utilisation is above one; then the smaller frame size, or the lower mass
+/// where products without frame sizes compete; then the lower utilisation, i.e. the larger margin; then the
 /// lower mass. Among those that do not fit, the one whose governing check is exceeded least comes first, then the
 /// smaller frame size; one that every check would pass has an excess of zero.
 ///
@@ -55,7 +56,7 @@ pub struct RankKey {
     inside_band: bool,
     /// Excess; zero for a fitting candidate.
     miss: u64,
-    size: u16,
+    size: u32,
     utilisation: u64,
     mass: u64,
 }
@@ -113,7 +114,7 @@ mod tests {
         assert!(up_to_rounding(0.0) > up_to_rounding(-1e-300));
     }
 
-    fn standing(fits: bool, size: u16, utilisation: f64, mass_kg: f64) -> Standing {
+    fn standing(fits: bool, size: u32, utilisation: f64, mass_kg: f64) -> Standing {
         let fit = match (fits, utilisation > 1.0) {
             (false, _) => Fit::DoesNotFit,
             (true, true) => Fit::FitsIfEstimate,
@@ -134,7 +135,7 @@ mod tests {
             standing(true, 14, 1.05, 1.4),
         ];
         field.sort_by(rank);
-        let order: Vec<(bool, u16, f64, f64)> =
+        let order: Vec<(bool, u32, f64, f64)> =
             field.iter().map(|s| (s.fit.fits(), s.size, s.utilisation, s.mass_kg)).collect();
         assert_eq!(
             order,

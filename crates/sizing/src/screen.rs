@@ -144,7 +144,7 @@ struct Row<'r> {
 struct Open {
     four: usize,
     place: usize,
-    size: u16,
+    size: u32,
     state: State,
 }
 
@@ -159,7 +159,7 @@ impl Open {
 }
 
 /// Load not held, fits only if an estimate holds, and frame size.
-type Class = (bool, bool, u16);
+type Class = (bool, bool, u32);
 
 /// Results of the checks of an output bearing.
 #[derive(Debug, Default)]

@@ -64,6 +64,28 @@ fn axis_fault_text(fault: &AxisFault, language: Language) -> String {
         AxisFault::ImpossibleWithin { values, why } => impossible(values, why.as_deref(), language),
         AxisFault::Geometry(fault) => geometry(*fault, language).to_owned(),
         AxisFault::BodyOfText { path, error } => format!("`{path}`: {}", bodies::fault(error, language)),
+        AxisFault::InCatalogue { name, found } => {
+            let (line, column) = (found.line, found.column);
+            let text = axis_fault_text(&found.fault, language);
+            said!(language => "{name}, line {line}, column {column}: {text}" | "{name}, Zeile {line}, Spalte {column}: {text}")
+        }
+        AxisFault::NoProducts => said!(language =>
+            "the catalogue file has no products" | "die Katalogdatei enthält keine Produkte"
+        ),
+        AxisFault::ProductNamedTwice { id, line } => said!(language =>
+            "{id} is named in line {line} already" | "{id} ist bereits in Zeile {line} genannt"
+        ),
+        AxisFault::ProductOfTwoFiles { id } => said!(language =>
+            "{id} is named in two catalogue files" | "{id} ist in zwei Katalogdateien genannt"
+        ),
+        AxisFault::ProductNamedAsCode { id } => said!(language =>
+            "{id} is an ordering code of the built-in series, whose data come from its manual"
+            | "{id} ist eine Bestellbezeichnung der enthaltenen Baureihe, deren Daten aus ihrer Anleitung stammen"
+        ),
+        AxisFault::NothingOffered => said!(language =>
+            "without the built-in series and without catalogue files no actuator is offered"
+            | "ohne die enthaltene Baureihe und ohne Katalogdateien steht kein Antrieb zur Auswahl"
+        ),
     }
 }
 
@@ -82,6 +104,12 @@ fn axis_own_hint(fault: &AxisFault, language: Language) -> Option<String> {
         AxisFault::Body(BodyError::DistanceOutOfRange { .. }) => example_hint("distance=80mm angle=180deg", language),
         AxisFault::ImpossibleWithin { why: Some(why), .. } => axis_own_hint(why, language),
         AxisFault::BodyOfText { error, .. } => axis_own_hint(&AxisFault::Body(*error), language),
+        AxisFault::InCatalogue { found, .. } => {
+            let own = || axis_own_hint(&found.fault, language);
+            found.hint.as_ref().map(|hint| hint_text(hint, language)).or_else(own)
+        }
+        AxisFault::NoProducts => example_hint("[[actuator]]", language),
+        AxisFault::NothingOffered => example_hint("files = [\"stock.toml\"]", language),
         AxisFault::ImpossibleWithin { why: None, .. }
         | AxisFault::Curve(_)
         | AxisFault::Table(_)
@@ -89,7 +117,10 @@ fn axis_own_hint(fault: &AxisFault, language: Language) -> Option<String> {
         | AxisFault::Geometry(_)
         | AxisFault::Points(_)
         | AxisFault::Cycle(_)
-        | AxisFault::Body(_) => None,
+        | AxisFault::Body(_)
+        | AxisFault::ProductNamedTwice { .. }
+        | AxisFault::ProductOfTwoFiles { .. }
+        | AxisFault::ProductNamedAsCode { .. } => None,
     }
 }
 

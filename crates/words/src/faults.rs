@@ -94,8 +94,8 @@ fn fault_worded<F: FaultWords>(found: &Diagnostic<F>, language: Language) -> Wor
 pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
     match fault {
         Fault::FileTooLarge { bytes, most } => said!(language =>
-            "the project file has {bytes} bytes; the limit is {most}"
-            | "die Projektdatei hat {bytes} Byte; zulässig sind höchstens {most}"
+            "the file has {bytes} bytes; the limit is {most}"
+            | "die Datei hat {bytes} Byte; zulässig sind höchstens {most}"
         ),
         Fault::NotUtf8 { byte: Some(byte) } => said!(language =>
             "byte {byte:02X} is not UTF-8: save the file as UTF-8"
@@ -549,6 +549,7 @@ fn expected_text(expected: Expected, language: Language) -> String {
         Expected::Integer => said!(language => "a whole number" | "ganze Zahl"),
         Expected::Bool => said!(language => "true or false" | "true oder false"),
         Expected::Text => said!(language => "a text in quotes" | "Text in Anführungszeichen"),
+        Expected::Texts => said!(language => "a list of texts in quotes" | "Liste von Texten in Anführungszeichen"),
         Expected::OneOf(words) => said!(language => "one of {}" | "eines von {}", words.join(", ")),
         Expected::ListOf(words) => said!(language => "a list of {}" | "Liste aus {}", words.join(", ")),
         Expected::Rows => said!(language => "a list of points" | "Liste von Punkten"),

@@ -7,9 +7,10 @@ use crate::recorded_keys::{column_text, ratio_text, unit_text};
 use crate::texts::said;
 use crate::twin_keys::{replaced_key_text, twin_key_text};
 use project::names::{
-    AxisName, BearingName, BodyName, CounterweightName, CurveName, DriveName, FlangeLoadsName, FrictionName, GuideName,
-    LoadName, LossesName, OneOfSeveralName, PartsName, ProcessForceName, RequirementsName, RootName, SegmentName,
-    SlideName, StageName, StartAngleName,
+    ActuatorEntryName, ActuatorName, AxisName, BearingName, BodyName, CatalogueFileName, CatalogueHeadName,
+    CatalogueName, CounterweightName, CurveName, DriveName, FlangeLoadsName, FrictionName, GuideName, LoadName,
+    LossesName, OneOfSeveralName, PartsName, ProcessForceName, RequirementsName, RootName, SegmentName, SlideName,
+    StageName, StartAngleName,
 };
 use project::{About, Key};
 use quantities::Language;
@@ -36,7 +37,41 @@ pub fn key_text(key: &Key, language: Language) -> String {
 pub const fn about_text(about: About, language: Language) -> &'static str {
     let (en, de) = match about {
         About::Mechanisms(name) => return mechanism_text(name, language),
-        About::Actuator(key) => return actuator_key_text(key, language),
+        About::ActuatorValue(key) => return actuator_key_text(key, language),
+        About::Actuator(ActuatorName::name) => ("name of the actuator", "Name des Antriebs"),
+        About::Root(RootName::catalogue) => (
+            "products of other makers, judged beside the built-in series",
+            "Produkte anderer Hersteller, neben der enthaltenen Baureihe beurteilt",
+        ),
+        About::Catalogue(CatalogueName::files) => (
+            "catalogue files in TOML or CSV, relative to the project",
+            "Katalogdateien in TOML oder CSV, relativ zum Projekt",
+        ),
+        About::Catalogue(CatalogueName::cha) => (
+            "false: the built-in series is not offered",
+            "false: die enthaltene Baureihe steht nicht zur Auswahl",
+        ),
+        About::CatalogueFile(CatalogueFileName::catalogue) => (
+            "statements that hold for all products of the file",
+            "Angaben, die für alle Produkte der Datei gelten",
+        ),
+        About::CatalogueFile(CatalogueFileName::actuator) => (
+            "actuators with gear, one table each",
+            "Antriebe mit Getriebe, je eine Tabelle",
+        ),
+        About::CatalogueHead(CatalogueHeadName::maker) | About::ActuatorEntry(ActuatorEntryName::maker) => ("maker", "Hersteller"),
+        About::CatalogueHead(CatalogueHeadName::series) | About::ActuatorEntry(ActuatorEntryName::series) => ("series", "Baureihe"),
+        About::CatalogueHead(CatalogueHeadName::source) | About::ActuatorEntry(ActuatorEntryName::source) => (
+            "document from which the data are taken",
+            "Dokument, aus dem die Daten stammen",
+        ),
+        About::CatalogueHead(CatalogueHeadName::date) => ("date of the data", "Stand der Daten"),
+        About::ActuatorEntry(ActuatorEntryName::id) => (
+            "name of the product, as it is ordered",
+            "Name des Produkts, wie es bestellt wird",
+        ),
+        About::ActuatorEntry(ActuatorEntryName::price) => ("price with its currency", "Preis mit Währung"),
+        About::ActuatorEntry(ActuatorEntryName::lead_time) => ("time of delivery", "Lieferzeit"),
         About::Twin(name) => return twin_key_text(name, language),
         About::Replaced(name) => return replaced_key_text(name, language),
         About::Mechanism(name) => return mechanism_key_text(name, language),

@@ -21,6 +21,7 @@ texts! {
     numbers = "list of numbers" | "Liste von Zahlen";
     integer = "whole number" | "ganze Zahl";
     text = "text" | "Text";
+    texts = "list of texts" | "Liste von Texten";
     list_of = "list of" | "Liste aus";
     rows_of = "rows of" | "Zeilen aus";
     or = "or" | "oder";

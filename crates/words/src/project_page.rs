@@ -114,6 +114,7 @@ fn value(key: &Key, language: Language) -> String {
         }
         Kind::Table(_) => pages::table(language).to_owned(),
         Kind::OneOrMany(..) => pages::table_or_tables(language).to_owned(),
+        Kind::Texts => pages::texts(language).to_owned(),
         Kind::Bodies => pages::bodies(language).to_owned(),
         Kind::Variants(_) => pages::tables(language).to_owned(),
     }

@@ -472,6 +472,7 @@ pub fn source_text(source: &Source, language: Language) -> String {
             said!(language => "model {name}" | "Modell {name}")
         }
         Source::Project { key } => said!(language => "project: {key}" | "Projekt: {key}"),
+        Source::CatalogueFile { place } => place.to_string(),
         Source::NotStated { key } => said!(language => "{key} not stated" | "{key} nicht angegeben"),
     }
 }
@@ -526,9 +527,15 @@ pub fn degree_of_protection(numerals: f64) -> String {
     if numerals < 10.0 { format!("IPX{numerals}") } else { format!("IP{numerals}") }
 }
 
-/// Returns the rule of the ranking.
+/// Returns the rule of the ranking; `by_mass` where products without frame sizes compete.
 #[must_use]
-pub fn ranking_rule(language: Language) -> String {
+pub fn ranking_rule(by_mass: bool, language: Language) -> String {
+    if by_mass {
+        return said!(language =>
+            "ranking: fitting actuators first; of these, those that hold the load without power, then those that fit without relying on an estimate, then lower mass, lower utilisation; makers do not share frame sizes"
+            | "Rangfolge: geeignete Antriebe zuerst; davon zuerst solche, die die Last stromlos halten, dann ohne Schätzung geeignete, dann geringere Masse, niedrigere Auslastung; Baugrößen verschiedener Hersteller sind nicht vergleichbar"
+        );
+    }
     said!(language =>
         "ranking: fitting actuators first; of these, those that hold the load without power, then those that fit without relying on an estimate, then smaller frame size, lower utilisation, lower mass"
         | "Rangfolge: geeignete Antriebe zuerst; davon zuerst solche, die die Last stromlos halten, dann ohne Schätzung geeignete, dann kleinere Baugröße, niedrigere Auslastung, geringere Masse"

@@ -158,6 +158,9 @@ texts! {
     no_own_actuator =
         "the project has no [actuator]; select one from the catalogue with --code"
         | "das Projekt hat keinen [actuator]; einen Antrieb des Katalogs mit --code wählen";
+    no_product(name) =
+        "no catalogue file has a product {name}"
+        | "keine Katalogdatei enthält ein Produkt {name}";
     no_data =
         "the manual states no data for this ordering code: available on request only"
         | "für diese Bestellbezeichnung nennt die Anleitung keine Daten: nur auf Anfrage lieferbar";

@@ -143,6 +143,13 @@ pub(super) fn changes(language: Language) -> [Arg; 2] {
     .map(|(name, value, help)| text(name, value, help).action(ArgAction::Append))
 }
 
+/// Creates the option that names catalogue files.
+pub(super) fn catalogue_files(language: Language) -> Arg {
+    text("catalogue", values::file(language), help::catalogue_file(language))
+        .value_parser(value_parser!(std::path::PathBuf))
+        .action(ArgAction::Append)
+}
+
 /// Creates the option that limits the memory of the recordings of a project.
 pub(super) fn memory(language: Language) -> Arg {
     text("memory", values::size(language), help::memory(language))

@@ -25,7 +25,7 @@ pub(crate) fn read_inquiry<'a>(
     let language = call.query_language();
     let given = Given::of(&super::parameters(entry), call.query_fields(), language)?;
     let source = |name: String, bytes| ReferencedText { name, bytes, files: shell.files() };
-    let sources = match entry.reads {
+    let sources: Vec<ReferencedText<'_>> = match entry.reads {
         Reads::Nothing => Vec::new(),
         Reads::Project | Reads::Pins | Reads::Measured => {
             let name = given.file()?.unwrap_or_else(|| USUAL_NAME.to_owned());
@@ -40,6 +40,7 @@ pub(crate) fn read_inquiry<'a>(
     };
     let days_since_1970 = shell.days_since_1970();
     let catalogue = shell.catalogue();
+    let given = given.naming_products(sources.iter().any(ReferencedText::may_name_products));
     Ok(Inquiry { given, sources, catalogue, days_since_1970, progress, refuses_long: false, language })
 }
 

@@ -239,7 +239,7 @@ fn type_of(member: &Member) -> String {
             format!("{one} | Sequence[{one}]")
         }
         Kind::Rows(columns) => format!("Sequence[tuple[{}]]", vec!["Quantity"; columns.len()].join(", ")),
-        Kind::Bodies => "Sequence[str]".to_owned(),
+        Kind::Texts | Kind::Bodies => "Sequence[str]".to_owned(),
         Kind::Table(_) => table_class(member),
         Kind::Variants(_) | Kind::OneOrMany(..) => format!("Sequence[{}]", table_class(member)),
     }
@@ -250,7 +250,7 @@ fn stored_type(member: &Member) -> String {
     match member.key.kind {
         Kind::Quantity(..) | Kind::Along(..) => "str".to_owned(),
         Kind::Numbers(..) => "tuple[float, ...]".to_owned(),
-        Kind::ListOf(_) | Kind::Bodies => "tuple[str, ...]".to_owned(),
+        Kind::ListOf(_) | Kind::Texts | Kind::Bodies => "tuple[str, ...]".to_owned(),
         Kind::Rows(_) => "tuple[tuple[str, ...], ...]".to_owned(),
         Kind::Variants(_) | Kind::OneOrMany(..) => format!("tuple[{}, ...]", table_class(member)),
         _ => type_of(member),
@@ -288,7 +288,7 @@ fn kind_of(member: &Member) -> String {
         Kind::OneOf(all) => ("word", words(&member.words.clone().unwrap_or_else(|| all.to_vec()))),
         Kind::ListOf(all) => ("words", words(all)),
         Kind::Rows(columns) => ("rows", format!("{}, columns={}", shown(&example), columns.len())),
-        Kind::Bodies => ("texts", String::new()),
+        Kind::Texts | Kind::Bodies => ("texts", String::new()),
         Kind::Table(_) => ("table", format!(", table={}", quoted(&table_class(member)))),
         Kind::Variants(_) | Kind::OneOrMany(..) => ("tables", format!(", table={}", quoted(&table_class(member)))),
     };

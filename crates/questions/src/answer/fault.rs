@@ -99,6 +99,10 @@ pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language
             terminal::too_many_rows(rows, &whole(*needed), &(most >> 20), language)
         }
         Refusal::Stopped => terminal::not_in_time(&format_significant(waited_s.unwrap_or(0.0), 3, language), language),
+        Refusal::NoProduct { name, near } => {
+            let near = near.as_ref().map_or_else(String::new, |near| format!("; {}", terminal::near(near, language)));
+            format!("{}{near}", terminal::no_product(&seen(name), language))
+        }
         Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
     }
 }

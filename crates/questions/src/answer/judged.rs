@@ -9,12 +9,12 @@ use crate::sizing_use::{Candidate, Sizing};
 use crate::texts::{objection_text, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
-    Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
+    Assessed, Fit, Id, Influence, Judgement, Make, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
     Tolerance, ToleratedValue, Units, WorstCorner, WouldFit,
 };
 use axis::{ALL_CORNERS_MOST, AxisProject};
 use configurator::ProductId;
-use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
+use quantities::unit::{DAY, DEGREE_CELSIUS, KILOGRAM, MILLIMETRE, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Proviso, Reserve, SAMPLES_ANEW, Verdict};
 use words::ranking_rule;
@@ -40,6 +40,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
     answers::Candidate {
         code,
         name,
+        make: candidate.is_among_makers.then(|| make(candidate)),
         verdict: fit(candidate),
         utilisation: Number(candidate.standing.utilisation),
         tightest: judgement.governing().map(|check| Id(check.id)),
@@ -50,6 +51,19 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
         checks: judgement.checks.iter().map(|each| check(each, language)).collect(),
         objections: objections(candidate, language),
         open_questions: candidate.open_questions(),
+    }
+}
+
+/// Returns maker, series and kind of an actuator, with length, price and time of delivery.
+fn make(candidate: &Candidate<'_>) -> Make {
+    let product = candidate.product;
+    Make {
+        maker: product.manufacturer.as_deref().map(str::to_owned),
+        series: product.series.as_deref().map(str::to_owned),
+        kind: "actuator",
+        length_mm: product.parameters.length.known().map(|length| Number::in_unit(length.value.si(), &MILLIMETRE)),
+        price: product.supply.price.as_deref().map(str::to_owned),
+        lead_time_d: product.supply.lead_time.map(|time| Number::in_unit(time.si(), &DAY)),
     }
 }
 
@@ -78,6 +92,7 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Rejection {
     let failing = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
     Rejection {
         code: candidate.id.to_string(),
+        make: candidate.is_among_makers.then(|| make(candidate)),
         check: worst.map(|check| Id(check.id)),
         value: worst.and_then(|check| check.value).map(|figure| Number(figure.value())),
         limit: worst.and_then(|check| check.limit).map(|figure| Number(figure.value())),
@@ -112,7 +127,7 @@ pub fn sizing(
         fit: certain,
         fit_if_estimate: if_estimate,
         fitting: certain + if_estimate,
-        rule: ranking_rule(language),
+        rule: ranking_rule(sizing.by_mass, language),
         ranking: ranking.map(|(index, each)| Ranked { of: judged(each), rank: index + 1 }).collect(),
         rejected: sizing.rejected().iter().map(|each| rejection(each, language)).collect(),
         nearest_miss: sizing.nearest_miss().map(|miss| miss.id.to_string()),

@@ -5,7 +5,7 @@ use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, PICTURE
 use crate::answer;
 use crate::chapters::read_quantity;
 use crate::plane::{Plane, plane_of};
-use crate::sizing_use::Refusal;
+use crate::sizing_use::{Refusal, not_offered};
 use configurator::ProductId;
 use quantities::ElectricPotential;
 use words::{help, help::values};
@@ -43,7 +43,7 @@ pub static ENTRY: Entry = Entry {
 /// Every fault of the arguments; no data in the manual.
 pub fn found(inquiry: &Inquiry<'_>) -> Result<(ProductId, Plane), Unanswered> {
     let Args { code, voltage } = Args::read(&inquiry.given)?;
-    let product = inquiry.catalogue.product(&code).ok_or(Refusal::NoData)?;
+    let product = inquiry.catalogue.product(&code).ok_or_else(|| not_offered(&**inquiry.catalogue, &code))?;
     let plane = plane_of(product, voltage).map_err(|_| Refusal::NoData)?;
     Ok((code, plane))
 }

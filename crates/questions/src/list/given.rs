@@ -19,6 +19,8 @@ pub type Hinted = (String, Option<String>);
 #[derive(Clone, Debug)]
 pub struct Given {
     values: Vec<(&'static str, String)>,
+    /// A product may have a name instead of an ordering code.
+    has_names: bool,
     language: Language,
 }
 
@@ -32,7 +34,7 @@ impl Given {
         pairs: impl IntoIterator<Item = (Cow<'g, str>, Cow<'g, str>)>,
         language: Language,
     ) -> Result<Self, Unanswered> {
-        let mut given = Self { values: Vec::new(), language };
+        let mut given = Self { values: Vec::new(), has_names: false, language };
         let mut errors: Vec<Fault> = Vec::new();
         for (name, value) in pairs {
             let known = arguments.iter().chain([&LANG]).find(|argument| argument.name == name);
@@ -65,6 +67,13 @@ impl Given {
             }
         }
         if errors.is_empty() { Ok(given) } else { Err(Unanswered::Usage(errors)) }
+    }
+
+    /// Returns the texts for a call in which a product may have a name instead of an ordering code: that of a catalogue
+    /// file.
+    #[must_use]
+    pub fn naming_products(self, has_names: bool) -> Self {
+        Self { has_names, ..self }
     }
 
     /// Returns the value of an argument, or its default.
@@ -185,26 +194,29 @@ pub(super) fn code_among(given: &Given, argument: &Argument) -> Result<OrderCode
 
 /// Returns the required product; the faults of its code form a record of their own.
 pub(super) fn product(given: &Given, argument: &Argument) -> Result<ProductId, Unanswered> {
-    code(given, argument).map(ProductId::from)
+    product_of(given.text(argument).unwrap_or_default(), false, given)
 }
 
 /// Returns an optional product; the faults of its code form a record of their own.
 pub(super) fn some_product(given: &Given, argument: &Argument) -> Result<Option<ProductId>, Unanswered> {
-    given.text(argument).map(|text| product_of(text, false, given.language)).transpose()
+    given.text(argument).map(|text| product_of(text, false, given)).transpose()
 }
 
 /// Returns an optional product; the faults of its code are reported with those of the axes.
 pub(super) fn some_product_among(given: &Given, argument: &Argument) -> Result<Option<ProductId>, Unanswered> {
-    given.text(argument).map(|text| product_of(text, true, given.language)).transpose()
+    given.text(argument).map(|text| product_of(text, true, given)).transpose()
 }
 
 /// Returns the products, in the same order.
 pub(super) fn products(given: &Given, argument: &Argument) -> Result<Vec<ProductId>, Unanswered> {
-    given.all(argument.name).map(|text| product_of(text, false, given.language)).collect()
+    given.all(argument.name).map(|text| product_of(text, false, given)).collect()
 }
 
-fn product_of(text: &str, among: bool, language: Language) -> Result<ProductId, Unanswered> {
-    code_of(text, among, language).map(ProductId::from)
+fn product_of(text: &str, among: bool, given: &Given) -> Result<ProductId, Unanswered> {
+    match code_of(text, among, given.language) {
+        Err(_) if given.has_names => Ok(ProductId::named(text)),
+        found => found.map(ProductId::from),
+    }
 }
 
 fn code_of(text: &str, among: bool, language: Language) -> Result<OrderCode, Unanswered> {

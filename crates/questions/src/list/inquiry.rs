@@ -30,6 +30,13 @@ pub struct ReferencedText<'a> {
 }
 
 impl ReferencedText<'_> {
+    /// Returns `true` if the text may name catalogue files, so that a product may have a name.
+    #[must_use]
+    pub fn may_name_products(&self) -> bool {
+        const TABLE: &[u8] = b"catalogue";
+        self.bytes.windows(TABLE.len()).any(|part| part == TABLE)
+    }
+
     fn within_size(&self, language: Language) -> Result<(), Unanswered> {
         if self.bytes.len() > PROJECT_MAX_BYTES {
             let message = terminal::file_too_large(&PROJECT_MAX_BYTES, language);

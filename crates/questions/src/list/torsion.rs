@@ -3,7 +3,7 @@
 use super::given::{arguments, product, text};
 use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
-use crate::sizing_use::Refusal;
+use crate::sizing_use::{Refusal, not_offered};
 use crate::torsion::{TorsionAnswer, read_twist, torsion};
 use configurator::ProductId;
 use words::{help, help::values};
@@ -45,7 +45,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<(ProductId, TorsionAnswer), Unansw
     let Args { code, torque, angle } = Args::read(&inquiry.given)?;
     let twist = read_twist(torque.as_deref(), angle.as_deref(), inquiry.language)
         .map_err(|(option, fault)| Unanswered::option(option, fault))?;
-    let product = inquiry.catalogue.product(&code).ok_or(Refusal::NoData)?;
+    let product = inquiry.catalogue.product(&code).ok_or_else(|| not_offered(&**inquiry.catalogue, &code))?;
     let found = torsion(&product.parameters, twist).ok_or(Refusal::NoData)?;
     Ok((code, found))
 }

@@ -2,7 +2,7 @@
 
 use super::Wanted;
 use crate::answer::refusal_text;
-use crate::sizing_use::{Refusal, known_si, products_of};
+use crate::sizing_use::{known_si, not_offered, products_of};
 use axis::AxisProject;
 use configurator::{Product, ProductId, Requirements};
 use provenance::Datum;
@@ -82,6 +82,8 @@ pub struct OnFront {
 pub(super) struct Entrant<'p> {
     id: ProductId,
     product: &'p Product,
+    /// Size by which it is ranked.
+    size: u32,
     /// `true` if it is offered with the required options.
     has_options: bool,
     /// `true` if it breaks a rule with these options.
@@ -91,10 +93,12 @@ pub(super) struct Entrant<'p> {
 impl<'p> Entrant<'p> {
     /// Returns every product of the catalogue.
     pub(super) fn all(project: &'p AxisProject) -> Vec<Self> {
+        let by_mass = project.catalogue().has_files();
         let of = |product: &'p Product| {
             let ordered = product.with_options(project.option_1, project.option_2);
             Self {
                 product,
+                size: product.rank_size(by_mass),
                 has_options: ordered.is_some(),
                 is_barred: ordered.as_ref().is_some_and(|id| id.has_options() && id.availability().is_err()),
                 id: ordered.unwrap_or_else(|| product.id.clone()),
@@ -107,7 +111,7 @@ impl<'p> Entrant<'p> {
     pub(super) fn screen(entrants: &[Self]) -> Screen {
         let of = |entrant: &Self| sizing::Entrant {
             parameters: &entrant.product.parameters,
-            size: entrant.product.size_number(),
+            size: entrant.size,
             mass_kg: entrant.mass_kg().unwrap_or(f64::INFINITY),
         };
         Screen::of(&entrants.iter().map(of).collect::<Vec<_>>())
@@ -118,11 +122,11 @@ impl<'p> Entrant<'p> {
     }
 
     pub(super) fn meets(&self, requirements: &Requirements) -> bool {
-        self.has_options && !self.is_barred && requirements.unmet(&self.id, self.product).next().is_none()
+        self.has_options && !self.is_barred && requirements.are_met(&self.id, self.product)
     }
 
     fn standing(&self, judgement: &Judgement, meets: bool) -> Standing {
-        Standing::of(judgement, meets, self.product.size_number(), self.mass_kg())
+        Standing::of(judgement, meets, self.size, self.mass_kg())
     }
 }
 
@@ -158,9 +162,11 @@ impl<'r> RowAxis<'r> {
     /// If there are no data for it.
     pub(super) fn of_product(&self, id: &ProductId, wanted: &Wanted, language: Language) -> Result<Judged, String> {
         let found = self.project.catalogue().product(id);
-        let product = found.ok_or_else(|| refusal_text(&Refusal::NoData, None, language))?;
+        let product =
+            found.ok_or_else(|| refusal_text(&not_offered(&**self.project.catalogue(), id), None, language))?;
         let is_barred = id.availability().is_err();
-        let entrant = Entrant { id: id.clone(), product, has_options: true, is_barred };
+        let size = product.rank_size(self.project.catalogue().has_files());
+        let entrant = Entrant { id: id.clone(), product, size, has_options: true, is_barred };
         let alone = std::slice::from_ref(&entrant);
         Ok(match wanted {
             Wanted::Best => Judged::Best(self.single(&entrant)),

@@ -1,11 +1,9 @@
 //! Assumed data of an own actuator show in the grade, and stated data take precedence.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
-use actuator::{BearingType, Gear, Parameters};
+use crate::written_product::{toml, written};
 use axis::AxisProject;
-use provenance::{Datum, Grade};
-use quantities::Measure;
-use quantities::unit::DEGREE_CELSIUS;
+use provenance::Grade;
 use questions::check_own;
 use sizing::{Check, CheckId};
 use std::sync::Arc;
@@ -44,68 +42,6 @@ fn friction_in_the_cold_is_assumed() {
     assert_eq!(current("0 degC").grade, Some(Grade::Assumed));
 }
 
-/// Returns the section `[actuator]` with the data of gear, bearing, brake and encoder of a product of the catalogue.
-fn written(parameters: &Parameters) -> String {
-    fn line<T: Measure + Copy>(key: &str, datum: &Datum<T>, unit: &str) -> String {
-        datum.known().map_or(String::new(), |known| format!("{key} = \"{:?} {unit}\"\n", known.value.si()))
-    }
-    let Gear { torque_1, torque_2, stiffness: [k1, k2, k3], .. } = &parameters.gear;
-    let Gear { rated_torque, average_torque_max, collision_torque_max, life_reference_speed, .. } = &parameters.gear;
-    let bearing = &parameters.output_bearing;
-    let life = parameters.gear.nominal_life.known().zip(parameters.gear.life_ratio.known());
-    let (low, high) = parameters.ambient_range.known().unwrap().value;
-    let [low, high] = [low, high].map(|temperature| temperature.in_unit(&DEGREE_CELSIUS));
-    let mut text = format!(
-        "[actuator]\nname = \"written\"\nratio = {}\nambient_min = \"{low} degC\"\nambient_max = \"{high} degC\"\n\
-         bearing_type = \"{}\"\n",
-        parameters.ratio.known().unwrap().value,
-        match bearing.kind.known().unwrap().value {
-            BearingType::CrossedRoller => "crossed_roller",
-            BearingType::FourPoint => "four_point",
-        },
-    );
-    if let Some((life, ratio)) = life {
-        text.push_str(&format!("gear_life_rated = \"{:?} s\"\n", life.value.si() / ratio.value));
-    }
-    let ratio = &parameters.ratio;
-    for line in [
-        line("inertia_out", &parameters.inertia_out, "kg m^2"),
-        line("torque_max", &parameters.torque_max, "N m"),
-        line("gear_torque_rated", rated_torque, "N m"),
-        line("gear_torque_mean_max", average_torque_max, "N m"),
-        line("gear_torque_momentary_max", collision_torque_max, "N m"),
-        line("gear_speed_max", &parameters.gear.input_speed_max, "rad/s"),
-        line("gear_speed_mean_max", &parameters.gear.input_speed_mean_max, "rad/s"),
-        line("gear_life_speed", life_reference_speed, "rad/s"),
-        line("stiffness_1", k1, "N m/rad"),
-        line("stiffness_2", k2, "N m/rad"),
-        line("stiffness_3", k3, "N m/rad"),
-        line("torque_1", torque_1, "N m"),
-        line("torque_2", torque_2, "N m"),
-        line("transmission_accuracy", &parameters.accuracy.transmission_accuracy, "rad"),
-        line("repeatability", &parameters.accuracy.repeatability, "rad"),
-        line("hysteresis_loss", &parameters.accuracy.hysteresis_loss, "rad"),
-        line("lost_motion", &parameters.accuracy.lost_motion, "rad"),
-        line("feedback_resolution", &parameters.feedback.resolution_out(ratio), "rad"),
-        line("feedback_accuracy", &parameters.feedback.accuracy_out(ratio), "rad"),
-        line("bearing_pitch_diameter", &bearing.pitch_diameter, "m"),
-        line("bearing_offset", &bearing.offset, "m"),
-        line("bearing_dynamic", &bearing.dynamic_rating, "N"),
-        line("bearing_static", &bearing.static_rating, "N"),
-        line("tilting_moment_max", &bearing.tilting_moment_max, "N m"),
-        line("static_moment_max", &bearing.static_moment_max, "N m"),
-        line("axial_force_max", &bearing.axial_max, "N"),
-        line("radial_force_max", &bearing.radial_max, "N"),
-        line("tilting_stiffness", &bearing.tilting_stiffness, "N m/rad"),
-        line("brake_torque", &parameters.brake.holding_torque, "N m"),
-        line("brake_closing_time", &parameters.brake.closing_time, "s"),
-        line("brake_opening_time", &parameters.brake.opening_time, "s"),
-    ] {
-        text.push_str(&line);
-    }
-    text
-}
-
 /// Checks of the gear, of the output bearing, of the encoder and of the place.
 const OF_THE_DATA: [CheckId; 17] = [
     CheckId::BrakeHolding,
@@ -139,7 +75,7 @@ fn a_product_written_out_is_judged_as_in_the_catalogue() {
     let sizing = questions::size(&catalogue);
     let (mut compared, mut open) = (0, 0);
     for candidate in &sizing.candidates {
-        let text = format!("{head}{}", written(&candidate.product.parameters));
+        let text = format!("{head}[actuator]\nname = \"written\"\n{}", toml(&written(&candidate.product.parameters)));
         let own =
             questions::read(&text).unwrap_or_else(|faults| panic!("{}: {faults:?}\n{text}", candidate.product.id));
         let own = check_own(&own).unwrap();

@@ -16,8 +16,8 @@ use wide::f64x4;
 pub struct Entrant<'p> {
     /// Parameters.
     pub parameters: &'p Parameters,
-    /// Frame size.
-    pub size: u16,
+    /// Frame size, or the mass \[g\] where products without frame sizes compete; the smaller is preferred.
+    pub size: u32,
     /// Mass \[kg\]; infinite if unknown.
     pub mass_kg: f64,
 }
@@ -44,7 +44,7 @@ pub(super) struct Member {
 pub(super) struct Group {
     pub(super) representative: Parameters,
     pub(super) members: Vec<Member>,
-    pub(super) size: u16,
+    pub(super) size: u32,
     /// Index of its drivetrain; then that of its output bearing.
     pub(super) drive: usize,
     pub(super) bearing: usize,

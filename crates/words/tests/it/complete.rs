@@ -69,7 +69,8 @@ fn checks_and_verdicts() {
             }
         }
     }
-    differ("ranking", words::ranking_rule);
+    differ("ranking", |language| words::ranking_rule(false, language));
+    differ("ranking by mass", |language| words::ranking_rule(true, language));
 }
 
 #[test]

@@ -1,0 +1,172 @@
+//! Products of catalogue files: read from TOML and CSV, judged beside the series in the program.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use crate::written_product::{Stated, toml, written};
+use axis::{AxisProject, Files};
+use configurator::ProductId;
+use quantities::{Language, Measure};
+use questions::{Fit, check, check_own, embedded_catalogue, read_all, size};
+use std::collections::BTreeMap;
+use std::io::{ErrorKind, Read};
+
+const HEAD: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\nfriction_torque = \"5 N m\"\n\
+    [[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n\
+    [bearing]\nradial_force = \"900 N\"\nradial_distance = \"80 mm\"\n[requirements]\nambient = \"30 degC\"\n";
+
+/// Files in memory.
+struct Memory(BTreeMap<&'static str, String>);
+
+impl Files for Memory {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+        let text = self.0.get(name).ok_or(ErrorKind::NotFound)?.clone();
+        Ok(Box::new(std::io::Cursor::new(text.into_bytes())))
+    }
+}
+
+fn project(use_of_files: &str, files: &[(&'static str, String)]) -> Result<AxisProject, Vec<axis::AxisDiagnostic>> {
+    let text = format!("{HEAD}[catalogue]\n{use_of_files}");
+    let mut read = read_all(&text, &Memory(files.iter().cloned().collect()))?;
+    Ok(read.remove(0))
+}
+
+fn messages(found: Result<AxisProject, Vec<axis::AxisDiagnostic>>) -> Vec<String> {
+    let faults = found.err().unwrap_or_default();
+    words::worded(&faults, Language::En).into_iter().map(|fault| fault.message).collect()
+}
+
+/// Returns every product of the catalogue as a row of a file, with the mass.
+fn products() -> Vec<(String, Vec<Stated>)> {
+    let all = embedded_catalogue().products(false).iter();
+    let one = |(index, product): (usize, &configurator::Product)| {
+        let mut stated = written(&product.parameters);
+        let mass = product.parameters.mass.known().map(|mass| format!("{:?}", mass.value.si()));
+        stated.push(("mass", mass, "kg"));
+        (format!("P{index}"), stated)
+    };
+    all.enumerate().map(one).collect()
+}
+
+fn as_toml(products: &[(String, Vec<Stated>)]) -> String {
+    let head = "[catalogue]\nmaker = \"Example\"\nseries = \"P\"\nsource = \"invented\"\n".to_owned();
+    let one = |(id, stated): &(String, Vec<Stated>)| format!("[[actuator]]\nid = \"{id}\"\n{}", toml(stated));
+    head + &products.iter().map(one).collect::<String>()
+}
+
+fn as_csv(products: &[(String, Vec<Stated>)], (sign, decimal): (char, char)) -> String {
+    let heading = |(key, _, unit): &Stated| if unit.is_empty() { (*key).to_owned() } else { format!("{key} [{unit}]") };
+    let sign = sign.to_string();
+    let headings: Vec<String> = products[0].1.iter().map(heading).collect();
+    let mut text = format!("maker{sign}id{sign}{}\n", headings.join(&sign));
+    for (id, stated) in products {
+        let cells: Vec<String> = stated
+            .iter()
+            .map(|(_, value, _)| value.clone().unwrap_or_default())
+            .map(|cell| if cell.parse::<f64>().is_ok() { cell.replace('.', &decimal.to_string()) } else { cell })
+            .collect();
+        text.push_str(&format!("Example{sign}{id}{sign}{}\n", cells.join(&sign)));
+    }
+    text
+}
+
+/// A product of a file is judged as the same data in the project itself, in TOML and in CSV of each dialect; it is named with its
+/// maker, and its values name file, line and key.
+#[test]
+fn a_product_of_a_file_is_judged_as_the_same_data_in_the_project() {
+    let products = products();
+    let files = [
+        ("all.toml", as_toml(&products)),
+        ("all.csv", as_csv(&products, (',', '.'))),
+        ("german.csv", as_csv(&products, (';', ','))),
+        ("tabs.csv", as_csv(&products, ('\t', '.'))),
+    ];
+    let own: Vec<Vec<(String, Option<f64>, Option<f64>)>> = products
+        .iter()
+        .map(|(_, stated)| {
+            let text = format!("{HEAD}[actuator]\nname = \"x\"\n{}", toml(stated));
+            numbers(&check_own(&questions::read(&text).unwrap()).unwrap())
+        })
+        .collect();
+    for (name, _) in &files {
+        let project = project(&format!("files = [\"{name}\"]\ncha = false\n"), &files).unwrap_or_else(|faults| {
+            panic!("{name}: {:?}", words::worded(&faults, Language::En).iter().take(5).collect::<Vec<_>>())
+        });
+        let sizing = size(&project);
+        assert_eq!(sizing.candidates.len(), products.len(), "{name}");
+        for ((id, _), expected) in products.iter().zip(&own) {
+            let found = check(&project, &ProductId::named(id)).unwrap();
+            assert_eq!(&numbers(&found), expected, "{name} {id}");
+            assert_eq!(found.product.manufacturer.as_deref(), Some("Example"), "{name} {id}");
+        }
+        let torque = sizing.candidates[0].parameters.torque_max.known().unwrap();
+        let source = words::source_text(&torque.source, Language::En);
+        assert!(source.starts_with(&format!("{name}:")) && source.contains("torque_max"), "{source}");
+    }
+}
+
+fn numbers(candidate: &questions::Candidate<'_>) -> Vec<(String, Option<f64>, Option<f64>)> {
+    let of = |check: &std::sync::Arc<questions::Check>| {
+        (format!("{:?} {:?}", check.id, check.verdict), check.value.map(|value| value.si), check.limit.map(|limit| limit.si))
+    };
+    candidate.judgement.checks.iter().map(of).collect()
+}
+
+/// The series in the program competes with the products of files; the lighter one is preferred, and the answer of the series
+/// alone does not change.
+#[test]
+fn products_of_files_compete_with_the_series_by_mass() {
+    let products = products();
+    let files = [("all.toml", as_toml(&products))];
+    let alone = questions::read(HEAD).unwrap();
+    let alone = size(&alone);
+    let project = project("files = [\"all.toml\"]\n", &files).unwrap();
+    let both = size(&project);
+    assert_eq!(both.candidates.len(), 2 * products.len());
+    assert!(both.by_mass && !alone.by_mass);
+    let mass = |candidate: &questions::Candidate<'_>| candidate.parameters.mass.known().unwrap().value.si();
+    let certain: Vec<_> = both.fitting().iter().filter(|candidate| candidate.fit() == Fit::Fits).collect();
+    for pair in certain.windows(2) {
+        assert!(!(pair[0].standing.holds == pair[1].standing.holds && mass(pair[0]) > mass(pair[1]) + 1e-3));
+    }
+    let of_the_series = |sizing: &questions::Sizing<'_>| {
+        let codes = sizing.fitting().iter().filter(|candidate| candidate.id.order_code().is_some());
+        let mut codes: Vec<String> = codes.map(|candidate| candidate.id.to_string()).collect();
+        codes.sort();
+        codes
+    };
+    assert_eq!(of_the_series(&both), of_the_series(&alone));
+}
+
+#[test]
+fn faults_of_a_file_name_file_line_and_column() {
+    let csv = "id;torque_max [N m];ratio;speed_max;colour;mass [m];torque_max [N m]\nA;12;50;30;red;3;1\nB;x;0,5;30;;;\nA;-1;50;;;;\n;1;2;;;;\nC;1\n";
+    let toml = "[[actuator]]\nid = \"D\"\ntorque_max = 12\n[[actuator]]\nid = \"D\"\nratoi = 3\n[[actuator]]\nid = \"CHA-20A-100-H-C1024\"\n";
+    let files = [("a.csv", csv.to_owned()), ("b.toml", toml.to_owned()), ("empty.toml", String::new())];
+    let found = messages(project("files = [\"a.csv\", \"b.toml\", \"empty.toml\", \"none.csv\", \"../up.toml\"]\n", &files));
+    for expected in [
+        "a.csv, line 1, column 27: ",
+        "a.csv, line 1, column 37: unknown key `colour`",
+        "a.csv, line 1, column 44: ",
+        "a.csv, line 1, column 53: ",
+        "a.csv, line 3, column 3: ",
+        "a.csv, line 3, column 5: ",
+        "a.csv, line 4, column 1: A is named in line 2 already",
+        "a.csv, line 4, column 3: ",
+        "a.csv, line 5, column 1: `actuator[4].id` is missing",
+        "a.csv, line 6, column 1: ",
+        "b.toml, line 3, column 14: ",
+        "b.toml, line 5, column 6: D is named in line 2 already",
+        "b.toml, line 6, column 1: unknown key `actuator[2].ratoi`",
+        "b.toml, line 8, column 6: CHA-20A-100-H-C1024 is an ordering code",
+        "empty.toml, line 1, column 1: the catalogue file has no products",
+    ] {
+        assert!(found.iter().any(|message| message.starts_with(expected)), "{expected}\n{}", found.join("\n"));
+    }
+    assert_eq!(found.len(), 17, "{}", found.join("\n"));
+}
+
+#[test]
+fn nothing_offered_is_a_fault() {
+    let found = messages(project("cha = false\n", &[]));
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(messages(project("cha = true\n", &[])).is_empty());
+}
