@@ -9,7 +9,7 @@ use crate::sourced::Origin;
 use actuator::{Battery, Parameters};
 use configurator::{Product, ProductId, Supply};
 use project::sections::{ActuatorEntry, CatalogueHead, CatalogueSection, Section, Stated, StatedField};
-use project::{CATALOGUE_MAX_BYTES, Diagnostic, Fault, ReadCatalogue, decoded, place, read_catalogue};
+use project::{CATALOGUE_MAX_BYTES, Diagnostic, Fault, ReadCatalogue, decoded, offset, place, read_catalogue};
 use provenance::Datum;
 use sizing::BrakeTimes;
 use std::collections::HashMap;
@@ -83,7 +83,17 @@ pub fn read_products(name: &str, bytes: &[u8], parameters: &Parameters) -> Resul
         let mut all = faults;
         all.append(&mut found);
         all.sort_by_key(|fault| (fault.line, fault.column));
-        return if all.is_empty() { Ok(products) } else { Err(all) };
+        if all.is_empty() {
+            return Ok(products);
+        }
+        // A face shows the line of each fault.
+        let (text, _) = decoded(bytes);
+        for fault in &mut all {
+            let start = offset(&text, fault.line, fault.column);
+            fault.span = start
+                ..text.get(start..).and_then(|rest| rest.chars().next()).map_or(start, |sign| start + sign.len_utf8());
+        }
+        return Err(all);
     }
     let (text, encoding) = decoded(bytes);
     let line_of = |at: usize| place(&text, at).0;

@@ -8,7 +8,7 @@ use crate::waiting::progress;
 use crate::{moves, report, tolerance};
 use anstyle::{AnsiColor, Style};
 use quantities::unit::{KILOGRAM, NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use quantities::{Language, Measure, format_number};
+use quantities::{Language, Measure, format_number, seen};
 use questions::list::check::Verification;
 use questions::list::size::Ranking;
 use questions::list::{Inquiry, Unanswered, check, size};
@@ -200,6 +200,14 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
     out
 }
 
+/// Returns an actuator with its maker, if several makers compete.
+fn product_text(candidate: &Candidate<'_>) -> String {
+    match candidate.product.manufacturer.as_ref().filter(|_| candidate.is_among_makers) {
+        Some(maker) => format!("{} ({})", candidate.id, seen(maker)),
+        None => candidate.id.to_string(),
+    }
+}
+
 fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTable {
     let product = if sizing.by_mass { terms::product(language) } else { terms::ordering_code(language) };
     let mut table = TextTable::new([
@@ -234,7 +242,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> TextTab
         }
         table.row([
             (index + 1).to_string(),
-            candidate.id.to_string(),
+            product_text(candidate),
             percent(Some(candidate.standing.utilisation), language),
             judgement.governing().map(|check| title_of_check(check, language)).unwrap_or_default(),
             judgement.demand.map(|d| shown(d.torque_rms.si(), &NEWTON_METRE, language)).unwrap_or_default(),

@@ -137,20 +137,35 @@ impl Product {
         self.frame_size.as_ref().map_or(0, |size| size.number)
     }
 
+    /// Returns `true` if largest torque, largest speed and continuous torque are stated, without which a verdict says little.
+    #[must_use]
+    pub fn states_its_limits(&self) -> bool {
+        let Parameters { drivetrain, .. } = &self.parameters;
+        !self.is_described()
+            || drivetrain.torque_max.known().is_some()
+                && drivetrain.speed_max.known().is_some()
+                && drivetrain.continuous_curve.known().is_some()
+    }
+
     /// Returns the size by which candidates are ranked, the smaller first: the number of the frame size, or, where products
-    /// without frame sizes compete, the mass in whole grams; the largest number if the mass is unknown.
+    /// without frame sizes compete, the mass in whole grams, with those that do not state their limits behind all others and
+    /// those of unknown mass behind those.
     #[must_use]
     pub fn rank_size(&self, by_mass: bool) -> u32 {
+        /// Above every mass in grams.
+        const WITHOUT_LIMITS: u32 = 1 << 31;
         if !by_mass {
             return u32::from(self.size_number());
         }
+        let behind = if self.states_its_limits() { 0 } else { WITHOUT_LIMITS };
         let grams = self.parameters.mass.known().map(|mass| (1000.0 * mass.value.si()).round());
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "positive, and cut off at the largest"
         )]
-        grams.map_or(u32::MAX, |grams| grams as u32)
+        let grams = grams.map_or(u32::MAX, |grams| grams as u32);
+        behind + grams.min(WITHOUT_LIMITS - 1)
     }
 
     /// Returns `true` if the project that uses the actuator describes it.

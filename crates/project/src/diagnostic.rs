@@ -23,15 +23,31 @@ pub struct Diagnostic<F = Fault> {
 #[must_use]
 pub fn place(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..text.floor_char_boundary(offset)).unwrap_or_default();
+    let line_start = (0..before.len()).rev().find(|at| ends_line(text, *at)).map_or(0, |at| at + 1);
+    let lines = (0..before.len()).filter(|at| ends_line(text, *at)).count();
+    (lines + 1, before.get(line_start..).unwrap_or_default().chars().count() + 1)
+}
+
+/// Returns the byte offset of a line and column, both from one: the inverse of [`place`]. Beyond the end of a line its end,
+/// beyond the last line the end of the text.
+#[must_use]
+pub fn offset(text: &str, line: usize, column: usize) -> usize {
+    let ends = (0..text.len()).filter(|at| ends_line(text, *at)).map(|at| at + 1);
+    let start = std::iter::once(0).chain(ends).nth(line.saturating_sub(1)).unwrap_or(text.len());
+    let rest = text.get(start..).unwrap_or_default();
+    let length = rest.find(['\n', '\r']).unwrap_or(rest.len());
+    let within = rest.get(..length).unwrap_or_default();
+    within.char_indices().nth(column.saturating_sub(1)).map_or(start + length, |(at, _)| start + at)
+}
+
+/// Returns `true` if the byte at an offset ends a line.
+fn ends_line(text: &str, at: usize) -> bool {
     let bytes = text.as_bytes();
-    let ends_line = |at: usize| match bytes.get(at) {
+    match bytes.get(at) {
         Some(b'\n') => true,
         Some(b'\r') => bytes.get(at + 1).is_some_and(|next| *next != b'\n'),
         _ => false,
-    };
-    let line_start = (0..before.len()).rev().find(|at| ends_line(*at)).map_or(0, |at| at + 1);
-    let lines = (0..before.len()).filter(|at| ends_line(*at)).count();
-    (lines + 1, before.get(line_start..).unwrap_or_default().chars().count() + 1)
+    }
 }
 
 impl<F> Diagnostic<F> {
@@ -64,5 +80,20 @@ mod tests {
         assert_eq!(place("ab\r\ncd", 5), (2, 2));
         assert_eq!(place("ab\rcd", 4), (2, 2));
         assert_eq!(place("ab\r", 3), (1, 4), "at the end of the text");
+    }
+
+    #[test]
+    fn an_offset_is_that_of_its_place() {
+        for text in ["ab\ncd", "äö\nü\n\nx", "a\r\nb\rc\n", ""] {
+            let ends = |at: usize| {
+                text.get(at..).is_some_and(|rest| rest.starts_with('\n') && at > 0 && text.as_bytes()[at - 1] == b'\r')
+            };
+            for at in (0..=text.len()).filter(|at| text.is_char_boundary(*at) && !ends(*at)) {
+                let (line, column) = place(text, at);
+                assert_eq!(offset(text, line, column), at, "{text:?} {at}");
+            }
+        }
+        assert_eq!(offset("ab\ncd", 1, 9), 2);
+        assert_eq!(offset("ab\ncd", 9, 1), 5);
     }
 }

@@ -94,7 +94,7 @@ pub mod sections {
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use catalogue_file::{CATALOGUE_KEYS, CATALOGUE_MAX_BYTES, ReadCatalogue, read_catalogue};
-pub use diagnostic::{Diagnostic, place};
+pub use diagnostic::{Diagnostic, offset, place};
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, edit_values, key_at, measured_key_at, written};
 pub use encoding::decoded;
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
