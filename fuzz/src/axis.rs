@@ -105,7 +105,7 @@ pub fn twin_of<'p>(
         return None;
     }
     let scenario = project.twin.scenario.id;
-    let found = list::simulate::of_scenario(project, Some(code), scenario, &Progress::endless(), language);
+    let found = list::simulate::of_scenario(project, Some(code), (scenario, None), &Progress::endless(), language);
     match &found {
         Ok(run) => {
             let ends = run.events.iter().any(|event| event.kind.id() == "diverged");

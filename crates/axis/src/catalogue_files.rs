@@ -1,4 +1,4 @@
-//! Catalogue files: products of any maker, read from TOML or CSV and offered beside the series in the program.
+//! Catalogue files: products of any manufacturer, read from TOML or CSV and offered beside the series in the program.
 
 use crate::catalogue::Catalogue;
 use crate::catalogue_csv::{self, CsvText};
@@ -7,7 +7,7 @@ use crate::files::Files;
 use crate::own::stated;
 use crate::sourced::Origin;
 use actuator::{Battery, Parameters};
-use configurator::{Product, ProductId, Supply};
+use configurator::{Offer, Product, ProductId};
 use project::sections::{ActuatorEntry, CatalogueHead, CatalogueSection, Section, Stated, StatedField};
 use project::{CATALOGUE_MAX_BYTES, Diagnostic, Fault, ReadCatalogue, decoded, offset, place, read_catalogue};
 use provenance::Datum;
@@ -163,9 +163,9 @@ fn product(
     let parameters = stated(&entry.values, parameters, &origin, report);
     let maker = of(&entry.maker, |head| &head.maker);
     let series = of(&entry.series, |head| &head.series);
-    let supply =
-        Supply { price: entry.price.get().map(|price| price.as_str().into()), lead_time: entry.lead_time.value() };
-    Some(Product::of_file(entry.id.get()?, (maker.as_deref(), series.as_deref()), parameters, supply))
+    let offer =
+        Offer { price: entry.price.get().map(|price| price.as_str().into()), lead_time: entry.lead_time.value() };
+    Some(Product::of_file(entry.id.get()?, (maker.as_deref(), series.as_deref()), parameters, offer))
 }
 
 /// Reads the catalogue of a project with its catalogue files, if it names any; faults are reported at the names.

@@ -21,7 +21,7 @@ pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
 pub use family::{battery, ptc_cell};
 pub use nearest::{nearest, nearest_to};
 pub use parameters::{parameters, published_curve_points};
-pub use product::{FrameSize, Product, ProductId, ProductSource, Supply};
+pub use product::{FrameSize, Offer, Product, ProductId, ProductSource};
 pub use products::Catalogue;
 pub use requirements::{Requirements, Unmet};
 pub use rules::{Availability, BrokenRule, Rule, Uncovered, availability, uncovered};

@@ -29,12 +29,12 @@ pub struct Product {
     /// Holding brake; `None` if the source does not state whether there is one.
     pub brake: Option<Brake>,
     /// Price and time of delivery, as a catalogue file states them.
-    pub supply: Supply,
+    pub offer: Offer,
 }
 
 /// Price and time of delivery of a product.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Supply {
+pub struct Offer {
     /// Price as written, such as `1250 EUR`.
     pub price: Option<Arc<str>>,
     /// Time of delivery.
@@ -87,7 +87,7 @@ impl Product {
             frame_size: Some(FrameSize { name: Cow::Borrowed(code.size.as_str()), number: code.size.number() }),
             feedback: Some(code.feedback),
             brake: Some(code.brake),
-            supply: Supply::default(),
+            offer: Offer::default(),
         }
     }
 
@@ -103,7 +103,7 @@ impl Product {
             frame_size: None,
             feedback: None,
             brake: None,
-            supply: Supply::default(),
+            offer: Offer::default(),
         }
     }
 
@@ -113,14 +113,14 @@ impl Product {
         name: &str,
         (manufacturer, series): (Option<&str>, Option<&str>),
         parameters: Parameters,
-        supply: Supply,
+        offer: Offer,
     ) -> Self {
         let owned = |text: &str| Cow::Owned(text.to_owned());
         Self {
             source: ProductSource::File,
             manufacturer: manufacturer.map(owned),
             series: series.map(owned),
-            supply,
+            offer,
             ..Self::of_project(name, parameters)
         }
     }

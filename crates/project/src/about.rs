@@ -1,7 +1,6 @@
 //! Purposes of the keys of the project file; `words` has the texts.
 
 use crate::bodies::BodyName;
-use crate::catalogue_file::{ActuatorEntryName, CatalogueFileName, CatalogueHeadName, CatalogueName};
 use crate::curves::CurveName;
 use crate::flange::{BearingName, FlangeLoadsName};
 use crate::measured::MeasuredKey;
@@ -10,7 +9,9 @@ use crate::mechanism::names::{
     SlideName, StartAngleName,
 };
 use crate::motion::SegmentName;
-use crate::own::{ActuatorName, ActuatorValueName};
+use crate::own::{
+    ActuatorEntryName, ActuatorName, ActuatorValueName, CatalogueFileName, CatalogueHeadName, CatalogueName,
+};
 use crate::recorded::{ColumnsName, RatiosName, UnitsName};
 use crate::requirements::{DriveName, RequirementsName};
 use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};

@@ -1,55 +1,14 @@
-//! Catalogue files: products of any maker as data, and their use in a project.
+//! Catalogue files: products of any manufacturer as data.
 
-use crate::about::About;
-use crate::own::ActuatorValues;
+use crate::own::{ActuatorEntry, CatalogueFile, CatalogueHead};
 use crate::read::Reader;
 use crate::report::FaultReport;
-use crate::section::{Section, section};
-use crate::value::{OneOrMany, Texts};
+use crate::section::Section;
+use crate::value::OneOrMany;
 use crate::{Diagnostic, Key};
-use quantities::Time;
 
 /// Largest catalogue file that is read, in bytes.
 pub const CATALOGUE_MAX_BYTES: usize = 32 << 20;
-
-section! {
-    /// Catalogue files of a project.
-    CatalogueSection, CatalogueName of About::Catalogue {
-        files: Texts => example("stock.toml");
-        cha: bool = true;
-    }
-}
-
-section! {
-    /// A whole catalogue file.
-    CatalogueFile, CatalogueFileName of About::CatalogueFile {
-        catalogue: CatalogueHead;
-        actuator: OneOrMany<ActuatorEntry, ActuatorEntry>;
-    }
-}
-
-section! {
-    /// Statements of a catalogue file that hold for all its products.
-    CatalogueHead, CatalogueHeadName of About::CatalogueHead {
-        maker: String => example("Example Drives");
-        series: String => example("XD");
-        source: String => example("catalogue 2026, pages 12 to 15");
-        date: String => example("2026-05-01");
-    }
-}
-
-section! {
-    /// An actuator of a catalogue file.
-    ActuatorEntry, ActuatorEntryName of About::ActuatorEntry {
-        id: String => needed, example("XD-25-100");
-        maker: String => example("Example Drives");
-        series: String => example("XD");
-        source: String => example("data sheet XD-25, revision C");
-        price: String => example("1250 EUR");
-        lead_time: Time => not_negative, example("56 d");
-        ..values: ActuatorValues;
-    }
-}
 
 /// The keys of a catalogue file.
 pub const CATALOGUE_KEYS: &[Key] = CatalogueFile::KEYS;

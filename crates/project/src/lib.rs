@@ -51,7 +51,6 @@ mod value;
 /// Names of the keys of each section, by which their texts are found.
 pub mod names {
     pub use crate::bodies::BodyName;
-    pub use crate::catalogue_file::{ActuatorEntryName, CatalogueFileName, CatalogueHeadName, CatalogueName};
     pub use crate::curves::CurveName;
     pub use crate::flange::{BearingName, FlangeLoadsName};
     pub use crate::measured::{
@@ -59,7 +58,9 @@ pub mod names {
     };
     pub use crate::mechanism::names::*;
     pub use crate::motion::SegmentName;
-    pub use crate::own::{ActuatorName, ActuatorValueName};
+    pub use crate::own::{
+        ActuatorEntryName, ActuatorName, ActuatorValueName, CatalogueFileName, CatalogueHeadName, CatalogueName,
+    };
     pub use crate::recorded::{ColumnsName, RatiosName, UnitsName};
     pub use crate::requirements::{DriveName, RequirementsName};
     pub use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
@@ -71,13 +72,14 @@ pub mod names {
 pub mod sections {
     pub use crate::bodies::BodySection;
     pub use crate::cam::{CamEnds, CamPoint};
-    pub use crate::catalogue_file::{ActuatorEntry, CatalogueFile, CatalogueHead, CatalogueSection};
     pub use crate::curves::{CurveLimit, CurveSection};
     pub use crate::flange::{Bearing, Derived, FlangeLoads};
     pub use crate::measured::{Brake, Direction, Emf, MeasuredRoot, NoLoadPoint, Sensor, Speed, Winding};
     pub use crate::mechanism::sections::*;
     pub use crate::motion::Segment;
-    pub use crate::own::{ActuatorSection, ActuatorValues};
+    pub use crate::own::{
+        ActuatorEntry, ActuatorSection, ActuatorValues, CatalogueFile, CatalogueHead, CatalogueSection,
+    };
     pub use crate::recorded::{Columns, Gaps, HeldValues, Ratios, TimeStamps, Units};
     pub use crate::requirements::{DriveSection, PositionLoop, RequirementsSection};
     pub use crate::root::{AxisSection, Parts};

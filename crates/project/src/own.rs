@@ -1,10 +1,10 @@
-//! An actuator that is not in the catalogue.
+//! Actuators that are not in the catalogue: one of a project, and those of catalogue files.
 
 use crate::about::About;
 use crate::choices::BearingDesign;
 use crate::curves::CURVE;
 use crate::section::section;
-use crate::value::{CurveRow, Rows};
+use crate::value::{CurveRow, OneOrMany, Rows, Texts};
 use quantities::{
     Angle, AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Force, Inductance, Length, Mass,
     MomentOfInertia, NoLoadCurrentConstant, ThermodynamicTemperature, TiltingStiffness, Time, Torque, TorqueConstant,
@@ -83,5 +83,44 @@ section! {
         ambient_max: ThermodynamicTemperature;
         short_time_curve: Rows<CurveRow> => example(CURVE);
         continuous_curve: Rows<CurveRow> => example(CURVE);
+    }
+}
+
+section! {
+    /// Catalogue files of a project.
+    CatalogueSection, CatalogueName of About::Catalogue {
+        files: Texts => example("stock.toml");
+        cha: bool = true;
+    }
+}
+
+section! {
+    /// A whole catalogue file.
+    CatalogueFile, CatalogueFileName of About::CatalogueFile {
+        catalogue: CatalogueHead;
+        actuator: OneOrMany<ActuatorEntry, ActuatorEntry>;
+    }
+}
+
+section! {
+    /// Statements of a catalogue file that hold for all its products.
+    CatalogueHead, CatalogueHeadName of About::CatalogueHead {
+        maker: String => example("Example Drives");
+        series: String => example("XD");
+        source: String => example("catalogue 2026, pages 12 to 15");
+        date: String => example("2026-05-01");
+    }
+}
+
+section! {
+    /// An actuator of a catalogue file.
+    ActuatorEntry, ActuatorEntryName of About::ActuatorEntry {
+        id: String => needed, example("XD-25-100");
+        maker: String => example("Example Drives");
+        series: String => example("XD");
+        source: String => example("data sheet XD-25, revision C");
+        price: String => example("1250 EUR");
+        lead_time: Time => not_negative, example("56 d");
+        ..values: ActuatorValues;
     }
 }

@@ -2,12 +2,11 @@
 
 use crate::about::About;
 use crate::axis_names::named_apart;
-use crate::catalogue_file::CatalogueSection;
 use crate::curves::CurveSection;
 use crate::flange::Bearing;
 use crate::mechanism::{DirectLoad, Mechanisms};
 use crate::motion::Segment;
-use crate::own::ActuatorSection;
+use crate::own::{ActuatorSection, CatalogueSection};
 use crate::read::{Reader, joined};
 use crate::report::FaultReport;
 use crate::requirements::{DriveSection, RequirementsSection};

@@ -15,7 +15,9 @@ use crate::list::{Cost, Unanswered};
 use crate::progress::{Progress, Stopped};
 use crate::sizing_use::{Refusal, Rejected, size_watched};
 use crate::tolerance::Draw;
-use axis::{AxisDiagnostic, AxisFault, AxisProject, Catalogue, FileCatalogue, Files, Grant, KeptRecordings, RatioAnswer};
+use axis::{
+    AxisDiagnostic, AxisFault, AxisProject, Catalogue, FileCatalogue, Files, Grant, KeptRecordings, RatioAnswer,
+};
 use configurator::Product;
 use quantities::Language;
 use serde_json::Value;

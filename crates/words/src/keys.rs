@@ -40,8 +40,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         About::ActuatorValue(key) => return actuator_key_text(key, language),
         About::Actuator(ActuatorName::name) => ("name of the actuator", "Name des Antriebs"),
         About::Root(RootName::catalogue) => (
-            "products of other makers, judged beside the built-in series",
-            "Produkte anderer Hersteller, neben der enthaltenen Baureihe beurteilt",
+            "products of other manufacturers, judged beside the built-in series",
+            "Produkte anderer Hersteller, neben der enthaltenen Baureihe nachgewiesen",
         ),
         About::Catalogue(CatalogueName::files) => (
             "catalogue files in TOML or CSV, relative to the project",
@@ -59,7 +59,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "actuators with gear, one table each",
             "Antriebe mit Getriebe, je eine Tabelle",
         ),
-        About::CatalogueHead(CatalogueHeadName::maker) | About::ActuatorEntry(ActuatorEntryName::maker) => ("maker", "Hersteller"),
+        About::CatalogueHead(CatalogueHeadName::maker) | About::ActuatorEntry(ActuatorEntryName::maker) => ("manufacturer", "Hersteller"),
         About::CatalogueHead(CatalogueHeadName::series) | About::ActuatorEntry(ActuatorEntryName::series) => ("series", "Baureihe"),
         About::CatalogueHead(CatalogueHeadName::source) | About::ActuatorEntry(ActuatorEntryName::source) => (
             "document from which the data are taken",

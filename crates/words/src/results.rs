@@ -532,7 +532,7 @@ pub fn degree_of_protection(numerals: f64) -> String {
 pub fn ranking_rule(by_mass: bool, language: Language) -> String {
     if by_mass {
         return said!(language =>
-            "ranking: fitting actuators first; of these, those that hold the load without power, then those that fit without relying on an estimate, then those that state torque, speed and continuous curve, then lower mass, lower utilisation; makers do not share frame sizes"
+            "ranking: fitting actuators first; of these, those that hold the load without power, then those that fit without relying on an estimate, then those that state torque, speed and continuous curve, then lower mass, lower utilisation; frame sizes of different manufacturers are not comparable"
             | "Rangfolge: geeignete Antriebe zuerst; davon zuerst solche, die die Last stromlos halten, dann ohne Schätzung geeignete, dann solche mit Angabe von Drehmoment, Drehzahl und Dauerkennlinie, dann geringere Masse, niedrigere Auslastung; Baugrößen verschiedener Hersteller sind nicht vergleichbar"
         );
     }

@@ -50,7 +50,7 @@ texts! {
     on_request = "on request" | "auf Anfrage";
     on_request_only = "on request only" | "nur auf Anfrage";
     ordering_code = "ordering code" | "Bestellbezeichnung";
-    product = "product" | "Produkt";
+    product = "product" | "Antrieb";
     own_actuator = "own actuator" | "eigener Antrieb";
     pass = "pass" | "erfüllt";
     payload = "payload" | "Nutzlast";

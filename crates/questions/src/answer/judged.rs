@@ -62,8 +62,8 @@ fn make(candidate: &Candidate<'_>) -> Make {
         series: product.series.as_deref().map(str::to_owned),
         kind: "actuator",
         length_mm: product.parameters.length.known().map(|length| Number::in_unit(length.value.si(), &MILLIMETRE)),
-        price: product.supply.price.as_deref().map(str::to_owned),
-        lead_time_d: product.supply.lead_time.map(|time| Number::in_unit(time.si(), &DAY)),
+        price: product.offer.price.as_deref().map(str::to_owned),
+        lead_time_d: product.offer.lead_time.map(|time| Number::in_unit(time.si(), &DAY)),
     }
 }
 
