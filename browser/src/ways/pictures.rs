@@ -90,7 +90,18 @@ pub(crate) fn values_at_the_cursor(stage: &OpenPage<'_>) -> Worded {
     tab.until(CURRENT)?;
     let (after, whole) = (tab.eval(numbers)?, tab.eval(row)?);
     expect(before == after, || format!("{before} in the whole, {after} in the window: {whole}"))?;
-    tab.sized(1440, 900, 1.0)
+    tab.sized(1440, 900, 1.0)?;
+    // A number of five digits is written as everywhere on a German page: a point between them would be read as a decimal one.
+    stage.example("arm", "de")?;
+    stage.change("#f-mechanism-arm-mass", "4000")?;
+    tab.until(CURRENT)?;
+    let written = "[...document.querySelectorAll('#instant-values b')].map((each) => each.textContent)";
+    let is_plain = "/^−?\\d+(,\\d+)?(·10[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?$/u";
+    let found = tab.eval(written)?;
+    tab.until(&format!(
+        "{written}.every((text) => {is_plain}.test(text)) && {written}.some((text) => /^−?\\d{{4,}}/u.test(text))"
+    ))
+    .map_err(|error| format!("{found}: {error}"))
 }
 
 /// A plane that is not over time has a cursor, by pointer and by keys, with the value of each curve.

@@ -220,12 +220,14 @@ export function put(value) {
   field.value = value;
   field.dispatchEvent(new Event('change', { bubbles: true }));
 }
-// A field that has the focus while a step is taken shows the text of that step too.
+// A field that has the focus while a step is taken shows the text of that step too, unless something was typed into it since.
 let stepTo = null;
+let typedSince = null;
+document.addEventListener('input', ({ target }) => { if (stepTo !== null) typedSince = target; }, true);
 function showStep() {
   if (stepTo === null || text()?.defaultValue !== stepTo) return;
   stepTo = null;
-  for (const field of all('#fields input[type=text], #fields textarea')) if (field.value !== field.defaultValue) field.value = field.defaultValue;
+  for (const field of all('#fields input[type=text], #fields textarea')) if (field !== typedSince && field.value !== field.defaultValue) field.value = field.defaultValue;
 }
 function stepped(from, to) {
   // What is being pulled ends first: it is one step.
@@ -233,7 +235,7 @@ function stepped(from, to) {
   if (from.length === 0) return;
   to.push(last);
   last = from.pop();
-  stepTo = last;
+  [stepTo, typedSince] = [last, null];
   put(last);
   buttons();
 }
