@@ -85,7 +85,10 @@ fn faults_of_one(section: &BodySection) -> Vec<(Range<usize>, BodyError)> {
     let is_new = |error: &BodyError| {
         // A value that could not be read has been reported already.
         let fields = body_fields(error, section);
-        let unread = |field: &&dyn StatedField| shape.dimensions.contains(&field.name()) && !field.is_given();
+        let unread = |field: &&dyn StatedField| match error {
+            BodyError::DimensionMissing { .. } => field.is_written(),
+            _ => shape.dimensions.contains(&field.name()) && !field.is_given(),
+        };
         let damaged = |field: &dyn StatedField| field.is_written() && !field.is_given();
         let lost_mass = fields.is_empty() && (damaged(&section.mass) || damaged(&section.density));
         !fields.iter().any(unread) && !lost_mass
@@ -119,7 +122,7 @@ fn body_of(section: &BodySection, kind: BodyKind) -> Body {
 
 fn shape_of(section: &BodySection, kind: BodyKind) -> SolidShape {
     let orientation = section.axis.value().map(choices::orientation).unwrap_or_default();
-    let (diameter, length, height) = (section.diameter.or_zero(), section.length.or_zero(), section.height.or_zero());
+    let (diameter, length, height) = (section.diameter.or_zero(), section.length.value(), section.height.value());
     match kind {
         BodyKind::Tube => {
             SolidShape::Tube { outer: section.outer.or_zero(), inner: section.inner.or_zero(), length, orientation }
@@ -128,7 +131,7 @@ fn shape_of(section: &BodySection, kind: BodyKind) -> SolidShape {
         BodyKind::Cone => SolidShape::Cone { diameter, height },
         BodyKind::Sphere => SolidShape::Sphere { diameter },
         BodyKind::Point => SolidShape::PointMass,
-        BodyKind::Rod => SolidShape::Rod { length },
+        BodyKind::Rod => SolidShape::Rod { length: section.length.or_zero() },
         BodyKind::Cylinder | BodyKind::Disc => SolidShape::Cylinder { diameter, length, orientation },
     }
 }
@@ -148,7 +151,9 @@ fn parts(section: &BodySection) -> Option<BodyAnswer> {
 /// Returns the fields that an error is about; empty for a missing mass, or the whole body.
 pub(crate) fn body_fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&'s dyn StatedField> {
     match error {
-        BodyError::DimensionOutOfRange { field, .. } => body.field(field).into_iter().collect(),
+        BodyError::DimensionOutOfRange { field, .. } | BodyError::DimensionMissing { field } => {
+            body.field(field).into_iter().collect()
+        }
         BodyError::InnerNotBelowOuter { .. } => vec![&body.inner, &body.outer],
         BodyError::MassAndDensity { .. } | BodyError::NoVolume | BodyError::DensityOutOfRange { .. } => {
             vec![&body.density]

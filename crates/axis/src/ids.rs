@@ -112,6 +112,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
 pub(crate) const fn body(error: &BodyError) -> &'static str {
     match error {
         BodyError::DimensionOutOfRange { .. } => "body_dimension_out_of_range",
+        BodyError::DimensionMissing { .. } => "body_dimension_missing",
         BodyError::InnerNotBelowOuter { .. } => "body_inner_not_below_outer",
         BodyError::NoMass => "body_without_mass",
         BodyError::MassAndDensity { .. } => "body_mass_and_density",

@@ -18,7 +18,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
-use words::{file_trouble, terminal};
+use words::{Usage, file_trouble, terminal, usage_text};
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -184,6 +184,17 @@ impl Call<'_> {
     /// Returns the file of an option, unless it is standard output.
     pub(crate) fn file(&self, name: &str) -> Option<&Path> {
         self.path(name).filter(|path| path.as_os_str() != "-")
+    }
+
+    /// Returns the file beside the project with its name and another extension; `None` for standard input.
+    pub(crate) fn file_beside(&self, ending: &str) -> Option<PathBuf> {
+        let project = self.files.first()?.path();
+        (!project.as_os_str().is_empty()).then(|| project.with_extension(ending))
+    }
+
+    /// Returns the fault of an option that a call without it needs.
+    pub(crate) fn missing(&self, option: &str) -> Unanswered {
+        Unanswered::message(usage_text(&Usage::Missing { names: option.to_owned() }, self.language))
     }
 
     /// Returns the writer of the files of the call, which protects those that it reads.

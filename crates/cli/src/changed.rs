@@ -86,7 +86,9 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     };
     let all = written(text).unwrap_or_default();
     let stated = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
-    let own = |path: &&str| path.strip_prefix(prefix).is_some_and(|inside| inside.rsplit('.').next() == Some(key));
+    let own = |path: &&str| {
+        path.strip_prefix(prefix).and_then(|inside| inside.strip_suffix(key)).is_some_and(|above| above.ends_with('.'))
+    };
     let mut named = all.iter().filter(|each| each.value.is_some()).map(|each| each.path.as_str()).filter(own);
     let path = match key_at(key.strip_prefix(prefix).unwrap_or(key)) {
         Some(_) if key.starts_with("axis[") || stated(key).is_some() => key.to_owned(),

@@ -1,19 +1,20 @@
 //! `curve`, `bearing`, `battery`, `new`: commands whose answer is one chapter.
 
 use crate::answer::CommandAnswer;
-use crate::call::Call;
+use crate::call::{Call, named_file};
 use crate::fault::path_text;
 use crate::plot;
 use crate::table::{Align, TextTable, labelled};
 use answers::FilesWritten;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Language, Measure, Torque, format_significant};
-use questions::Candidate;
 use questions::list::bearing::bearing_checks;
+use questions::list::new::Template;
 use questions::list::{Cost, Inquiry, Unanswered, battery, bearing, curve, new};
 use questions::texts::{battery_lines, checked_text, margin_text, unit_text, verdict_text};
+use questions::{Candidate, FILE_BYTES_MAX};
 use std::path::Path;
-use words::{curve_title, grade_word, source_text, terminal, terms, title_of_check};
+use words::{curve_title, file_trouble, grade_word, source_text, terminal, terms, title_of_check};
 
 /// `antrieb curve CODE`
 pub(crate) fn curve(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
@@ -106,13 +107,37 @@ fn is_of_the_user(path: &Path, kind: &str) -> bool {
     !alike.any(|text| std::fs::read(path).is_ok_and(|found| found == text.as_bytes()))
 }
 
+/// Returns the project that begins with a recording.
+fn recorded(call: &Call<'_>, (from, out): (&Path, Option<&Path>), file: &str) -> Result<Template, Unanswered> {
+    let language = call.language;
+    let name = path_text(from);
+    let refused = |message: String| Unanswered::File { name: name.clone(), message, is_too_large: false };
+    let bytes = std::fs::File::open(from)
+        .and_then(|file| disk::read_within(file, usize::try_from(FILE_BYTES_MAX).unwrap_or(usize::MAX)));
+    let bytes = bytes.map_err(|error| refused(file_trouble(&error, language)))?;
+    // The project names the recording relative to its own folder.
+    let folder = out.and_then(Path::parent).unwrap_or(Path::new(""));
+    let inside = from.strip_prefix(folder).ok().map(path_text);
+    let named = inside.unwrap_or_else(|| named_file(&name));
+    let kind = call.given(new::Args::ARGUMENTS)?.all("kind").next().unwrap_or_default().to_owned();
+    let incoming = new::IncomingFile::new(&named, &bytes);
+    let found = new::recorded(&kind, &incoming, (&named, file), language);
+    found.ok_or_else(|| match incoming.preview() {
+        None => refused(words::recorded_template::no_table(language).to_owned()),
+        Some(_) => Unanswered::option("from", (words::recorded_template::not_of_kind(&kind, language), None)),
+    })
+}
+
 /// `antrieb new KIND`
 pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let out = call.file("out");
     let name = out.and_then(Path::file_name);
     let name = name.map_or_else(|| new::USUAL_NAME.to_owned(), |name| path_text(Path::new(name)));
-    let template = new::found(inquiry, &name)?;
+    let template = match call.path("from") {
+        Some(from) => recorded(call, (from, out), &name)?,
+        None => new::found(inquiry, &name)?,
+    };
     let Some(out) = out else {
         let mut answer = CommandAnswer::data(template.text);
         if let Some((recording, _)) = template.recording {

@@ -13,7 +13,9 @@ const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod argument;
+mod example;
 pub(crate) mod library;
+pub(crate) mod meant;
 pub(crate) mod own;
 mod question;
 pub(crate) mod spoken;

@@ -47,7 +47,7 @@ pub(crate) fn size(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
         return Ok(CommandAnswer { talk, ..call.record(inquiry)? });
     }
     let args = size::Args::read(&inquiry.given)?;
-    let axes = inquiry.axes(args.axis.as_deref(), args.cost())?;
+    let axes = args.axes(inquiry)?;
     if inquiry.sources.len() > 1 {
         return Ok(CommandAnswer { talk, ..side_by_side(inquiry, &args, language)? });
     }
@@ -430,7 +430,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
 pub(crate) fn check(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = check::Args::read(&inquiry.given)?;
-    let axes = inquiry.axes(args.axis.as_deref(), args.cost())?;
+    let axes = args.axes(inquiry)?;
     let found = inquiry.each(&axes, |project| {
         let found = args.verification(project, progress())?;
         Ok((verification_text(&found, language), found.candidate.fits()))

@@ -46,7 +46,7 @@ const LAYOUTS: &[Layout] = &[
     shown(&list::mount::ENTRY, mount::alone),
     shown(&list::mount_project::ENTRY, mount::under_project),
     shown(&list::upkeep::ENTRY, upkeep::upkeep),
-    shown(&list::new::ENTRY, chapter::template),
+    shown(&list::new::ENTRY, chapter::template).with(own::new),
     shown(&list::commission::ENTRY, commission::commission).with(own::commission),
     shown(&list::commission_record::ENTRY, commission::recorded),
     shown(&list::torsion::ENTRY, data::torsion),

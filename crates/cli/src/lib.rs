@@ -66,7 +66,10 @@ pub fn run(call: Vec<OsString>) -> u8 {
     let arguments = command::with_help_asked(call.into_iter());
     let as_json = command::json_of(&arguments);
     let mut command = command::build_for(&arguments, language);
-    let arguments = command::spoken::with_options(arguments, &command, language);
+    let command::meant::Understood { arguments, stray } = command::meant::understood(arguments, &command, language);
+    if let Some(stray) = &stray {
+        return command::usage::stray(stray, (&command, &arguments), as_json, language).write(language);
+    }
     let matches = match command.try_get_matches_from_mut(&arguments) {
         Ok(matches) => matches,
         Err(error) if error.use_stderr() => {

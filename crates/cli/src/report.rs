@@ -29,9 +29,11 @@ const FIGURES: [(DiagramPlace, &str, Figure); 4] = [
     (DiagramPlace::Gear, "gear", Figure::Torsion),
 ];
 
-/// `antrieb report PROJECT --out FILE`
+/// `antrieb report PROJECT [--out FILE]`
 pub(crate) fn report(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
-    write(call, inquiry, call.path("out").unwrap_or(Path::new("")), call.as_json)
+    let beside = || call.file_beside("pdf").ok_or_else(|| call.missing("--out"));
+    let out = call.path("out").map_or_else(beside, |out| Ok(out.to_owned()))?;
+    write(call, inquiry, &out, call.as_json)
 }
 
 /// Writes the report of the requested axes and actuator.

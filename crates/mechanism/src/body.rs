@@ -26,8 +26,8 @@ pub enum SolidShape {
     Cylinder {
         /// d: diameter.
         diameter: Length,
-        /// L: length along the body axis.
-        length: Length,
+        /// L: length along the body axis; only the volume and a lying body need it.
+        length: Option<Length>,
         /// Orientation of the body axis.
         orientation: Orientation,
     },
@@ -37,8 +37,8 @@ pub enum SolidShape {
         outer: Length,
         /// d_i: inner diameter, less than the outer one; zero makes it a cylinder.
         inner: Length,
-        /// L: length along the body axis.
-        length: Length,
+        /// L: length along the body axis; only the volume and a lying body need it.
+        length: Option<Length>,
         /// Orientation of the body axis.
         orientation: Orientation,
     },
@@ -48,15 +48,15 @@ pub enum SolidShape {
         a: Length,
         /// b: the other side of the footprint.
         b: Length,
-        /// h: height, parallel to the axis of rotation.
-        height: Length,
+        /// h: height, parallel to the axis of rotation; only the volume needs it.
+        height: Option<Length>,
     },
     /// Solid circular cone with its axis parallel to the axis of rotation.
     Cone {
         /// d: diameter of the base.
         diameter: Length,
-        /// h: height.
-        height: Length,
+        /// h: height; only the volume needs it.
+        height: Option<Length>,
     },
     /// Solid sphere.
     Sphere {
@@ -205,7 +205,10 @@ impl Body {
             (None, Some(density), Some(volume)) => density.si() * volume,
             _ => return Err(vec![BodyError::NoMass]),
         };
-        let own = mass * self.shape.own_inertia_per_mass_m2();
+        let Some(own_per_mass) = self.shape.own_inertia_per_mass_m2() else {
+            return Err(vec![BodyError::DimensionMissing { field: "length" }]);
+        };
+        let own = mass * own_per_mass;
         let steiner = mass * self.distance.si() * self.distance.si();
         let total = f64::from(self.count) * (own + steiner);
         if !total.is_finite() || !mass.is_finite() {
@@ -238,6 +241,8 @@ impl Body {
         {
             faults.push(BodyError::InnerNotBelowOuter { inner, outer });
         }
+        let needed = self.shape.unstated().filter(|_| self.density.is_some() || self.shape.is_lying());
+        faults.extend(needed.map(|field| BodyError::DimensionMissing { field }));
         match (self.mass, self.density) {
             (None, None) => faults.push(BodyError::NoMass),
             (Some(mass), Some(density)) => faults.push(BodyError::MassAndDensity { mass, density }),
@@ -263,22 +268,47 @@ impl Body {
 }
 
 impl SolidShape {
-    /// Returns the dimensions of the shape with their names.
+    /// Returns the stated dimensions of the shape with their names.
     fn dimensions(&self) -> [Option<(&'static str, Length)>; 3] {
+        let stated = |name, value: Option<Length>| value.map(|value| (name, value));
         match *self {
-            Self::Cylinder { diameter, length, .. } => [Some(("diameter", diameter)), Some(("length", length)), None],
+            Self::Cylinder { diameter, length, .. } => [Some(("diameter", diameter)), stated("length", length), None],
             Self::Tube { outer, inner, length, .. } => {
-                [Some(("outer", outer)), Some(("inner", inner)), Some(("length", length))]
+                [Some(("outer", outer)), Some(("inner", inner)), stated("length", length)]
             }
-            Self::Box { a, b, height } => [Some(("a", a)), Some(("b", b)), Some(("height", height))],
-            Self::Cone { diameter, height } => [Some(("diameter", diameter)), Some(("height", height)), None],
+            Self::Box { a, b, height } => [Some(("a", a)), Some(("b", b)), stated("height", height)],
+            Self::Cone { diameter, height } => [Some(("diameter", diameter)), stated("height", height), None],
             Self::Sphere { diameter } => [Some(("diameter", diameter)), None, None],
             Self::PointMass => [None; 3],
             Self::Rod { length } => [Some(("length", length)), None, None],
         }
     }
 
-    /// Returns the volume \[m³\]; `None` for a point and a slender rod, which have none.
+    /// Returns the name of a dimension that is not stated and that the volume, or a lying body, needs.
+    const fn unstated(&self) -> Option<&'static str> {
+        match self {
+            Self::Cylinder { length: None, .. } | Self::Tube { length: None, .. } => Some("length"),
+            Self::Box { height: None, .. } | Self::Cone { height: None, .. } => Some("height"),
+            Self::Cylinder { .. }
+            | Self::Tube { .. }
+            | Self::Box { .. }
+            | Self::Cone { .. }
+            | Self::Sphere { .. }
+            | Self::PointMass
+            | Self::Rod { .. } => None,
+        }
+    }
+
+    /// Returns `true` if the body axis is perpendicular to the axis of rotation.
+    const fn is_lying(&self) -> bool {
+        matches!(
+            self,
+            Self::Cylinder { orientation: Orientation::Perpendicular, .. }
+                | Self::Tube { orientation: Orientation::Perpendicular, .. }
+        )
+    }
+
+    /// Returns the volume \[m³\]; `None` for a point and a slender rod, which have none, and without a dimension.
     ///
     /// cylinder π/4 d² L · tube π/4 (d_o² − d_i²) L · box a b h · cone π/12 d² h · sphere π/6 d³
     ///
@@ -287,19 +317,19 @@ impl SolidShape {
     fn volume_m3(&self) -> Option<f64> {
         let square = |length: Length| length.si() * length.si();
         match *self {
-            Self::Cylinder { diameter, length, .. } => Some(PI / 4.0 * square(diameter) * length.si()),
+            Self::Cylinder { diameter, length, .. } => Some(PI / 4.0 * square(diameter) * length?.si()),
             // The difference of the squares as a product is exact for thin walls too.
             Self::Tube { outer, inner, length, .. } => {
-                Some(PI / 4.0 * (outer.si() - inner.si()) * (outer.si() + inner.si()) * length.si())
+                Some(PI / 4.0 * (outer.si() - inner.si()) * (outer.si() + inner.si()) * length?.si())
             }
-            Self::Box { a, b, height } => Some(a.si() * b.si() * height.si()),
-            Self::Cone { diameter, height } => Some(PI / 12.0 * square(diameter) * height.si()),
+            Self::Box { a, b, height } => Some(a.si() * b.si() * height?.si()),
+            Self::Cone { diameter, height } => Some(PI / 12.0 * square(diameter) * height?.si()),
             Self::Sphere { diameter } => Some(PI / 6.0 * square(diameter) * diameter.si()),
             Self::PointMass | Self::Rod { .. } => None,
         }
     }
 
-    /// Returns the square of the radius of gyration, J_own/m \[m²\].
+    /// Returns the square of the radius of gyration, J_own/m \[m²\]; `None` for a lying body without a length.
     ///
     /// cylinder d²/8, lying d²/16 + L²/12 · tube (d_o² + d_i²)/8, lying (d_o² + d_i²)/16 + L²/12 ·
     /// box (a² + b²)/12 · cone 3/40 d² · sphere d²/10 · point 0 · rod L²/12
@@ -308,23 +338,23 @@ impl SolidShape {
     /// textbook mechanics: moments of inertia of homogeneous bodies
     /// # Valid
     /// about the axis through the centre of mass, parallel to the axis of rotation
-    fn own_inertia_per_mass_m2(&self) -> f64 {
+    fn own_inertia_per_mass_m2(&self) -> Option<f64> {
         let square = |length: Length| length.si() * length.si();
-        let round = |squares: f64, length: Length, orientation: Orientation| match orientation {
-            Orientation::Parallel => squares / 8.0,
-            Orientation::Perpendicular => squares / 16.0 + square(length) / 12.0,
+        let round = |squares: f64, length: Option<Length>, orientation: Orientation| match orientation {
+            Orientation::Parallel => Some(squares / 8.0),
+            Orientation::Perpendicular => Some(squares / 16.0 + square(length?) / 12.0),
         };
-        match *self {
-            Self::Cylinder { diameter, length, orientation } => round(square(diameter), length, orientation),
+        Some(match *self {
+            Self::Cylinder { diameter, length, orientation } => round(square(diameter), length, orientation)?,
             Self::Tube { outer, inner, length, orientation } => {
-                round(square(outer) + square(inner), length, orientation)
+                round(square(outer) + square(inner), length, orientation)?
             }
             Self::Box { a, b, .. } => (square(a) + square(b)) / 12.0,
             Self::Cone { diameter, .. } => 0.075 * square(diameter),
             Self::Sphere { diameter } => square(diameter) / 10.0,
             Self::PointMass => 0.0,
             Self::Rod { length } => square(length) / 12.0,
-        }
+        })
     }
 }
 

@@ -18,11 +18,11 @@ fn density(value: f64) -> Option<MassDensity> {
 }
 
 fn cylinder(diameter: f64, length: f64) -> SolidShape {
-    SolidShape::Cylinder { diameter: mm(diameter), length: mm(length), orientation: Orientation::Parallel }
+    SolidShape::Cylinder { diameter: mm(diameter), length: Some(mm(length)), orientation: Orientation::Parallel }
 }
 
 fn tube(outer: f64, inner: f64, length: f64, orientation: Orientation) -> SolidShape {
-    SolidShape::Tube { outer: mm(outer), inner: mm(inner), length: mm(length), orientation }
+    SolidShape::Tube { outer: mm(outer), inner: mm(inner), length: Some(mm(length)), orientation }
 }
 
 fn close(value: f64, expected: f64) -> bool {
@@ -66,9 +66,9 @@ fn every_shape_by_hand() {
     // m (3 (r_o² + r_i²) + L²)/12 = 2 · (0.0123 + 0.09)/12
     assert!(close(two(tube(100.0, 80.0, 300.0, Orientation::Perpendicular)), 0.017_05));
     // m (a² + b²)/12 = 2 · (0.09 + 0.16)/12; independent of the height
-    assert!(close(two(SolidShape::Box { a: mm(300.0), b: mm(400.0), height: mm(7.0) }), 0.25 / 6.0));
+    assert!(close(two(SolidShape::Box { a: mm(300.0), b: mm(400.0), height: Some(mm(7.0)) }), 0.25 / 6.0));
     // 3/10 m r² = 0.6 · 0.01
-    assert!(close(two(SolidShape::Cone { diameter: mm(200.0), height: mm(90.0) }), 6e-3));
+    assert!(close(two(SolidShape::Cone { diameter: mm(200.0), height: Some(mm(90.0)) }), 6e-3));
     // 2/5 m r² = 0.8 · 0.01
     assert!(close(two(SolidShape::Sphere { diameter: mm(200.0) }), 8e-3));
     // m L²/12 = 2 · 0.36/12
@@ -82,15 +82,15 @@ fn volumes_are_exact() {
     let litres = |shape| own(shape, None, density(1000.0)).0;
     assert!(close(litres(cylinder(200.0, 100.0)), PI));
     assert!(close(litres(tube(200.0, 100.0, 100.0, Orientation::Perpendicular)), 0.75 * PI));
-    assert!(close(litres(SolidShape::Box { a: mm(100.0), b: mm(200.0), height: mm(300.0) }), 6.0));
-    assert!(close(litres(SolidShape::Cone { diameter: mm(200.0), height: mm(300.0) }), PI));
+    assert!(close(litres(SolidShape::Box { a: mm(100.0), b: mm(200.0), height: Some(mm(300.0)) }), 6.0));
+    assert!(close(litres(SolidShape::Cone { diameter: mm(200.0), height: Some(mm(300.0)) }), PI));
     assert!(close(litres(SolidShape::Sphere { diameter: mm(200.0) }), 4.0 / 3.0 * PI));
 }
 
 #[test]
 fn a_tube_without_bore_is_a_cylinder() {
     for orientation in [Orientation::Parallel, Orientation::Perpendicular] {
-        let solid = SolidShape::Cylinder { diameter: mm(80.0), length: mm(50.0), orientation };
+        let solid = SolidShape::Cylinder { diameter: mm(80.0), length: Some(mm(50.0)), orientation };
         let (mass, inertia) = own(solid, None, density(STEEL));
         for bore in [0.0, 1e-7] {
             let found = own(tube(80.0, bore, 50.0, orientation), None, density(STEEL));
@@ -108,9 +108,10 @@ fn a_thin_ring_has_m_r_squared() {
 #[test]
 fn a_thin_lying_cylinder_is_a_rod_and_a_narrow_box_too() {
     let rod = own(SolidShape::Rod { length: mm(500.0) }, kg(1.0), None).1;
-    let thin = SolidShape::Cylinder { diameter: mm(1e-4), length: mm(500.0), orientation: Orientation::Perpendicular };
+    let thin =
+        SolidShape::Cylinder { diameter: mm(1e-4), length: Some(mm(500.0)), orientation: Orientation::Perpendicular };
     assert!(close(own(thin, kg(1.0), None).1, rod));
-    assert!(close(own(SolidShape::Box { a: mm(500.0), b: mm(1e-4), height: mm(9.0) }, kg(1.0), None).1, rod));
+    assert!(close(own(SolidShape::Box { a: mm(500.0), b: mm(1e-4), height: Some(mm(9.0)) }, kg(1.0), None).1, rod));
 }
 
 #[test]
@@ -124,11 +125,11 @@ fn a_bore_is_a_cylinder_taken_away() {
 /// Two halves of a box, each off the axis by a quarter of its side, are equivalent to the whole box.
 #[test]
 fn steiner_adds_the_halves_of_a_box_to_the_whole() {
-    let whole = own(SolidShape::Box { a: mm(400.0), b: mm(100.0), height: mm(30.0) }, None, density(STEEL));
+    let whole = own(SolidShape::Box { a: mm(400.0), b: mm(100.0), height: Some(mm(30.0)) }, None, density(STEEL));
     let half = Body {
         distance: mm(100.0),
         count: 2,
-        ..on_axis(SolidShape::Box { a: mm(200.0), b: mm(100.0), height: mm(30.0) }, None, density(STEEL))
+        ..on_axis(SolidShape::Box { a: mm(200.0), b: mm(100.0), height: Some(mm(30.0)) }, None, density(STEEL))
     };
     let found = inertia(&[half]).unwrap();
     assert!(close(found.mass.si(), whole.0) && close(found.inertia.si(), whole.1));
@@ -144,7 +145,7 @@ fn the_parts_of_one_body_add_up() {
     let body = Body {
         distance: mm(80.0),
         count: 4,
-        ..on_axis(SolidShape::Box { a: mm(50.0), b: mm(50.0), height: mm(30.0) }, kg(0.6), None)
+        ..on_axis(SolidShape::Box { a: mm(50.0), b: mm(50.0), height: Some(mm(30.0)) }, kg(0.6), None)
     };
     let parts = body.inertia().unwrap();
     // 0.6 · 0.005/12 = 2.5e-4; 0.6 · 0.0064 = 3.84e-3; 4 · 4.09e-3.
@@ -173,8 +174,8 @@ fn scaling_laws() {
     let shapes: [fn(f64) -> SolidShape; 6] = [
         |s| cylinder(80.0 * s, 30.0 * s),
         |s| tube(80.0 * s, 50.0 * s, 30.0 * s, Orientation::Perpendicular),
-        |s| SolidShape::Box { a: mm(20.0 * s), b: mm(70.0 * s), height: mm(30.0 * s) },
-        |s| SolidShape::Cone { diameter: mm(80.0 * s), height: mm(30.0 * s) },
+        |s| SolidShape::Box { a: mm(20.0 * s), b: mm(70.0 * s), height: Some(mm(30.0 * s)) },
+        |s| SolidShape::Cone { diameter: mm(80.0 * s), height: Some(mm(30.0 * s)) },
         |s| SolidShape::Sphere { diameter: mm(80.0 * s) },
         |s| SolidShape::Rod { length: mm(80.0 * s) },
     ];

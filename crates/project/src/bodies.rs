@@ -69,7 +69,12 @@ impl OfKinds for BodySection {
 
 /// Returns the required and the optional keys of a shape.
 const fn of_shape(shape: BodyShape) -> (&'static str, &'static [&'static str], &'static [&'static str]) {
-    (shape.name, shape.dimensions, if shape.may_lie { names!(BodySection: axis) } else { &[] })
+    let optional: &[&str] = match (shape.extent, shape.may_lie) {
+        (Some(_), true) => names!(BodySection: length axis),
+        (Some(_), false) => names!(BodySection: height),
+        (None, _) => &[],
+    };
+    (shape.name, shape.dimensions, optional)
 }
 
 /// Kind of a body.
@@ -102,6 +107,8 @@ pub struct BodyShape {
     pub name: &'static str,
     /// Required dimensions.
     pub dimensions: &'static [&'static str],
+    /// Dimension that only a mass from the density, or a lying body, needs.
+    pub extent: Option<&'static str>,
     /// Allows the key `axis` for the orientation.
     pub may_lie: bool,
 }
@@ -109,11 +116,11 @@ pub struct BodyShape {
 /// Shapes.
 pub static BODY_SHAPES: [BodyShape; 8] = [CYLINDER, DISC, TUBE, BOX, CONE, SPHERE, POINT, ROD];
 
-const CYLINDER: BodyShape = shape(BodyKind::Cylinder, "cylinder", names!(BodySection: diameter length), true);
-const DISC: BodyShape = shape(BodyKind::Disc, "disc", names!(BodySection: diameter length), true);
-const TUBE: BodyShape = shape(BodyKind::Tube, "tube", names!(BodySection: outer inner length), true);
-const BOX: BodyShape = shape(BodyKind::Box, "box", names!(BodySection: a b height), false);
-const CONE: BodyShape = shape(BodyKind::Cone, "cone", names!(BodySection: diameter height), false);
+const CYLINDER: BodyShape = shape(BodyKind::Cylinder, "cylinder", names!(BodySection: diameter), true);
+const DISC: BodyShape = shape(BodyKind::Disc, "disc", names!(BodySection: diameter), true);
+const TUBE: BodyShape = shape(BodyKind::Tube, "tube", names!(BodySection: outer inner), true);
+const BOX: BodyShape = shape(BodyKind::Box, "box", names!(BodySection: a b), false);
+const CONE: BodyShape = shape(BodyKind::Cone, "cone", names!(BodySection: diameter), false);
 const SPHERE: BodyShape = shape(BodyKind::Sphere, "sphere", names!(BodySection: diameter), false);
 const POINT: BodyShape = shape(BodyKind::Point, "point", &[], false);
 const ROD: BodyShape = shape(BodyKind::Rod, "rod", names!(BodySection: length), false);
@@ -122,13 +129,19 @@ const ROD: BodyShape = shape(BodyKind::Rod, "rod", names!(BodySection: length), 
 const BODY_SHARED: &[&str] = names!(BodySection: mass density distance angle count);
 
 const fn shape(kind: BodyKind, name: &'static str, dimensions: &'static [&'static str], may_lie: bool) -> BodyShape {
-    BodyShape { kind, name, dimensions, may_lie }
+    let extent = match kind {
+        BodyKind::Cylinder | BodyKind::Disc | BodyKind::Tube => Some("length"),
+        BodyKind::Box | BodyKind::Cone => Some("height"),
+        BodyKind::Sphere | BodyKind::Point | BodyKind::Rod => None,
+    };
+    BodyShape { kind, name, dimensions, extent, may_lie }
 }
 
 impl BodyShape {
     /// Returns every key that the shape may have.
     fn keys(&self) -> Vec<&'static str> {
         let mut keys = self.dimensions.to_vec();
+        keys.extend(self.extent);
         keys.extend(self.may_lie.then_some("axis"));
         keys.extend(BODY_SHARED);
         keys

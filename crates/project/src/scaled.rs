@@ -119,8 +119,8 @@ pub fn paced(text: &str, prefix: &str, factor: f64) -> Option<String> {
 }
 
 /// Returns the text with the stated masses and moments of inertia of load and mechanism scaled by `load`, and those of the
-/// payloads by `payload`; `prefix` stands before the keys of the axis. `None` if the load has none, or solid bodies or
-/// recorded torques that a factor does not reach.
+/// payloads by `payload`; `prefix` stands before the keys of the axis. Solid bodies keep their dimensions: their masses or
+/// densities are scaled. `None` if the load has none, or recorded torques that a factor does not reach.
 #[must_use]
 pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<String> {
     let all = written(text)?;
@@ -128,8 +128,7 @@ pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<
     for key in &all {
         let Some(inside) = key.path.strip_prefix(prefix) else { continue };
         let is_of_load = inside.starts_with("load.") || inside.starts_with("mechanism.");
-        let is_body = inside.contains(".bodies") || inside.contains(".body[") || inside.starts_with("mechanism.joint");
-        if is_of_load && is_body && load != 1.0 {
+        if inside.starts_with("mechanism.joint") && load != 1.0 {
             return None;
         }
         let is_payload = inside.starts_with("motion[") && inside.contains("].payload");
@@ -138,12 +137,26 @@ pub fn load_scaled(text: &str, prefix: &str, load: f64, payload: f64) -> Option<
             continue;
         };
         let kind = key_at(inside).map(|key| key.kind);
-        if matches!(kind, Some(Kind::Quantity(Dimension::Mass | Dimension::MomentOfInertia, _))) {
+        if let Some(Kind::Bodies) = kind {
+            changed.push((key.path.clone(), bodies_scaled(stated, factor)?));
+        }
+        let is_density = matches!(kind, Some(Kind::Quantity(Dimension::MassDensity, _))) && inside.contains(".body[");
+        if is_density || matches!(kind, Some(Kind::Quantity(Dimension::Mass | Dimension::MomentOfInertia, _))) {
             changed.push((key.path.clone(), scaled(stated, factor, EXACT_DIGITS)?));
         }
     }
     let changed = edit_values(text, &changed).ok()?;
     (changed != text || load == 1.0 && payload == 1.0).then_some(changed)
+}
+
+/// Scales the masses and densities of bodies that are written as texts, one a line.
+fn bodies_scaled(lines: &str, factor: f64) -> Option<String> {
+    let word = |word: &str| match word.split_once('=') {
+        Some((key @ ("mass" | "density"), value)) => Some(format!("{key}={}", scaled(value, factor, EXACT_DIGITS)?)),
+        _ => Some(word.to_owned()),
+    };
+    let line = |line: &str| Some(line.split(' ').map(word).collect::<Option<Vec<String>>>()?.join(" "));
+    Some(lines.lines().map(line).collect::<Option<Vec<String>>>()?.join("\n"))
 }
 
 /// Scales a quantity as written; a tolerance in percent is kept, one in a unit is scaled too.
@@ -223,10 +236,29 @@ mod tests {
             assert!(heavier.contains(part), "{part}\n{heavier}");
         }
         assert_eq!(load_scaled(text, "", 1.0, 2.0).unwrap(), text.replace("3 kg", "6 kg"));
-        assert_eq!(
-            load_scaled("[mechanism.turntable]\nbodies = [\"disc diameter=1m mass=2kg\"]\n", "", 2.0, 2.0),
-            None
-        );
+        for (body, heavier) in [
+            (
+                "bodies = [\"disc diameter=1m mass=2kg\", \"point mass=1.5kg distance=1m\"]",
+                "bodies = [\n  \"disc diameter=1m mass=4kg\",\n  \"point mass=3kg distance=1m\",\n]",
+            ),
+            (
+                "bodies = [\"sphere diameter=1m density=2g/cm^3\"]",
+                "bodies = [\n  \"sphere diameter=1m density=4g/cm^3\",\n]",
+            ),
+            (
+                "[[mechanism.turntable.body]]\nshape = \"disc\"\ndiameter = \"1 m\"\nmass = \"8 kg ± 5 %\"",
+                "[[mechanism.turntable.body]]\nshape = \"disc\"\ndiameter = \"1 m\"\nmass = \"16 kg ± 5 %\"",
+            ),
+            (
+                "[[mechanism.turntable.body]]\nshape = \"sphere\"\ndiameter = \"1 m\"\ndensity = \"2 kg/m^3\"",
+                "[[mechanism.turntable.body]]\nshape = \"sphere\"\ndiameter = \"1 m\"\ndensity = \"4 kg/m^3\"",
+            ),
+        ] {
+            let table = |body: &str| format!("[mechanism.turntable]\n{body}\n");
+            assert_eq!(load_scaled(&table(body), "", 2.0, 1.0), Some(table(heavier)), "{body}");
+        }
+        let joint = "[mechanism.joint]\ninertia = \"1 kg m^2\"\n";
+        assert_eq!(load_scaled(joint, "", 2.0, 2.0), None);
         assert_eq!(load_scaled("[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n", "", 2.0, 2.0), None);
     }
 

@@ -33,6 +33,7 @@ mod plane;
 mod preview;
 mod progress;
 mod reading;
+mod recorded_template;
 mod segment_handles;
 mod sheet;
 mod signal;
@@ -87,7 +88,8 @@ pub use moves::{Move, Moves, moves};
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use preview::{recording_preview, recording_roles};
 pub use recording::{
-    Along, ColumnSpec, Layout, MEMORY_USUAL, PREVIEW_COLUMNS_MAX, Preview, PreviewColumn, Role as ColumnRole,
+    Along, ColumnSpec, FILE_BYTES_MAX, Layout, MEMORY_USUAL, PREVIEW_COLUMNS_MAX, Preview, PreviewColumn,
+    Role as ColumnRole,
 };
 pub use segment_handles::segment_handles;
 pub use sizing::{Course, FlangeSample, Sample};

@@ -56,7 +56,7 @@ pub mod wiring_check;
 pub use answers::Record;
 pub use argument::{AXIS, Argument, ArgumentForm, ArgumentKind, CODE, FILE, LANG};
 pub use cost::Cost;
-pub use given::{Given, Hinted, bounded};
+pub use given::{Given, Hinted, bounded, recognises};
 pub use inquiry::{Answer, Inquiry, PlacedAxis, ReferencedText, media};
 pub use unanswered::Unanswered;
 

@@ -1,12 +1,10 @@
 //! The torsion of a gear under a torque as a separate answer.
 
-use crate::chapters::read_quantity;
-use crate::list::Hinted;
 use crate::sizing_use::Candidate;
 use actuator::{Parameters, Torsion};
 use axis::AxisProject;
 use provenance::{Datum, Source, Sourced};
-use quantities::{Angle, Language, Measure, Torque};
+use quantities::{Angle, Measure, Torque};
 
 /// The known quantity of a twisted gear; the other one is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,19 +50,14 @@ impl TorsionAnswer {
     }
 }
 
-/// Reads a torque such as `60 N m` or an angle such as `1 arcmin`; one of the two, not both.
-///
-/// # Errors
-/// The option, the fault of its text, and a hint.
-pub(crate) fn read_twist(
-    torque: Option<&str>,
-    angle: Option<&str>,
-    language: Language,
-) -> Result<Twist, (&'static str, Hinted)> {
-    match (torque, angle) {
-        (Some(torque), None) => read_quantity(torque, language).map(Twist::Torque).map_err(|fault| ("torque", fault)),
-        (None, Some(angle)) => read_quantity(angle, language).map(Twist::Angle).map_err(|fault| ("angle", fault)),
-        _ => Err(("torque", (words::terminal::torque_or_angle(language).to_owned(), None))),
+impl Twist {
+    /// Returns the known quantity; `None` for none or both.
+    pub(crate) fn of(torque: Option<Torque>, angle: Option<Angle>) -> Option<Self> {
+        match (torque, angle) {
+            (Some(torque), None) => Some(Self::Torque(torque)),
+            (None, Some(angle)) => Some(Self::Angle(angle)),
+            _ => None,
+        }
     }
 }
 
@@ -153,11 +146,11 @@ mod tests {
 
     #[test]
     fn torque_and_angle_exclude_each_other_and_one_is_needed() {
-        assert_eq!(read_twist(Some("60 N m"), None, Language::En), Ok(Twist::Torque(Torque::from_si(60.0))));
-        for both in [(None, None), (Some("1 N m"), Some("1 arcmin"))] {
-            assert!(read_twist(both.0, both.1, Language::En).is_err());
-        }
-        assert_eq!(read_twist(None, Some("1 N m"), Language::De).unwrap_err().0, "angle");
+        let (torque, angle) = (Torque::from_si(60.0), Angle::from_si(1e-3));
+        assert_eq!(Twist::of(Some(torque), None), Some(Twist::Torque(torque)));
+        assert_eq!(Twist::of(None, Some(angle)), Some(Twist::Angle(angle)));
+        assert_eq!(Twist::of(Some(torque), Some(angle)), None);
+        assert_eq!(Twist::of(None, None), None);
     }
 
     /// A torque or an angle beyond T_max of the actuator is reported with the limit, in either direction; one below is not.

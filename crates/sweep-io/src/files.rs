@@ -6,6 +6,7 @@ use arrow_array::{
 };
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
 use arrow_schema::{DataType, Field, Schema, SchemaRef, TimeUnit};
+use flate2::write::GzEncoder;
 use parquet::arrow::ArrowWriter;
 use parquet::basic::Compression;
 use parquet::file::properties::WriterProperties;
@@ -28,6 +29,8 @@ use words::table_text;
 pub enum Format {
     /// Text, a line for each row.
     Csv,
+    /// Text, packed with gzip.
+    PackedCsv,
     /// Columns in pages.
     Parquet,
 }
@@ -36,9 +39,10 @@ impl Format {
     /// Returns the format of the extension of a file name.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
-        let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
-        match ending.as_str() {
+        let name = path.file_name()?.to_string_lossy().to_ascii_lowercase();
+        match name.rsplit_once('.')?.1 {
             "csv" => Some(Self::Csv),
+            "gz" if name.ends_with(".csv.gz") => Some(Self::PackedCsv),
             "parquet" => Some(Self::Parquet),
             _ => None,
         }
@@ -245,6 +249,8 @@ fn array(field: &Field, values: TableValues) -> ArrayRef {
 pub enum Answers<W: Write + Send> {
     /// CSV writer.
     Csv(W),
+    /// Writer of packed CSV.
+    PackedCsv(Box<GzEncoder<W>>),
     /// Parquet writer.
     Parquet(Box<ArrowWriter<W>>),
 }
@@ -270,10 +276,10 @@ impl<W: Write + Send> Answers<W> {
                 let writer = ArrowWriter::try_new(to, schema, Some(properties)).map_err(|error| error.to_string())?;
                 Ok(Self::Parquet(Box::new(writer)))
             }
-            Format::Csv => {
-                let names: Vec<_> = schema.fields().iter().map(|field| csv::written(field.name())).collect();
-                writeln!(to, "{}", names.join(",")).map_err(|error| error.to_string())?;
-                Ok(Self::Csv(to))
+            Format::Csv => heading(&mut to, &schema).map(|()| Self::Csv(to)),
+            Format::PackedCsv => {
+                let mut packed = GzEncoder::new(to, flate2::Compression::default());
+                heading(&mut packed, &schema).map(|()| Self::PackedCsv(Box::new(packed)))
             }
         }
     }
@@ -286,6 +292,7 @@ impl<W: Write + Send> Answers<W> {
         match self {
             Self::Parquet(writer) => writer.write(batch).map_err(|error| error.to_string()),
             Self::Csv(to) => lines(to, batch),
+            Self::PackedCsv(to) => lines(to, batch),
         }
     }
 
@@ -297,8 +304,14 @@ impl<W: Write + Send> Answers<W> {
         match self {
             Self::Parquet(writer) => writer.into_inner().map_err(|error| error.to_string()),
             Self::Csv(mut to) => to.flush().map(|()| to).map_err(|error| error.to_string()),
+            Self::PackedCsv(to) => to.finish().map_err(|error| error.to_string()),
         }
     }
+}
+
+fn heading(to: &mut impl Write, schema: &Schema) -> Result<(), String> {
+    let names: Vec<_> = schema.fields().iter().map(|field| csv::written(field.name())).collect();
+    writeln!(to, "{}", names.join(",")).map_err(|error| error.to_string())
 }
 
 fn lines(to: &mut impl Write, batch: &RecordBatch) -> Result<(), String> {

@@ -107,8 +107,8 @@ texts! {
         "For each row the ordering codes that are Pareto-optimal in mass, length and margin"
         | "Je Zeile die in Masse, Länge und Reserve Pareto-optimalen Bestellbezeichnungen";
     sweep_out =
-        "Write the results as .csv or .parquet; an interrupted run is continued"
-        | "Ergebnisse als .csv oder .parquet schreiben; ein unterbrochener Lauf wird fortgesetzt";
+        "Write the results as .csv, .csv.gz or .parquet; an interrupted run is continued"
+        | "Ergebnisse als .csv, .csv.gz oder .parquet schreiben; ein unterbrochener Lauf wird fortgesetzt";
     new_key =
         "For `new sweep`: a key with its range or values, \"motion[1].time [s] = 1..3 log\"; may be repeated"
         | "Für `new sweep`: ein Schlüssel mit Bereich oder Werten, \"motion[1].time [s] = 1..3 log\"; mehrfach möglich";
@@ -118,6 +118,9 @@ texts! {
     new_by =
         "For `new sweep`: sampling method (sobol)"
         | "Für `new sweep`: Stichprobenverfahren (sobol)";
+    new_from =
+        "Recording to begin the project with (.csv or .parquet): the columns are recognised, the rest is commented"
+        | "Aufzeichnung, mit der das Projekt beginnt (.csv oder .parquet): die Spalten werden erkannt, der Rest ist kommentiert";
     new_seed = "For `new sweep`: seed of the samples (1)" | "Für `new sweep`: Startwert der Stichproben (1)";
     identify =
         "Estimate load, friction and torque constant from a recorded run"
@@ -352,8 +355,8 @@ texts! {
         "Shapes and their keys (axis: parallel or perpendicular to the axis of rotation):"
         | "Formen und ihre Schlüssel (axis: parallel oder perpendicular, senkrecht zur Drehachse):";
     shapes_all =
-        "All: mass or density; distance from the axis of rotation (0), angle (0), count evenly spaced (1)."
-        | "Alle: mass oder density; distance von der Drehachse (0), angle (0), count gleichmäßig verteilt (1).";
+        "All: mass or density; distance from the axis of rotation (0), angle (0), count evenly spaced (1).\n(length), (height): with density, or with axis=perpendicular."
+        | "Alle: mass oder density; distance von der Drehachse (0), angle (0), count gleichmäßig verteilt (1).\n(length), (height): mit density oder axis=perpendicular.";
     inertia = "Moment of inertia of solid bodies" | "Massenträgheitsmoment fester Körper";
     inertia_body =
         "Each body in quotes, for example \"disc diameter=200mm length=20mm density=7850kg/m^3\""
@@ -417,7 +420,9 @@ texts! {
         "Date on the first sheet; default: none, so that the same call gives the same bytes"
         | "Datum auf dem ersten Blatt; ohne Angabe keines, damit derselbe Aufruf dieselben Bytes ergibt";
     report = "The results as a PDF to sign" | "Die Ergebnisse als PDF zum Unterschreiben";
-    report_out = "PDF file to write" | "Zu schreibende PDF-Datei";
+    report_out =
+        "PDF file to write (that beside the project, with its name)"
+        | "Zu schreibende PDF-Datei (die neben dem Projekt, mit seinem Namen)";
     report_full =
         "Include the derivation of every check, all sources and all ordering codes as appendices"
         | "Mit Herleitung jedes Nachweises, allen Quellen und allen Bestellbezeichnungen im Anhang";

@@ -42,6 +42,7 @@ mod project_file;
 mod project_page;
 mod quantity;
 mod recorded_keys;
+pub mod recorded_template;
 mod recording;
 pub mod records;
 pub mod report;

@@ -48,8 +48,8 @@ texts! {
         "the table or a recording was changed while the sweep ran: its parts are removed, the same call starts again"
         | "die Tabelle oder eine Aufzeichnung wurde während des Laufs geändert: die Teile werden entfernt, derselbe Aufruf beginnt von vorn";
     ending_of_a_table =
-        "the file name of the results must end in .csv or .parquet"
-        | "der Dateiname der Ergebnisse muss auf .csv oder .parquet enden";
+        "the file name of the results must end in .csv, .csv.gz or .parquet"
+        | "der Dateiname der Ergebnisse muss auf .csv, .csv.gz oder .parquet enden";
     parquet_elsewhere =
         "a Parquet table is read by `antrieb sweep` of the command line and in Python only"
         | "eine Parquet-Tabelle lesen nur `antrieb sweep` auf der Kommandozeile und Python";

@@ -170,6 +170,12 @@ texts! {
     check_not_asked(title) =
         "{title}: this check does not apply to this axis and actuator"
         | "{title}: dieser Nachweis entfällt bei dieser Achse mit diesem Antrieb";
+    nothing_to_sample =
+        "the project has no tolerances, so nothing is sampled"
+        | "das Projekt hat keine Toleranzen, also wird nichts gezogen";
+    state_a_tolerance =
+        "leave it out, or state one, such as mass = \"30 kg ± 5 %\""
+        | "weglassen, oder eine angeben, etwa mass = \"30 kg ± 5 %\"";
     too_many_samples(asked, most) =
         "{asked} samples of these tolerances take more than about ten seconds; by default at most {most} are evaluated: state fewer with --samples, or a time limit with --deadline"
         | "{asked} Stichproben dieser Toleranzen dauern länger als etwa zehn Sekunden; ohne Angabe werden höchstens {most} ausgewertet: mit --samples weniger oder mit --deadline eine Zeitgrenze angeben";

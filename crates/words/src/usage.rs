@@ -18,6 +18,20 @@ pub enum Usage {
         /// Spelling of the call.
         written: String,
     },
+    /// The command takes no such argument.
+    NoSuchArgument {
+        /// Spelling of the call.
+        written: String,
+        /// The command.
+        command: String,
+    },
+    /// The word may be the value of several options.
+    SeveralOptions {
+        /// Spelling of the call.
+        written: String,
+        /// The options.
+        options: Vec<String>,
+    },
     /// Required arguments are missing.
     Missing {
         /// Names of the arguments in the help.
@@ -69,6 +83,8 @@ pub enum UsageHint {
     WholeNumber,
     /// Syntax of an amount of memory.
     Memory,
+    /// Calls that work, with the words of the faulty one.
+    Calls(Vec<String>),
     /// Reference to the help.
     Help,
 }
@@ -82,6 +98,16 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
         }
         Usage::UnknownOption { written } => {
             said!(language => "unknown option \"{written}\"" | "unbekannte Option „{written}“")
+        }
+        Usage::NoSuchArgument { written, command } => said!(language =>
+            "\"{written}\" is no argument of `{command}`" | "„{written}“ ist kein Argument von `{command}`"
+        ),
+        Usage::SeveralOptions { written, options } => {
+            let options = options.join(", ");
+            said!(language =>
+                "\"{written}\" may be the value of several options: {options}"
+                | "„{written}“ kann der Wert mehrerer Optionen sein: {options}"
+            )
         }
         Usage::Missing { names } => said!(language => "{names} is missing" | "es fehlt {names}"),
         Usage::BadValue { written, name } => {
@@ -113,6 +139,10 @@ pub fn usage_hint(hint: &UsageHint, language: Language) -> String {
         UsageHint::Memory => {
             said!(language => "1 MiB to 64 GiB, for example \"512 MiB\"" | "1 MiB bis 64 GiB, zum Beispiel \"512 MiB\"")
         }
+        UsageHint::Calls(calls) => {
+            let calls = calls.join("\n");
+            said!(language => "write: {calls}" | "so schreiben: {calls}")
+        }
         UsageHint::Help => said!(language => "--help shows the syntax" | "--help zeigt den Aufruf"),
     }
 }
@@ -127,6 +157,8 @@ mod tests {
         let all = [
             Usage::UnknownCommand { written: word() },
             Usage::UnknownOption { written: word() },
+            Usage::NoSuchArgument { written: word(), command: word() },
+            Usage::SeveralOptions { written: word(), options: vec![word(), word()] },
             Usage::Missing { names: word() },
             Usage::BadValue { written: word(), name: word() },
             Usage::ValueMissing { name: word() },
@@ -141,7 +173,13 @@ mod tests {
             let [en, de] = [Language::En, Language::De].map(|language| usage_text(&usage, language));
             assert!(en.len() > 10 && de.len() > 10 && en != de, "{usage:?}");
         }
-        let hints = [UsageHint::Range(word(), word()), UsageHint::WholeNumber, UsageHint::Memory, UsageHint::Help];
+        let hints = [
+            UsageHint::Range(word(), word()),
+            UsageHint::WholeNumber,
+            UsageHint::Memory,
+            UsageHint::Calls(vec![word()]),
+            UsageHint::Help,
+        ];
         for hint in hints {
             let [en, de] = [Language::En, Language::De].map(|language| usage_hint(&hint, language));
             assert!(en.len() > 10 && de.len() > 10 && en != de, "{hint:?}");

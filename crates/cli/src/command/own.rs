@@ -3,9 +3,10 @@
 use super::argument::{self, flag, text};
 use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
-use quantities::Language;
+use quantities::{Language, MomentOfInertia};
 use questions::SIGNALS;
 use questions::list::{plot, report, wiring};
+use std::net::{IpAddr, SocketAddr};
 use words::help;
 use words::help::values;
 
@@ -33,6 +34,12 @@ pub(crate) fn export(command: Command, _: Language) -> Command {
 /// Sets CSV as the default format.
 pub(crate) fn catalogue(command: Command, _: Language) -> Command {
     command.mut_arg("format", |format| format.default_value("csv"))
+}
+
+/// Adds the recording from which a project begins.
+pub(crate) fn new(command: Command, language: Language) -> Command {
+    let from = text("from", values::file(language), help::new_from(language));
+    command.arg(from.value_parser(value_parser!(std::path::PathBuf)))
 }
 
 /// Adds help on a picture without a file.
@@ -75,12 +82,39 @@ pub(crate) fn shapes(command: Command, language: Language) -> Command {
     let mut shapes = String::new();
     for shape in &project::BODY_SHAPES {
         let axis = if shape.may_lie { " axis" } else { "" };
-        let line = format!("  {:<9} {}{axis}", shape.name, shape.dimensions.join(" "));
+        let extent = shape.extent.map(|extent| format!(" ({extent})")).unwrap_or_default();
+        let line = format!("  {:<9} {}{extent}{axis}", shape.name, shape.dimensions.join(" "));
         shapes.push_str(line.trim_end());
         shapes.push('\n');
     }
     command.after_help(format!("{}\n{shapes}{}", help::shapes(language), help::shapes_all(language)))
 }
+
+/// Returns `true` if a word is recognisably the value of an option that only the command line has.
+pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
+    let changed = || word.split_once('=').map(|(key, value)| (key.trim(), value.trim()));
+    let is_scale = |key: &str| crate::changed::SCALED.contains(&key);
+    let is_key = |key: &str| {
+        key.starts_with(|sign: char| sign.is_ascii_alphabetic())
+            && key.chars().all(|sign| sign.is_ascii_alphanumeric() || "_.[]".contains(sign))
+    };
+    match option {
+        "lang" => words::spoken::language_of(word).is_some(),
+        "deadline" => crate::deadline_of(word, language).is_ok(),
+        "memory" => crate::memory_allowed(Some(word.to_owned()), language).is_ok(),
+        "scale" => {
+            changed().is_some_and(|(key, factor)| is_scale(key) && factor.replace(',', ".").parse::<f64>().is_ok())
+        }
+        "set" => changed().is_some_and(|(key, _)| is_key(key) && !is_scale(key)),
+        "inertia" => questions::read_quantity::<MomentOfInertia>(word, language).is_ok(),
+        "listen" => word.parse::<SocketAddr>().is_ok() || word.parse::<IpAddr>().is_ok(),
+        "port" => word.parse::<u16>().is_ok_and(|port| port >= PORT_LEAST),
+        _ => false,
+    }
+}
+
+/// Smallest number that is plainly a port: smaller ones belong to services of the system.
+const PORT_LEAST: u16 = 1024;
 
 pub(super) fn serve(language: Language) -> Command {
     let [one, all] = crate::serve::EXAMPLES;

@@ -1,5 +1,7 @@
 //! Calls that the command-line library rejects, as faults like all others.
 
+use super::example::filled;
+use super::meant::{Called, Stray};
 use super::spoken::option_meant;
 use crate::answer::{CommandAnswer, written};
 use answers::{Fault, Faults};
@@ -30,25 +32,50 @@ pub(crate) fn refused(
         _ => None,
     };
     let hint = meant.map(|option| UsageHint::Words(Hint::DidYouMean(option))).or_else(|| hint_of(error, missing));
-    let usage = usage_of(error);
-    let (message, hint) = (usage_text(&usage, language), hint.map(|hint| usage_hint(&hint, language)));
-    let kinds = kinds(missing, language);
-    let shown = match &hint {
-        Some(_) if !kinds.is_empty() => kinds,
-        Some(hint) => format!("  {hint}\n"),
-        None => String::new(),
+    let call = (error.kind() == ErrorKind::MissingRequiredArgument)
+        .then(|| filled(arguments, &Called::of(arguments, command, language)?))
+        .flatten();
+    let hints: Vec<UsageHint> = match (hint, call) {
+        (None | Some(UsageHint::Help), Some(call)) => vec![UsageHint::Calls(vec![call])],
+        (hint, call) => hint.into_iter().chain(call.map(|call| UsageHint::Calls(vec![call]))).collect(),
     };
-    let talk = format!("{}: {message}\n{shown}\n{}\n", library::error(language), library::more(language));
     let option = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(name)) => name.strip_prefix("--").map(|name| {
             name.chars().take_while(|sign| sign.is_ascii_alphanumeric() || *sign == '-').collect::<String>()
         }),
         _ => None,
     };
-    let fault =
-        Fault { id: Some("usage"), option: option.filter(|name| !name.is_empty()), message, hint, ..Fault::default() };
-    let faults = Faults::from(vec![fault]);
-    let data = if as_json { written(&faults) } else { String::new() };
+    let option = option.filter(|name| !name.is_empty());
+    said((&usage_of(error), option), &hints, kinds(missing, language), (as_json, language))
+}
+
+/// Returns the answer to a call with a word that nothing takes.
+pub(crate) fn stray(
+    stray: &Stray,
+    (command, arguments): (&Command, &[OsString]),
+    as_json: bool,
+    language: Language,
+) -> CommandAnswer {
+    let Some(called) = Called::of(arguments, command, language) else { return CommandAnswer::none() };
+    let (usage, hint) = stray.fault(&called, arguments);
+    said((&usage, None), hint.as_slice(), String::new(), (as_json, language))
+}
+
+/// Returns a fault with its hints: for the terminal the last one below those that `shown` replaces.
+fn said(
+    (usage, option): (&Usage, Option<String>),
+    hints: &[UsageHint],
+    kinds: String,
+    (as_json, language): (bool, Language),
+) -> CommandAnswer {
+    let message = usage_text(usage, language);
+    let texts: Vec<String> = hints.iter().map(|hint| usage_hint(hint, language)).collect();
+    let line = |hint: &String| format!("  {}\n", hint.replace('\n', "\n  "));
+    let shown = if kinds.is_empty() { texts.iter().map(line).collect() } else { kinds };
+    let talk = format!("{}: {message}\n{shown}\n{}\n", library::error(language), library::more(language));
+    let hint = (!texts.is_empty()).then(|| texts.join("\n"));
+    let fault = Fault { id: Some("usage"), option, message, hint, ..Fault::default() };
+    let data = if as_json { written(&Faults::from(vec![fault])) } else { String::new() };
     CommandAnswer { data, talk, code: 2 }
 }
 

@@ -4,7 +4,7 @@
 
 use crate::run;
 
-use run::run;
+use run::{few_samples, run};
 use serde_json::{Map, Value};
 
 /// The schema of one command's answer, with the records that all share.
@@ -30,8 +30,8 @@ fn every_answer_keeps_to_the_schema() {
     // One of each kind: plain, linear, recorded, with tolerances, with a stage, with an actuator of its own, several axes.
     for name in ["screw-axis", "robot-joint", "tolerances", "manual-example", "two-axes"] {
         let file = format!("examples/{name}.toml");
-        ask("size", &["size", &file, "--samples", "100"]);
-        ask("check", &["check", &file, "--code", code, "--samples", "100"]);
+        ask("size", &[&["size", file.as_str()], few_samples(&file)].concat());
+        ask("check", &[&["check", file.as_str(), "--code", code], few_samples(&file)].concat());
     }
     let file = "examples/screw-axis.toml";
     ask("explain", &["explain", file, "--code", code]);

@@ -94,3 +94,78 @@ fn words_of_both_languages_and_any_case_lead_to_the_same_bytes() {
     let figure = run(&["plot", "examples/belt-axis.toml", "--figure", "torque_speed"]);
     assert_eq!(run(&["Diagramm", "examples/belt-axis.toml", "Torque-Speed"]).out, figure.out);
 }
+
+/// A report without a file name lies beside its project, and replaces nothing.
+#[test]
+fn a_report_without_a_file_lies_beside_its_project() {
+    let folder = tempfile::tempdir().unwrap();
+    let project = folder.path().join("press.toml");
+    std::fs::copy(root().join("examples/belt-axis.toml"), &project).unwrap();
+    let project = project.display().to_string();
+    let report = folder.path().join("press.pdf");
+    let first = run(&["Bericht", &project]);
+    assert!(first.code == 0 && first.out.contains("press.pdf") && report.is_file(), "{}{}", first.out, first.err);
+    std::fs::write(&report, "mine").unwrap();
+    let second = run(&["report", &project]);
+    assert!(second.code == 2 && second.err.contains("press.pdf") && second.err.contains("--force"), "{}", second.err);
+    assert_eq!(std::fs::read(&report).unwrap(), b"mine");
+    let piped = crate::run::run_with(&["report", "-"], b"format = 1");
+    assert!(piped.code == 2 && piped.err.contains("--out"), "{}", piped.err);
+}
+
+/// A project begins with a recording: its columns are recognised, what is not known is a comment.
+#[test]
+fn a_project_begins_with_a_recording() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let row = |step: i32| {
+        let t = f64::from(step) * 0.01;
+        let turn = (std::f64::consts::TAU * t).cos();
+        format!("{t:.2};{:.6};{:.6};7\r\n", 40.0 * (1.0 - turn), 3.0 * turn)
+    };
+    let rows: String = (0..=100).map(row).collect();
+    for (heading, kind, base) in [
+        ("t [s];Position [deg];M [Nm];spare", "recording", "[mechanism.joint]"),
+        ("t [s];Position [mm];note;spare", "recording", "[mechanism.belt]"),
+        ("t [s];Position [deg];note;spare", "arm", "[mechanism.arm]"),
+        ("t [s];Position [deg];note;spare", "recording", "[load]"),
+    ] {
+        let (table, out) = (path("run.csv"), path("axis.toml"));
+        std::fs::write(&table, format!("{heading}\r\n{rows}")).unwrap();
+        let made = run(&["new", kind, "--from", &table, "--out", &out, "--force"]);
+        assert_eq!(made.code, 0, "{}", made.err);
+        let text = std::fs::read_to_string(&out).unwrap();
+        for part in [base, "file = \"run.csv\"", "columns.time = \"t", "columns.position = \"Position"] {
+            assert!(text.contains(part), "{heading} {part}\n{text}");
+        }
+        assert!(text.contains("# columns.speed") && text.contains("spare"), "{text}");
+        let sized = run(&["size", &out, "--top", "1"]);
+        assert!(sized.code < 2, "{heading}\n{}\n{text}", sized.err);
+    }
+    std::fs::write(path("note.csv"), "a note\n").unwrap();
+    for file in ["note.csv", "missing.csv"] {
+        let refused = run(&["new", "recording", "--from", &path(file)]);
+        assert!(refused.code == 2 && refused.err.contains(file), "{}", refused.err);
+    }
+}
+
+/// Bodies keep their dimensions; their masses or densities grow with the load.
+#[test]
+fn a_load_of_bodies_is_scaled_by_its_masses() {
+    let project = "format = 1\n[mechanism.turntable]\nbodies = [\"disc diameter=400mm mass=8kg\"]\n\
+        [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"90 deg\"\ntime = \"0.8 s\"\n\
+        [[motion]]\nlaw = \"polynomial_5\"\ndistance = \"-90 deg\"\ntime = \"0.8 s\"\n";
+    let scaled = crate::run::run_with(&["size", "-", "--scale", "load=1.5", "--json"], project.as_bytes());
+    let stated = project.replace("mass=8kg", "mass=12kg");
+    let stated = crate::run::run_with(&["size", "-", "--json"], stated.as_bytes());
+    assert_eq!((scaled.code, scaled.out), (stated.code, stated.out), "{}", scaled.err);
+    assert!(scaled.err.contains("load × 1.5"), "{}", scaled.err);
+}
+
+#[test]
+fn samples_of_a_project_without_tolerances_are_refused() {
+    for (command, option) in [("size", "--samples"), ("check", "--seed")] {
+        let run = run(&[command, "examples/belt-axis.toml", option, "7"]);
+        assert!(run.code == 2 && run.err.contains(option) && run.err.contains("30 kg ± 5 %"), "{}", run.err);
+    }
+}

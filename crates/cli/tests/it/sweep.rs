@@ -6,6 +6,7 @@ use crate::run;
 use run::run;
 use serde_json::Value;
 use std::fmt::Write as _;
+use std::io::Read as _;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -54,6 +55,15 @@ fn a_written_table_is_answered_in_both_formats_alike() {
     assert_eq!((again.code, of("column_twice"), of("no_value"), faults.len()), (2, 6, empty, 6 + empty), "{faults:?}");
     assert!(faults.iter().filter(|fault| fault["id"] == "no_value").all(|fault| fault["heading"] == "code"));
     assert_eq!(std::fs::read_dir(folder).unwrap().count(), 4, "nothing else is left");
+    // A name that ends in .csv.gz is packed; another packing is refused.
+    let packed = path(folder, "best.csv.gz");
+    assert_eq!(run(&["sweep", &axis, &table, &packed]).code, 0);
+    let mut unpacked = String::new();
+    let file = std::fs::File::open(&packed).unwrap();
+    let _ = flate2::read::GzDecoder::new(file).read_to_string(&mut unpacked).unwrap();
+    assert_eq!(unpacked, answers);
+    let other = run(&["sweep", &axis, "--table", &table, "--out", &path(folder, "best.csv.zst")]);
+    assert!(other.code == 2 && other.err.contains(".csv.gz"), "{}", other.err);
 }
 
 #[test]

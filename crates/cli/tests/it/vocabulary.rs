@@ -3,7 +3,7 @@
 
 use crate::run;
 
-use run::{examples, run};
+use run::{examples, few_samples, run};
 
 /// Words that are not used, in a language.
 fn twins(language: &str) -> Vec<String> {
@@ -35,12 +35,12 @@ fn answers(language: &str) {
         texts.push((all.join(" "), found.out + &found.err));
     };
     for example in examples() {
-        ask(&["size", &example, "--top", "1", "--samples", "100"]);
+        ask(&[&["size", example.as_str(), "--top", "1"], few_samples(&example)].concat());
         let own = example.contains("manual-example");
         let code: &[&str] = if own { &[] } else { &["--code", "CHA-25A-50-H-C1024-B"] };
         // One axis of each kind is enough for what the engine derives.
         if language == "de" || own || example.contains("stage") {
-            ask(&[&["check", example.as_str(), "--samples", "100"], code].concat());
+            ask(&[&["check", example.as_str()], few_samples(&example), code].concat());
         }
         if own || example.contains("slewing") {
             ask(&[&["explain", example.as_str()], code].concat());

@@ -12,6 +12,11 @@ pub enum BodyError {
         /// Value of the dimension.
         value: Length,
     },
+    /// A dimension that the volume, or a lying body, needs is not stated.
+    DimensionMissing {
+        /// Name of the dimension: `length`, `height`.
+        field: &'static str,
+    },
     /// The inner diameter of a tube is not smaller than the outer one.
     InnerNotBelowOuter {
         /// Inner diameter.

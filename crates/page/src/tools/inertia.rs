@@ -46,7 +46,7 @@ fn unit(key: &str) -> &'static str {
 
 /// Returns the keys of a shape that a row shows, in their order.
 fn keys(shape: &BodyShape) -> impl Iterator<Item = &'static str> + use<> {
-    shape.dimensions.iter().copied().chain(["mass", "density", "distance", "angle", "count"])
+    shape.dimensions.iter().copied().chain(shape.extent).chain(["mass", "density", "distance", "angle", "count"])
 }
 
 impl BodyRow {
@@ -282,8 +282,10 @@ fn round_to(value: f64) -> f64 {
 fn outline(body: &BodyAnswer) -> (f64, f64, bool) {
     use SolidShape::{Box, Cone, Cylinder, PointMass, Rod, Sphere, Tube};
     match body.body.shape {
-        Cylinder { diameter, length, orientation } => lying(diameter.si(), length.si(), orientation),
-        Tube { outer, length, orientation, .. } => lying(outer.si(), length.si(), orientation),
+        Cylinder { diameter, length, orientation } => {
+            lying(diameter.si(), length.map_or(0.0, Measure::si), orientation)
+        }
+        Tube { outer, length, orientation, .. } => lying(outer.si(), length.map_or(0.0, Measure::si), orientation),
         Box { a, b, .. } => (a.si(), b.si(), false),
         Cone { diameter, .. } | Sphere { diameter } => (diameter.si(), diameter.si(), true),
         PointMass => (0.0, 0.0, true),

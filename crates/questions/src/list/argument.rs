@@ -1,6 +1,7 @@
 //! One argument of a question: its description for every face, and the check of its text.
 
 use project::Hint;
+use quantities::Language;
 use std::borrow::Cow;
 use words::{UsageHint, Word, help, help::values, requests};
 
@@ -31,6 +32,8 @@ pub struct Argument {
     pub signed: bool,
     /// Titles that are accepted for the words, each with its word.
     pub titles: Option<Titles>,
+    /// Function that returns `true` if the question can read a text of the argument.
+    pub reads: Option<fn(&str, Language) -> bool>,
 }
 
 /// Function that returns titles, each with its word.
@@ -85,7 +88,14 @@ impl Argument {
             instead_of: None,
             signed: false,
             titles: None,
+            reads: None,
         }
+    }
+
+    /// Returns the argument with the reader of its question.
+    #[must_use]
+    pub(super) const fn read_by(self, reads: fn(&str, Language) -> bool) -> Self {
+        Self { reads: Some(reads), ..self }
     }
 
     /// Creates a flag, true or false.
@@ -178,6 +188,18 @@ impl Argument {
     #[must_use]
     pub fn takes(&self, value: &str) -> bool {
         matches!(self.kind, ArgumentKind::Word(_)) && self.checked(value).is_ok()
+    }
+
+    /// Returns `true` if the values have a form of their own: they are no file and no flag.
+    #[must_use]
+    pub const fn kind_is_known(&self) -> bool {
+        !matches!(self.kind, ArgumentKind::File | ArgumentKind::Flag)
+    }
+
+    /// Returns the remedy for a text that is no value of the argument; `None` if it is one.
+    #[must_use]
+    pub fn remedy(&self, value: &str) -> Option<UsageHint> {
+        self.checked(value).err().flatten()
     }
 
     /// Splits a text into the values that it names: the words of a list.

@@ -1,8 +1,8 @@
 //! `check PROJECT`: one actuator judged for an axis.
 
 use super::given::{arguments, number, some_product_among, text};
-use super::size::{SAMPLES, SEED, draw};
-use super::{AXIS, Cost, Entry, Gives, Reads, Record, argument};
+use super::size::{SAMPLES, SEED, draw, sampled};
+use super::{AXIS, Cost, Entry, Gives, Inquiry, PlacedAxis, Reads, Record, Unanswered, argument};
 use crate::answer;
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal};
@@ -40,7 +40,7 @@ pub static ENTRY: Entry = Entry {
     example: "axis.toml --code CHA-25A-50-H-C1024",
     answer: Some(|asked| {
         let args = Args::read(&asked.given)?;
-        let axes = asked.axes(args.axis.as_deref(), args.cost())?;
+        let axes = args.axes(asked)?;
         asked.record_of_each(&axes, |project| {
             let found = args.verification(project, asked.progress)?;
             Ok((found.record(asked.language), answer::fit(&found.candidate)))
@@ -53,6 +53,16 @@ impl Args {
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::Check { draw: draw(self.samples, self.seed) }
+    }
+
+    /// Returns the axes to judge the actuator for.
+    ///
+    /// # Errors
+    /// Faults of the project; samples without tolerances.
+    pub fn axes(&self, inquiry: &Inquiry<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
+        let axes = inquiry.axes(self.axis.as_deref(), self.cost())?;
+        sampled(&axes, (self.samples, self.seed), inquiry.language)?;
+        Ok(axes)
     }
 
     /// Judges the actuator for an axis.

@@ -1,6 +1,6 @@
 //! Texts that a call or a request states for the arguments of a question, and their conversion to values.
 
-use super::argument::{Argument, FILE, LANG, TRUE, nearest_words};
+use super::argument::{Argument, ArgumentKind, FILE, LANG, TRUE, nearest_words};
 use super::unanswered::Unanswered;
 use crate::codes::{read_code, read_pattern, read_pattern_begun};
 use crate::upkeep::read_date;
@@ -76,6 +76,11 @@ impl Given {
         Self { has_names, ..self }
     }
 
+    /// Returns one text for one argument.
+    pub(super) fn one(argument: &Argument, text: &str, language: Language) -> Self {
+        Self { values: vec![(argument.name, text.to_owned())], language, has_names: false }
+    }
+
     /// Returns the value of an argument, or its default.
     #[must_use]
     pub fn text(&self, argument: &Argument) -> Option<&str> {
@@ -99,6 +104,21 @@ impl Given {
     /// A name that is too long.
     pub fn file(&self) -> Result<Option<String>, Unanswered> {
         label(self, &FILE)
+    }
+}
+
+/// Returns `true` if a text is recognisably a value of an argument: a code, a day, a number in range, one of the words, a
+/// quantity of the dimension. No text is recognisable for an argument that reads every one, nor a file.
+#[must_use]
+pub fn recognises(argument: &Argument, text: &str, language: Language) -> bool {
+    /// A text that only an argument without a form of its own reads.
+    const FORMLESS: &str = "\u{2203}";
+    match argument.kind {
+        ArgumentKind::File | ArgumentKind::Flag => false,
+        ArgumentKind::Date => read_date(text, language).is_ok(),
+        ArgumentKind::Code => read_code(text, language).is_ok(),
+        ArgumentKind::Whole(..) | ArgumentKind::Word(_) => argument.checked(text).is_ok(),
+        ArgumentKind::Text => argument.reads.is_some_and(|reads| reads(text, language) && !reads(FORMLESS, language)),
     }
 }
 
@@ -283,7 +303,12 @@ macro_rules! arguments {
 
         impl Args {
             /// Arguments as the faces present them.
-            pub const ARGUMENTS: &'static [$crate::list::Argument] = &[$($argument),*];
+            pub const ARGUMENTS: &'static [$crate::list::Argument] = &[$($argument.read_by(|text, language| {
+                let argument = $argument;
+                let given = $crate::list::Given::one(&argument, text, language);
+                let value: Result<$of, $crate::list::Unanswered> = ($read)(&given, &argument);
+                value.is_ok()
+            })),*];
 
             /// Reads the arguments.
             ///

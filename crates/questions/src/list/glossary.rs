@@ -12,7 +12,7 @@ arguments! {
     /// Arguments of `glossary`: the term.
     pub struct Args {
         /// A symbol, a name or a word; all terms without it.
-        term: Option<String> = Argument::option("term", values::term, help::glossary_term).form(ArgumentForm::Bare) => label,
+        term: Option<String> = Argument::option("term", values::term, help::glossary_term).form(ArgumentForm::Words) => label,
     }
 }
 

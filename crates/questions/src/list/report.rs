@@ -81,7 +81,7 @@ pub static ENTRY: Entry = Entry {
     reads: Reads::Project,
     arguments: Args::ARGUMENTS,
     gives: Gives::Media(&[media::PDF]),
-    writes: &[OutputFile::of("out", &[media::PDF], help::report_out).required()],
+    writes: &[OutputFile::of("out", &[media::PDF], help::report_out)],
     example: "axis.toml --out axis.pdf",
     answer: None,
 };

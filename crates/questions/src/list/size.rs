@@ -1,7 +1,10 @@
 //! `size PROJECT`: the whole catalogue ranked for an axis.
 
 use super::given::{arguments, count, flag, number, text};
-use super::{AXIS, Argument, ArgumentKind, Cost, Entry, Gives, OutputFile, Reads, Record, argument, media};
+use super::{
+    AXIS, Argument, ArgumentKind, Cost, Entry, Gives, Inquiry, OutputFile, PlacedAxis, Reads, Record, Unanswered,
+    argument, media,
+};
 use crate::answer;
 pub use crate::catalogue_reserve::{CatalogueReach, catalogue_reserve};
 pub use crate::gearing_proposals::{GearingProposal, SharedLoad, gearing_proposals, shared_load};
@@ -12,7 +15,7 @@ use axis::AxisProject;
 use configurator::ProductId;
 use quantities::Language;
 pub use sizing::{AxisChange, Reach};
-use words::{help, help::values};
+use words::{help, help::values, terminal};
 
 #[allow(clippy::cast_possible_truncation, reason = "a million")]
 pub(super) const SAMPLES: Argument =
@@ -47,7 +50,7 @@ pub static ENTRY: Entry = Entry {
     example: "axis.toml --top 5",
     answer: Some(|asked| {
         let args = Args::read(&asked.given)?;
-        let axes = asked.axes(args.axis.as_deref(), args.cost())?;
+        let axes = args.axes(asked)?;
         asked.record_of_each(&axes, |project| {
             let found = args.ranking(project, asked.progress)?;
             Ok((found.record(asked.language), found.sizing.fit().into()))
@@ -66,6 +69,16 @@ impl Args {
         draw(self.samples, self.seed)
     }
 
+    /// Returns the axes to rank the catalogue for.
+    ///
+    /// # Errors
+    /// Faults of the project; samples without tolerances.
+    pub fn axes(&self, inquiry: &Inquiry<'_>) -> Result<Vec<PlacedAxis>, Unanswered> {
+        let axes = inquiry.axes(self.axis.as_deref(), self.cost())?;
+        sampled(&axes, (self.samples, self.seed), inquiry.language)?;
+        Ok(axes)
+    }
+
     /// Returns the cost of the answer.
     #[must_use]
     pub fn cost(&self) -> Cost {
@@ -79,6 +92,23 @@ impl Args {
     pub fn ranking<'p>(&self, project: &'p AxisProject, progress: &Progress) -> Result<Ranking<'p>, Refusal> {
         ranking(project, self.complete(), self.draw(), progress)
     }
+}
+
+/// Reports a number of samples, or a seed, for axes without tolerances, of which nothing is sampled.
+///
+/// # Errors
+/// The first of both that is given.
+pub(super) fn sampled(
+    axes: &[PlacedAxis],
+    (samples, seed): (Option<usize>, Option<u64>),
+    language: Language,
+) -> Result<(), Unanswered> {
+    let given = samples.map(|_| SAMPLES.name).or(seed.map(|_| SEED.name));
+    let Some(option) = given.filter(|_| axes.iter().all(|(_, project)| project.tolerances.is_empty())) else {
+        return Ok(());
+    };
+    let fault = terminal::nothing_to_sample(language).to_owned();
+    Err(Unanswered::option(option, (fault, Some(terminal::state_a_tolerance(language).to_owned()))))
 }
 
 /// Returns the sampling of the tolerances.

@@ -1,11 +1,13 @@
 //! `torsion CODE`: the torsion of a gear under a torque, or the torque of an angle.
 
-use super::given::{arguments, product, text};
+use super::given::{arguments, product, some};
 use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
+use crate::chapters::read_quantity;
 use crate::sizing_use::{Refusal, not_offered};
-use crate::torsion::{TorsionAnswer, read_twist, torsion};
+use crate::torsion::{TorsionAnswer, Twist, torsion};
 use configurator::ProductId;
+use quantities::{Angle, Torque};
 use words::{help, help::values};
 
 arguments! {
@@ -14,10 +16,12 @@ arguments! {
         /// Ordering code of the actuator.
         code: ProductId = CODE.form(ArgumentForm::Bare) => product,
         /// Torque at the output.
-        torque: Option<String> = Argument::option("torque", values::torque, help::torsion_torque).signed() => text,
+        torque: Option<Torque> = Argument::option("torque", values::torque, help::torsion_torque).signed()
+            => some(read_quantity),
         /// Angle of torsion.
-        angle: Option<String> =
-            Argument::option("angle", values::angle, help::torsion_angle).signed().instead_of("torque") => text,
+        angle: Option<Angle> =
+            Argument::option("angle", values::angle, help::torsion_angle).signed().instead_of("torque")
+            => some(read_quantity),
     }
 }
 
@@ -43,8 +47,8 @@ pub static ENTRY: Entry = Entry {
 /// Every fault of the arguments; no stiffness in the manual.
 pub fn found(inquiry: &Inquiry<'_>) -> Result<(ProductId, TorsionAnswer), Unanswered> {
     let Args { code, torque, angle } = Args::read(&inquiry.given)?;
-    let twist = read_twist(torque.as_deref(), angle.as_deref(), inquiry.language)
-        .map_err(|(option, fault)| Unanswered::option(option, fault))?;
+    let one = || Unanswered::option("torque", (words::terminal::torque_or_angle(inquiry.language).to_owned(), None));
+    let twist = Twist::of(torque, angle).ok_or_else(one)?;
     let product = inquiry.catalogue.product(&code).ok_or_else(|| not_offered(&**inquiry.catalogue, &code))?;
     let found = torsion(&product.parameters, twist).ok_or(Refusal::NoData)?;
     Ok((code, found))

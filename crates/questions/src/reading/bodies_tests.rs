@@ -56,7 +56,19 @@ fn every_shape_has_a_reader_for_each_of_its_keys() {
     for shape in &BODY_SHAPES {
         let dimensions: Vec<String> =
             shape.dimensions.iter().enumerate().map(|(at, key)| format!("{key}={}mm", 90 - at)).collect();
-        assert!(answer(&format!("{} {} mass=1kg", shape.name, dimensions.join(" "))).total.mass.si() > 0.0);
+        let body = format!("{} {}", shape.name, dimensions.join(" "));
+        let of_mass = answer(&format!("{body} mass=1kg")).total;
+        assert!(of_mass.mass.si() > 0.0);
+        // The inertia about the own axis does not depend on the extent along it.
+        let Some(extent) = shape.extent else { continue };
+        assert_eq!(answer(&format!("{body} {extent}=50mm mass=1kg")).total, of_mass, "{body}");
+        let places = |text: &str| faults(text).into_iter().map(|(place, _)| place).collect::<Vec<_>>();
+        assert_eq!(places(&format!("{body} density=1kg/dm^3")), [shape.name], "{body}");
+        assert!(answer(&format!("{body} {extent}=50mm density=1kg/dm^3")).total.mass.si() > 0.0);
+        if shape.may_lie {
+            assert_eq!(places(&format!("{body} mass=1kg axis=perpendicular")), [shape.name], "{body}");
+            assert!(inertia(&format!("{body} mass=1kg axis=perpendicular {extent}=50mm")).is_ok());
+        }
     }
 }
 
@@ -77,8 +89,8 @@ fn all_faults_at_once_each_at_its_place() {
 #[test]
 fn what_is_missing_is_reported_at_the_shape() {
     assert_eq!(
-        faults("box a=5mm mass=1kg"),
-        [("box".to_owned(), "`b` is missing".to_owned()), ("box".to_owned(), "`height` is missing".to_owned())]
+        faults("box mass=1kg"),
+        [("box".to_owned(), "`a` is missing".to_owned()), ("box".to_owned(), "`b` is missing".to_owned())]
     );
     assert_eq!(
         faults("sphere diameter=5mm"),
@@ -173,12 +185,12 @@ fn every_fault_of_a_table_has_its_place() {
     let found = refused(
         &TABLES
             .replace("\"420 mm\"", "\"0 mm\"")
-            .replace("height = \"50 mm\"\n", "")
+            .replace("b = \"40 mm\"\n", "")
             .replace("\"60 mm\"\nlength = \"40 mm\"", "\"95 mm\"\nlength = \"40 mm\"\nheight = \"1 mm\""),
     );
     let places: Vec<&str> = found.iter().map(|(place, _)| place.as_str()).collect();
     assert_eq!(places, ["\"0 mm\"", "[", "height"], "{found:?}");
-    assert!(found[1].1.contains("`mechanism.turntable.body[2].height` is missing"), "{found:?}");
+    assert!(found[1].1.contains("`mechanism.turntable.body[2].b` is missing"), "{found:?}");
     assert!(found[2].1.contains("has no meaning with shape = \"tube\""), "{found:?}");
     // What only the whole body shows.
     let found = refused(&TABLES.replace("\"60 mm\"\nlength", "\"95 mm\"\nlength").replace("mass = \"0.9 kg\"\n", ""));

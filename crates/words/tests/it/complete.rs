@@ -244,10 +244,11 @@ fn move_faults() -> Vec<AxisFault> {
 }
 
 fn body_faults() -> Vec<AxisFault> {
+    let word = || "word".to_owned();
     let all = [
         BodyError::DimensionOutOfRange { field: "length", value: q(0.0) },
+        BodyError::DimensionMissing { field: "length" },
         BodyError::InnerNotBelowOuter { inner: q(2.0), outer: q(1.0) },
-        BodyError::NoMass,
         BodyError::MassAndDensity { mass: q(1.0), density: q(1.0) },
         BodyError::NoVolume,
         BodyError::MassOutOfRange { mass: q(0.0) },
@@ -257,8 +258,7 @@ fn body_faults() -> Vec<AxisFault> {
         BodyError::NoPiece,
         BodyError::BeyondNumbers,
     ];
-    let mut faults: Vec<AxisFault> = all.into_iter().map(AxisFault::Body).collect();
-    let word = || "word".to_owned();
+    let mut faults: Vec<AxisFault> = all.into_iter().chain([BodyError::NoMass]).map(AxisFault::Body).collect();
     faults.extend(
         [
             Fault::BodyMissing,

@@ -28,6 +28,11 @@ pub(crate) fn examples() -> Vec<String> {
     found
 }
 
+/// Returns the number of samples of the tolerances of a project; nothing for one without tolerances.
+pub(crate) fn few_samples(project: &str) -> &'static [&'static str] {
+    if project.contains("tolerances") { &["--samples", "50"] } else { &[] }
+}
+
 pub(crate) fn run(arguments: &[&str]) -> Run {
     run_with(arguments, b"")
 }

@@ -1,0 +1,159 @@
+//! Calls that work, with the words of a faulty one.
+
+use super::meant::{Called, Part, Stray, understood};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use quantities::seen;
+use questions::list::recognises;
+use std::ffi::OsString;
+use std::path::Path;
+use words::{Usage, UsageHint};
+
+/// Largest number of further words that a call is filled with.
+const FILLED_MOST: usize = 8;
+
+/// Returns the words of a call as they are typed: those with spaces or signs of a shell between quotes.
+pub(super) fn typed<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
+    let quoted = |word: &str| {
+        let is_plain = |sign: char| sign.is_alphanumeric() || "-_./=:,+@%".contains(sign);
+        match word {
+            "" => "\"\"".to_owned(),
+            _ if word.chars().all(is_plain) => word.to_owned(),
+            _ if word.contains('"') => format!("'{word}'"),
+            _ => format!("\"{word}\""),
+        }
+    };
+    words.into_iter().map(quoted).collect::<Vec<_>>().join(" ")
+}
+
+/// Splits an example into its words.
+fn split(example: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    for (place, part) in example.split('"').enumerate() {
+        if place % 2 == 1 {
+            words.push(part.to_owned());
+        } else {
+            words.extend(part.split_whitespace().map(str::to_owned));
+        }
+    }
+    words
+}
+
+/// Returns a call, with what it lacks taken from the example of the command; `None` if it is faulty in another way.
+pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<String> {
+    let mut whole = super::build_for(arguments, called.language());
+    // An argument has its text when the command is built.
+    whole.build();
+    let understood = understood(arguments.to_vec(), &whole, called.language());
+    if understood.stray.is_some() {
+        return None;
+    }
+    let mut words = understood.arguments;
+    let called = Called::of(&words, &whole, called.language())?;
+    let example = split(called.entry.map(|entry| entry.example).unwrap_or_default());
+    let of_example: Vec<&str> =
+        std::iter::repeat_n("", called.begin).chain(example.iter().map(String::as_str)).collect();
+    let parts = called.parts(&of_example)?;
+    for _ in 0..FILLED_MOST {
+        let Err(error) = whole.clone().try_get_matches_from(&words) else {
+            let texts: Option<Vec<&str>> = words.iter().map(|word| word.to_str()).collect();
+            // The name of the program as it is typed, not its path.
+            return Some(typed(std::iter::once(super::NAME).chain(texts?.into_iter().skip(1))));
+        };
+        if error.kind() != ErrorKind::MissingRequiredArgument {
+            return None;
+        }
+        let missing = match error.get(ContextKind::InvalidArg)? {
+            ContextValue::Strings(names) => names.clone(),
+            ContextValue::String(name) => vec![name.clone()],
+            _ => return None,
+        };
+        let texts: Vec<&str> = words.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
+        let mut more: Vec<String> = Vec::new();
+        let places: Vec<usize> = called.parts(&texts)?.iter().filter_map(Part::place).collect();
+        let (mut bare, behind) = (places.len(), places.last().map_or(called.begin, |last| last + 1));
+        let mut before: Vec<String> = Vec::new();
+        for name in &missing {
+            let argument = called.command.get_arguments().find(|argument| argument.to_string() == *name);
+            match argument.and_then(clap::Arg::get_long) {
+                Some(long) => more.extend(option(long, &called, (&parts, &texts)).unwrap_or_default()),
+                // A group of options: the first of the example.
+                None if name.contains("--") => {
+                    let options = parts.iter().find_map(|part| match part {
+                        Part::Option(option, _) => option.get_long(),
+                        Part::Bare(..) => None,
+                    });
+                    more.extend(options.and_then(|long| option(long, &called, (&parts, &texts))).unwrap_or_default());
+                }
+                None => {
+                    let word = parts.iter().filter_map(|part| match part {
+                        Part::Bare(_, word) => Some((*word).to_owned()),
+                        Part::Option(..) => None,
+                    });
+                    let word = word.clone().nth(bare).or_else(|| word.clone().next_back())?;
+                    before.push(word);
+                    bare += 1;
+                }
+            }
+        }
+        if more.is_empty() && before.is_empty() {
+            return None;
+        }
+        // Words without an option stand before the options.
+        words.splice(behind..behind, before.into_iter().map(OsString::from));
+        words.extend(more.into_iter().map(OsString::from));
+    }
+    None
+}
+
+impl Stray {
+    /// Returns the fault of the word, and the calls that work in place of the given one.
+    pub(crate) fn fault(&self, called: &Called<'_>, arguments: &[OsString]) -> (Usage, Option<UsageHint>) {
+        let written = seen(&self.word).into_owned();
+        let is_exact = self.options.iter().all(|(_, value)| *value == self.word);
+        let usage = match (&self.given, &self.options[..]) {
+            (Some(name), []) => Usage::Twice { name: name.clone() },
+            (_, [_, _, ..]) if is_exact => {
+                let options = self.options.iter().map(|(option, _)| option.clone()).collect();
+                Usage::SeveralOptions { written, options }
+            }
+            _ => Usage::NoSuchArgument { written, command: called.name.clone() },
+        };
+        let without = |words: &[&str]| -> Vec<OsString> {
+            let (head, tail) = arguments.split_at(self.place.min(arguments.len()));
+            let tail = tail.iter().skip(1);
+            head.iter().cloned().chain(words.iter().map(OsString::from)).chain(tail.cloned()).collect()
+        };
+        let mut calls: Vec<String> =
+            self.options.iter().filter_map(|(option, value)| filled(&without(&[option, value]), called)).collect();
+        if calls.is_empty() {
+            calls.extend(filled(&without(&[]), called));
+        }
+        calls.dedup();
+        let hint = if calls.is_empty() { UsageHint::Help } else { UsageHint::Calls(calls) };
+        (usage, Some(hint))
+    }
+}
+
+/// Values of the arguments that no example states.
+const VALUES: [&str; 8] = ["10 m", "10 s", "10 deg", "10 N m", "24 V", "20 degC", "2026-03-01", "1"];
+
+/// Returns an option with its value in the example, else with one of its form; a file is named like the project of the
+/// call.
+fn option(long: &str, called: &Called<'_>, (example, texts): (&[Part<'_>], &[&str])) -> Option<Vec<String>> {
+    let project = texts.iter().find(|text| text.ends_with(".toml") && !text.starts_with('-'));
+    let stated = example.iter().find_map(|part| match part {
+        Part::Option(option, value) if option.get_long() == Some(long) => *value,
+        _ => None,
+    });
+    let of_form = || {
+        let argument = called.argument(long)?;
+        let value = VALUES.into_iter().find(|value| recognises(argument, value, called.language()))?;
+        Some(value.to_owned())
+    };
+    let value = stated.map(str::to_owned).or_else(|| called.file_name(long)).or_else(of_form)?;
+    let own = project.and_then(|project| {
+        let ending = value.strip_prefix("axis")?;
+        Some(format!("{}{ending}", Path::new(project).with_extension("").to_str()?))
+    });
+    Some(vec![format!("--{long}"), own.unwrap_or(value)])
+}

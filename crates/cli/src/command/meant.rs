@@ -1,0 +1,500 @@
+//! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
+
+use super::own;
+use super::spoken::seems_code;
+use clap::{Arg, ArgAction, Command};
+use project::Hint;
+use quantities::Language;
+use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, LIST, OutputFile, Reads, media, recognises};
+use std::ffi::OsString;
+use std::path::Path;
+use words::UsageHint;
+
+/// The command of a call.
+pub(crate) struct Called<'c> {
+    /// Name of the program and of the command.
+    pub(super) name: String,
+    whole: &'c Command,
+    pub(super) command: &'c Command,
+    /// First question of the command; `None` for a command that only the command line has.
+    pub(super) entry: Option<&'static Entry>,
+    /// Place of the first word behind the command.
+    pub(super) begin: usize,
+    language: Language,
+}
+
+/// A part of a call behind the command.
+pub(super) enum Part<'w> {
+    /// A word without an option.
+    Bare(usize, &'w str),
+    /// An option and its value.
+    Option(&'w Arg, Option<&'w str>),
+}
+
+impl Part<'_> {
+    /// Returns the place of a word without an option.
+    pub(super) const fn place(&self) -> Option<usize> {
+        match self {
+            Self::Bare(place, _) => Some(*place),
+            Self::Option(..) => None,
+        }
+    }
+}
+
+/// A word that neither a position nor exactly one option takes.
+pub(crate) struct Stray {
+    pub(super) place: usize,
+    pub(super) word: String,
+    /// Options of which it may be the value, with the value.
+    pub(super) options: Vec<(String, String)>,
+    /// Option of which it is the value, and which the call gives already.
+    pub(super) given: Option<String>,
+}
+
+/// A call as it is meant.
+pub(crate) struct Understood {
+    pub(crate) arguments: Vec<OsString>,
+    /// First word that remains.
+    pub(crate) stray: Option<Stray>,
+}
+
+/// An option that may take a word.
+struct Candidate {
+    name: String,
+    /// Smaller numbers come first.
+    rank: u8,
+}
+
+/// Extensions of the files that a question reads besides its project.
+const TABLES: [&str; 3] = [".csv", ".csv.gz", ".parquet"];
+
+/// Extensions of recordings.
+const RECORDINGS: [&str; 5] = [".csv", ".csv.gz", ".parquet", ".txt", ".log"];
+
+/// Returns `true` if a word is a number with a minus sign, and no option.
+fn is_negative(word: &str) -> bool {
+    word.strip_prefix('-').is_some_and(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.'))
+}
+
+fn has_ending(word: &str, endings: &[&str]) -> bool {
+    let word = word.to_lowercase();
+    endings.iter().any(|ending| word.len() > ending.len() && word.ends_with(ending))
+}
+
+/// Returns the extensions of the files of a media type.
+fn endings(file: &OutputFile) -> Vec<&'static str> {
+    let of = |media: &&'static str| match *media {
+        media::SVG => ".svg",
+        media::PNG => ".png",
+        media::PDF => ".pdf",
+        media::CSV => ".csv",
+        media::TOML => ".toml",
+        media::XLSX => ".xlsx",
+        media::CALENDAR => ".ics",
+        media::PARQUET => ".parquet",
+        media::JSON => ".json",
+        _ if file.option == "vcd" => ".vcd",
+        _ => ".txt",
+    };
+    file.media.iter().map(of).collect()
+}
+
+impl<'c> Called<'c> {
+    /// Returns the language of the call.
+    pub(super) const fn language(&self) -> Language {
+        self.language
+    }
+
+    /// Finds the command of a call; `None` without one, or if its subcommand is missing.
+    pub(crate) fn of(arguments: &[OsString], whole: &'c Command, language: Language) -> Option<Self> {
+        let (mut command, mut names, mut begin) = (whole, Vec::new(), None);
+        let mut place = 1;
+        while let Some(word) = arguments.get(place).and_then(|word| word.to_str()) {
+            if word == "--lang" {
+                place += 1;
+            } else if !word.starts_with('-') {
+                let Some(below) = command.find_subcommand(word) else { break };
+                (command, begin) = (below, Some(place + 1));
+                names.push(word.to_owned());
+            }
+            place += 1;
+        }
+        let begin = begin.filter(|_| !command.has_subcommands())?;
+        let names = names.join(" ");
+        let entry = LIST.iter().copied().find(|entry| entry.command() == names);
+        Some(Self { name: format!("{} {names}", super::NAME), whole, command, entry, begin, language })
+    }
+
+    /// Returns the parts of a call behind the command; `None` if it requests help or has an unknown option.
+    pub(super) fn parts<'w>(&'w self, words: &[&'w str]) -> Option<Vec<Part<'w>>> {
+        let mut parts = Vec::new();
+        let mut place = self.begin;
+        while let Some(&word) = words.get(place) {
+            if word == "--" {
+                return None;
+            }
+            if !word.starts_with('-') || word == "-" || is_negative(word) {
+                parts.push(Part::Bare(place, word));
+            } else {
+                let name = word.split('=').next().unwrap_or_default();
+                let option = self.options().find(|option| {
+                    option.get_long().is_some_and(|long| name.strip_prefix("--") == Some(long))
+                        || option.get_short().is_some_and(|short| *name == format!("-{short}"))
+                })?;
+                if matches!(option.get_action(), ArgAction::Help | ArgAction::Version) {
+                    return None;
+                }
+                let value = match word.split_once('=') {
+                    Some((_, value)) => Some(value),
+                    None if option.get_action().takes_values() => {
+                        place += 1;
+                        words.get(place).copied()
+                    }
+                    None => None,
+                };
+                parts.push(Part::Option(option, value));
+            }
+            place += 1;
+        }
+        Some(parts)
+    }
+
+    fn options(&self) -> impl Iterator<Item = &Arg> {
+        self.command.get_arguments().chain(self.whole.get_arguments()).filter(|option| !option.is_positional())
+    }
+
+    /// Iterates over the questions of the command.
+    fn questions(&self) -> impl Iterator<Item = &'static Entry> {
+        self.entry.into_iter().flat_map(|entry| std::iter::once(entry).chain(entry.others()))
+    }
+
+    /// Returns the declaration of an argument, that of a question of the command before that of another question.
+    pub(super) fn argument(&self, name: &str) -> Option<&'static Argument> {
+        let named = |entry: &'static Entry| entry.arguments.iter().find(|argument| argument.name == name);
+        let own = self.questions().find_map(named);
+        own.or_else(|| self.entry.and_then(|_| LIST.iter().copied().find_map(named)))
+    }
+
+    /// Returns a name for the file of an option.
+    pub(super) fn file_name(&self, option: &str) -> Option<String> {
+        let file = self.entry?.files().find(|file| file.option == option)?;
+        Some(format!("axis{}", endings(file).first()?))
+    }
+
+    /// Returns `true` if an argument is one of the command's first question.
+    fn is_own(&self, name: &str) -> bool {
+        self.entry.is_some_and(|entry| entry.arguments.iter().any(|argument| argument.name == name))
+    }
+
+    /// Returns the order among the options that take a word; `None` if the option does not take it.
+    fn rank(&self, option: &Arg, word: &str, given: &[&str]) -> Option<u8> {
+        let name = option.get_long().filter(|_| option.get_action().takes_values())?;
+        let exists = Path::new(word).exists();
+        if let Some((entry, file)) =
+            self.entry.and_then(|entry| Some((entry, entry.files().find(|file| file.option == name)?)))
+        {
+            let is_replaced = exists && given.contains(&"force");
+            let is_packed = entry.command == "sweep" && has_ending(word, &[".csv.gz"]);
+            return ((is_packed || has_ending(word, &endings(file))) && !is_replaced).then_some(2);
+        }
+        let read = self.questions().skip(1).find(|other| other.option() == Some(name));
+        let file_endings: Option<&[&str]> = match (self.argument(name).map(|argument| argument.kind), read) {
+            (_, Some(other)) => Some(match other.reads {
+                Reads::Project | Reads::Measured => &[".toml"],
+                Reads::Pins => &[".csv"],
+                Reads::Nothing | Reads::TwoProjects => &[],
+            }),
+            (Some(ArgumentKind::File), None) => Some(&TABLES),
+            (None, None) if name == "project" => Some(&[".toml"]),
+            (None, None) if name == "from" => Some(&RECORDINGS),
+            _ => None,
+        };
+        let is_required = option.is_required_set();
+        if let Some(endings) = file_endings {
+            return has_ending(word, endings).then_some(if exists || is_required { 0 } else { 2 });
+        }
+        match self.argument(name) {
+            Some(argument) if argument.kind_is_known() => {
+                let is_ready = argument.needs.is_none_or(|needs| given.contains(&needs))
+                    && argument.instead_of.is_none_or(|other| !given.contains(&other));
+                let rank = match (is_required, self.is_own(name) && is_ready) {
+                    (true, _) => 0,
+                    (false, true) => 1,
+                    (false, false) => 3,
+                };
+                recognises(argument, word, self.language).then_some(rank)
+            }
+            _ => {
+                let values = option.get_possible_values();
+                let is_one = values.iter().any(|value| value.matches(word, true));
+                (is_one || own::recognises(name, word, self.language)).then_some(3)
+            }
+        }
+    }
+
+    /// Returns the options that take a word, and one that takes it but is given already.
+    fn takers(&self, word: &str, given: &[&str]) -> (Vec<String>, Option<String>) {
+        let mut found: Vec<Candidate> = Vec::new();
+        let mut twice = None;
+        for option in self.options() {
+            let (Some(name), Some(rank)) = (option.get_long(), self.rank(option, word, given)) else { continue };
+            let name = format!("--{name}");
+            let is_repeated = matches!(option.get_action(), ArgAction::Append);
+            if given.contains(&name.trim_start_matches('-')) && !is_repeated {
+                twice = twice.or(Some(name));
+            } else {
+                found.push(Candidate { name, rank });
+            }
+        }
+        let best = found.iter().map(|candidate| candidate.rank).min();
+        let names = found.into_iter().filter(|candidate| Some(candidate.rank) == best).map(|candidate| candidate.name);
+        let mut names: Vec<String> = names.collect();
+        // A code with a slip has no option of its own; the question names the nearest codes.
+        if names.is_empty() && seems_code(word) {
+            let is_code = |option: &&Arg| {
+                let argument = option.get_long().and_then(|name| self.argument(name));
+                argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code))
+            };
+            let code = self.options().find(is_code).and_then(Arg::get_long);
+            let is_free = |name: &&str| !given.contains(name) || self.argument(name).is_some_and(|code| code.repeated);
+            names.extend(code.filter(is_free).map(|name| format!("--{name}")));
+        }
+        (names, twice)
+    }
+
+    /// Returns the option that a bare word names, and whether it takes a value.
+    fn named(&self, word: &str) -> Option<(&str, bool)> {
+        let word = word.to_lowercase();
+        let option = self.options().find(|option| option.get_long() == Some(&word))?;
+        let is_help = matches!(option.get_action(), ArgAction::Help | ArgAction::Version);
+        Some((option.get_long()?, option.get_action().takes_values())).filter(|_| !is_help)
+    }
+
+    /// Returns the options that are not given, each with a value near a word.
+    fn near_values(&self, word: &str, given: &[&str]) -> Vec<(String, String)> {
+        let near = |option: &Arg| {
+            let name = option.get_long().filter(|name| !given.contains(name))?;
+            match self.argument(name)?.remedy(word)? {
+                UsageHint::Words(Hint::DidYouMean(value)) => Some((format!("--{name}"), value)),
+                _ => None,
+            }
+        };
+        self.options().filter(|option| option.get_action().takes_values()).filter_map(near).collect()
+    }
+
+    /// Returns `true` if a position takes a word: it is of the kind of the position, or of no kind of an option.
+    fn fits(&self, position: &Arg, word: &str, given: &[&str]) -> bool {
+        let name = position.get_id().as_str();
+        let is_project = ["project", "old", "new", "folder"].contains(&name);
+        let is_its = match self.entry.and_then(|_| self.argument(name)).map(|argument| (argument, argument.kind)) {
+            _ if is_project => word == "-" || has_ending(word, &[".toml"]) || Path::new(word).exists(),
+            Some((argument, ArgumentKind::Word(_))) => argument.takes(word),
+            Some((_, ArgumentKind::Code)) => seems_code(word) || questions::read_code(word, self.language).is_ok(),
+            Some(_) => true,
+            None => seems_code(word),
+        };
+        let named =
+            || position.get_num_args().is_some_and(|range| range.max_values() > 1) && self.named(word).is_some();
+        is_its || self.takers(word, given).0.is_empty() && !named()
+    }
+}
+
+/// Returns a call with each word that no position takes behind the option that it belongs to, and the words of a title
+/// that a position takes as one. Words that stay are reported.
+pub(crate) fn understood(arguments: Vec<OsString>, whole: &Command, language: Language) -> Understood {
+    let unchanged = |arguments| Understood { arguments, stray: None };
+    let texts: Option<Vec<&str>> = arguments.iter().map(|word| word.to_str()).collect();
+    let (Some(texts), Some(called)) = (texts, Called::of(&arguments, whole, language)) else {
+        return unchanged(arguments);
+    };
+    let Some(parts) = called.parts(&texts) else { return unchanged(arguments) };
+    let mut given: Vec<&str> = Vec::new();
+    let mut bare: Vec<(usize, &str)> = Vec::new();
+    for part in &parts {
+        match part {
+            Part::Bare(place, word) => bare.push((*place, word)),
+            Part::Option(option, _) => given.extend(option.get_long()),
+        }
+    }
+    let mut sorting = Sorting { called: &called, given, placed: Vec::new(), stray: None };
+    sorting.sort(&bare);
+    let Sorting { placed, stray, .. } = sorting;
+    let mut meant: Vec<OsString> = Vec::new();
+    for (place, argument) in arguments.iter().enumerate() {
+        match placed.iter().find(|(of, _)| *of == place) {
+            Some((_, words)) => meant.extend(words.iter().map(OsString::from)),
+            None => meant.push(argument.clone()),
+        }
+    }
+    // The stray word is named by its place in the new call.
+    let before = |stray: &Stray| -> usize {
+        let changed = placed.iter().filter(|(of, _)| *of < stray.place);
+        let (more, fewer) = changed.fold((0, 0), |(more, fewer), (_, words)| (more + words.len(), fewer + 1));
+        stray.place + more - fewer
+    };
+    let stray = stray.map(|stray| Stray { place: before(&stray), ..stray });
+    Understood { arguments: meant, stray }
+}
+
+/// Assignment of the bare words of a call.
+struct Sorting<'c> {
+    called: &'c Called<'c>,
+    given: Vec<&'c str>,
+    /// Words in place of that at a place.
+    placed: Vec<(usize, Vec<String>)>,
+    stray: Option<Stray>,
+}
+
+impl<'c> Sorting<'c> {
+    fn sort(&mut self, bare: &[(usize, &'c str)]) {
+        let called = self.called;
+        let mut positions = called.command.get_positionals().peekable();
+        let mut rest = bare;
+        let mut code = String::new();
+        while let Some((&(place, word), behind)) = rest.split_first() {
+            let taken = match positions.peek() {
+                None => None,
+                Some(position) => self.position(position, rest, &mut code),
+            };
+            let Some((count, is_filled)) = taken else {
+                rest = self.elsewhere(place, word, behind);
+                continue;
+            };
+            if is_filled {
+                let _ = positions.next();
+            }
+            rest = rest.get(count..).unwrap_or_default();
+        }
+        self.ordered(bare);
+    }
+
+    /// Returns the number of the next words that a position takes, and whether it is full then; `None` if it takes none.
+    fn position(&mut self, position: &Arg, rest: &[(usize, &str)], code: &mut String) -> Option<(usize, bool)> {
+        let (called, language) = (self.called, self.called.language);
+        // No position takes a number with a minus sign.
+        let &(place, word) = rest.first().filter(|(_, word)| !is_negative(word))?;
+        let argument = called.entry.and_then(|_| called.argument(position.get_id().as_str()));
+        let is_several = position.get_num_args().is_some_and(|range| range.max_values() > 1);
+        match argument {
+            // A code may be written as several words; behind a complete one there is another argument.
+            Some(argument) if is_several && matches!(argument.kind, ArgumentKind::Code) => {
+                let joined = if code.is_empty() { word.to_owned() } else { format!("{code} {word}") };
+                let is_complete = !code.is_empty() && questions::read_code(code, language).is_ok();
+                let is_longer = || questions::read_code(&joined, language).is_ok();
+                let is_other = || {
+                    let starts_with_number =
+                        word.trim_start_matches('-').starts_with(|sign: char| sign.is_ascii_digit());
+                    let is_plain = word.chars().all(|sign| sign.is_ascii_alphanumeric());
+                    !called.takers(word, &self.given).0.is_empty()
+                        && (code.is_empty() || seems_code(code) && !(starts_with_number && is_plain && word.len() < 4))
+                };
+                if is_complete && !is_longer() || !seems_code(word) && is_other() {
+                    return None;
+                }
+                *code = joined;
+                Some((1, false))
+            }
+            Some(argument) if is_several && argument.form == ArgumentForm::Words => {
+                Some((rest.iter().take_while(|(_, word)| !is_negative(word)).count(), false))
+            }
+            // A title of several words: `new rotary table`.
+            Some(argument) if matches!(argument.kind, ArgumentKind::Word(_)) && !argument.takes(word) => {
+                let title = |count: &usize| -> String {
+                    rest.iter().take(*count).map(|(_, word)| *word).collect::<Vec<_>>().join(" ")
+                };
+                let count = (2..=rest.len().min(3)).rev().find(|count| argument.takes(&title(count)));
+                if let Some(count) = count {
+                    self.placed.push((place, vec![title(&count)]));
+                    self.placed.extend(rest.iter().take(count).skip(1).map(|(place, _)| (*place, Vec::new())));
+                    return Some((count, true));
+                }
+                called.fits(position, word, &self.given).then_some((1, true))
+            }
+            _ => called.fits(position, word, &self.given).then_some((1, !is_several)),
+        }
+    }
+
+    /// Places a word that no position takes behind its option; returns the words that follow.
+    fn elsewhere<'r>(&mut self, place: usize, word: &str, behind: &'r [(usize, &'c str)]) -> &'r [(usize, &'c str)] {
+        let called = self.called;
+        // `top 5` and `top=5` are `--top 5`.
+        if let Some((name, takes_value)) = called.named(word).filter(|(name, _)| !self.given.contains(name)) {
+            if !takes_value {
+                self.place_words(place, vec![format!("--{name}")], name);
+                return behind;
+            }
+            if let Some(((next, value), rest)) =
+                behind.split_first().map(|((next, value), rest)| ((*next, *value), rest))
+            {
+                self.place_words(place, vec![format!("--{name}"), value.to_owned()], name);
+                self.placed.push((next, Vec::new()));
+                return rest;
+            }
+        }
+        if let Some((name, value)) = word.split_once('=')
+            && let Some((name, true)) = called.named(name).filter(|(name, _)| !self.given.contains(name))
+        {
+            self.place_words(place, vec![format!("--{name}"), value.to_owned()], name);
+            return behind;
+        }
+        // A number and its unit may be several words: `60 N m`.
+        let units = behind.iter().take(3).take_while(|(_, unit)| unit.starts_with(char::is_alphabetic)).count();
+        for count in (1..=units).rev().filter(|_| word.parse::<f64>().is_ok()) {
+            let (unit, rest) = behind.split_at(count);
+            let whole = unit.iter().fold(word.to_owned(), |text, (_, unit)| format!("{text} {unit}"));
+            if let [option] = &called.takers(&whole, &self.given).0[..] {
+                self.place_option(place, &option.clone(), whole);
+                self.placed.extend(unit.iter().map(|(place, _)| (*place, Vec::new())));
+                return rest;
+            }
+        }
+        let (takers, twice) = called.takers(word, &self.given);
+        match &takers[..] {
+            [option] => self.place_option(place, &option.clone(), word.to_owned()),
+            _ if self.stray.is_none() => {
+                let mut options: Vec<(String, String)> =
+                    takers.into_iter().map(|option| (option, word.to_owned())).collect();
+                if options.is_empty() && twice.is_none() {
+                    options = called.near_values(word, &self.given);
+                }
+                self.stray = Some(Stray { place, word: word.to_owned(), options, given: twice });
+            }
+            _ => {}
+        }
+        behind
+    }
+
+    fn place_words(&mut self, place: usize, words: Vec<String>, name: &'c str) {
+        self.placed.push((place, words));
+        self.given.push(name);
+    }
+
+    fn place_option(&mut self, place: usize, option: &str, value: String) {
+        self.placed.push((place, vec![option.to_owned(), value]));
+        let long = self.called.options().find_map(|each| each.get_long().filter(|long| option == format!("--{long}")));
+        self.given.extend(long);
+    }
+
+    /// Exchanges a project that stands before the recording of it.
+    fn ordered(&mut self, bare: &[(usize, &str)]) {
+        let positions: Vec<&Arg> = self.called.command.get_positionals().collect();
+        let [trace, project] = &positions[..] else { return };
+        let is_file = |position: &Arg, name: &str| position.get_id().as_str() == name;
+        if !(is_file(trace, "trace") && is_file(project, "project")) {
+            return;
+        }
+        let kept: Vec<&(usize, &str)> =
+            bare.iter().filter(|(place, _)| self.placed.iter().all(|(other, _)| other != place)).collect();
+        if let [(first, one), (second, other)] = &kept[..]
+            && has_ending(one, &[".toml"])
+            && !has_ending(other, &[".toml"])
+        {
+            self.placed.push((*first, vec![(*other).to_owned()]));
+            self.placed.push((*second, vec![(*one).to_owned()]));
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "meant_tests.rs"]
+mod tests;

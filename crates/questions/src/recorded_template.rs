@@ -1,0 +1,87 @@
+//! A project file that begins with a recording of the user.
+
+use crate::incoming::IncomingFile;
+use crate::templates::{Template, template};
+use quantities::{Dimension, Language, Unit};
+use recording::{Preview, PreviewColumn, Role};
+use words::recorded_template;
+
+/// Kind of a project whose mechanism the recording decides.
+const RECORDING: &str = "recording";
+
+/// Kind whose motion is stated by speed and times, not by segments.
+const MANUAL: &str = "manual";
+
+/// Returns the project of a kind whose motion is a recording; `named` is the recording as the project names it, `file`
+/// the name of the project. The kind `recording` begins with a joint if the recording has a torque, with a belt if it
+/// is along a line, else with a load. `None` if the kind has no such motion, or the file is no table.
+#[must_use]
+pub fn recorded(
+    kind: &str,
+    incoming: &IncomingFile,
+    (named, file): (&str, &str),
+    language: Language,
+) -> Option<Template> {
+    let preview = incoming.preview()?;
+    let kind = match kind {
+        MANUAL => return None,
+        RECORDING => base(&preview),
+        kind => kind,
+    };
+    let plain = template(kind, file, language)?.text;
+    let (head, motion) = plain.split_once("[[motion]]")?;
+    let (_, tail) = motion.split_once("\n[requirements]")?;
+    let text = format!("{head}{}\n[requirements]{tail}", segment(&preview, named, language));
+    Some(Template { text, recording: None })
+}
+
+/// Returns the kind that fits the columns of a recording.
+fn base(preview: &Preview) -> &'static str {
+    let is_of = |column: &PreviewColumn, dimension| {
+        column.unit.as_ref().is_some_and(|unit| {
+            let unit = unit.trim_matches(['[', ']', '(', ')']);
+            Unit::of_dimension(dimension, unit).is_some()
+        })
+    };
+    let is_line = |column: &PreviewColumn| match column.role {
+        Some(Role::Position) => is_of(column, Dimension::Length),
+        Some(Role::Speed) => is_of(column, Dimension::Velocity),
+        Some(Role::Time | Role::Torque) | None => false,
+    };
+    if preview.columns.iter().any(is_line) {
+        "belt"
+    } else if preview.columns.iter().any(|column| column.role == Some(Role::Torque)) {
+        "joint"
+    } else {
+        "load"
+    }
+}
+
+/// Returns the segment with the recording: its columns as recognised, and a comment for each that is not.
+fn segment(preview: &Preview, named: &str, language: Language) -> String {
+    let quoted = |text: &str| format!("{text:?}");
+    let mut lines = vec!["[[motion]]".to_owned(), "law = \"recorded\"".to_owned(), format!("file = {}", quoted(named))];
+    let unused: Vec<&str> =
+        preview.columns.iter().filter(|column| column.role.is_none()).map(|column| column.heading.as_str()).collect();
+    for role in Role::ALL {
+        let key = match role {
+            Role::Time => "time",
+            Role::Position => "position",
+            Role::Speed => "speed",
+            Role::Torque => "torque",
+        };
+        let column = preview.columns.iter().find(|column| column.role == Some(role));
+        lines.push(match column {
+            Some(column) => format!("columns.{key} = {}", quoted(&column.name)),
+            None => format!(
+                "# columns.{key} = \"…\"  # {}",
+                recorded_template::not_recognised(&unused.join(", "), language)
+            ),
+        });
+        if let Some(column) = column.filter(|column| column.unit.is_none()) {
+            lines.push(format!("# units.{key} = \"…\"  # {}", recorded_template::no_unit(&column.heading, language)));
+        }
+    }
+    lines.push(String::new());
+    lines.join("\n")
+}
