@@ -182,6 +182,7 @@ pub(crate) fn cases() -> Vec<(&'static str, String, At)> {
         ("body_without_mass", bodies("disc diameter=1m length=1mm"), Field("mechanism.turntable.bodies")),
         ("body_mass_and_density", bodies("disc diameter=1m length=1mm mass=1kg density=1kg/m^3"), Field("mechanism.turntable.bodies")),
         ("body_dimension_out_of_range", bodies("disc diameter=0m length=1mm mass=1kg"), Field("mechanism.turntable.bodies")),
+        ("body_dimension_missing", bodies("disc diameter=1m density=7850kg/m^3"), Field("mechanism.turntable.bodies")),
         ("body_inner_not_below_outer", bodies("tube outer=10mm inner=20mm length=1mm mass=1kg"), Field("mechanism.turntable.bodies")),
         ("body_without_volume", bodies("point density=1kg/m^3"), Field("mechanism.turntable.bodies")),
         ("body_mass_out_of_range", bodies("point mass=0kg"), Field("mechanism.turntable.bodies")),
@@ -407,7 +408,7 @@ fn no_kind_of_fault_is_forgotten() {
 
 /// Faults that stand where another stands that is tried, by the same lines of the reader, or that only other questions have.
 #[rustfmt::skip] // one line per place
-const ELSEWHERE: [&str; 38] = [
+const ELSEWHERE: [&str; 43] = [
     // At the segment or its file.
     "end_speed_above_limit", "move_acceleration_too_low", "move_out_of_range", "move_speed_too_high", "rest_to_rest_only",
     "speed_not_closed", "position_not_closed", "motion_empty", "beyond_range", "position_and_speed_contradict", "joint_without_torque",
@@ -424,6 +425,8 @@ const ELSEWHERE: [&str; 38] = [
     "impossible_within_tolerance", "no_tolerance", "too_many_tolerances", "too_many_entries", "more_faults", "reading_stopped", "file_too_large",
     // At the points of a cam table; a number that is not finite is refused where it is read.
     "points_not_finite", "points_uneven",
+    // At the names of catalogue files.
+    "catalogue_without_products", "nothing_offered", "product_named_as_code", "product_named_twice", "product_of_two_files",
     // Faults that no project file on the page can have.
     "battery_operation_out_of_range", "battery_storage_out_of_range", "one_axis_only",
 ];
