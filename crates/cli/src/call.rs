@@ -134,9 +134,8 @@ impl Call<'_> {
     /// Converts the call to the question of its command.
     pub(crate) fn inquiry(&self, entry: &Entry) -> Result<Inquiry<'_>, Unanswered> {
         let sources: Vec<ReferencedText<'_>> = self.files.iter().map(File::source).collect();
-        let has_names = self.catalogue.has_files() || sources.iter().any(ReferencedText::may_name_products);
         Ok(Inquiry {
-            given: self.given(entry.arguments)?.naming_products(has_names),
+            given: self.given(entry.arguments)?,
             sources,
             catalogue: &self.catalogue,
             days_since_1970: days_since_1970(),
@@ -168,7 +167,9 @@ impl Call<'_> {
                 }
             }
         }
-        Given::of(arguments, pairs, self.language)
+        let may_name = |file: &File| file.source().may_name_products();
+        let has_names = self.catalogue.has_files() || self.files.iter().any(may_name);
+        Ok(Given::of(arguments, pairs, self.language)?.naming_products(has_names))
     }
 
     fn is_given(&self, name: &str) -> bool {

@@ -7,7 +7,7 @@ use axis::AxisProject;
 use quantities::{Language, format_significant};
 use questions::list::compare::{Comparison, DatumRow, errata_of};
 use questions::list::{Inquiry, Unanswered, compare};
-use questions::texts::{ValuesInRow, governing_text, margin_text, verdict_of};
+use questions::texts::{ValuesInRow, governing_text, margin_text, standing_text, verdict_of};
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
 use words::{
@@ -39,7 +39,11 @@ fn text(found: &Comparison<'_>, project: &AxisProject, language: Language) -> St
             none if none.is_empty() => none,
             some => format!(", {some}"),
         };
-        let verdict = verdict(candidate, language);
+        // That nothing fails says little about an actuator with few data.
+        let verdict = match candidate.product.is_described() {
+            true => standing_text(candidate, language),
+            false => verdict_of(candidate, language).to_owned(),
+        };
         let first = if found.better == Some(index) {
             format!("; {}", terminal::first_in_the_ranking(language))
         } else {
@@ -64,10 +68,6 @@ fn text(found: &Comparison<'_>, project: &AxisProject, language: Language) -> St
     let _ = writeln!(out, "✓ {pass} · ✗ {fail} · ! {advice} · ? {open} · ○ {shown} · * {room}\n");
     out.push_str(&figures(found, language));
     out
-}
-
-pub(crate) fn verdict(candidate: &Candidate<'_>, language: Language) -> &'static str {
-    verdict_of(candidate, language)
 }
 
 fn letter(index: usize) -> char {

@@ -208,7 +208,7 @@ pub enum Source {
     /// A value of a catalogue file of the user.
     CatalogueFile {
         /// File, line of the product, key, and the document that the file names: `stock.toml:12: torque_max (data sheet B)`.
-        place: Key,
+        place: Arc<str>,
     },
     /// A value that the project file leaves open: the default of a key.
     NotStated {

@@ -23,8 +23,8 @@ texts! {
         "Value of a key for this call, in place of that of the file, such as mechanism.belt.mass=20kg"
         | "Wert eines Schlüssels für diesen Aufruf, anstelle dessen der Datei, etwa mechanism.belt.mass=20kg";
     catalogue_file =
-        "Catalogue file in TOML or CSV, whose products are judged beside the built-in series; may be repeated"
-        | "Katalogdatei in TOML oder CSV, deren Produkte neben der enthaltenen Baureihe nachgewiesen werden; mehrfach angebbar";
+        "Catalogue file in TOML or CSV, whose products are judged beside the built-in series"
+        | "Katalogdatei in TOML oder CSV, deren Produkte neben der enthaltenen Baureihe nachgewiesen werden";
     scale =
         "Factor for this call: load=1.15 (masses and moments of inertia with payloads), payload=2, time=0.8 or distance=2"
         | "Faktor für diesen Aufruf: load=1,15 (Massen und Trägheitsmomente mit Nutzlasten), payload=2, time=0,8 oder distance=2";

@@ -147,6 +147,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("operation", operation::TEXTS),
     ("pages", pages::TEXTS),
     ("pictures", pictures::TEXTS),
+    ("recorded_template", recorded_template::TEXTS),
     ("records", records::TEXTS),
     ("report", report::TEXTS),
     ("requests", requests::TEXTS),

@@ -175,7 +175,7 @@ texts! {
         | "das Projekt hat keine Toleranzen, also wird nichts gezogen";
     state_a_tolerance =
         "leave it out, or state one, such as mass = \"30 kg ± 5 %\""
-        | "weglassen, oder eine angeben, etwa mass = \"30 kg ± 5 %\"";
+        | "weglassen, oder eine angeben, etwa mass = '30 kg ± 5 %'";
     too_many_samples(asked, most) =
         "{asked} samples of these tolerances take more than about ten seconds; by default at most {most} are evaluated: state fewer with --samples, or a time limit with --deadline"
         | "{asked} Stichproben dieser Toleranzen dauern länger als etwa zehn Sekunden; ohne Angabe werden höchstens {most} ausgewertet: mit --samples weniger oder mit --deadline eine Zeitgrenze angeben";

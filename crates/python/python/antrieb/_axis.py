@@ -142,7 +142,7 @@ class BaseAxis(_Source):
         found: Document = {}
         required: Document = {}
         for name, value in self._values.items():
-            if name in ("name", "single_move", "curve"):
+            if name in ("name", "single_move", "curve", "catalogue"):
                 continue
             if name == "mechanism":
                 table, _, own = value._TABLE.partition(".")
@@ -163,8 +163,7 @@ class BaseAxis(_Source):
 
     def _document(self) -> Document:
         head = self._named()
-        curve = {"curve": _written(self._values["curve"])} if "curve" in self._values else {}
-        return {"format": 1, **({"axis": head} if head else {}), **self._parts(), **curve}
+        return {"format": 1, **({"axis": head} if head else {}), **self._parts(), **_shared(self._values)}
 
     def _replaced(self, steps: list[str | int], path: str, value: Any) -> Self:
         first, *rest = steps
@@ -216,6 +215,11 @@ class BaseAxis(_Source):
         return made
 
 
+def _shared(values: Mapping[str, Any]) -> Document:
+    """What the axes of a project share: the user's curves and the catalogue files."""
+    return {name: _written(values[name]) for name in ("curve", "catalogue") if name in values}
+
+
 class BaseProject(_Source):
     """What the generated class of a project has beside its keywords."""
 
@@ -236,6 +240,8 @@ class BaseProject(_Source):
         for axis in self.axis:
             if axis.curve:
                 raise fault(f"axis {axis.name!r}: curves belong to the project", "give them to Project(…, curve=[…])")
+            if axis.catalogue:
+                raise fault(f"axis {axis.name!r}: catalogue files belong to the project", "give them to Project(…, catalogue=…)")
             if axis.name is None or axis.name in names:
                 raise fault(f"Project.axis: {'an axis has no name' if axis.name is None else f'two axes are named {axis.name!r}'}",
                             'name each: Axis("tilt", …)')
@@ -257,8 +263,7 @@ class BaseProject(_Source):
 
     def _document(self) -> Document:
         axes = [{**axis._named(), **axis._parts()} for axis in self.axis]
-        curve = {"curve": _written(self._values["curve"])} if "curve" in self._values else {}
-        return {"format": 1, "axis": axes, **curve}
+        return {"format": 1, "axis": axes, **_shared(self._values)}
 
     def __iter__(self) -> Iterator[Axis]:
         return iter(self.axis)
@@ -345,11 +350,12 @@ def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] 
             raise Unread("format")
         several = document.get("axis")
         if isinstance(several, list):
-            if document.keys() - {"axis", "curve"}:
+            if document.keys() - {"axis", "curve", "catalogue"}:
                 raise Unread("axis")
             axes = [Axis._of_document(dict(each), f"axis[{place}].")._of(None, "", beside, {}) for place, each in enumerate(several, 1)]
             curve = [_class("Curve")._read(each, f"curve[{place}]") for place, each in enumerate(document.get("curve", []), 1)]
-            made: Axis | Project = Project(axes, curve=curve or None)  # type: ignore[arg-type]
+            files = _class("CatalogueFiles")._read(document["catalogue"], "catalogue") if "catalogue" in document else None
+            made: Axis | Project = Project(axes, curve=curve or None, catalogue=files)  # type: ignore[arg-type]
         else:
             head = document.pop("axis", {})
             if not isinstance(head, dict) or head.keys() - {"name", "single_move"}:

@@ -88,6 +88,18 @@ class Ranked(Record):
     """Ordering code of an actuator of the catalogue."""
     name: str | None = None
     """Name of the project's own actuator."""
+    maker: str | None = None
+    """Maker; `null` if no file states it."""
+    series: str | None = None
+    """Series of the maker; `null` if no file states it."""
+    kind: str | None = None
+    """Kind of the product: `actuator`."""
+    length_mm: float | None = None
+    """Length in mm; `null` if it is not stated."""
+    price: str | None = None
+    """Price as written; `null` if it is not stated."""
+    lead_time_d: float | None = None
+    """Time of delivery in days; `null` if it is not stated."""
     verdict: Fit
     """Verdict on the actuator."""
     utilisation: float | None
@@ -324,6 +336,18 @@ class Rejection(Record):
 
     code: str
     """Ordering code of the rejected actuator."""
+    maker: str | None = None
+    """Maker; `null` if no file states it."""
+    series: str | None = None
+    """Series of the maker; `null` if no file states it."""
+    kind: str | None = None
+    """Kind of the product: `actuator`."""
+    length_mm: float | None = None
+    """Length in mm; `null` if it is not stated."""
+    price: str | None = None
+    """Price as written; `null` if it is not stated."""
+    lead_time_d: float | None = None
+    """Time of delivery in days; `null` if it is not stated."""
     check: CheckId | None = None
     """Id of the governing check: the failing one with the largest excess; `null` if only objections reject the
 actuator."""
@@ -349,6 +373,18 @@ class Assessed(Record):
     """Ordering code of an actuator of the catalogue."""
     name: str | None = None
     """Name of the project's own actuator."""
+    maker: str | None = None
+    """Maker; `null` if no file states it."""
+    series: str | None = None
+    """Series of the maker; `null` if no file states it."""
+    kind: str | None = None
+    """Kind of the product: `actuator`."""
+    length_mm: float | None = None
+    """Length in mm; `null` if it is not stated."""
+    price: str | None = None
+    """Price as written; `null` if it is not stated."""
+    lead_time_d: float | None = None
+    """Time of delivery in days; `null` if it is not stated."""
     verdict: Fit
     """Verdict on the actuator."""
     utilisation: float | None
@@ -559,6 +595,18 @@ class Judgement(Record):
     """Ordering code of an actuator of the catalogue."""
     name: str | None = None
     """Name of the project's own actuator."""
+    maker: str | None = None
+    """Maker; `null` if no file states it."""
+    series: str | None = None
+    """Series of the maker; `null` if no file states it."""
+    kind: str | None = None
+    """Kind of the product: `actuator`."""
+    length_mm: float | None = None
+    """Length in mm; `null` if it is not stated."""
+    price: str | None = None
+    """Price as written; `null` if it is not stated."""
+    lead_time_d: float | None = None
+    """Time of delivery in days; `null` if it is not stated."""
     verdict: Fit
     """Verdict on the actuator."""
     utilisation: float | None

@@ -22,6 +22,9 @@ from antrieb._section import Kind, Load as LoadOrMechanism, Mechanism, ReturnMov
 
 "#;
 
+/// Class of the table `[catalogue]`; `catalogue` is a function of the package.
+const FILES: &str = "CatalogueFiles";
+
 /// A class: its name, the class below it, its table, and its keys in the order of their places.
 struct Class {
     name: String,
@@ -103,6 +106,7 @@ pub(super) fn module() -> String {
     for name in ["stage", "bearing", "drive", "actuator"] {
         classes.push(plain(&class(name), "Section", &root(name), name));
     }
+    classes.push(plain(FILES, "Section", &root("catalogue"), "catalogue"));
     let twin = root("twin");
     classes.push(plain("Measured", "Section", &find(twin.kind.keys(false), "measured"), "twin.measured"));
     classes.push(plain("Twin", "Section", &twin, "twin"));
@@ -413,6 +417,7 @@ fn axis(requirements: &Key) -> String {
         members.push(root(name));
     }
     members.push(Member { table: Some("Curve".to_owned()), ..root("curve") });
+    members.push(Member { table: Some(FILES.to_owned()), ..root("catalogue") });
     let required = requirements.kind.keys(false).iter();
     members.extend(required.map(|key| Member { is_in_requirements: true, ..Member::of(key).open() }));
     let members: Vec<&Member> = members.iter().collect();
@@ -441,10 +446,10 @@ fn axis(requirements: &Key) -> String {
     );
     out.push_str(
         "\n\nclass Project(BaseProject):\n    \"\"\"Several axes in one project, and the curves of actuators that they share.\"\"\"\n\n    \
-         __slots__ = ()\n    _KEYS = {\n        \"axis\": Kind(\"tables\", table=\"Axis\"),\n        \"curve\": Kind(\"tables\", table=\"Curve\"),\n    }\n    \
-         _PLACES = (\"axis\",)\n\n    axis: tuple[Axis, ...]\n    curve: tuple[Curve, ...] | None\n\n    def __init__(self, axis: Sequence[Axis], *, curve: Sequence[Curve] | None = None) -> None:\n        \
-         \"\"\"Args:\n            axis: The axes, each with a name of its own.\n            curve: Curves of the user for actuators of the catalogue.\n        \
-         \"\"\"\n        self._begin(axis=axis, curve=curve)\n",
+         __slots__ = ()\n    _KEYS = {\n        \"axis\": Kind(\"tables\", table=\"Axis\"),\n        \"curve\": Kind(\"tables\", table=\"Curve\"),\n        \"catalogue\": Kind(\"table\", table=\"CatalogueFiles\"),\n    }\n    \
+         _PLACES = (\"axis\",)\n\n    axis: tuple[Axis, ...]\n    curve: tuple[Curve, ...] | None\n    catalogue: CatalogueFiles | None\n\n    def __init__(self, axis: Sequence[Axis], *, curve: Sequence[Curve] | None = None, catalogue: CatalogueFiles | None = None) -> None:\n        \
+         \"\"\"Args:\n            axis: The axes, each with a name of its own.\n            curve: Curves of the user for actuators of the catalogue.\n            catalogue: Catalogue files, whose products are judged beside the built-in series.\n        \
+         \"\"\"\n        self._begin(axis=axis, curve=curve, catalogue=catalogue)\n",
     );
     out
 }
