@@ -108,7 +108,8 @@ pub(crate) fn as_toml(name: &str, bytes: &[u8]) -> CsvText {
             Err(fault) => (Column::Refused, Some(fault)),
         };
         columns.push(column);
-        if let Some((fault, hint)) = fault {
+        if let Some(fault) = fault {
+            let (fault, hint) = *fault;
             found.fault(place(index), fault, hint);
         }
     }
@@ -139,8 +140,8 @@ const fn is_number(key: &Key) -> bool {
 }
 
 /// Reads a heading.
-fn column(heading: &str, index: usize, all: &[String]) -> Result<Column, (AxisFault, Option<Hint>)> {
-    let fault = |fault: Fault, hint| Err((AxisFault::from(fault), hint));
+fn column(heading: &str, index: usize, all: &[String]) -> Result<Column, Box<(AxisFault, Option<Hint>)>> {
+    let fault = |fault: Fault, hint| Err(Box::new((AxisFault::from(fault), hint)));
     if heading.is_empty() {
         return fault(Fault::Tabular(TabularFault::NoHeading { number: index + 1 }), None);
     }

@@ -12,8 +12,8 @@ use project::sections::{ActuatorEntry, CatalogueHead, CatalogueSection, Section,
 use project::{CATALOGUE_MAX_BYTES, Diagnostic, Fault, ReadCatalogue, decoded, offset, place, read_catalogue};
 use provenance::Datum;
 use sizing::BrakeTimes;
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::io::Read;
 use std::sync::{Arc, OnceLock};
 
@@ -124,7 +124,7 @@ fn of_toml(
     if actuators.is_empty() && report.fault_count() == 0 {
         report.fault(0..0, AxisFault::NoProducts, None);
     }
-    let mut lines: HashMap<&str, usize> = HashMap::with_capacity(actuators.len());
+    let mut lines: BTreeMap<&str, usize> = BTreeMap::new();
     let mut products = Vec::with_capacity(actuators.len());
     for entry in &actuators {
         let line = line_of(entry.id.span().start);

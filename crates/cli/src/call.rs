@@ -18,7 +18,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
-use words::{Usage, file_trouble, terminal, usage_text};
+use words::{file_trouble, terminal};
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -188,14 +188,17 @@ impl Call<'_> {
     }
 
     /// Returns the file beside the project with its name and another extension; `None` for standard input.
+    #[cfg(feature = "report")]
     pub(crate) fn file_beside(&self, ending: &str) -> Option<PathBuf> {
         let project = self.files.first()?.path();
         (!project.as_os_str().is_empty()).then(|| project.with_extension(ending))
     }
 
     /// Returns the fault of an option that a call without it needs.
+    #[cfg(feature = "report")]
     pub(crate) fn missing(&self, option: &str) -> Unanswered {
-        Unanswered::message(usage_text(&Usage::Missing { names: option.to_owned() }, self.language))
+        let missing = words::Usage::Missing { names: option.to_owned() };
+        Unanswered::message(words::usage_text(&missing, self.language))
     }
 
     /// Returns the writer of the files of the call, which protects those that it reads.

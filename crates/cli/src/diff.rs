@@ -2,13 +2,13 @@
 
 use crate::answer::CommandAnswer;
 use crate::call::Call;
-use crate::compare::{names, shown, verdict};
+use crate::compare::{names, shown};
 use crate::table::{Align, TextTable, labelled};
 use project::InputChange;
 use quantities::{Language, format_number};
 use questions::list::diff::{CheckChange, Difference, revisions};
 use questions::list::{Inquiry, Unanswered};
-use questions::texts::{ValuesInRow, margin_share, percent, verdict_text};
+use questions::texts::{ValuesInRow, margin_share, percent, verdict_of, verdict_text};
 use questions::{Check, ProductId, answer};
 use std::fmt::Write as _;
 use words::{check_title, terminal, terms};
@@ -25,7 +25,7 @@ pub(crate) fn diff(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
 fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: Language) -> String {
     let mut out = String::new();
     let head = if name.is_empty() { String::new() } else { format!("{name}: ") };
-    let (before, after) = (verdict(&found.before, language), verdict(&found.after, language));
+    let (before, after) = (verdict_of(&found.before, language), verdict_of(&found.after, language));
     let share = |share: f64| percent(share.is_finite().then_some(share), language);
     let _ = writeln!(
         out,

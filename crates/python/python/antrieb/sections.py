@@ -2347,6 +2347,35 @@ class Actuator(Section):
         )
 
 
+class CatalogueFiles(Section):
+    """Products of other manufacturers, judged beside the built-in series."""
+
+    __slots__ = ()
+    _TABLE = "catalogue"
+    _KEYS = {
+        "files": Kind("texts"),
+        "cha": Kind("bool"),
+    }
+
+    files: tuple[str, ...] | None
+    cha: bool | None
+
+    def __init__(
+        self,
+        *,
+        files: Sequence[str] | None = None,
+        cha: bool | None = None,
+    ) -> None:
+        """Args:
+            files: Catalogue files in TOML or CSV, relative to the project.
+            cha: False: the built-in series is not offered; default true.
+        """
+        self._begin(
+            files=files,
+            cha=cha,
+        )
+
+
 class Measured(Section):
     """Measured values instead of the values of tables and model."""
 
@@ -2824,6 +2853,7 @@ class Axis(BaseAxis):
         "actuator": Kind("table", table="Actuator"),
         "twin": Kind("table", table="Twin"),
         "curve": Kind("tables", table="Curve"),
+        "catalogue": Kind("table", table="CatalogueFiles"),
         "feedback": Kind("words", words=("C1024", "M512P", "RES", "D2048", "M128S",)),
         "brake": Kind("bool"),
         "hollow_shaft_min": Kind("quantity", example="18 mm"),
@@ -2882,6 +2912,7 @@ class Axis(BaseAxis):
     actuator: Actuator | None
     twin: Twin | None
     curve: tuple[Curve, ...] | None
+    catalogue: CatalogueFiles | None
     feedback: tuple[str, ...] | None
     brake: bool | None
     hollow_shaft_min: str | None
@@ -2942,6 +2973,7 @@ class Axis(BaseAxis):
         actuator: Actuator | None = None,
         twin: Twin | None = None,
         curve: Sequence[Curve] | None = None,
+        catalogue: CatalogueFiles | None = None,
         feedback: Literal["C1024", "M512P", "RES", "D2048", "M128S"] | Sequence[Literal["C1024", "M512P", "RES", "D2048", "M128S"]] | None = None,
         brake: bool | None = None,
         hollow_shaft_min: Quantity | None = None,
@@ -3000,6 +3032,7 @@ class Axis(BaseAxis):
             actuator: An actuator not contained in the catalogue.
             twin: Settings of the simulation.
             curve: Measured or digitised torque-speed curves; they take precedence over those of the catalogue.
+            catalogue: Products of other manufacturers, judged beside the built-in series.
             feedback: Permitted motor encoders; default: any.
             brake: Holding brake; true: required, false: excluded; default: either.
             hollow_shaft_min: Minimum hollow shaft bore diameter. Length such as `"18 mm"`, zero or more.
@@ -3058,6 +3091,7 @@ class Axis(BaseAxis):
             actuator=actuator,
             twin=twin,
             curve=curve,
+            catalogue=catalogue,
             feedback=feedback,
             brake=brake,
             hollow_shaft_min=hollow_shaft_min,
@@ -3114,18 +3148,21 @@ class Project(BaseProject):
     _KEYS = {
         "axis": Kind("tables", table="Axis"),
         "curve": Kind("tables", table="Curve"),
+        "catalogue": Kind("table", table="CatalogueFiles"),
     }
     _PLACES = ("axis",)
 
     axis: tuple[Axis, ...]
     curve: tuple[Curve, ...] | None
+    catalogue: CatalogueFiles | None
 
-    def __init__(self, axis: Sequence[Axis], *, curve: Sequence[Curve] | None = None) -> None:
+    def __init__(self, axis: Sequence[Axis], *, curve: Sequence[Curve] | None = None, catalogue: CatalogueFiles | None = None) -> None:
         """Args:
             axis: The axes, each with a name of its own.
             curve: Curves of the user for actuators of the catalogue.
+            catalogue: Catalogue files, whose products are judged beside the built-in series.
         """
-        self._begin(axis=axis, curve=curve)
+        self._begin(axis=axis, curve=curve, catalogue=catalogue)
 
 
 __all__ = [
@@ -3135,6 +3172,7 @@ __all__ = [
     "Bearing",
     "Belt",
     "Body",
+    "CatalogueFiles",
     "Columns",
     "Conveyor",
     "Curve",

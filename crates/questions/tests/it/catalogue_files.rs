@@ -79,7 +79,7 @@ fn a_product_of_a_file_is_judged_as_the_same_data_in_the_project() {
         ("german.csv", as_csv(&products, (';', ','))),
         ("tabs.csv", as_csv(&products, ('\t', '.'))),
     ];
-    let own: Vec<Vec<(String, Option<f64>, Option<f64>)>> = products
+    let own: Vec<Vec<Numbers>> = products
         .iter()
         .map(|(_, stated)| {
             let text = format!("{HEAD}[actuator]\nname = \"x\"\n{}", toml(stated));
@@ -103,7 +103,10 @@ fn a_product_of_a_file_is_judged_as_the_same_data_in_the_project() {
     }
 }
 
-fn numbers(candidate: &questions::Candidate<'_>) -> Vec<(String, Option<f64>, Option<f64>)> {
+/// A check with its verdict, its value and its limit.
+type Numbers = (String, Option<f64>, Option<f64>);
+
+fn numbers(candidate: &questions::Candidate<'_>) -> Vec<Numbers> {
     let of = |check: &std::sync::Arc<questions::Check>| {
         (
             format!("{:?} {:?}", check.id, check.verdict),
