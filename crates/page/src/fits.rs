@@ -25,7 +25,13 @@ const BEST_SHOWN: usize = 12;
 const REST: &str = "ranking-rest";
 
 /// Returns the pane.
-pub(crate) fn column(state: &PageState, held: &ReadProject, found: &Outcome<'_, '_>, shell: &dyn Shell) -> Markup {
+pub(crate) fn column(
+    state: &PageState,
+    held: &ReadProject,
+    found: &Outcome<'_, '_>,
+    fields: &str,
+    shell: &dyn Shell,
+) -> Markup {
     let (l, is_old) = (state.language, held.is_old);
     html! {
         section id="fits" class=(if is_old { "pane old" } else { "pane" }) aria-labelledby="fits-title" {
@@ -37,7 +43,7 @@ pub(crate) fn column(state: &PageState, held: &ReadProject, found: &Outcome<'_, 
                     List::Rejected => (rejected::list(state, sizing, found, &shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()))),
                     List::Map => (map(state, sizing, found.candidate.map(|candidate| &candidate.id))),
                 } }
-            } @else { (crate::next::steps(state, held)) }
+            } @else { (crate::next::steps(state, held, fields)) }
         }
     }
 }

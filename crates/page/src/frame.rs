@@ -157,7 +157,7 @@ fn work(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Result
     if let Err(refusal) = goes_on() {
         return Err((Box::new(held), refusal));
     }
-    let panes = panes(&moves, &demands, &fits::column(state, &held, &found, shell), state.language);
+    let panes = panes(&moves, &demands, &fits::column(state, &held, &found, &moves.0, shell), state.language);
     let is_done = !held.is_old && looked_at.as_ref().is_some_and(Candidate::fits);
     Ok(page_of(state, &held, shell, (&bar, is_done), &panes))
 }
@@ -208,7 +208,7 @@ fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Ma
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
     let bar = verdict::bar(state, held, &none, &moves.0, progress);
-    let panes = panes(&moves, &demand::nothing(state, held), &fits::column(state, held, &none, shell), state.language);
+    let panes = panes(&moves, &demand::nothing(state, held), &fits::column(state, held, &none, &moves.0, shell), state.language);
     page_of(state, held, shell, (&html! { (bar) (crate::markup::stopped(why)) }, false), &panes)
 }
 

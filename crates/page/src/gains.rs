@@ -12,8 +12,8 @@ use words::{about_text, capitalised, short_label, simulation, views};
 /// Span of a slider on both sides of the value in use, in powers of ten.
 const DECADES: f64 = 1.0;
 
-/// Longest time constant of the slider of a time that is nought \[s\].
-const TIME_MOST: f64 = 0.005;
+/// Longest time constant of the slider of a time that is zero \[ms\].
+const TIME_MOST: f64 = 5.0;
 
 /// Returns the gains in use; another one starts a new run, and the instant stays.
 pub(crate) fn gains(state: &PageState, record: &answers::Simulation) -> Markup {
@@ -37,7 +37,12 @@ fn field(gain: &Figure, path: &str, value: f64, is_stated: bool, language: Langu
     let Some(key) = key_at(path) else { return html! {} };
     let about = capitalised(&short_label(about_text(key.about, l)));
     let id = format!("gain-{}", id(path));
-    let unit = if gain.unit == "1" { "" } else { gain.unit };
+    // Times of a controller are milliseconds or less.
+    let (value, unit) = match gain.unit {
+        "1" => (value, ""),
+        "s" => (1e3 * value, "ms"),
+        other => (value, other),
+    };
     // A share may be nought; the others go by powers of ten.
     let is_linear = value <= 0.0 || unit.is_empty();
     let (low, high, at) = if is_linear {

@@ -17,6 +17,7 @@ mod chapters;
 mod checks;
 mod demand;
 mod detail;
+mod fault_lines;
 mod file_lines;
 mod files;
 mod find;

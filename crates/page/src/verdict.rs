@@ -1,7 +1,7 @@
 //! The bar under the head, always visible: verdict, governing checks, open checks, and the faults of the text.
 
+use crate::fault_lines::FaultLines;
 use crate::markup::{id, label, vals};
-use crate::sentences::{hint, quoted, worded};
 use crate::shown::{Outcome, class};
 use crate::state::{List, PageState, ReadProject};
 use maud::{Markup, html};
@@ -13,7 +13,7 @@ use questions::{Candidate, Progress, Verdict};
 use words::{about_text, capitalised, check_title, page, short_label, terms, verdict_count, without_limit};
 
 /// Number of faults shown at once.
-const FAULTS_SHOWN: usize = 20;
+pub(crate) const FAULTS_SHOWN: usize = 20;
 
 /// Returns the bar.
 pub(crate) fn bar(
@@ -31,7 +31,7 @@ pub(crate) fn bar(
                 Some(candidate) => { (line(candidate, l)) (below(found, candidate, progress, l)) },
                 None => p id="standing" role="status" tabindex="-1" { (page::no_result_yet(l)) },
             }
-            (faults(state, held, fields, l))
+            (faults(held, &FaultLines::new(state, held, fields)))
             (crate::markup::stopped(&html! {}))
             @if held.is_old && found.candidate.is_some() { p.advice id="is-old" role="status" { (page::result_is_old(l)) } }
         }
@@ -92,49 +92,20 @@ fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, progress: &Progress
     }
 }
 
-/// Returns the faults of the text, each with a link to its field, to its axis, or to its line in the text.
-fn faults(state: &PageState, held: &ReadProject, fields: &str, language: Language) -> Markup {
-    let prefix = state.prefix.as_str();
-    let has = |id: &str| fields.contains(&format!("id=\"{id}\""));
-    // The field; for a value without a field, the enclosing table.
-    let place = |path: &str| {
-        // A value outside the shown axis has no field.
-        let inside = path.strip_prefix(prefix)?;
-        let is_load = |path: &str| matches!(path.strip_prefix(prefix), Some("load" | "mechanism"));
-        let of = |path: &str| {
-            let id = if is_load(path) { String::from("mechanism") } else { id(path) };
-            [id.clone(), format!("{id}-t"), format!("{id}-e")].into_iter().find(|id| has(id))
-        };
-        let other = inside.starts_with("mechanism.").then(|| format!("{prefix}mechanism"));
-        of(path).or_else(|| of(&other?))
-    };
-    let axis = |path: &str| -> Option<usize> {
-        let place: usize = path.strip_prefix("axis[")?.split(']').next()?.parse().ok()?;
-        place.checked_sub(1).filter(|place| *place != state.axis && *place < held.projects.len())
-    };
-    let line = |(path, fault): &(Option<String>, words::Worded)| {
-        html! {
-            @let at = page::at_line(&fault.line, &fault.column, language);
-            @let (all, alone) = (worded(&fault.message, fault.hint.as_deref(), language), quoted(&fault.message, language));
-            @match (path.as_deref().and_then(place), path.as_deref().and_then(axis)) {
-                // The fault itself leads to its field.
-                (Some(id), _) => { a href={ "#" (id) } title=(at) { (alone) } (hint(fault.hint.as_deref(), language)) },
-                (None, Some(axis)) => { button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) } ": " (all) },
-                (None, None) => { a href="#text" data-line=(fault.line) { (at) } ": " (all) },
-            }
-        }
-    };
+/// Returns the faults of the text: the first in a line, the others in a fold.
+fn faults(held: &ReadProject, lines: &FaultLines<'_>) -> Markup {
     let more = held.faults.len().saturating_sub(1);
+    let l = lines.language();
     html! {
         div id="faults" role="status" {
             @if let Some(first) = held.faults.first() {
                 // A single line, so that the field with the focus keeps its place; the others open over the panes.
-                strong.fault { (page::faults(held.faults.len(), language)) } " "
-                ul.first { li { (line(first)) } }
+                strong.fault { (page::faults(held.faults.len(), l)) } " "
+                ul.first { li { (lines.line(first)) } }
                 @if more > 0 {
                     details.more-faults id="more-faults" {
-                        summary { (page::more_faults(more, language)) }
-                        ul { @for fault in held.faults.iter().take(FAULTS_SHOWN).skip(1) { li { (line(fault)) } } }
+                        summary { (page::more_faults(more, l)) }
+                        ul { @for fault in held.faults.iter().take(FAULTS_SHOWN).skip(1) { li { (lines.line(fault)) } } }
                     }
                 }
             }
