@@ -11,8 +11,8 @@ use questions::list::explain::derivation;
 use questions::texts::{ValuesInRow, margin_share, margin_text, node_amount, trust, verdict_text};
 use questions::{Candidate, Check, Verdict, answer};
 use words::{
-    ERRATUM_MARK, capitalised, chapter_name, check_missing, check_title, evidence_text, figure_term, marked, note_text,
-    page, terminal, terms, title_of_check,
+    ERRATUM_MARK, capitalised, chapter_name, check_missing, check_title, erratum_place_of, evidence_text, figure_term,
+    marked, note_text, page, terminal, terms, title_of_check,
 };
 
 /// Returns the derivation of a check: both sides, as trees.
@@ -52,7 +52,7 @@ fn node(node: &Node, language: Language) -> Markup {
             @if !node.repeated {
                 @if let Some((text, typeset)) = node.formula.as_deref().zip(formula::symbols(node, language)) { (formula_line(text, &typeset)) }
                 @if let Some((text, typeset)) = node.figures.as_deref().zip(formula::values(node, language)) { (formula_line(text, &typeset)) }
-                @for erratum in &node.errata { div.advice { code { (erratum.id) } ": " (erratum.evidence) } }
+                @for erratum in &node.errata { div.advice title=(erratum.id) { (capitalised(&erratum_place_of(&erratum.id, language))) ": " (erratum.evidence) } }
             }
             @if !node.operands.is_empty() { ul { @for operand in &node.operands { (self::node(operand, language)) } } }
         }
@@ -83,7 +83,7 @@ pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
                     @for row in found.demand.iter().chain(&found.data) { (datum_row(row, l)) }
                 }
             }
-            @for id in errata_of(&found.data) { p.small { (ERRATUM_MARK) " " code { (id) } ": " (evidence_text(id, l)) } }
+            @for id in errata_of(&found.data) { p.small { (ERRATUM_MARK) " " span title=(id) { (capitalised(&erratum_place_of(id, l))) } ": " (evidence_text(id, l)) } }
         }
     };
     drawer(page::side_by_side(l), &inside, l)

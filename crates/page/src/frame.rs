@@ -208,7 +208,12 @@ fn unfinished(state: &PageState, held: &ReadProject, shell: &dyn Shell, why: &Ma
     let none = Outcome { project: None, sizing: None, candidate: None };
     let moves = form::column(state, held, None, shell);
     let bar = verdict::bar(state, held, &none, &moves.0, progress);
-    let panes = panes(&moves, &demand::nothing(state, held), &fits::column(state, held, &none, &moves.0, shell), state.language);
+    let panes = panes(
+        &moves,
+        &demand::nothing(state, held),
+        &fits::column(state, held, &none, &moves.0, shell),
+        state.language,
+    );
     page_of(state, held, shell, (&html! { (bar) (crate::markup::stopped(why)) }, false), &panes)
 }
 

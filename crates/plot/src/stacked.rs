@@ -71,6 +71,9 @@ impl Panel {
     }
 }
 
+/// Least mean width of segments whose borders are drawn \[px\]: below, the lines would cover the curves.
+const SEGMENT_LEAST: f64 = 3.0;
+
 /// Height of the names of segments.
 const SEGMENTS: f64 = 18.0;
 /// Height of a line of title and legend above a panel.
@@ -256,8 +259,17 @@ impl StackedChart {
         borders
     }
 
-    /// Returns the borders within a plane \[px\].
+    /// Returns true if the segments within a plane are wide enough, on average, to be seen one by one.
+    fn are_segments_seen(&self, plane: &Plane) -> bool {
+        let inside = self.segments.iter().filter(|(from, to, _)| *to > plane.x.lo && *from < plane.x.hi).count();
+        inside as f64 * SEGMENT_LEAST <= plane.area.right - plane.area.left
+    }
+
+    /// Returns the borders within a plane \[px\]; none if they would stand too close to be told apart.
     fn borders_in(&self, plane: &Plane) -> Vec<f64> {
+        if !self.are_segments_seen(plane) {
+            return Vec::new();
+        }
         let inside = self.borders().into_iter().filter(|x| *x > plane.x.lo && *x < plane.x.hi);
         inside.map(|x| plane.x_at(x)).collect()
     }
@@ -283,7 +295,7 @@ impl StackedChart {
 
     /// Writes the names of the segments above the first panel, with brackets over their extent.
     fn draw_segments(&self, canvas: &mut Canvas<'_>, laid: &[Laid<'_>]) {
-        let Some(first) = laid.first() else { return };
+        let Some(first) = laid.first().filter(|first| self.are_segments_seen(&first.plane)) else { return };
         let plane = &first.plane;
         let base = plane.area.top - first.head.height(canvas.style);
         let mut until = f64::NEG_INFINITY;

@@ -86,6 +86,22 @@ fn the_label_of_a_limit_stands_above_the_panel() {
     }
 }
 
+/// Borders a few pixels apart would cover the curves; in a window of time they come back.
+#[test]
+fn segments_too_narrow_to_be_told_apart_have_no_borders() {
+    let chart = |count: u32, end: f64| {
+        let axis = PlaneAxis::new("t", "s").range(0.0, end);
+        let segments =
+            (0..count).map(f64::from).fold(StackedChart::new(axis), |chart, at| chart.segment(at, at + 1.0, "x"));
+        let course = Line::new([(0.0, 0.0), (end, 8.0)]);
+        segments.panel(Panel::new(PlaneAxis::new("T", "Nm")).with(course))
+    };
+    let drawn = |count, end| borders(&chart(count, end).render(&Style::new(Size::millimetres(120.0, 90.0)))).len();
+    assert_eq!(drawn(50, 50.0), 49);
+    assert_eq!(drawn(5000, 5000.0), 0);
+    assert_eq!(drawn(5000, 50.0), 49);
+}
+
 /// A scale with a single number has no unit of length.
 #[test]
 fn every_scale_has_two_numbers_however_low_its_panel() {
