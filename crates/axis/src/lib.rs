@@ -65,7 +65,7 @@ pub use kept::KeptRecordings;
 pub use law_sample::law_sample;
 pub use measured::{measurand, measured};
 pub use recording_name::{RECORDINGS, is_recording_name, is_referable_name};
-pub use recordings::{RecordingRead, read_recording};
+pub use recordings::{RecordingRead, is_parquet, read_recording};
 pub use roles::Within;
 pub use segment_load::SegmentLoadKey;
 pub use stage::RatioAnswer;

@@ -185,6 +185,9 @@ impl<'f> Recordings<'f> {
                 });
             }
         }
+        if !cfg!(feature = "parquet") {
+            return Err(unopened(std::io::ErrorKind::Unsupported.into()));
+        }
         // The bytes of the file are in memory while it is read, within the limit.
         let held = size.unwrap_or(0);
         self.memory.take(held).map_err(refused)?;
@@ -210,6 +213,12 @@ impl<'f> Recordings<'f> {
 /// Every fault of the file.
 pub fn read_recording(name: &str, layout: &Layout, files: &dyn Files) -> Result<Recording, Vec<AxisFault>> {
     Recordings::new(files).read_file(name, layout)
+}
+
+/// Returns true if a file is Parquet by its first bytes, packed or not.
+#[must_use]
+pub fn is_parquet(source: Box<dyn Read>) -> bool {
+    recording::opened(source).is_ok_and(|(content, _)| content == Content::Parquet)
 }
 
 /// Returns the faults of a file that is no recording.

@@ -204,7 +204,7 @@ pub(crate) fn view(
                 View::Heat => (drawn("heat", &marks, &none)),
                 View::Energy => { (power(project, candidate, l)) (drawn("energy", &marks, &none)) }
                 View::Bearing => (drawn("bearing-load", &marks, &none)),
-                View::Simulation if !crate::WHOLE => {}
+                View::Simulation if !crate::IS_WHOLE => {}
                 View::Simulation => (crate::simulated::view(state, project, candidate, progress)),
                 View::ErrorBudget => {
                     (tolerances::place(state, project, candidate, shell))
@@ -247,7 +247,7 @@ pub(crate) fn drawing(
         View::TorqueSpeed => Ok(figures::torque_speed(project, candidate, l)),
         View::Bearing => figures::bearing_load(project, candidate, state.window, l),
         View::ErrorBudget => figures::torsion(project, candidate, l),
-        View::Simulation if !crate::WHOLE => Err(NoFigure::OfARun),
+        View::Simulation if !crate::IS_WHOLE => Err(NoFigure::OfARun),
         View::Simulation => crate::simulated::run(state, project, candidate, progress)
             .map(|run| figures::simulation(&run, state.window, &state.kept_ranges, l))
             .map_err(|_| NoFigure::OfARun),

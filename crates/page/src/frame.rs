@@ -84,9 +84,9 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
 /// Returns what a link opens in the drawer: a tool, the derivation of a check, the comparison of the marked actuators.
 fn drawer_of(call: &Call<'_>, state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Markup {
     html! {
-        @if crate::WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, progress)) }
-        @else if let Some(check) = call.field("check").filter(|_| crate::WHOLE) { (derivation_of(&check, state, shell, progress)) }
-        @else if crate::WHOLE && state.marked.len() > 1 { (comparison(state, shell, progress)) }
+        @if crate::IS_WHOLE && call.field("tool").is_some() { (tools::pane(call, shell, progress)) }
+        @else if let Some(check) = call.field("check").filter(|_| crate::IS_WHOLE) { (derivation_of(&check, state, shell, progress)) }
+        @else if crate::IS_WHOLE && state.marked.len() > 1 { (comparison(state, shell, progress)) }
     }
 }
 

@@ -105,10 +105,10 @@ fn language_of(call: &Call<'_>) -> quantities::Language {
 }
 
 fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
-    if !WHOLE && is_for_the_larger(call) {
+    if !IS_WHOLE && is_for_the_larger(call) {
         return Reply::text(MISDIRECTED, "");
     }
-    if let Some(name) = call.path.strip_prefix("/assets/").filter(|_| WHOLE) {
+    if let Some(name) = call.path.strip_prefix("/assets/").filter(|_| IS_WHOLE) {
         return assets::asset(name);
     }
     #[cfg(feature = "theory")]
@@ -129,41 +129,41 @@ fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
         (Method::Get, "/axis") => html(start::further(call.language())),
         (Method::Get, "/begin/drawing") => html(start::drawing_of(call)),
         (Method::Post, "/work") => frame::worked(call, shell, progress),
-        (Method::Post, "/tolerances") if WHOLE => html(tolerances::judged(call, shell, progress)),
+        (Method::Post, "/tolerances") if IS_WHOLE => html(tolerances::judged(call, shell, progress)),
         (Method::Get, PROGRESS) => waiting::progress(call, shell),
         (Method::Post, CANCEL) => waiting::cancelled(call, shell),
-        (Method::Post, "/explain") if WHOLE => html(frame::explained(call, shell, progress)),
-        (Method::Post, "/compare") if WHOLE => html(frame::compared(call, shell, progress)),
-        (Method::Post, "/tools") if WHOLE => html(tools::pane(call, shell, progress)),
-        (Method::Post, "/paper") if WHOLE => html(paper::first_page(call, shell, progress)),
+        (Method::Post, "/explain") if IS_WHOLE => html(frame::explained(call, shell, progress)),
+        (Method::Post, "/compare") if IS_WHOLE => html(frame::compared(call, shell, progress)),
+        (Method::Post, "/tools") if IS_WHOLE => html(tools::pane(call, shell, progress)),
+        (Method::Post, "/paper") if IS_WHOLE => html(paper::first_page(call, shell, progress)),
         (Method::Get, "/find") => html(find::found(call)),
-        (Method::Get, "/gallery") if WHOLE => html(gallery::shown(call)),
+        (Method::Get, "/gallery") if IS_WHOLE => html(gallery::shown(call)),
         (Method::Get, "/keys") => html(find::keyboard(call)),
-        (Method::Post, "/versions") if WHOLE => html(versions::listed(call)),
+        (Method::Post, "/versions") if IS_WHOLE => html(versions::listed(call)),
         (Method::Post, "/picture") => frame::picture(call, shell, progress),
-        (Method::Post, "/let-in") if WHOLE => html(rejected::changes(call, shell, progress)),
+        (Method::Post, "/let-in") if IS_WHOLE => html(rejected::changes(call, shell, progress)),
         (Method::Post, "/would-fit") => html(remedies::cards(call, shell, progress)),
         (Method::Post, "/curves") => frame::curves(call, shell, progress),
         (Method::Post, "/values") => frame::values(call, shell, progress),
         (Method::Get, "/example") => html(start::example_verdict(call, shell, progress)),
         (Method::Get, "/files") => html(files::listed(call, shell)),
-        (Method::Post, "/merge") if WHOLE => files::merge(call, shell),
+        (Method::Post, "/merge") if IS_WHOLE => files::merge(call, shell),
         (Method::Get, "/watch") => files::watched(call, shell),
         (Method::Get, "/text") => files::text(call, shell),
         (Method::Post, "/example") => files::example(call, shell, progress),
         (Method::Post, "/save") => files::saved(call, shell),
-        (Method::Post, RECORDING) if WHOLE => incoming::used(call, shell),
-        (Method::Post, PREVIEW) if WHOLE => incoming::preview(call, shell, progress),
+        (Method::Post, RECORDING) if IS_WHOLE => incoming::used(call, shell),
+        (Method::Post, PREVIEW) if IS_WHOLE => incoming::preview(call, shell, progress),
         _ => Reply::text(404, words::page::no_such_page(call.language())),
     }
 }
 
 /// The complete page. The engine that a browser fetches first answers what a motion and its verdict need; the larger
 /// one, fetched with the first request for it, answers everything.
-const WHOLE: bool = cfg!(feature = "interface");
+pub const IS_WHOLE: bool = cfg!(feature = "interface");
 
 /// Status of a request that only the larger engine answers.
-const MISDIRECTED: u16 = 421;
+pub const MISDIRECTED: u16 = 421;
 
 /// Returns true for the requests that only the larger engine answers: `/api/`, tools, simulation, tolerances,
 /// recordings, versions, two versions in one, the gallery, the printed page, derivations, the comparison, and what would

@@ -64,24 +64,18 @@ impl Heading {
             return Err((Fault::Tabular(fault), Some(Hint::DidYouMean(now))));
         }
         let in_unit = |dimensions: &[Dimension]| unit_of(dimensions, unit).map_err(|error| quantity(name, error));
+        if !may_be_a_column(key) {
+            return Err((Fault::Tabular(TabularFault::NoColumn { path }), nearest_key(name, &[])));
+        }
         let unit = match key.kind {
             Kind::Quantity(dimension, _) => Some(in_unit(&[dimension])?),
             Kind::Along(turning, line, _) => Some(in_unit(&[turning, line])?),
-            Kind::Number(..) | Kind::Integer(..) | Kind::Bool | Kind::OneOf(_) | Kind::ListOf(_) | Kind::Text => {
+            _ => {
                 if let Some(unit) = unit {
                     let unit = shortened(unit, HEADING_SHOWN);
                     return Err((Fault::Tabular(TabularFault::UnitOfNoQuantity { path, unit }), None));
                 }
                 None
-            }
-            Kind::Numbers(..)
-            | Kind::Texts
-            | Kind::Rows(_)
-            | Kind::Table(_)
-            | Kind::OneOrMany(..)
-            | Kind::Bodies
-            | Kind::Variants(_) => {
-                return Err((Fault::Tabular(TabularFault::NoColumn { path }), nearest_key(name, &[])));
             }
         };
         Ok(Self { path, key, unit })

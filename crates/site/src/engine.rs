@@ -1,7 +1,7 @@
 //! Messages of the browser: a header as JSON, preceded by its length, and a body.
 
 use crate::Store;
-use page::{Call, Method, Reply, respond};
+use page::{Call, IS_WHOLE, MISDIRECTED, Method, Reply, respond};
 use quantities::Language;
 use questions::Progress;
 use serde::{Deserialize, Serialize};
@@ -92,6 +92,10 @@ impl PageEngine {
             body,
             language: Language::of_id(&question.language).unwrap_or_default(),
         };
+        // The smaller engine reads no Parquet.
+        if !IS_WHOLE && self.store.has_parquet() {
+            return Reply::text(MISDIRECTED, "");
+        }
         // A client that cancels stops the worker in which this runs.
         respond(&call, &self.store, &Progress::endless())
     }
@@ -141,6 +145,23 @@ mod tests {
         assert_eq!((head["status"].clone(), head["media"].clone()), (json!(200), json!("text/html; charset=utf-8")));
         assert!(String::from_utf8(body).unwrap().contains("Was möchten Sie bewegen?"));
         assert_eq!(said(&mut engine, &ask(true, "/nowhere", "", None), &[]).0["status"], 404);
+    }
+
+    /// The smaller engine has no reader of Parquet; the larger one has.
+    #[test]
+    fn a_recording_in_parquet_is_for_the_larger_engine() {
+        let mut engine = PageEngine::default();
+        let mut status = |put: Option<&[u8]>| {
+            if let Some(bytes) = put {
+                let head = json!({ "put": { "name": "run.parquet", "modified_s": 5 } });
+                assert_eq!(said(&mut engine, &head, bytes).0["status"], 204);
+            }
+            said(&mut engine, &ask(false, "/", "", None), &[]).0["status"].clone()
+        };
+        assert_eq!(status(None), 200);
+        assert_eq!(status(Some(b"t,q\n")), 200);
+        assert_eq!(status(Some(b"PAR1\0\0\0\0PAR1")), if IS_WHOLE { 200 } else { MISDIRECTED });
+        assert_eq!(status(Some(b"t,q\n")), 200);
     }
 
     #[test]

@@ -16,6 +16,7 @@ const DAY_S: u64 = 86_400;
 struct Held {
     bytes: Rc<[u8]>,
     modified_s: u64,
+    is_parquet: bool,
 }
 
 /// Project files and their recordings.
@@ -30,7 +31,9 @@ pub struct Store {
 impl Store {
     /// Adds a file of the browser.
     pub fn insert(&self, name: &str, bytes: &[u8], modified_s: u64) {
-        let _ = self.files.borrow_mut().insert(name.to_owned(), Held { bytes: bytes.into(), modified_s });
+        let bytes: Rc<[u8]> = bytes.into();
+        let is_parquet = axis::is_parquet(Box::new(Cursor::new(Rc::clone(&bytes))));
+        let _ = self.files.borrow_mut().insert(name.to_owned(), Held { bytes, modified_s, is_parquet });
     }
 
     /// Removes a file.
@@ -42,6 +45,12 @@ impl Store {
     #[must_use]
     pub fn bytes(&self, name: &str) -> Option<Rc<[u8]>> {
         self.files.borrow().get(name).map(|file| Rc::clone(&file.bytes))
+    }
+
+    /// Returns true if a file is a recording in Parquet, packed or not.
+    #[must_use]
+    pub fn has_parquet(&self) -> bool {
+        self.files.borrow().values().any(|file| file.is_parquet)
     }
 
     /// Returns the file written since the last query.
