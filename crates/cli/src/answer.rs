@@ -5,7 +5,7 @@ pub(crate) use questions::answer::written;
 use serde::Serialize;
 use std::borrow::Cow;
 use std::io::Write;
-use words::file_trouble;
+use words::{UsageHint, file_trouble, usage_hint};
 
 /// Answer of a command.
 #[derive(Debug, Default)]
@@ -68,6 +68,15 @@ impl CommandAnswer {
     /// Creates an answer of lines for stdout.
     pub(crate) fn lines(lines: &[String]) -> Self {
         Self::data(lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect())
+    }
+
+    /// Adds calls that work to the messages of a refused one.
+    pub(crate) fn with_calls(mut self, calls: &[String], language: Language) -> Self {
+        if !calls.is_empty() {
+            let hint = usage_hint(&UsageHint::Calls(calls.to_vec()), language);
+            self.talk.push_str(&format!("  {}\n", hint.replace('\n', "\n  ")));
+        }
+        self
     }
 
     /// Creates an answer with a record for stdout.

@@ -8,7 +8,7 @@ use crate::waiting::{progress, waited_s};
 use axis::{AxisProject, Catalogue};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
-use project::CATALOGUE_MAX_BYTES;
+use project::{BODY_SHAPES, CATALOGUE_MAX_BYTES};
 use quantities::Language;
 use questions::list::{
     Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, Reads, ReferencedText, Unanswered, bounded,
@@ -47,6 +47,26 @@ pub fn days_since_1970() -> Option<u64> {
 #[must_use]
 pub fn named_file(value: &str) -> String {
     std::path::absolute(value).map_or_else(|_| value.to_owned(), |path| path.to_string_lossy().into_owned())
+}
+
+/// Returns the bodies of a call: the words behind a shape belong to it, also without quotes.
+fn bodies(words: Vec<String>) -> Vec<String> {
+    let mut bodies: Vec<String> = Vec::new();
+    let mut is_open = false;
+    for word in words {
+        let is_shape = BODY_SHAPES.iter().any(|shape| shape.name.eq_ignore_ascii_case(&word));
+        match bodies.last_mut().filter(|_| is_open && !is_shape && !word.contains(char::is_whitespace)) {
+            Some(body) => {
+                body.push(' ');
+                body.push_str(&word);
+            }
+            None => {
+                is_open = is_shape;
+                bodies.push(word);
+            }
+        }
+    }
+    bodies
 }
 
 /// Layout of the answer to a question on the terminal.
@@ -159,6 +179,9 @@ impl Call<'_> {
             match (argument.kind, argument.form) {
                 (ArgumentKind::File, _) => {
                     pairs.extend(values.iter().map(|value| (argument.name.into(), named_file(value).into())));
+                }
+                _ if argument.name == "body" => {
+                    pairs.extend(bodies(values).into_iter().map(|body| (argument.name.into(), body.into())))
                 }
                 (ArgumentKind::Flag, _) => pairs.push((argument.name.into(), "true".into())),
                 (_, ArgumentForm::Words) => pairs.push((argument.name.into(), values.join(" ").into())),

@@ -1,5 +1,8 @@
 //! A project with other values for one call: `--set KEY=VALUE` and `--scale WHAT=FACTOR`.
 
+pub(crate) mod keys;
+
+use crate::command::typed;
 use clap::ArgMatches;
 use project::{Edit, edit, key_at, load_scaled, nearest_heading, paced, stretch, written};
 use quantities::{Language, seen};
@@ -11,6 +14,9 @@ pub(crate) const SCALED: [&str; 4] = ["load", "payload", "time", "distance"];
 
 /// Largest number of characters of a change in the name of the project.
 const NAMED_MOST: usize = 120;
+
+/// Largest number of keys that a refusal names.
+const NAMED_KEYS_MOST: usize = 4;
 
 /// A text with the changes of a call.
 pub(crate) struct Changed {
@@ -86,20 +92,25 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     };
     let all = written(text).unwrap_or_default();
     let stated = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
-    let own = |path: &&str| {
-        path.strip_prefix(prefix).and_then(|inside| inside.strip_suffix(key)).is_some_and(|above| above.ends_with('.'))
-    };
-    let mut named = all.iter().filter(|each| each.value.is_some()).map(|each| each.path.as_str()).filter(own);
-    let path = match key_at(key.strip_prefix(prefix).unwrap_or(key)) {
-        Some(_) if key.starts_with("axis[") || stated(key).is_some() => key.to_owned(),
+    let key = keys::with_brackets(key);
+    let path = match key_at(key.strip_prefix(prefix).unwrap_or(&key)) {
+        Some(_) if key.starts_with("axis[") || stated(&key).is_some() => key,
         Some(_) => format!("{prefix}{key}"),
-        None => match (named.next(), named.next()) {
-            (Some(path), None) => path.to_owned(),
-            (Some(one), Some(other)) => return Err((terminal::set_which(&key, &one, &other, language), None)),
-            (None, _) => {
+        None => match &keys::named(&all, prefix, &key, value)[..] {
+            [path] => path.clone(),
+            [] => {
                 let stated: Vec<&str> = all.iter().map(|each| each.path.as_str()).collect();
-                let hint = nearest_heading(key, &stated).map(|hint| usage_hint(&UsageHint::Words(hint), language));
-                return Err((terminal::set_no_key(&seen(key), language), hint));
+                let hint = nearest_heading(&key, &stated).map(|hint| usage_hint(&UsageHint::Words(hint), language));
+                return Err((terminal::set_no_key(&seen(&key), language), hint));
+            }
+            found => {
+                let option = |path: &String| typed(["--set", &format!("{path}={}", seen(value))]);
+                let hint = UsageHint::Calls(found.iter().take(NAMED_KEYS_MOST).map(option).collect());
+                let message = match found {
+                    [one, other, ..] => terminal::set_which(&key, one, other, language),
+                    _ => String::new(),
+                };
+                return Err((message, Some(usage_hint(&hint, language))));
             }
         },
     };

@@ -110,6 +110,11 @@ fn is_of_the_user(path: &Path, kind: &str) -> bool {
 /// Returns the project that begins with a recording.
 fn recorded(call: &Call<'_>, (from, out): (&Path, Option<&Path>), file: &str) -> Result<Template, Unanswered> {
     let language = call.language;
+    let kind = call.given(new::Args::ARGUMENTS)?.all("kind").next().unwrap_or_default().to_owned();
+    let not_of_kind = || Unanswered::option("from", (words::recorded_template::not_of_kind(&kind, language), None));
+    if !new::begins_with_motion(&kind) {
+        return Err(not_of_kind());
+    }
     let name = path_text(from);
     let refused = |message: String| Unanswered::File { name: name.clone(), message, is_too_large: false };
     let bytes = std::fs::File::open(from)
@@ -119,12 +124,11 @@ fn recorded(call: &Call<'_>, (from, out): (&Path, Option<&Path>), file: &str) ->
     let folder = out.and_then(Path::parent).unwrap_or(Path::new(""));
     let inside = from.strip_prefix(folder).ok().map(path_text);
     let named = inside.unwrap_or_else(|| named_file(&name));
-    let kind = call.given(new::Args::ARGUMENTS)?.all("kind").next().unwrap_or_default().to_owned();
     let incoming = new::IncomingFile::new(&named, &bytes);
     let found = new::recorded(&kind, &incoming, (&named, file), language);
     found.ok_or_else(|| match incoming.preview() {
         None => refused(words::recorded_template::no_table(language).to_owned()),
-        Some(_) => Unanswered::option("from", (words::recorded_template::not_of_kind(&kind, language), None)),
+        Some(_) => not_of_kind(),
     })
 }
 

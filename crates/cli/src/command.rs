@@ -9,6 +9,8 @@ use std::ffi::OsString;
 use words::help::values;
 use words::{Usage, Word, help, usage_text};
 
+pub(crate) use example::typed;
+
 const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
@@ -17,7 +19,9 @@ mod example;
 pub(crate) mod library;
 pub(crate) mod meant;
 pub(crate) mod own;
+mod proposed;
 mod question;
+pub(crate) mod remedy;
 pub(crate) mod spoken;
 pub(crate) mod usage;
 

@@ -91,9 +91,9 @@ fn add_messages(why: &Unanswered, said: &mut Vec<String>, language: Language) {
     }
 }
 
-/// Returns a hint on its own line.
+/// Returns a hint on lines of its own.
 fn hinted(hint: Option<&str>) -> String {
-    hint.map_or_else(String::new, |hint| format!("  {}\n", seen(hint)))
+    hint.into_iter().flat_map(str::lines).map(|line| format!("  {}\n", seen(line))).collect()
 }
 
 /// Returns a fault of a table with its file, heading and row.

@@ -62,11 +62,17 @@ pub use waiting::rows_line;
 #[must_use]
 pub fn run(call: Vec<OsString>) -> u8 {
     disk::refuse_large_files();
-    let language = command::language_of(call.iter().cloned());
     let arguments = command::with_help_asked(call.into_iter());
+    let mut language = command::language_of(arguments.iter().cloned());
     let as_json = command::json_of(&arguments);
     let mut command = command::build_for(&arguments, language);
     let command::meant::Understood { arguments, stray } = command::meant::understood(arguments, &command, language);
+    // A language without its option is known only now.
+    let meant = command::language_of(arguments.iter().cloned());
+    if meant != language {
+        language = meant;
+        command = command::build_for(&arguments, language);
+    }
     if let Some(stray) = &stray {
         return command::usage::stray(stray, (&command, &arguments), as_json, language).write(language);
     }
@@ -96,7 +102,14 @@ pub fn run(call: Vec<OsString>) -> u8 {
         .then(|| waiting::Waiting::begin(language, most, late));
     let answer = dispatch(&matches, language);
     drop(waiting);
-    answer.write(language)
+    match answer {
+        Ok(answer) => answer,
+        Err(why) => {
+            let calls = command::remedy::calls(&why, &arguments, &command, language);
+            fault::unanswered(&why, json, language).with_calls(&calls, language)
+        }
+    }
+    .write(language)
 }
 
 /// Returns the time limit of the command (`--deadline`), if it has one.
@@ -117,14 +130,13 @@ pub fn deadline_of(text: &str, language: Language) -> Result<Duration, Unanswere
     Ok(Duration::from_secs_f64(time.si().clamp(0.0, 86_400.0)))
 }
 
-fn dispatch(matches: &ArgMatches, language: Language) -> CommandAnswer {
+fn dispatch(matches: &ArgMatches, language: Language) -> Result<CommandAnswer, Unanswered> {
     let json = matches.get_flag("json");
-    let answered = match matches.subcommand() {
+    match matches.subcommand() {
         Some(("serve", found)) => serve::serve(found, language),
         Some(("drive", found)) => drive::drive(found, language),
         Some(("completions", found)) => Ok(command::completions(found, language)),
         Some(("man", found)) => command::man(found, language),
         _ => ask::answer(matches, json, language),
-    };
-    answered.unwrap_or_else(|why| fault::unanswered(&why, json, language))
+    }
 }

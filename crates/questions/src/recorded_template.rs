@@ -1,7 +1,7 @@
 //! A project file that begins with a recording of the user.
 
 use crate::incoming::IncomingFile;
-use crate::templates::{Template, template};
+use crate::templates::{Template, template, template_kinds};
 use quantities::{Dimension, Language, Unit};
 use recording::{Preview, PreviewColumn, Role};
 use words::recorded_template;
@@ -23,8 +23,10 @@ pub fn recorded(
     language: Language,
 ) -> Option<Template> {
     let preview = incoming.preview()?;
+    if !begins_with_motion(kind) {
+        return None;
+    }
     let kind = match kind {
-        MANUAL => return None,
         RECORDING => base(&preview),
         kind => kind,
     };
@@ -33,6 +35,12 @@ pub fn recorded(
     let (_, tail) = motion.split_once("\n[requirements]")?;
     let text = format!("{head}{}\n[requirements]{tail}", segment(&preview, named, language));
     Some(Template { text, recording: None })
+}
+
+/// Returns `true` if the motion of a kind of project may be a recording.
+#[must_use]
+pub fn begins_with_motion(kind: &str) -> bool {
+    kind != MANUAL && template_kinds().any(|known| known == kind)
 }
 
 /// Returns the kind that fits the columns of a recording.

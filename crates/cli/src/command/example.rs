@@ -1,9 +1,12 @@
 //! Calls that work, with the words of a faulty one.
 
 use super::meant::{Called, Part, Stray, understood};
+use super::remedy::{project_name, projects_in};
+use crate::source::SourceFile;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use quantities::seen;
-use questions::list::recognises;
+use quantities::{Language, seen};
+use questions::embedded_catalogue;
+use questions::list::{ArgumentKind, recognises};
 use std::ffi::OsString;
 use std::path::Path;
 use words::{Usage, UsageHint};
@@ -12,7 +15,7 @@ use words::{Usage, UsageHint};
 const FILLED_MOST: usize = 8;
 
 /// Returns the words of a call as they are typed: those with spaces or signs of a shell between quotes.
-pub(super) fn typed<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
+pub(crate) fn typed<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
     let quoted = |word: &str| {
         let is_plain = |sign: char| sign.is_alphanumeric() || "-_./=:,+@%".contains(sign);
         match word {
@@ -84,12 +87,19 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
                     });
                     more.extend(options.and_then(|long| option(long, &called, (&parts, &texts))).unwrap_or_default());
                 }
+                None if named_code(&called, name) && best_of_project(&texts, called.language()).is_some() => {
+                    before.extend(best_of_project(&texts, called.language()));
+                    bare += 1;
+                }
                 None => {
                     let word = parts.iter().filter_map(|part| match part {
                         Part::Bare(_, word) => Some((*word).to_owned()),
                         Part::Option(..) => None,
                     });
-                    let word = word.clone().nth(bare).or_else(|| word.clone().next_back())?;
+                    let is_project = argument.is_some_and(|argument| argument.get_id() == "project");
+                    let own = if is_project { projects_in(Path::new("")) } else { Vec::new() };
+                    let own = own.iter().find_map(|path| path.to_str()).map(str::to_owned);
+                    let word = own.or_else(|| word.clone().nth(bare)).or_else(|| word.clone().next_back())?;
                     before.push(word);
                     bare += 1;
                 }
@@ -105,11 +115,42 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
     None
 }
 
+/// Returns `true` if the missing argument with this text is an ordering code.
+fn named_code(called: &Called<'_>, name: &str) -> bool {
+    let argument = called.command.get_arguments().find(|argument| argument.to_string() == name);
+    let argument = argument.and_then(|argument| called.argument(argument.get_id().as_str()));
+    argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code))
+}
+
+/// Returns the code of the best actuator of the first project among some words; `None` if there is no answer.
+pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<String> {
+    let path = words.iter().map(Path::new).find(|path| path.extension().is_some_and(|ending| ending == "toml"))?;
+    let file = SourceFile::read(path, questions::MEMORY_USUAL, language).ok()?;
+    let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
+    let [project] = &projects[..] else { return None };
+    let sizing = questions::size(project);
+    let id = sizing.named()?.id.to_string();
+    questions::read_code(&id, language).is_ok().then_some(id)
+}
+
 impl Stray {
     /// Returns the fault of the word, and the calls that work in place of the given one.
     pub(crate) fn fault(&self, called: &Called<'_>, arguments: &[OsString]) -> (Usage, Option<UsageHint>) {
         let written = seen(&self.word).into_owned();
         let is_exact = self.options.iter().all(|(_, value)| *value == self.word);
+        let texts: Vec<&str> = arguments.iter().skip(called.begin).filter_map(|word| word.to_str()).collect();
+        let ranges = called.calls_of_ranges(&texts);
+        if !ranges.is_empty() {
+            return (Usage::RangeWithoutTable { written }, Some(UsageHint::Calls(ranges)));
+        }
+        if self.options.is_empty() && called.stands_for_project(&self.word, &texts) {
+            let project = project_name(&self.word);
+            let new = typed(["antrieb", "new", "recording", "--from", &self.word, "--out", &project]);
+            let asked = arguments.iter().filter_map(|word| word.to_str()).skip(1);
+            let asked = asked.map(|word| if word == self.word { project.as_str() } else { word });
+            let asked = typed(std::iter::once(super::NAME).chain(asked));
+            return (Usage::Recording { written }, Some(UsageHint::Calls(vec![new, asked])));
+        }
         let usage = match (&self.given, &self.options[..]) {
             (Some(name), []) => Usage::Twice { name: name.clone() },
             (_, [_, _, ..]) if is_exact => {

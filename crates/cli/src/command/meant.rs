@@ -1,13 +1,13 @@
 //! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
 
 use super::own;
-use super::spoken::seems_code;
+use super::spoken::{seems_code, twin_options};
 use clap::{Arg, ArgAction, Command};
 use project::Hint;
 use quantities::Language;
 use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, LIST, OutputFile, Reads, media, recognises};
 use std::ffi::OsString;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use words::UsageHint;
 
 /// The command of a call.
@@ -21,6 +21,8 @@ pub(crate) struct Called<'c> {
     /// Place of the first word behind the command.
     pub(super) begin: usize,
     language: Language,
+    /// Project files that the call names.
+    pub(super) projects: Vec<PathBuf>,
 }
 
 /// A part of a call behind the command.
@@ -69,14 +71,17 @@ struct Candidate {
 const TABLES: [&str; 3] = [".csv", ".csv.gz", ".parquet"];
 
 /// Extensions of recordings.
-const RECORDINGS: [&str; 5] = [".csv", ".csv.gz", ".parquet", ".txt", ".log"];
+pub(super) const RECORDINGS: [&str; 5] = [".csv", ".csv.gz", ".parquet", ".txt", ".log"];
 
 /// Returns `true` if a word is a number with a minus sign, and no option.
 fn is_negative(word: &str) -> bool {
     word.strip_prefix('-').is_some_and(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.'))
 }
 
-fn has_ending(word: &str, endings: &[&str]) -> bool {
+/// Kind of a project that begins with a recording.
+const RECORDING: &str = "recording";
+
+pub(super) fn has_ending(word: &str, endings: &[&str]) -> bool {
     let word = word.to_lowercase();
     endings.iter().any(|ending| word.len() > ending.len() && word.ends_with(ending))
 }
@@ -100,6 +105,11 @@ fn endings(file: &OutputFile) -> Vec<&'static str> {
 }
 
 impl<'c> Called<'c> {
+    /// Returns the whole command line.
+    pub(super) const fn whole(&self) -> &'c Command {
+        self.whole
+    }
+
     /// Returns the language of the call.
     pub(super) const fn language(&self) -> Language {
         self.language
@@ -122,7 +132,9 @@ impl<'c> Called<'c> {
         let begin = begin.filter(|_| !command.has_subcommands())?;
         let names = names.join(" ");
         let entry = LIST.iter().copied().find(|entry| entry.command() == names);
-        Some(Self { name: format!("{} {names}", super::NAME), whole, command, entry, begin, language })
+        let is_project = |word: &&OsString| word.to_str().is_some_and(|word| has_ending(word, &[".toml"]));
+        let projects = arguments.iter().filter(is_project).map(PathBuf::from).filter(|path| path.is_file()).collect();
+        Some(Self { name: format!("{} {names}", super::NAME), whole, command, entry, begin, language, projects })
     }
 
     /// Returns the parts of a call behind the command; `None` if it requests help or has an unknown option.
@@ -159,7 +171,7 @@ impl<'c> Called<'c> {
         Some(parts)
     }
 
-    fn options(&self) -> impl Iterator<Item = &Arg> {
+    pub(super) fn options(&self) -> impl Iterator<Item = &Arg> {
         self.command.get_arguments().chain(self.whole.get_arguments()).filter(|option| !option.is_positional())
     }
 
@@ -210,6 +222,9 @@ impl<'c> Called<'c> {
             _ => None,
         };
         let is_required = option.is_required_set();
+        if name == "axis" {
+            return self.is_axis(word).then_some(0);
+        }
         if let Some(endings) = file_endings {
             return has_ending(word, endings).then_some(if exists || is_required { 0 } else { 2 });
         }
@@ -282,11 +297,17 @@ impl<'c> Called<'c> {
         self.options().filter(|option| option.get_action().takes_values()).filter_map(near).collect()
     }
 
+    /// Returns `true` if no position of the command is a recording or a folder.
+    fn reads_no_table(&self) -> bool {
+        self.command.get_positionals().all(|position| !["trace", "folder"].contains(&position.get_id().as_str()))
+    }
+
     /// Returns `true` if a position takes a word: it is of the kind of the position, or of no kind of an option.
     fn fits(&self, position: &Arg, word: &str, given: &[&str]) -> bool {
         let name = position.get_id().as_str();
         let is_project = ["project", "old", "new", "folder"].contains(&name);
         let is_its = match self.entry.and_then(|_| self.argument(name)).map(|argument| (argument, argument.kind)) {
+            _ if is_project && self.reads_no_table() && has_ending(word, &RECORDINGS) => return false,
             _ if is_project => word == "-" || has_ending(word, &[".toml"]) || Path::new(word).exists(),
             Some((argument, ArgumentKind::Word(_))) => argument.takes(word),
             Some((_, ArgumentKind::Code)) => seems_code(word) || questions::read_code(word, self.language).is_ok(),
@@ -295,7 +316,8 @@ impl<'c> Called<'c> {
         };
         let named =
             || position.get_num_args().is_some_and(|range| range.max_values() > 1) && self.named(word).is_some();
-        is_its || self.takers(word, given).0.is_empty() && !named()
+        let is_meant_otherwise = || is_project && !self.proposals(word).is_empty();
+        is_its || self.takers(word, given).0.is_empty() && !named() && !is_meant_otherwise()
     }
 }
 
@@ -303,6 +325,7 @@ impl<'c> Called<'c> {
 /// that a position takes as one. Words that stay are reported.
 pub(crate) fn understood(arguments: Vec<OsString>, whole: &Command, language: Language) -> Understood {
     let unchanged = |arguments| Understood { arguments, stray: None };
+    let arguments = with_own_options(arguments, whole, language);
     let texts: Option<Vec<&str>> = arguments.iter().map(|word| word.to_str()).collect();
     let (Some(texts), Some(called)) = (texts, Called::of(&arguments, whole, language)) else {
         return unchanged(arguments);
@@ -316,11 +339,14 @@ pub(crate) fn understood(arguments: Vec<OsString>, whole: &Command, language: La
             Part::Option(option, _) => given.extend(option.get_long()),
         }
     }
-    let mut sorting = Sorting { called: &called, given, placed: Vec::new(), stray: None };
+    let mut sorting = Sorting { called: &called, given, placed: Vec::new(), stray: None, kind_due: false };
     sorting.sort(&bare);
-    let Sorting { placed, stray, .. } = sorting;
+    let Sorting { placed, stray, kind_due, .. } = sorting;
     let mut meant: Vec<OsString> = Vec::new();
     for (place, argument) in arguments.iter().enumerate() {
+        if kind_due && place == called.begin {
+            meant.push(RECORDING.into());
+        }
         match placed.iter().find(|(of, _)| *of == place) {
             Some((_, words)) => meant.extend(words.iter().map(OsString::from)),
             None => meant.push(argument.clone()),
@@ -330,10 +356,31 @@ pub(crate) fn understood(arguments: Vec<OsString>, whole: &Command, language: La
     let before = |stray: &Stray| -> usize {
         let changed = placed.iter().filter(|(of, _)| *of < stray.place);
         let (more, fewer) = changed.fold((0, 0), |(more, fewer), (_, words)| (more + words.len(), fewer + 1));
-        stray.place + more - fewer
+        stray.place + more - fewer + usize::from(kind_due)
     };
     let stray = stray.map(|stray| Stray { place: before(&stray), ..stray });
     Understood { arguments: meant, stray }
+}
+
+/// Returns a call with each option of another name by that of the command.
+fn with_own_options(mut arguments: Vec<OsString>, whole: &Command, language: Language) -> Vec<OsString> {
+    let Some(called) = Called::of(&arguments, whole, language) else { return arguments };
+    let is_known = |name: &str| called.options().any(|option| option.get_long() == Some(name));
+    for word in arguments.iter_mut().skip(called.begin).take_while(|word| *word != "--") {
+        let Some((name, value)) = word.to_str().and_then(|word| word.strip_prefix("--")).map(|word| {
+            let (name, value) = word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
+            (name.to_owned(), value.map(str::to_owned))
+        }) else {
+            continue;
+        };
+        if is_known(&name) {
+            continue;
+        }
+        if let Some(meant) = twin_options(&name).iter().find(|meant| is_known(meant)) {
+            *word = value.map_or_else(|| format!("--{meant}"), |value| format!("--{meant}={value}")).into();
+        }
+    }
+    arguments
 }
 
 /// Assignment of the bare words of a call.
@@ -343,6 +390,8 @@ struct Sorting<'c> {
     /// Words in place of that at a place.
     placed: Vec<(usize, Vec<String>)>,
     stray: Option<Stray>,
+    /// The kind of a new project is missing, and a recording decides it.
+    kind_due: bool,
 }
 
 impl<'c> Sorting<'c> {
@@ -366,6 +415,20 @@ impl<'c> Sorting<'c> {
             rest = rest.get(count..).unwrap_or_default();
         }
         self.ordered(bare);
+        self.begun_by_recording(bare);
+    }
+
+    /// Adds the kind of a project that begins with a recording and has none: `new log.csv`.
+    fn begun_by_recording(&mut self, bare: &[(usize, &'c str)]) {
+        let is_new = self.called.entry.is_some_and(|entry| entry.command == "new");
+        let has_kind = bare.iter().any(|(place, _)| self.placed.iter().all(|(other, _)| other != place));
+        if !is_new || has_kind || !self.given.contains(&"from") {
+            return;
+        }
+        match self.placed.iter_mut().find(|(_, words)| words.first().is_some_and(|word| word == "--from")) {
+            Some((_, words)) => words.insert(0, RECORDING.to_owned()),
+            None => self.kind_due = true,
+        }
     }
 
     /// Returns the number of the next words that a position takes, and whether it is full then; `None` if it takes none.
@@ -457,6 +520,9 @@ impl<'c> Sorting<'c> {
                 if options.is_empty() && twice.is_none() {
                     options = called.near_values(word, &self.given);
                 }
+                if options.is_empty() && twice.is_none() {
+                    options = called.proposals(word);
+                }
                 self.stray = Some(Stray { place, word: word.to_owned(), options, given: twice });
             }
             _ => {}
@@ -470,6 +536,10 @@ impl<'c> Sorting<'c> {
     }
 
     fn place_option(&mut self, place: usize, option: &str, value: String) {
+        let value = match words::spoken::language_of(&value) {
+            Some(language) if option == "--lang" => language.id().to_owned(),
+            _ => value,
+        };
         self.placed.push((place, vec![option.to_owned(), value]));
         let long = self.called.options().find_map(|each| each.get_long().filter(|long| option == format!("--{long}")));
         self.given.extend(long);

@@ -94,6 +94,7 @@ pub(crate) fn shapes(command: Command, language: Language) -> Command {
 pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
     let changed = || word.split_once('=').map(|(key, value)| (key.trim(), value.trim()));
     let is_scale = |key: &str| crate::changed::SCALED.contains(&key);
+    let is_number = |text: &str| text.replace(',', ".").parse::<f64>().is_ok();
     let is_key = |key: &str| {
         key.starts_with(|sign: char| sign.is_ascii_alphabetic())
             && key.chars().all(|sign| sign.is_ascii_alphanumeric() || "_.[]".contains(sign))
@@ -102,10 +103,10 @@ pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
         "lang" => words::spoken::language_of(word).is_some(),
         "deadline" => crate::deadline_of(word, language).is_ok(),
         "memory" => crate::memory_allowed(Some(word.to_owned()), language).is_ok(),
-        "scale" => {
-            changed().is_some_and(|(key, factor)| is_scale(key) && factor.replace(',', ".").parse::<f64>().is_ok())
-        }
-        "set" => changed().is_some_and(|(key, _)| is_key(key) && !is_scale(key)),
+        "scale" => changed().is_some_and(|(key, value)| is_scale(key) && is_number(value)),
+        // `time=3s` is a value, `time=0.8` a factor.
+        "set" => changed()
+            .is_some_and(|(key, value)| is_key(key) && !value.contains("..") && !(is_scale(key) && is_number(value))),
         "inertia" => questions::read_quantity::<MomentOfInertia>(word, language).is_ok(),
         "listen" => word.parse::<SocketAddr>().is_ok() || word.parse::<IpAddr>().is_ok(),
         "port" => word.parse::<u16>().is_ok_and(|port| port >= PORT_LEAST),

@@ -3,7 +3,7 @@
 use clap::Command;
 use questions::list::LIST;
 use std::ffi::OsString;
-use words::spoken::{COMMANDS, OPTIONS, language_of};
+use words::spoken::{COMMANDS, OPTIONS, TWIN_OPTIONS, language_of};
 
 /// Returns the option that a word stands for, among those that a command has.
 pub(super) fn option_meant(written: &str, command: &Command) -> Option<String> {
@@ -11,6 +11,22 @@ pub(super) fn option_meant(written: &str, command: &Command) -> Option<String> {
     let (_, meant) = OPTIONS.iter().find(|(other, _)| *other == word)?;
     let has = |name: &&&str| command.get_arguments().any(|argument| argument.get_long() == Some(**name));
     meant.iter().find(has).map(|name| format!("--{name}"))
+}
+
+/// Returns the options that take the values of another name; the first that a command has is meant.
+pub(super) fn twin_options(written: &str) -> &'static [&'static str] {
+    TWIN_OPTIONS.iter().find(|(other, _)| *other == written).map_or(&[], |(_, meant)| meant)
+}
+
+/// Returns an option in small letters; the options of every command by their own names.
+fn plain_option(word: &str) -> Option<String> {
+    let (name, value) =
+        word.strip_prefix("--")?.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
+    let name = name.trim_start_matches('-').to_lowercase();
+    let of_all = TWIN_OPTIONS.iter().find(|(other, _)| *other == name).and_then(|(_, meant)| meant.first());
+    let name = of_all.filter(|name| ["lang", "help", "json"].contains(name)).map_or(name.as_str(), |name| name);
+    let plain = value.map_or_else(|| format!("--{name}"), |value| format!("--{name}={value}"));
+    (plain != word).then_some(plain)
 }
 
 /// Returns a command as the program names it.
@@ -33,9 +49,13 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
     };
     let mut place = 1;
     let mut is_command_due = true;
-    while let Some(word) = text(&arguments, place) {
+    while let Some(mut word) = text(&arguments, place) {
         if word == "--" {
             break;
+        }
+        if let Some(plain) = plain_option(&word) {
+            put(&mut arguments, place, &plain);
+            word = plain;
         }
         if word == "--lang" {
             if let Some(language) = text(&arguments, place + 1).and_then(|word| language_of(&word)) {
@@ -45,11 +65,16 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
         } else if let Some(language) = word.strip_prefix("--lang=").and_then(language_of) {
             put(&mut arguments, place, &format!("--lang={}", language.id()));
         } else if is_command_due && !word.starts_with('-') {
-            if let Some(name) = command_named(&word) {
-                put(&mut arguments, place, name);
+            match (command_named(&word), language_of(&word)) {
+                (Some(name), _) => {
+                    put(&mut arguments, place, name);
+                    // `help COMMAND` names a command too.
+                    is_command_due = name == "help";
+                }
+                // `de size axis.toml`
+                (None, Some(language)) => put(&mut arguments, place, &format!("--lang={}", language.id())),
+                (None, None) => is_command_due = false,
             }
-            // `help COMMAND` names a command too.
-            is_command_due = word == "help" || word == "hilfe";
         }
         place += 1;
     }
@@ -101,6 +126,12 @@ mod tests {
             ("sweep a.toml t.csv -o best.csv", "sweep a.toml --table t.csv -o best.csv"),
             ("sweep a.toml --table t.csv u.csv", "sweep a.toml --table t.csv --out u.csv"),
             ("hilfe bericht", "help report"),
+            ("DE SIZE a.toml", "--lang=de size a.toml"),
+            ("size a.toml DE", "size a.toml --lang de"),
+            ("size a.toml --TOP 5 --Lang=Deutsch", "size a.toml --top 5 --lang=de"),
+            ("explain a.toml --Nachweis thermal --sprache EN", "explain a.toml --check thermal --lang en"),
+            ("report a.toml --Ausgabe x.pdf --kunde=AG", "report a.toml --out x.pdf --customer=AG"),
+            ("bericht --hilfe", "report --help"),
         ] {
             assert_eq!(call(written).join(" "), meant, "{written}");
         }
@@ -115,7 +146,15 @@ mod tests {
         }
         assert!(COMMANDS.windows(2).all(|two| two[0].0 < two[1].0), "sorted");
         assert!(OPTIONS.windows(2).all(|two| two[0].0 < two[1].0), "sorted");
-        for (_, meant) in OPTIONS {
+        assert!(TWIN_OPTIONS.windows(2).all(|two| two[0].0 < two[1].0), "sorted");
+        let has_long = |command: &Command, name: &str| {
+            let own = command.get_subcommands().flat_map(Command::get_arguments);
+            command.get_arguments().chain(own).any(|argument| argument.get_long() == Some(name))
+        };
+        for (other, _) in TWIN_OPTIONS {
+            assert!(!has_long(&whole, other) && OPTIONS.iter().all(|(meant, _)| meant != other), "{other}");
+        }
+        for (_, meant) in OPTIONS.iter().chain(TWIN_OPTIONS) {
             for option in *meant {
                 let has =
                     |command: &Command| command.get_arguments().any(|argument| argument.get_long() == Some(option));

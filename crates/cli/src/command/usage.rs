@@ -1,7 +1,8 @@
 //! Calls that the command-line library rejects, as faults like all others.
 
-use super::example::filled;
+use super::example::{filled, typed};
 use super::meant::{Called, Stray};
+use super::remedy::projects_in;
 use super::spoken::option_meant;
 use crate::answer::{CommandAnswer, written};
 use answers::{Fault, Faults};
@@ -12,6 +13,7 @@ use quantities::{Language, seen};
 use questions::list::new::kind_about;
 use std::error::Error as _;
 use std::ffi::OsString;
+use std::path::Path;
 use words::help::library;
 use words::{Usage, UsageHint, usage_hint, usage_text};
 
@@ -31,13 +33,37 @@ pub(crate) fn refused(
         }
         _ => None,
     };
+    let calls = match error.kind() {
+        ErrorKind::UnknownArgument => {
+            let word = context(error, ContextKind::InvalidArg).unwrap_or_default();
+            let called = Called::of(arguments, command, language);
+            let suggested = || context(error, ContextKind::SuggestedArg).filter(|near| !near.is_empty());
+            let near = meant.clone().or_else(suggested).or_else(|| called.as_ref()?.near_option(&word));
+            called.map(|called| called.calls_instead_of(&word, near.as_deref(), arguments)).unwrap_or_default()
+        }
+        _ => Vec::new(),
+    };
+    if !calls.is_empty() {
+        return said((&usage_of(error), None), &[UsageHint::Calls(calls)], String::new(), (as_json, language));
+    }
     let hint = meant.map(|option| UsageHint::Words(Hint::DidYouMean(option))).or_else(|| hint_of(error, missing));
     let call = (error.kind() == ErrorKind::MissingRequiredArgument)
         .then(|| filled(arguments, &Called::of(arguments, command, language)?))
         .flatten();
-    let hints: Vec<UsageHint> = match (hint, call) {
-        (None | Some(UsageHint::Help), Some(call)) => vec![UsageHint::Calls(vec![call])],
-        (hint, call) => hint.into_iter().chain(call.map(|call| UsageHint::Calls(vec![call]))).collect(),
+    let is_table_due = error.kind() == ErrorKind::MissingRequiredArgument
+        && context(error, ContextKind::InvalidArg).is_some_and(|names| names.contains("--table"));
+    let with_table = is_table_due
+        .then(|| Called::of(arguments, command, language).map(|called| called.calls_of_example_range()))
+        .flatten()
+        .filter(|calls| calls.len() > 1);
+    if let Some(calls) = with_table {
+        return said((&usage_of(error), None), &[UsageHint::Calls(calls)], String::new(), (as_json, language));
+    }
+    // In a folder without a project, the first call creates one.
+    let calls = call.map(|call| missing_project(&usage_of(error), &call).into_iter().chain([call]).collect());
+    let hints: Vec<UsageHint> = match (hint, calls) {
+        (None | Some(UsageHint::Help), Some(calls)) => vec![UsageHint::Calls(calls)],
+        (hint, calls) => hint.into_iter().chain(calls.map(UsageHint::Calls)).collect(),
     };
     let option = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(name)) => name.strip_prefix("--").map(|name| {
@@ -47,6 +73,17 @@ pub(crate) fn refused(
     };
     let option = option.filter(|name| !name.is_empty());
     said((&usage_of(error), option), &hints, kinds(missing, language), (as_json, language))
+}
+
+/// Returns the call that creates the project of a call that lacks it, in a folder without projects.
+fn missing_project(usage: &Usage, call: &str) -> Option<String> {
+    let is_missing =
+        matches!(usage, Usage::Missing { names } if names.contains("<PROJECT>") || names.contains("<PROJEKT>"));
+    let out = call
+        .split(' ')
+        .find(|word| word.ends_with(".toml"))
+        .filter(|_| is_missing && projects_in(Path::new("")).is_empty())?;
+    Some(typed(["antrieb", "new", "screw", "--out", out]))
 }
 
 /// Returns the answer to a call with a word that nothing takes.

@@ -11,6 +11,7 @@ mod files;
 mod german_figures;
 mod hostile;
 mod readers;
+mod refusals;
 mod run;
 mod saving;
 mod serve;

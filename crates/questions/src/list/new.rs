@@ -5,7 +5,7 @@ use super::{
     Answer, Argument, ArgumentForm, ArgumentKind, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, media,
 };
 pub use crate::incoming::IncomingFile;
-pub use crate::recorded_template::recorded;
+pub use crate::recorded_template::{begins_with_motion, recorded};
 use crate::sizing_use::Refusal;
 pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
 pub use crate::templates::{Template, example, plain_text, template, template_kinds};

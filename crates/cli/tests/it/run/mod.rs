@@ -41,6 +41,11 @@ pub(crate) fn run_with(arguments: &[&str], input: &[u8]) -> Run {
     run_as(arguments, input, "100")
 }
 
+/// Runs in a folder.
+pub(crate) fn run_at(folder: &std::path::Path, arguments: &[&str]) -> Run {
+    ended(command(arguments).current_dir(folder), b"")
+}
+
 /// Runs on a terminal of `columns` columns.
 pub(crate) fn run_in(arguments: &[&str], columns: &str) -> Run {
     run_as(arguments, b"", columns)
@@ -102,7 +107,11 @@ impl Drop for Started {
 }
 
 fn run_as(arguments: &[&str], input: &[u8], columns: &str) -> Run {
-    let mut child = command(arguments).env("COLUMNS", columns).spawn().unwrap();
+    ended(command(arguments).env("COLUMNS", columns), input)
+}
+
+fn ended(command: &mut Command, input: &[u8]) -> Run {
+    let mut child = command.spawn().unwrap();
     // A program that refuses early closes its input; that is its right.
     let _ = child.stdin.take().unwrap().write_all(input);
     let output = child.wait_with_output().unwrap();

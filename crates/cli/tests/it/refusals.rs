@@ -1,0 +1,176 @@
+//! Refused calls: each names calls that work, in the folder in which it was made.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
+
+use crate::run::{Run, run_at};
+use std::path::Path;
+
+/// A recording of a turn by 90° in 1 s, with the headings of a logger.
+fn recording() -> String {
+    let row = |step: u32| {
+        let angle = 45.0 * (1.0 - (std::f64::consts::PI * f64::from(step) / 100.0).cos());
+        format!("{};{angle:.6};{:.3}\r\n", step * 10, 3.0 + f64::from(step) / 100.0).replace('.', ",")
+    };
+    let rows: String = (0..=100).map(row).collect();
+    format!("Time [ms];ActPos [deg];ActTorque [Nm]\r\n{rows}")
+}
+
+const TWO_AXES: &str = r#"format = 1
+[[axis]]
+name = "tilt"
+[axis.mechanism.arm]
+mass = "5 kg"
+length = "400 mm"
+[[axis.motion]]
+law = "open"
+distance = "90 deg"
+time = "1 s"
+[[axis.motion]]
+law = "open"
+distance = "-90 deg"
+time = "1 s"
+[[axis]]
+name = "turn"
+[axis.load]
+inertia = "1 kg m^2"
+[[axis.motion]]
+law = "open"
+distance = "90 deg"
+time = "1 s"
+[[axis.motion]]
+law = "open"
+distance = "-90 deg"
+time = "1 s"
+"#;
+
+/// Splits a call into its words as a shell does.
+fn words(call: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    for (place, part) in call.split('"').enumerate() {
+        if place % 2 == 1 {
+            words.push(part.to_owned());
+        } else {
+            words.extend(part.split_whitespace().map(str::to_owned));
+        }
+    }
+    words
+}
+
+fn call(folder: &Path, call: &str) -> Run {
+    let words = words(call);
+    let words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
+    run_at(folder, &words)
+}
+
+/// Returns the calls that a refusal names.
+fn named(refusal: &str) -> Vec<String> {
+    let lines = refusal
+        .lines()
+        .map(|line| line.trim_start().trim_start_matches("write: ").trim_start_matches("so schreiben: "));
+    lines.filter(|line| line.starts_with("antrieb ")).map(str::to_owned).collect()
+}
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for kind in ["disc", "lift"] {
+        let made = call(folder.path(), &format!("antrieb new {kind} --out {kind}.toml"));
+        assert_eq!(made.code, 0, "{}", made.err);
+    }
+    std::fs::write(folder.path().join("machine.toml"), TWO_AXES).unwrap();
+    std::fs::write(folder.path().join("log.csv"), recording()).unwrap();
+    let made = call(folder.path(), "antrieb new log.csv --out once.toml");
+    assert_eq!(made.code, 0, "{}", made.err);
+    folder
+}
+
+#[test]
+fn a_refused_call_names_calls_that_work() {
+    for written in [
+        "antrieb size disc.toml brake=true 40degC",
+        "antrieb size lift.toml +15%",
+        "antrieb size lift.toml 60kg",
+        "antrieb size lift.toml --load 1.15",
+        "antrieb size lift.toml --mass 60kg",
+        "antrieb size lift.toml --mass=60kg --top 2",
+        "antrieb check lift.toml --time 0.9",
+        "antrieb size lift.toml --tpo 3",
+        "antrieb size lift",
+        "antrieb size tilt",
+        "antrieb check lfit.toml",
+        "antrieb size",
+        "antrieb wiring lift.toml",
+        "antrieb mount lift.toml",
+        "antrieb data disc.toml",
+        "antrieb torsion lift.toml 5Nm",
+        "antrieb torsion CHA-14A-50-E-D2048",
+        "antrieb size once.toml",
+        "antrieb export lift.toml",
+        "antrieb new sweep disc.toml",
+        "antrieb new sweep --from log.csv",
+        "antrieb new manual --from log.csv",
+    ] {
+        let folder = folder();
+        let refused = call(folder.path(), written);
+        assert_eq!((refused.code, refused.out.as_str()), (2, ""), "{written}");
+        let calls = named(&refused.err);
+        assert!(!calls.is_empty(), "{written}\n{}", refused.err);
+        for meant in calls {
+            let answered = call(folder.path(), &meant);
+            assert!(answered.code < 2, "{written}: {meant}\n{}", answered.err);
+        }
+    }
+}
+
+/// Calls of which the first creates what the others need.
+#[test]
+fn a_call_that_needs_several_steps_names_all_of_them() {
+    for (written, count) in [
+        ("antrieb size log.csv", 2),
+        ("antrieb sweep lift.toml", 2),
+        ("antrieb sweep lift.toml payload=0..4kg motion.1.time=4..6s", 2),
+    ] {
+        let folder = folder();
+        let refused = call(folder.path(), written);
+        let calls = named(&refused.err);
+        assert_eq!((refused.code, calls.len()), (2, count), "{written}\n{}", refused.err);
+        let made = call(folder.path(), &calls[0]);
+        assert_eq!(made.code, 0, "{written}: {}\n{}", calls[0], made.err);
+    }
+    let empty = tempfile::tempdir().unwrap();
+    for written in ["antrieb size", "antrieb size lift.toml", "antrieb report"] {
+        let calls = named(&call(empty.path(), written).err);
+        assert!(calls[0].starts_with("antrieb new screw --out "), "{calls:?}");
+        assert_eq!(call(empty.path(), &format!("{} --force", calls[0])).code, 0, "{calls:?}");
+        std::fs::read_dir(empty.path()).unwrap().for_each(|file| std::fs::remove_file(file.unwrap().path()).unwrap());
+    }
+}
+
+#[test]
+fn calls_as_people_write_them_are_answered() {
+    let folder = folder();
+    for (written, part) in [
+        ("antrieb DE size disc.toml", "geeignet"),
+        ("antrieb size disc.toml DE", "geeignet"),
+        ("antrieb AUSLEGEN disc.toml --Sprache Deutsch --TOP 2", "geeignet"),
+        ("antrieb size disc.toml brake=true", "requirements.brake"),
+        ("antrieb size machine.toml tilt", "tilt"),
+        ("antrieb check lift.toml \"motion.1.time=4 s\"", "motion[1].time"),
+        (
+            "antrieb inertia disc diameter=300 mm length=20mm mass=5kg tube outer=60mm inner=52mm length=1m mass=2kg",
+            "7.000 kg",
+        ),
+        ("antrieb new log.csv", "recorded"),
+    ] {
+        let found = call(folder.path(), written);
+        assert!(
+            found.code < 2 && (found.out + &found.err).contains(part),
+            "{written}\n{}",
+            call(folder.path(), written).err
+        );
+    }
+    let both = call(folder.path(), "antrieb size lift.toml time=3s");
+    assert!(
+        both.code == 2 && both.err.contains("write: --set \"motion[1].time=3s\"\n  --set \"motion[2]"),
+        "{}",
+        both.err
+    );
+}
