@@ -1,6 +1,7 @@
 //! A call of a command as a question: its files are read, its arguments become texts for the list.
 
 use crate::answer::CommandAnswer;
+use crate::changed::changed;
 use crate::fault::{memory, path_text};
 use crate::save::Saver;
 use crate::source::SourceFile as File;
@@ -222,6 +223,18 @@ impl Call<'_> {
     pub(crate) fn missing(&self, option: &str) -> Unanswered {
         let missing = words::Usage::Missing { names: option.to_owned() };
         Unanswered::message(words::usage_text(&missing, self.language))
+    }
+
+    /// Returns a new project with the values that the call states; `None` if it states none.
+    pub(crate) fn changed(&self, text: &str) -> Result<Option<String>, Unanswered> {
+        let is_stated = self.matches.try_contains_id("set").unwrap_or(false);
+        let changed = changed(text, self.matches, self.language)?.map(|changed| changed.text);
+        if is_stated && changed.is_none() {
+            // A table of rows has no keys.
+            let message = terminal::no_values_of_a_table(self.language).to_owned();
+            return Err(Unanswered::option("set", (message, None)));
+        }
+        Ok(changed)
     }
 
     /// Returns the writer of the files of the call, which protects those that it reads.

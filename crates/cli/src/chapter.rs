@@ -138,10 +138,13 @@ pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     let out = call.file("out");
     let name = out.and_then(Path::file_name);
     let name = name.map_or_else(|| new::USUAL_NAME.to_owned(), |name| path_text(Path::new(name)));
-    let template = match call.path("from") {
+    let mut template = match call.path("from") {
         Some(from) => recorded(call, (from, out), &name)?,
         None => new::found(inquiry, &name)?,
     };
+    if let Some(text) = call.changed(&template.text)? {
+        template.text = text;
+    }
     let Some(out) = out else {
         let mut answer = CommandAnswer::data(template.text);
         if let Some((recording, _)) = template.recording {

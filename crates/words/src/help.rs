@@ -121,6 +121,9 @@ texts! {
     new_from =
         "Recording to begin the project with (.csv or .parquet): the columns are recognised, the rest is commented"
         | "Aufzeichnung, mit der das Projekt beginnt (.csv oder .parquet): die Spalten werden erkannt, der Rest ist kommentiert";
+    new_set =
+        "Value of a key of the new project, such as mass=200kg; may be repeated"
+        | "Wert eines Schlüssels des neuen Projekts, etwa mass=200kg; mehrfach möglich";
     new_seed = "For `new sweep`: seed of the samples (1)" | "Für `new sweep`: Startwert der Stichproben (1)";
     identify =
         "Estimate load, friction and torque constant from a recorded run"

@@ -146,6 +146,9 @@ texts! {
     ambient(ambient) = "ambient temperature {ambient} °C" | "Umgebungstemperatur {ambient} °C";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
     set_form = "the form is --set KEY=VALUE, such as --set mechanism.belt.mass=20kg" | "die Form ist --set SCHLÜSSEL=WERT, etwa --set mechanism.belt.mass=20kg";
+    no_values_of_a_table =
+        "a table of rows takes no --set; its columns are stated with --key"
+        | "eine Tabelle von Zeilen nimmt kein --set; ihre Spalten werden mit --key angegeben";
     set_which(key, one, other) = "{key} is ambiguous: {one} or {other}" | "{key} ist mehrdeutig: {one} oder {other}";
     set_which_axis(example) = "the project has several axes: --axis NAME, or {example}" | "das Projekt hat mehrere Achsen: --axis NAME, oder {example}";
     set_no_key(key) = "a project has no key \"{key}\"" | "ein Projekt hat keinen Schlüssel „{key}“";

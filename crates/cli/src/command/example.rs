@@ -4,6 +4,7 @@ use super::meant::{Called, Part, Stray, understood};
 use super::remedy::{project_name, projects_in};
 use crate::source::SourceFile;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use project::Hint;
 use quantities::{Language, seen};
 use questions::embedded_catalogue;
 use questions::list::{ArgumentKind, recognises};
@@ -151,6 +152,11 @@ impl Stray {
             let asked = typed(std::iter::once(super::NAME).chain(asked));
             return (Usage::Recording { written }, Some(UsageHint::Calls(vec![new, asked])));
         }
+        if let Some(fault) =
+            self.of_required(called, &texts).filter(|_| self.options.is_empty() && self.given.is_none())
+        {
+            return fault;
+        }
         let usage = match (&self.given, &self.options[..]) {
             (Some(name), []) => Usage::Twice { name: name.clone() },
             (_, [_, _, ..]) if is_exact => {
@@ -172,6 +178,22 @@ impl Stray {
         calls.dedup();
         let hint = if calls.is_empty() { UsageHint::Help } else { UsageHint::Calls(calls) };
         (usage, Some(hint))
+    }
+}
+
+impl Stray {
+    /// Returns the fault of the word as the value of an option that the call lacks and whose values are known.
+    fn of_required(&self, called: &Called<'_>, texts: &[&str]) -> Option<(Usage, Option<UsageHint>)> {
+        let is_lacking = |option: &&clap::Arg| {
+            let long = option.get_long().map(|long| format!("--{long}"));
+            option.is_required_set()
+                && long.is_some_and(|long| !texts.iter().any(|text| text.split('=').next() == Some(&long)))
+        };
+        let option = called.options().find(|option| is_lacking(option) && !option.get_possible_values().is_empty())?;
+        let values = option.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
+        let usage =
+            Usage::BadValue { written: seen(&self.word).into_owned(), name: format!("--{}", option.get_long()?) };
+        Some((usage, Some(UsageHint::Words(Hint::ValidAre(values)))))
     }
 }
 

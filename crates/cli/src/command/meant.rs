@@ -1,6 +1,7 @@
 //! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
 
 use super::own;
+use super::remedy::is_project;
 use super::spoken::{seems_code, twin_options};
 use clap::{Arg, ArgAction, Command};
 use project::Hint;
@@ -206,12 +207,18 @@ impl<'c> Called<'c> {
             self.entry.and_then(|entry| Some((entry, entry.files().find(|file| file.option == name)?)))
         {
             let is_replaced = exists && given.contains(&"force");
+            // A project in the place of a code is no file to write.
+            if entry.command != "new" && self.projects.iter().any(|path| path == Path::new(word) && is_project(path)) {
+                return None;
+            }
             let is_packed = entry.command == "sweep" && has_ending(word, &[".csv.gz"]);
             return ((is_packed || has_ending(word, &endings(file))) && !is_replaced).then_some(2);
         }
         let read = self.questions().skip(1).find(|other| other.option() == Some(name));
         let file_endings: Option<&[&str]> = match (self.argument(name).map(|argument| argument.kind), read) {
             (_, Some(other)) => Some(match other.reads {
+                // A project is no record of measured values.
+                Reads::Measured if self.projects.iter().any(|path| path == Path::new(word) && is_project(path)) => &[],
                 Reads::Project | Reads::Measured => &[".toml"],
                 Reads::Pins => &[".csv"],
                 Reads::Nothing | Reads::TwoProjects => &[],
@@ -442,7 +449,9 @@ impl<'c> Sorting<'c> {
             // A code may be written as several words; behind a complete one there is another argument.
             Some(argument) if is_several && matches!(argument.kind, ArgumentKind::Code) => {
                 let joined = if code.is_empty() { word.to_owned() } else { format!("{code} {word}") };
-                let is_complete = !code.is_empty() && questions::read_code(code, language).is_ok();
+                // A project in the place of a code is refused with the code of its best actuator.
+                let is_complete =
+                    has_ending(code, &[".toml"]) || !code.is_empty() && questions::read_code(code, language).is_ok();
                 let is_longer = || questions::read_code(&joined, language).is_ok();
                 let is_other = || {
                     let starts_with_number =
@@ -508,6 +517,19 @@ impl<'c> Sorting<'c> {
             if let [option] = &called.takers(&whole, &self.given).0[..] {
                 self.place_option(place, &option.clone(), whole);
                 self.placed.extend(unit.iter().map(|(place, _)| (*place, Vec::new())));
+                return rest;
+            }
+        }
+        // An identifier may be several words: `emergency stop`.
+        for count in (1..=behind.len().min(2)).rev() {
+            let (more, rest) = behind.split_at(count);
+            let whole =
+                more.iter().fold(word.to_lowercase(), |text, (_, more)| format!("{text}_{}", more.to_lowercase()));
+            if let [option] = &called.takers(&whole, &self.given).0[..]
+                && called.argument(option.trim_start_matches('-')).is_some_and(|argument| argument.takes(&whole))
+            {
+                self.place_option(place, &option.clone(), whole);
+                self.placed.extend(more.iter().map(|(place, _)| (*place, Vec::new())));
                 return rest;
             }
         }

@@ -39,7 +39,8 @@ pub(crate) fn catalogue(command: Command, _: Language) -> Command {
 /// Adds the recording from which a project begins.
 pub(crate) fn new(command: Command, language: Language) -> Command {
     let from = text("from", values::file(language), help::new_from(language));
-    command.arg(from.value_parser(value_parser!(std::path::PathBuf)))
+    let set = text("set", values::key_value(language), help::new_set(language)).action(ArgAction::Append);
+    command.arg(from.value_parser(value_parser!(std::path::PathBuf))).arg(set)
 }
 
 /// Adds help on a picture without a file.

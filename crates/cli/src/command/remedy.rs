@@ -157,8 +157,8 @@ pub(super) fn projects_in(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// Returns `true` if a file states the format of a project.
-fn is_project(path: &Path) -> bool {
+/// Returns `true` if a file is a project: it states the motion of an axis.
+pub(super) fn is_project(path: &Path) -> bool {
     let all = text_of(path).and_then(|text| written(&text)).unwrap_or_default();
-    all.iter().any(|each| each.path == "format")
+    all.iter().any(|each| each.path == "motion[1]" || each.path == "axis[1].motion[1]")
 }

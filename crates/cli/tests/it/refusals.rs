@@ -107,6 +107,7 @@ fn a_refused_call_names_calls_that_work() {
         "antrieb new sweep disc.toml",
         "antrieb new sweep --from log.csv",
         "antrieb new manual --from log.csv",
+        "antrieb commission disc.toml sinamics",
     ] {
         let folder = folder();
         let refused = call(folder.path(), written);
@@ -159,6 +160,9 @@ fn calls_as_people_write_them_are_answered() {
             "7.000 kg",
         ),
         ("antrieb new log.csv", "recorded"),
+        ("antrieb new lift mass=200kg supply=48V", "mass = \"200kg\""),
+        ("antrieb simulate disc.toml Emergency stop at 0.4s", "0.4"),
+        ("antrieb plot disc.toml torque speed", "<svg"),
     ] {
         let found = call(folder.path(), written);
         assert!(
@@ -166,6 +170,13 @@ fn calls_as_people_write_them_are_answered() {
             "{written}\n{}",
             call(folder.path(), written).err
         );
+    }
+    for (written, part) in [
+        ("antrieb plot disc.toml temperature", "torque_speed"),
+        ("antrieb new sweep --key \"motion[1].time [s] = 1..3\" mass=3kg", "--key"),
+    ] {
+        let refused = call(folder.path(), written);
+        assert!(refused.code == 2 && refused.err.contains(part), "{written}\n{}", refused.err);
     }
     let both = call(folder.path(), "antrieb size lift.toml time=3s");
     assert!(
