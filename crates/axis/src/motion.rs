@@ -50,10 +50,10 @@ impl SegmentSource<'_> {
             }
             MoveFault::AccelerationTooLow { .. } => self.acceleration.span(),
             MoveFault::PointsSpeedJumps { .. } => self.points.span(),
+            MoveFault::OutOfRange => self.zero().unwrap_or_else(|| self.law.span()),
             MoveFault::NoSegment
             | MoveFault::NoDuration
             | MoveFault::NotDetermined { .. }
-            | MoveFault::OutOfRange
             | MoveFault::RestToRestOnly
             | MoveFault::StillMoving { .. }
             | MoveFault::RecordingSpeedJumps { .. }
@@ -61,6 +61,18 @@ impl SegmentSource<'_> {
             | MoveFault::SpeedNotClosed { .. }
             | MoveFault::PositionNotClosed { .. } => self.law.span(),
         }
+    }
+
+    /// Returns the place of the first quantity that is stated as zero.
+    fn zero(&self) -> Option<Span<usize>> {
+        let is_zero = |si: Option<f64>| si == Some(0.0);
+        let all = [
+            (is_zero(self.distance.value().map(|value| value.si)), self.distance.span()),
+            (is_zero(self.time.value().map(|value| value.si())), self.time.span()),
+            (is_zero(self.speed.value().map(|value| value.si)), self.speed.span()),
+            (is_zero(self.acceleration.value().map(|value| value.si)), self.acceleration.span()),
+        ];
+        all.into_iter().find(|(is_zero, _)| *is_zero).map(|(_, span)| span)
     }
 
     fn extra(&self, load: &Load) -> Extra {

@@ -9,6 +9,7 @@ use axis::AxisProject;
 use plot::{Bar, BarChart, Dash, Label, Line, Panel, PlaneAxis, Reference, StackedChart, Tone};
 use quantities::unit::{NEWTON, NEWTON_METRE};
 use quantities::{Language, Measure, Unit};
+use questions::list::bearing::bearing_checks;
 use questions::{Amount, Candidate, Check, CheckId, Direction, FlangeSample};
 use words::{capitalised, pictures};
 
@@ -18,7 +19,7 @@ type Load = fn(&FlangeSample) -> Option<f64>;
 /// \[s\] of it.
 ///
 /// # Errors
-/// [`NoFigure::NoFlangeLoads`]
+/// [`NoFigure::NoFlangeLoads`], [`NoFigure::FlangeLoadsOpen`]
 pub fn bearing_load(
     project: &AxisProject,
     candidate: &Candidate<'_>,
@@ -26,7 +27,10 @@ pub fn bearing_load(
     language: Language,
 ) -> Result<Drawing, NoFigure> {
     let window = window.and_then(|window| inside(window, project));
-    let course = questions::flange_course(project, candidate).ok_or(NoFigure::NoFlangeLoads)?;
+    let course = questions::flange_course(project, candidate).ok_or_else(|| {
+        let missing = bearing_checks(candidate).find_map(|check| check.missing);
+        missing.map_or(NoFigure::NoFlangeLoads, NoFigure::FlangeLoadsOpen)
+    })?;
     let kinds: [(PlaneAxis, &'static Unit, CheckId, &'static str, Load, &'static str); 3] = [
         (
             PlaneAxis::new("F_r", NEWTON.symbol).name(pictures::radial_force(language)),

@@ -278,18 +278,34 @@ pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
         .rope([120.0, 62.0 - drum], [2.0 * drum, 0.0])
         .line(Look::Line, [204.0, 62.0 - drum], [204.0, 52.0 - drum]);
     drawing = rope(drawing, place(0), low, sheave, -1.0);
-    drawing = rope(drawing, 204.0, low, low + 36.0, 1.0);
+    // The counterweight hangs on as many falls as the load.
+    let of_counterweight = |index: u32| {
+        if falls == 1 { 204.0 } else { 198.0 + 16.0 * f64::from(index) / f64::from(falls - 1) }
+    };
+    drawing = rope(drawing, of_counterweight(0), low, low + 36.0, 1.0);
+    if falls > 1 {
+        drawing = drawing.ground_above([190.0, 20.0], 32.0);
+    }
+    for index in 1..falls {
+        drawing = rope(drawing, of_counterweight(index), 20.0, low + 36.0, 1.0);
+    }
     drawing
         .moves(
             &way,
             [204.0, low + 36.0],
             |angle| Placement::shifted([0.0, rise(angle)]),
             |it| {
-                it.rect(Look::Body, [194.0, low + 36.0], [20.0, 32.0]).calls(
+                let (it, top) = if falls > 1 {
+                    let middle = [206.0, low + 36.0];
+                    (it.circle(Look::Housing, middle, 8.0).circle(Look::Hole, middle, 2.5), low + 46.0)
+                } else {
+                    (it, low + 36.0)
+                };
+                it.rect(Look::Body, [194.0, top], [24.0, 26.0]).calls(
                     "counterweight",
                     "m_G",
-                    [212.0, low + 52.0],
-                    [248.0, low + 56.0],
+                    [216.0, top + 14.0],
+                    [252.0, top + 18.0],
                 )
             },
         )

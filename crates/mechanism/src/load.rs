@@ -11,7 +11,7 @@ pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
         .turns(start, middle, 1.0, |it| {
             it.circle(Look::Body, middle, 62.0).circle(Look::Hole, middle, 14.0).holes(middle, 46.0, 5.0).calls(
                 "inertia",
-                "J",
+                "J_L",
                 [312.0, 118.0],
                 [352.0, 150.0],
             )

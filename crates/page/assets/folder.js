@@ -72,6 +72,14 @@ document.addEventListener('click', (event) => {
     cleared();
     tell('');
     $('#save')?.focus();
+  } else if (button?.dataset.disk === 'as') {
+    $('#file').value = button.dataset.name;
+    cleared();
+    save();
+  } else if (button?.dataset.disk === 'over') {
+    known().value = button.dataset.known;
+    cleared();
+    save();
   }
 });
 addEventListener('antrieb:conflict', () => look(opened($('#file')?.value), true));

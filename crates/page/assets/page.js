@@ -191,7 +191,8 @@ function draft() {
   place.replaceChildren(`${said('draft')} ${fileName()}, ${instant(found.at)} `,
     button(said('restore'), chosen(() => put(found.text))), ' ', button(said('discard'), chosen(() => localStorage.removeItem(key))));
 }
-// The start page lists what was not saved.
+// The start page lists what was not saved, the latest first.
+const UNSAVED_SHOWN = 3;
 function unsaved() {
   const place = $('#unsaved');
   if (!place) return;
@@ -207,11 +208,16 @@ function unsaved() {
       try { sessionStorage.setItem(CONTINUED, each.key); } catch { /* a browser that keeps nothing */ }
       begin(each.text, each.file || 'axis.toml');
     };
-    row.append(button([name, of.startsWith('/') ? each.file : of].filter(Boolean).join(' – '), go), ` ${instant(each.at)} `,
+    const file = of.startsWith('/') ? each.file : of;
+    row.append(button([name, file === 'axis.toml' && name ? '' : file].filter(Boolean).join(' – '), go), ` ${instant(each.at)} `,
       button(said('discard'), () => { localStorage.removeItem(each.key); unsaved(); }));
     return row;
   });
-  place.querySelector('ul').replaceChildren(...rows);
+  const [list, more] = place.querySelectorAll('ul');
+  list.replaceChildren(...rows.slice(0, UNSAVED_SHOWN));
+  more.replaceChildren(...rows.slice(UNSAVED_SHOWN));
+  more.parentElement.hidden = rows.length <= UNSAVED_SHOWN;
+  more.parentElement.firstElementChild.textContent = `+ ${rows.length - UNSAVED_SHOWN}`;
   place.hidden = rows.length === 0;
 }
 export function put(value) {

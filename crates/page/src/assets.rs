@@ -7,8 +7,8 @@ macro_rules! files {
 }
 
 /// Files of the page by their names below `/assets/`.
-pub const ASSETS: [(&str, &str); 17] = files![
-    "page.css" "enter.js" "page.js" "panes.js" "cursor.js" "across.js" "table.js" "runs.js" "plots.js" "sketch.js" "theory.js" "print.js" "waiting.js" "folder.js" "tools.js" "door.js"
+pub const ASSETS: [(&str, &str); 18] = files![
+    "page.css" "enter.js" "page.js" "panes.js" "cursor.js" "across.js" "table.js" "runs.js" "plots.js" "sketch.js" "theory.js" "print.js" "waiting.js" "folder.js" "tools.js" "door.js" "begin.js"
     "htmx.min.js"
 ];
 

@@ -127,11 +127,11 @@ fn field(path: &str, key: &Key, prefix: &str, check: &Check, language: Language)
     let l = language;
     let path = format!("{prefix}{path}");
     let own = format!("s-{}-{}", check.id.id(), id(&path));
-    let sample = value::sample(key).unwrap_or_default();
+    let sample = page::for_example(&value::sample(key).unwrap_or_default(), l);
     html! {
         label.state for=(own) {
             span { (label(&capitalised(&short_label(about_text(key.about, l))))) }
-            input id=(own) name="value" type="text" size="10" placeholder=(page::for_example(&sample, l)) autocomplete="off" spellcheck="false"
+            input id=(own) name="value" type="text" size=(sample.chars().count()) placeholder=(sample) autocomplete="off" spellcheck="false"
                 hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", &path)]));
         }
     }

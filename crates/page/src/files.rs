@@ -1,6 +1,6 @@
 //! Beginning, opening, saving and downloading of projects.
 
-use crate::call::{Call, FileEntry, Reply, SaveFault, Shell, Storage, query};
+use crate::call::{Call, FileEntry, Folder, Reply, SaveFault, Shell, Storage, query};
 use crate::frame;
 use crate::head::USUAL_NAME;
 use crate::markup::label_of;
@@ -38,7 +38,7 @@ pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) ->
             }
             with_text(call, text, &name, &known(&shell.version(&bytes), &name), shell, progress)
         }
-        Some(Err(error)) => Reply::text(404, &file_trouble(&error, call.language())),
+        Some(Err(error)) => Reply::text(404, &format!("{name}: {}", file_trouble(&error, call.language()))),
         None => Reply::text(404, page::no_such_page(call.language())),
     }
 }
@@ -162,6 +162,17 @@ pub(crate) fn watched(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     Reply::of(200, crate::HTML, notice.into_string()).with("x-version", now)
 }
 
+/// Largest number that is tried behind the name of a file.
+const COPIES_MOST: usize = 999;
+
+/// Returns a similar name that no file of the folder has.
+fn free_name(name: &str, folder: &dyn Folder) -> Option<String> {
+    let stem = name.strip_suffix(".toml").unwrap_or(name);
+    (2..=COPIES_MOST)
+        .map(|number| format!("{stem}-{number}.toml"))
+        .find(|free| folder.read(free).is_err_and(|error| error.kind() == ErrorKind::NotFound))
+}
+
 fn keep_mine(known: &str, language: Language) -> Markup {
     html! { button type="button" data-disk="mine" data-known=(known) { (page::keep_mine(language)) } }
 }
@@ -187,11 +198,18 @@ pub(crate) fn merge(call: &Call<'_>, shell: &dyn Shell) -> Reply {
             button type="button" data-disk="load" data-name=(name) { (page::load_it(l)) } " " (keep_mine(&version, l))
         }
     };
-    let Ok(theirs) = String::from_utf8(bytes) else { return ask(whole()) };
     // A file of this name that was not opened here is another axis: nothing of both is joined.
     if state.known.starts_with(' ') {
-        return ask(whole());
+        return ask(html! {
+            span { (page::name_is_taken(&name, l)) } " "
+            @if let Some(free) = free_name(name, folder) {
+                button.primary type="button" data-disk="as" data-name=(free) { (page::save_under(&free, l)) } " "
+            }
+            button type="button" data-disk="load" data-name=(name) { (page::open_it(&name, l)) } " "
+            button type="button" data-disk="over" data-known=(version) { (page::replace_it(&name, l)) }
+        });
     }
+    let Ok(theirs) = String::from_utf8(bytes) else { return ask(whole()) };
     let base = call.field("base").unwrap_or_default().replace("\r\n", "\n");
     let prefer = match call.field("prefer").as_deref() {
         Some("ours") => Some(Prefer::Ours),

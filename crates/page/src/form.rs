@@ -33,6 +33,9 @@ pub(crate) struct RowContent<'f> {
     typed_at: Option<(&'f str, bool)>,
 }
 
+/// Number of bytes of the longest symbol with which a label begins.
+const SYMBOL_MOST: usize = 8;
+
 /// Computed values of a segment of the motion.
 #[derive(Default)]
 pub(crate) struct Followed {
@@ -459,7 +462,9 @@ impl RowContent<'_> {
         let id = id(path);
         // A label that begins with its symbol has it already.
         let symbol = sketch::symbol_of(path.strip_prefix(self.prefix).unwrap_or(path));
-        let symbol = symbol.filter(|symbol| !about.starts_with(&format!("{symbol},")));
+        let has_symbol =
+            about.split_once(", ").is_some_and(|(head, _)| head.len() <= SYMBOL_MOST && !head.contains(' '));
+        let symbol = symbol.filter(|_| !has_symbol);
         let value = self.value(path).unwrap_or_default();
         let faults: Vec<_> = self.held.faults.at_or_listed(path).collect();
         let described = format!("{id}-x");

@@ -47,7 +47,7 @@ fn scripts() -> Markup {
         // First: it adds the token to the requests of the others.
         script src="/assets/enter.js" {}
         script src="/assets/htmx.min.js" defer {}
-        @for name in ["page.js", "panes.js", "folder.js", "tools.js", "door.js", "sketch.js", "theory.js", "print.js", "across.js", "table.js", "runs.js"] { script type="module" src={ "/assets/" (name) } {} }
+        @for name in ["page.js", "panes.js", "folder.js", "tools.js", "door.js", "begin.js", "sketch.js", "theory.js", "print.js", "across.js", "table.js", "runs.js"] { script type="module" src={ "/assets/" (name) } {} }
     }
 }
 
@@ -253,6 +253,7 @@ fn start(state: &PageState, shell: &dyn Shell) -> Markup {
                 section id="unsaved" aria-labelledby="unsaved-title" hidden {
                     h2 id="unsaved-title" { (page::continue_unsaved(l)) }
                     ul.plain {}
+                    details hidden { summary {} ul.plain {} }
                 }
                 section aria-labelledby="start-title" {
                     h2 id="start-title" { (page::what_do_you_move(l)) }

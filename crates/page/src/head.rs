@@ -22,7 +22,7 @@ pub(crate) fn of_project(state: &PageState, held: &ReadProject, is_done: bool, s
             (axes(state, held))
             span.file {
                 span id="file-name" title=(page::save_as(l)) { (file) }
-                " " span id="file-state" data-changed=(page::changed(l)) data-saved=(page::saved_state(l)) hx-morph-skip="" {}
+                " " span id="file-state" data-changed=(page::changed(l)) data-saved=(page::saved_state(l)) {}
             }
             nav.bar aria-label=(page::title(l)) {
                 button.icon type="button" id="undo" data-undo="" aria-disabled="true" aria-label=(page::undo(l)) title={ (page::undo(l)) " (Ctrl+Z)" } { "↶" }

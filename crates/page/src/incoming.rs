@@ -10,8 +10,16 @@ mod shown;
 
 use crate::call::{Call, Reply, Shell};
 use examination::{Request, examine, with_recording};
+use quantities::Language;
 use questions::Progress;
 use words::page;
+
+/// Returns the language of a request, by the line of fields before the file.
+pub(crate) fn language_of(call: &Call<'_>) -> Language {
+    let line = call.body.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    let stated = form_urlencoded::parse(line).filter(|(name, _)| name == "lang").last();
+    stated.and_then(|(_, language)| Language::of_id(&language)).unwrap_or_else(|| call.language())
+}
 
 /// Returns the preview of a file.
 pub(crate) fn preview(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {

@@ -86,6 +86,11 @@ use questions::Progress;
 #[must_use]
 pub fn respond(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {
     let mut reply = answer(call, shell, progress);
+    if call.path == "/" && reply.status >= 400 && reply.media.starts_with("text/plain") {
+        // Who opens an address reads the reason on a page with a way back.
+        let message = String::from_utf8_lossy(&reply.body).into_owned();
+        reply = locked::with_way_back(reply.status, &message, call.language());
+    }
     if reply.media == HTML {
         let page = String::from_utf8(std::mem::take(&mut reply.body));
         reply.body = page.map_or_else(std::string::FromUtf8Error::into_bytes, |page| {
@@ -101,7 +106,7 @@ fn language_of(call: &Call<'_>) -> quantities::Language {
     if let Some(language) = theory::language_of(call.path) {
         return language;
     }
-    call.language()
+    if call.path == PREVIEW { incoming::language_of(call) } else { call.language() }
 }
 
 fn answer(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Reply {

@@ -9,9 +9,10 @@ use crate::shown::Outcome;
 use crate::state::PageState;
 use axis::AxisProject;
 use maud::{Markup, html};
+use quantities::Language;
 use questions::list::check::reserve_unasked;
-use questions::texts::{reason, reserve_lines};
-use questions::{Candidate, ProductId, Progress, Sizing, check, read_code};
+use questions::texts::{objection_text, reason, reserve_lines};
+use questions::{Candidate, Objection, ProductId, Progress, Sizing, check, read_code};
 use words::{capitalised, page, terms};
 
 /// Number of actuators whose changes are searched at once.
@@ -83,6 +84,15 @@ fn names(block: &[&Candidate<'_>]) -> String {
     block.iter().map(|candidate| candidate.id.to_string()).collect::<Vec<_>>().join(" ")
 }
 
+/// Returns what an objection asks for: another requirement, or nothing for a code that cannot be ordered.
+fn without(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
+    let text = objection_text(candidate, objection, language);
+    match objection {
+        Objection::Unmet(_) => page::without_the_requirement(&text, language),
+        Objection::Rule(_) => text,
+    }
+}
+
 /// Returns the changes with which the requested actuators would fit, each for its cell.
 pub(crate) fn changes(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> Markup {
     let mut state = PageState::of(call);
@@ -97,10 +107,15 @@ pub(crate) fn changes(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -
         .filter_map(|name| Some(ProductId::from(read_code(name, l).ok()?.parsed.code)));
     let of = |id: &ProductId| {
         let candidate = check(project, id).ok()?;
-        let reserve = reserve_unasked(project, &candidate, progress).ok()?;
-        let lines = reserve_lines(&reserve, &candidate, l).into_iter().flat_map(|(_, parts)| parts);
-        let text = lines.collect::<Vec<_>>().join(&format!(" {} ", words::pages::or(l)));
-        Some(if text.is_empty() { page::no_single_change(l).to_owned() } else { text })
+        let mut parts: Vec<String> = candidate.objections.iter().map(|each| without(&candidate, each, l)).collect();
+        // Where only requirements object, reserves of the checks let nothing in.
+        if !candidate.judgement_fits() {
+            let reserve = reserve_unasked(project, &candidate, progress).ok()?;
+            let lines = reserve_lines(&reserve, &candidate, l).into_iter().flat_map(|(_, parts)| parts);
+            let text = lines.collect::<Vec<_>>().join(&format!(" {} ", words::pages::or(l)));
+            parts.push(if text.is_empty() { page::no_single_change(l).to_owned() } else { text });
+        }
+        Some(parts.join(page::and_also(l)))
     };
     html! {
         @for id in ids {

@@ -7,7 +7,7 @@ use crate::state::{PageState, ReadProject};
 use crate::text_change::TextChange;
 use axis::AxisProject;
 use maud::{Markup, html};
-use project::paced;
+use project::{Written, edit_values, paced, written};
 use quantities::unit::SECOND;
 use quantities::{Language, Measure, Unit, format_significant};
 use questions::list::check::{reserve_unasked, reserve_within};
@@ -21,6 +21,9 @@ use words::{capitalised, page, proviso_text, terminal, terms, unpadded, views};
 
 /// Number of cards above the fold.
 const FIRST: usize = 3;
+
+/// Largest factor on a value of the machine that is proposed above the fold; a fortieth of the load is another machine.
+const FACTOR_MOST: f64 = 4.0;
 
 /// Number of actuators whose changes are searched in a long cycle.
 const NEAREST: usize = 6;
@@ -45,6 +48,8 @@ struct Remedy {
     proviso: Option<&'static str>,
     /// Extent of the change, where its title does not say it.
     extent: Option<String>,
+    /// Factor on a value of the machine, or its reciprocal: at least 1.
+    factor: f64,
     /// Verdict of the axis after the change; `None` if it was not judged.
     verdict: Option<String>,
     /// The change of the project; `None` if it is up to the user how.
@@ -100,9 +105,15 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
             None => remedy.change = None,
         }
     }
-    // The first change that a button applies is the main action of the page.
-    let main = found.iter().position(|remedy| remedy.change.is_some());
-    let (first, rest) = found.split_at(found.len().min(FIRST));
+    // What a button applies comes before what it does not, and the smaller change first.
+    found.sort_by(|a, b| {
+        let order = |remedy: &Remedy| (remedy.factor > FACTOR_MOST, remedy.change.is_none());
+        order(a).cmp(&order(b)).then(a.factor.total_cmp(&b.factor))
+    });
+    // The first change that a button applies is the main action of the page, unless it makes another machine of it.
+    let main = found.iter().position(|remedy| remedy.change.is_some() && remedy.factor <= FACTOR_MOST);
+    let usual = found.iter().filter(|remedy| remedy.factor <= FACTOR_MOST).count();
+    let (first, rest) = found.split_at(if usual == 0 { found.len().min(1) } else { usual.min(FIRST) });
     html! {
         @if first.is_empty() {
             h3 { (capitalised(terminal::no_actuator_fits(l))) }
@@ -206,6 +217,7 @@ fn by_reserve(
             code: reach.code.clone(),
             proviso,
             extent: None,
+            factor: folded(reach.value),
             verdict: None,
             change: None,
         };
@@ -228,20 +240,49 @@ fn by_reserve(
                 let factor = reach.value / duration.si();
                 let is_reached =
                     |project: &AxisProject| (project.axis.motion.duration().si() / reach.value - 1.0).abs() < 1e-6;
-                let changed = paced(text, prefix, factor).and_then(|text| reads(&text));
-                let is_applicable = changed.is_some_and(|project| is_reached(&project));
+                let change = slower(project, (text, prefix), factor).filter(|change| {
+                    let changed = change.applied(text, prefix).and_then(|text| reads(&text));
+                    changed.is_some_and(|project| is_reached(&project))
+                });
                 Remedy {
                     title: page::longer_cycle(l).to_owned(),
                     before: seconds(duration.si()),
                     after: seconds(reach.value),
                     extent: Some(page::every_time_longer(&number(factor), l)),
-                    change: is_applicable.then_some(TextChange::Pace(factor)),
+                    factor: folded(factor),
+                    change,
                     ..plain
                 }
             }
         }
     };
     reached.iter().map(card).collect()
+}
+
+/// Returns a factor or its reciprocal, whichever is larger.
+fn folded(factor: f64) -> f64 {
+    factor.max(1.0 / factor)
+}
+
+/// Returns the change with which the whole motion is slower by a factor. Where times of it are assumed, as the ramps of a
+/// web, the change states them.
+fn slower(project: &AxisProject, (text, prefix): (&str, &str), factor: f64) -> Option<TextChange> {
+    if paced(text, prefix, factor).is_some() {
+        return Some(TextChange::Pace(factor));
+    }
+    let motion = format!("{prefix}motion[");
+    let assumed = project.assumed().into_iter().filter(|each| each.is_alone);
+    let of_motion = assumed.flat_map(|each| {
+        let value = each.value;
+        each.keys.into_iter().filter_map(move |key| Some((key, value.clone()?)))
+    });
+    let taken: Vec<(String, String)> = of_motion.filter(|(key, _)| key.starts_with(&motion)).collect();
+    let with_taken = edit_values(text, &taken).ok()?;
+    let changed = written(&paced(&with_taken, prefix, factor)?)?;
+    let before = written(text)?;
+    let is_new = |key: &Written| !before.iter().any(|old| old.path == key.path && old.value == key.value);
+    let values = changed.into_iter().filter(is_new).filter_map(|key| Some((key.path, key.value?)));
+    Some(TextChange::Values(values.collect()))
 }
 
 /// Returns a number as a project file states it, without the noise of its conversion: a proposal has five digits at most.
@@ -267,6 +308,7 @@ fn by_sharing(shared: &SharedLoad, held: &ReadProject, prefix: &str, language: L
         code: shared.code.clone(),
         proviso: proviso_text(shared.proviso.estimate, shared.proviso.rating, l),
         extent: None,
+        factor: f64::from(shared.actuators),
         verdict: None,
         change: Some(TextChange::Values(values)),
     }
@@ -287,6 +329,13 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
     );
     let value = value.trim();
     let stage = proposal.adds_stage();
+    // Values in one unit; a counterweight that is added has none before it.
+    let number = |text: &str| text.split(' ').next().and_then(|number| number.parse::<f64>().ok());
+    let unit_of = |text: &str| text.split_once(' ').map(|(_, unit)| unit.trim().to_owned());
+    let factor = match stated.as_deref().filter(|stated| unit_of(stated) == unit_of(value)) {
+        Some(stated) => number(stated).zip(number(value)).map(|(before, after)| after / before),
+        None => stage.then_some(proposal.si),
+    };
     let kind = stage.then(|| (format!("{prefix}stage.kind"), "gear".to_owned()));
     let values = kind.into_iter().chain([(path, value.to_owned())]).collect();
     Remedy {
@@ -300,6 +349,7 @@ fn by_gearing(proposal: &GearingProposal, held: &ReadProject, prefix: &str, lang
         code: proposal.code.clone(),
         proviso: proviso_text(proposal.proviso.estimate, proposal.proviso.rating, l),
         extent: None,
+        factor: factor.map_or(1.0, folded),
         verdict: None,
         change: Some(TextChange::Values(values)),
     }

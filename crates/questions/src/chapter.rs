@@ -22,7 +22,7 @@ use crate::answer::document;
 use answers::{Block, Chapter, CitedErratum, Column, Document, Fact, Hazard, Id, Number};
 use catalogue::SignalWord;
 use quantities::{Language, Unit, format_significant};
-use words::{ERRATUM_MARK, signal_word};
+use words::{ERRATUM_MARK, capitalised, erratum_place_of, signal_word};
 
 /// Creates a hazard or a rule with its signal word.
 fn hazard(signal: Option<Id<SignalWord>>, text: &str, source: String, language: Language) -> Hazard {
@@ -41,13 +41,18 @@ fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
 
 /// Returns errata with their evidence, each behind the mark of the values that it concerns.
 #[must_use]
-pub fn marked_errata(errata: &[CitedErratum]) -> Vec<String> {
-    errata.iter().map(|each| format!("{ERRATUM_MARK} {}: {}", each.id, each.evidence)).collect()
+pub fn marked_errata(errata: &[CitedErratum], language: Language) -> Vec<String> {
+    errata.iter().map(|each| format!("{ERRATUM_MARK} {}", erratum_line(each, language))).collect()
+}
+
+/// Returns the place of an erratum in words, and its evidence.
+fn erratum_line(erratum: &CitedErratum, language: Language) -> String {
+    format!("{}: {}", capitalised(&erratum_place_of(&erratum.id, language)), erratum.evidence)
 }
 
 /// Returns notes, and errata with their evidence.
-fn remarks(notes: &[String], errata: &[CitedErratum]) -> Vec<String> {
-    let erratum = |erratum: &CitedErratum| format!("{}: {}", erratum.id, erratum.evidence);
+fn remarks(notes: &[String], errata: &[CitedErratum], language: Language) -> Vec<String> {
+    let erratum = |erratum: &CitedErratum| erratum_line(erratum, language);
     notes.iter().cloned().chain(errata.iter().map(erratum)).collect()
 }
 

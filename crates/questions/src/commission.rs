@@ -67,7 +67,7 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
         doubts.extend(errata);
     }
     out.push('\n');
-    for line in marked_errata(&cited_once(doubts, language)) {
+    for line in marked_errata(&cited_once(doubts, language), language) {
         remark(&mut out, &line);
     }
     remark(&mut out, commission::script_missing(language));
@@ -155,7 +155,7 @@ fn object_section(out: &mut String, head: &str, object: &Object, language: Langu
         mappable: false,
     };
     eds::variable(out, head, &variable);
-    for line in marked_errata(&cited_once(object.errata(), language)) {
+    for line in marked_errata(&cited_once(object.errata(), language), language) {
         eds::remark(out, &line);
     }
 }

@@ -43,6 +43,12 @@ impl Heading {
             || self.named.for_role(role, |_| true).is_some()
     }
 
+    /// Returns `true` if the name or the row of units states a unit of another quantity than the role's.
+    fn has_unit_of_another(&self, role: Role) -> bool {
+        let is_unit = |unit: &String| Unit::of(unit.trim_matches(['[', ']', '(', ')'])).is_some();
+        [&self.named.unit, &self.below].into_iter().flatten().any(is_unit) && !self.has_unit_of(role)
+    }
+
     /// Matches a name given in a layout, with or without its unit.
     fn is_named(&self, name: &str, role: Role) -> Option<Pick> {
         let same = |one: &str| one == name || one.to_lowercase() == name.to_lowercase();
@@ -119,6 +125,12 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
         let mut found = surest(headings, &taken, |heading| heading.by_usual_name(role));
         if role == Role::Time && found.is_empty() {
             found.extend(seconds(headings));
+        }
+        // Names that differ in case only (t in s, T in Nm) are told apart by their units.
+        let has_unit_of_another =
+            |pick: &Pick| headings.get(pick.index).is_some_and(|heading| heading.has_unit_of_another(role));
+        if found.len() > 1 && !found.iter().all(has_unit_of_another) {
+            found.retain(|pick| !has_unit_of_another(pick));
         }
         more.keep_first(role, headings, &mut found);
         match found.as_slice() {

@@ -73,8 +73,8 @@ texts! {
     torque_question = "What is the recorded torque or force?" | "Was ist das aufgezeichnete Drehmoment oder die Kraft?";
     torque_whole = "The whole load" | "Die gesamte Last";
     torque_whole_about =
-        "inertia, friction and process together; nothing is added to it"
-        | "Massenträgheit, Reibung und Prozess zusammen; nichts wird addiert";
+        "inertia, friction and process together; only the inertia of the actuator itself is added"
+        | "Massenträgheit, Reibung und Prozess zusammen; hinzu kommt nur das Massenträgheitsmoment des Antriebs";
     torque_process = "A torque or force of the process" | "Ein Prozessmoment oder eine Prozesskraft";
     torque_process_about =
         "it is added to inertia, gravity and friction described in the project"

@@ -163,7 +163,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "angle of the positive direction above the horizontal; 90 deg is upwards; default: horizontal",
             "Winkel der positiven Richtung über der Waagerechten; 90 deg ist aufwärts; ohne Angabe waagerecht",
         ),
-        About::Counterweight(CounterweightName::counterweight) => ("counterweight; moves with the load and reduces it by its weight", "Gegengewicht; bewegt sich mit und entlastet um sein Gewicht"),
+        About::Counterweight(CounterweightName::counterweight) => ("counterweight; moves with the load and reduces it by its weight; on a hoist with as many falls as the load", "Gegengewicht; bewegt sich mit und entlastet um sein Gewicht; am Hubwerk mit gleich vielen Seilsträngen wie die Last"),
         About::Guide(GuideName::friction_force) => ("friction force of seals and guides", "Reibungskraft von Dichtungen und Führungen"),
         About::Guide(GuideName::friction_coefficient) => ("friction coefficient of the guide", "Reibungszahl der Führung"),
         About::ProcessForce(ProcessForceName::process_force) => (

@@ -43,7 +43,7 @@ pub fn law_text(law: SegmentLaw, language: Language) -> &'static str {
         SegmentLaw::Dwell => ("dwell", "Rast"),
         SegmentLaw::Recorded => ("recording", "Aufzeichnung"),
         SegmentLaw::Points => ("cam table", "Kurventabelle"),
-        SegmentLaw::Open => ("not decided", "nicht festgelegt"),
+        SegmentLaw::Open => ("polynomial 3-4-5, assumed", "Polynom 3-4-5, angenommen"),
         SegmentLaw::Web => ("run of the web", "Bahnlauf"),
     };
     pick(language, en, de)

@@ -215,7 +215,7 @@ texts! {
     drawing_of(mechanism) = "Drawing: {mechanism}" | "Zeichnung: {mechanism}";
     play = "Play the motion" | "Bewegung abspielen";
     pause = "Pause" | "Anhalten";
-    slower = "Slower" | "Langsamer";
+    slower = "½×: slower" | "½×: langsamer";
     page_of_the_manual(number) = "page {number} of the manual" | "Seite {number} der Anleitung";
     states = "States of the page" | "Zustände der Seite";
     fault_in_the_file = "fault in the file" | "Fehler in der Datei";
@@ -392,8 +392,14 @@ texts! {
     only_layout = "Only comments or formatting" | "Nur Kommentare oder Formatierung";
     cycle_of(time) = "cycle {time} s" | "Zyklus {time} s";
     name_is_taken(name) =
-        "A file named {name} already exists and was not overwritten. Open it, or save under another name."
-        | "Eine Datei namens {name} existiert bereits und wurde nicht überschrieben. Öffnen oder unter anderem Namen speichern.";
+        "A file named {name} already exists and was not overwritten."
+        | "Eine Datei namens {name} existiert bereits und wurde nicht überschrieben.";
+    without_the_requirement(why) = "without the requirement: {why}" | "ohne die Anforderung: {why}";
+    and_also = "; and " | "; und ";
+    to_the_start = "To the start page" | "Zur Startseite";
+    save_under(name) = "Save as {name}" | "Als {name} speichern";
+    open_it(name) = "Open {name}" | "{name} öffnen";
+    replace_it(name) = "Replace {name}" | "{name} ersetzen";
     group_geometry = "Geometry" | "Geometrie";
     group_masses = "Masses" | "Massen";
     group_forces = "Forces, friction, efficiency" | "Kräfte, Reibung, Wirkungsgrad";

@@ -80,10 +80,10 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
         | QuantityError::UnitMissing { expected, .. } => Some(units(*expected, language)),
         QuantityError::NumberUnreadable { expected, .. } => Some(match language {
             Language::En => {
-                format!("write digits without separators, with a decimal point, for example \"{}\"", expected.example())
+                format!("write digits without separators of thousands, for example \"{}\"", expected.example())
             }
             Language::De => {
-                format!("Ziffern ohne Trennzeichen schreiben, mit Dezimalpunkt, zum Beispiel „{}“", expected.example())
+                format!("Ziffern ohne Tausendertrennzeichen schreiben, zum Beispiel „{}“", expected.example())
             }
         }),
         QuantityError::DecimalComma { found, .. } => Some(point_hint(found, language)),

@@ -78,8 +78,8 @@ texts! {
         "requests from other sites are not accepted"
         | "Anfragen anderer Websites werden nicht angenommen";
     token_missing =
-        "the token is missing: open the address shown by `antrieb serve`, or send the token as bearer token"
-        | "das Token fehlt: die von `antrieb serve` ausgegebene Adresse öffnen oder das Token als Bearer-Token senden";
+        "the token is missing: open the whole address that `antrieb serve` printed in its window; programs send the token as bearer token"
+        | "das Token fehlt: die ganze Adresse öffnen, die `antrieb serve` in seinem Fenster ausgegeben hat; Programme senden das Token als Bearer-Token";
     busy = "too many requests are waiting; try again in a moment" | "zu viele wartende Anfragen; in Kürze erneut versuchen";
     not_in_time(most) =
         "not answered within {most} s; reduce the work: fewer samples, a shorter cycle, one axis of several"

@@ -43,7 +43,7 @@ texts! {
     motion = "motion" | "Bewegung";
     no_flange_loads =
         "the project states no flange loads: [bearing] is missing"
-        | "das Projekt nennt keine Flanschlasten: [bearing] fehlt";
+        | "das Projekt nennt keine Lasten am Flansch: [bearing] fehlt";
     not_checked = "not checked" | "nicht geprüft";
     not_required = "not required" | "nicht gefordert";
     number = "no." | "Nr.";

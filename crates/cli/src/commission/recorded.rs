@@ -46,7 +46,7 @@ fn text(recorded: &Recorded, language: Language) -> String {
     for (line, cause) in lines.iter().filter_map(|line| Some((line, line.cause.as_ref()?))) {
         out.push_str(&paragraph(&format!("{}: ", line.name), cause));
     }
-    for erratum in chapter::marked_errata(&recorded.errata) {
+    for erratum in chapter::marked_errata(&recorded.errata, language) {
         out.push_str(&paragraph("", &erratum));
     }
     out

@@ -82,6 +82,10 @@ pub(super) fn with_recording(
     }
     let segment = format!("motion[{}]", index + 1);
     let is_whole = choices.torque == Some(TorqueUse::Whole);
+    // A recorded torque contains that of the inertia; which one it is still decides about drive and resonance.
+    let stated = written(&state.text).unwrap_or_default();
+    let of_load = stated.into_iter().find(|key| key.path == format!("{prefix}load.inertia"));
+    let inertia = of_load.and_then(|key| key.value).filter(|_| is_whole && choices.line.is_none());
     if is_whole || choices.line.is_some() {
         for load in ["load", "mechanism"] {
             apply(load, Edit::Gone)?;
@@ -98,6 +102,9 @@ pub(super) fn with_recording(
         }
         None if is_whole => apply("mechanism.joint", Edit::Table)?,
         None => {}
+    }
+    if let Some(inertia) = inertia {
+        apply("mechanism.joint.inertia", Edit::Value(&inertia))?;
     }
     if !choices.inertia.is_empty() && !is_whole && choices.line.is_none() {
         apply("load.inertia", Edit::Value(&choices.inertia))?;

@@ -13,8 +13,8 @@ use questions::list::glossary::glossary;
 use questions::texts::{sheet_value_text, uncovered_mark};
 use questions::{CodeRefusal, answer, read_code};
 use words::{
-    Word, capitalised, condition_text, describe_field, describe_uncovered, evidence_text, grade_word, page, row_sign,
-    symbol_term, table_title, terminal, terms,
+    ERRATUM_MARK, Word, capitalised, condition_text, describe_field, describe_uncovered, erratum_place_of,
+    evidence_text, grade_word, page, row_sign, symbol_term, table_title, terminal, terms,
 };
 
 /// Number of proposed codes for the beginning of one.
@@ -75,7 +75,7 @@ pub(super) fn data(typed: &str, language: Language) -> Markup {
         @for each in &sections { (each) }
         @if !errata.is_empty() {
             h4 { (page::tool_errata(l)) }
-            dl { @for id in &errata { dt id={ "erratum-" (id) } { code { (id) } } dd { (evidence_text(id, l)) } } }
+            dl { @for id in &errata { dt id={ "erratum-" (id) } title=(id) { (capitalised(&erratum_place_of(id, l))) } dd { (evidence_text(id, l)) } } }
         }
     }
 }
@@ -99,7 +99,7 @@ fn section(section: &SheetSection, errata: &mut Vec<&'static str>, language: Lan
             td.number {
                 (sheet_value_text(row, l))
                 @for mark in &notes { " [" (mark) "]" }
-                @for id in cell.errata { " " a.advice href={ "#erratum-" (id) } { code { (id) } } }
+                @for id in cell.errata { " " a.advice href={ "#erratum-" (id) } title=(erratum_place_of(id, l)) { (ERRATUM_MARK) } }
             }
             td { (Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol)) }
         } }
@@ -116,7 +116,7 @@ fn section(section: &SheetSection, errata: &mut Vec<&'static str>, language: Lan
         @for (mark, note) in marks.sorted() { p.small { "[" (mark) "] " (by(&note)) (answer::sheet_note_text(&note, l)) } }
         @for note in &section.notices { p.small { (by(note)) (answer::sheet_note_text(note, l)) } }
         @if !section.errata.is_empty() {
-            p.small { (capitalised(terminal::errata_of_this_table(l))) ": " @for id in &section.errata { a.advice href={ "#erratum-" (id) } { code { (id) } } " " } }
+            p.small { (capitalised(terminal::errata_of_this_table(l))) ": " @for (place, id) in section.errata.iter().enumerate() { @if place > 0 { "; " } a.advice href={ "#erratum-" (id) } { (erratum_place_of(id, l)) } } }
         }
     }
 }
@@ -136,7 +136,7 @@ pub(super) fn errata(typed: &str, language: Language) -> Markup {
     html! {
         @if record.errata.is_empty() { p { (capitalised(terminal::no_erratum(l))) } }
         dl { @for each in &record.errata {
-            dt { code { (each.id) } ": " (each.place) }
+            dt title=(each.id) { (capitalised(&each.place)) }
             dd { (each.printed) " → " (each.corrected) " " (Unit::of(each.unit).map_or(each.unit, |unit| unit.symbol)) br; span.small { (each.evidence) } }
         } }
     }

@@ -284,6 +284,6 @@ fn judgement(found: &answers::Recorded, language: Language) -> Markup {
                 td.small { (line.remark) @if let Some(cause) = &line.cause { br; strong { (cause) } } }
             } } }
         } }
-        @for erratum in chapter::marked_errata(&found.errata) { p.small { (erratum) } }
+        @for erratum in chapter::marked_errata(&found.errata, l) { p.small { (erratum) } }
     }
 }

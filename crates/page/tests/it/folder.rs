@@ -85,6 +85,22 @@ fn what_another_has_saved_is_noticed_and_asked_about() {
     assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", "").0, 200, "written anew");
 }
 
+/// A new axis under the name of a file that was not opened: a free name comes first, replacing is a choice of its own.
+#[test]
+fn a_new_axis_does_not_replace_the_file_of_another() {
+    let folder = InMemory::default();
+    let (_, other) = save(&folder, "axis.toml", "format = 1 # other\n", "");
+    let _ = save(&folder, "axis-2.toml", "format = 1 # second\n", "");
+    assert_eq!(save(&folder, "axis.toml", "format = 1 # new\n", "").0, 409);
+    let merge = [("known", " axis.toml"), ("base", ""), ("text", "format = 1 # new\n")];
+    let asked = String::from_utf8(folder.post("/merge", &merge).body).unwrap();
+    let html = decoded(asked.strip_prefix("notice=").unwrap_or_else(|| panic!("no question: {asked}")));
+    whole(&html);
+    assert!(html.contains("data-disk=\"as\" data-name=\"axis-3.toml\""), "{html}");
+    assert!(html.contains(&format!("data-disk=\"over\" data-known=\"{other}\"")), "{html}");
+    assert!(!html.contains("data-disk=\"mine\""), "{html}");
+}
+
 #[test]
 fn an_example_brings_its_recording_and_leaves_that_of_others() {
     let folder = InMemory::default();

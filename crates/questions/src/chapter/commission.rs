@@ -26,7 +26,7 @@ pub fn commission(record: &Commissioning, objects: &[DriveObject], language: Lan
     }
     if !record.errata.is_empty() {
         chapter.section(report::c_errata(language));
-        chapter.points(marked_errata(&record.errata));
+        chapter.points(marked_errata(&record.errata, language));
     }
     chapter.section(capitalised(commission::gaps(language)));
     chapter.points(record.gaps.iter().map(|gap| gap.text.clone()).collect());

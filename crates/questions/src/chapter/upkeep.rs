@@ -41,7 +41,7 @@ pub fn upkeep(record: &Upkeep, language: Language) -> Chapter {
             language,
         ));
     }
-    chapter.points(remarks(&record.notes, &record.errata));
+    chapter.points(remarks(&record.notes, &record.errata, language));
     chapter.section(capitalised(upkeep::storage_head(language)));
     chapter.hazards(hazards(&record.storage, language));
     chapter.section(capitalised(upkeep::service_head(language)));

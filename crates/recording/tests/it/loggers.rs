@@ -399,3 +399,17 @@ fn a_column_with_a_long_name_is_proposed_by_its_number() {
     let found = faults(text);
     assert!(matches!(found.as_slice(), [Fault::Ambiguous { columns, .. }] if columns == &["#2", "#3"]), "{found:?}");
 }
+
+/// Time and torque differ in case only; their units tell them apart, in the name or in a row below.
+#[test]
+fn names_that_differ_in_case_only_are_told_apart_by_their_units() {
+    for text in [
+        "t / s;phi / °;T / Nm\n0;0;1\n0,1;2;1\n0,2;4;1\n",
+        "t;phi;T\ns;°;Nm\n0;0;1\n0,1;2;1\n0,2;4;1\n",
+        "T / Nm;phi / °;t / s\n1;0;0\n1;2;0,1\n1;4;0,2\n",
+    ] {
+        let read = recording::read_csv(text.as_bytes(), &recording::Layout::default()).unwrap();
+        assert_eq!(*read.time_s, [0.0, 0.1, 0.2], "{text}");
+        assert_eq!(*read.torque.unwrap().values, [1.0; 3], "{text}");
+    }
+}
