@@ -115,7 +115,7 @@ pub(crate) fn changes(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -
             let text = lines.collect::<Vec<_>>().join(&format!(" {} ", words::pages::or(l)));
             parts.push(if text.is_empty() { page::no_single_change(l).to_owned() } else { text });
         }
-        Some(parts.join(page::and_also(l)))
+        parts.into_iter().reduce(|one, other| page::and_also(&one, &other, l))
     };
     html! {
         @for id in ids {

@@ -21,6 +21,9 @@ pub(crate) struct Heading {
     pub(crate) is_clock: bool,
 }
 
+/// Symbol of a torque that names a column only together with a unit.
+const TORQUE: &str = "T";
+
 impl Heading {
     pub(crate) fn new(written: &str) -> Self {
         let written = written.trim();
@@ -33,7 +36,11 @@ impl Heading {
         let pick =
             |reading: &Named| Some(Pick { index: 0, sureness: reading.sureness(role)?, unit: reading.unit.clone() });
         let is_usual = |bare: &str| Named { bare: bare.to_owned(), unit: None }.sureness(role).is_some();
-        pick(&self.named).or_else(|| pick(&self.named.for_role(role, is_usual)?))
+        // T alone may be a time or a temperature; its unit says that it is a torque.
+        let is_torque = || role == Role::Torque && self.named.bare == TORQUE && self.has_unit_of(role);
+        pick(&self.named).or_else(|| pick(&self.named.for_role(role, is_usual)?)).or_else(|| {
+            is_torque().then(|| Pick { index: 0, sureness: Sureness::Measured, unit: self.named.unit.clone() })
+        })
     }
 
     /// Returns `true` if the name or the row of units states a unit of the role.

@@ -395,7 +395,7 @@ texts! {
         "A file named {name} already exists and was not overwritten."
         | "Eine Datei namens {name} existiert bereits und wurde nicht überschrieben.";
     without_the_requirement(why) = "without the requirement: {why}" | "ohne die Anforderung: {why}";
-    and_also = "; and " | "; und ";
+    and_also(one, other) = "{one}; and {other}" | "{one}; und {other}";
     to_the_start = "To the start page" | "Zur Startseite";
     save_under(name) = "Save as {name}" | "Als {name} speichern";
     open_it(name) = "Open {name}" | "{name} öffnen";

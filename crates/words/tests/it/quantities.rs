@@ -34,8 +34,8 @@ fn messages_and_hints_speak_both_languages() {
             "1 000 Nm",
             ["\"1 000\" is not a number", "„1 000“ ist keine Zahl"],
             [
-                "write digits without separators, with a decimal point, for example \"5 N m\"",
-                "Ziffern ohne Trennzeichen schreiben, mit Dezimalpunkt, zum Beispiel „5 N m“",
+                "write digits without separators of thousands, for example \"5 N m\"",
+                "Ziffern ohne Tausendertrennzeichen schreiben, zum Beispiel „5 N m“",
             ],
         ),
         (
