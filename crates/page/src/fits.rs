@@ -38,6 +38,8 @@ pub(crate) fn column(
             h2.unseen id="fits-title" { (page::what_fits(l)) }
             @if let Some(sizing) = found.sizing {
                 (lists(state, sizing))
+                // The other lists have no boxes to mark actuators: the marks stay.
+                @if state.list != List::Ranking { (part(html! { @for id in &state.marked { input type="hidden" name="mark" form="state" value=(id); } })) }
                 div id="list" role="tabpanel" aria-labelledby={ "list-" (state.list.id()) } { @match state.list {
                     List::Ranking => { @if sizing.answer().is_none() { (remedies::place(&shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()), l)) } (ranking(state, sizing, found.candidate)) },
                     List::Rejected => (rejected::list(state, sizing, found, &shell.version(format!("{}\n{}", state.good, state.axis).as_bytes()))),

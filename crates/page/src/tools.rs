@@ -229,6 +229,7 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
         Err(unanswered) => field::with_arithmetic(&fields, field::troubles(unanswered, l), l),
         Ok(_) => Vec::new(),
     };
+    let awaited = field::awaited(&fields, &troubles, scene.is_filled);
     let loose = field::at_their_fields(&mut fields, troubles, scene.is_filled);
     let old = if answer.is_err() && !good.is_empty() { answer_to(&good).ok() } else { None };
     let state: Vec<(&str, &str)> = fields.iter().map(|field| (field.name.as_str(), field.value.as_str())).collect();
@@ -240,6 +241,7 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
             @match (&answer, &old) {
                 (Ok(answer), _) => (answer),
                 (_, Some(old)) => { p.advice { (page::answer_is_old(l)) } (old) },
+                _ if !awaited.is_empty() => p.small { (page::tool_awaits(l)) " " (awaited.join(", ")) },
                 _ => {},
             }
         }

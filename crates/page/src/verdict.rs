@@ -25,10 +25,11 @@ pub(crate) fn bar(
 ) -> Markup {
     let l = state.language;
     let class = found.candidate.map_or("none", class);
+    let assumed = found.project.map_or(0, |project| project.assumed().len());
     html! {
         section id="verdict" class={ (class) @if held.is_old { " old" } } aria-label=(capitalised(terms::verdict(l))) {
             @match found.candidate {
-                Some(candidate) => { (line(candidate, l)) (below(found, candidate, progress, l)) },
+                Some(candidate) => { (line(candidate, assumed, l)) (below(found, candidate, progress, l)) },
                 None => p id="standing" role="status" tabindex="-1" { (page::no_result_yet(l)) },
             }
             (faults(held, &FaultLines::new(state, held, fields)))
@@ -38,7 +39,7 @@ pub(crate) fn bar(
     }
 }
 
-fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
+fn line(candidate: &Candidate<'_>, assumed: usize, language: Language) -> Markup {
     let l = language;
     let counts = candidate.counts();
     let list = if candidate.fits() { List::Ranking } else { List::Rejected };
@@ -62,6 +63,7 @@ fn line(candidate: &Candidate<'_>, language: Language) -> Markup {
             (count("advice", counts.advised, of(Verdict::Advice, counts.advised)))
             (count("unchecked", counts.not_checked, of(Verdict::NotChecked, counts.not_checked)))
             (count("no-limit", counts.without_limit, format!("{} {}", counts.without_limit, without_limit(l))))
+            @if assumed > 0 { a.count.assumed-count href="#assumptions" { (assumed) span.word { " " (page::assumed_count(l)) } } }
         }
     }
 }

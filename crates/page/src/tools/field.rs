@@ -208,6 +208,16 @@ pub(super) fn troubles(unanswered: &Unanswered, language: Language) -> Vec<Troub
     unanswered.faults(None, language).errors.into_iter().map(trouble).collect()
 }
 
+/// Returns the labels of the empty fields that an answer needs, before the first entry.
+pub(super) fn awaited(fields: &[ToolField], troubles: &[Trouble], is_filled: bool) -> Vec<String> {
+    let is_awaited = |field: &&ToolField| {
+        !is_filled
+            && field.value.is_empty()
+            && troubles.iter().any(|trouble| trouble.field.as_ref() == Some(&field.name))
+    };
+    fields.iter().filter(is_awaited).map(|field| field.label.clone()).collect()
+}
+
 /// Adds each fault to its field and returns those without one. Before the first entry, an empty field is no fault.
 pub(super) fn at_their_fields(fields: &mut [ToolField], troubles: Vec<Trouble>, is_filled: bool) -> Vec<Trouble> {
     let mut loose = Vec::new();
