@@ -70,6 +70,14 @@ impl CommandAnswer {
         Self::data(lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect())
     }
 
+    /// Puts a remark before the messages.
+    pub(crate) fn remarked(mut self, remark: Option<String>) -> Self {
+        if let Some(remark) = remark {
+            self.talk.insert_str(0, &format!("{remark}\n"));
+        }
+        self
+    }
+
     /// Adds calls that work to the messages of a refused one.
     pub(crate) fn with_calls(mut self, calls: &[String], language: Language) -> Self {
         if !calls.is_empty() {

@@ -2,6 +2,8 @@
 
 use crate::answer::CommandAnswer;
 use crate::changed::changed;
+#[cfg(feature = "report")]
+use crate::changed::file_name_of_changes;
 use crate::fault::{memory, path_text};
 use crate::save::Saver;
 use crate::source::SourceFile as File;
@@ -211,11 +213,13 @@ impl Call<'_> {
         self.path(name).filter(|path| path.as_os_str() != "-")
     }
 
-    /// Returns the file beside the project with its name and another extension; `None` for standard input.
+    /// Returns the file beside the project with its name, the values that the call states in place of the file's, and
+    /// another extension; `None` for standard input.
     #[cfg(feature = "report")]
     pub(crate) fn file_beside(&self, ending: &str) -> Option<PathBuf> {
         let project = self.files.first()?.path();
-        (!project.as_os_str().is_empty()).then(|| project.with_extension(ending))
+        let stem = project.file_stem()?.to_string_lossy().into_owned();
+        Some(project.with_file_name(format!("{stem}{}.{ending}", file_name_of_changes(self.matches))))
     }
 
     /// Returns the fault of an option that a call without it needs.

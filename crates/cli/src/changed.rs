@@ -15,6 +15,10 @@ pub(crate) const SCALED: [&str; 4] = ["load", "payload", "time", "distance"];
 /// Largest number of characters of a change in the name of the project.
 const NAMED_MOST: usize = 120;
 
+/// Largest number of characters of the changes in a file name.
+#[cfg(feature = "report")]
+const FILE_NAME_MOST: usize = 80;
+
 /// Largest number of keys that a refusal names.
 const NAMED_KEYS_MOST: usize = 4;
 
@@ -66,6 +70,23 @@ impl Changed {
         let dots = if short.len() < all.len() { " …" } else { "" };
         format!("{name} ({short}{dots})")
     }
+}
+
+/// Returns the changes of a call as part of a file name: `_mass=60kg_load=1.15`; empty without changes.
+#[cfg(feature = "report")]
+pub(crate) fn file_name_of_changes(matches: &ArgMatches) -> String {
+    let given = |name: &str| -> Vec<String> {
+        let all = matches.try_get_many::<String>(name).ok().flatten();
+        all.map(|all| all.cloned().collect()).unwrap_or_default()
+    };
+    let is_plain = |sign: char| sign.is_alphanumeric() || "=.-[]".contains(sign);
+    let plain = |change: &String| -> String {
+        let signs = change.chars().filter(|sign| !sign.is_whitespace());
+        signs.map(|sign| if is_plain(sign) { sign } else { '-' }).collect()
+    };
+    let all =
+        given("set").iter().chain(&given("scale")).map(|change| format!("_{}", plain(change))).collect::<String>();
+    all.chars().take(FILE_NAME_MOST).collect()
 }
 
 /// Returns the prefix of the keys of the wanted axis: empty for a project with one; `None` for a text that is no TOML.

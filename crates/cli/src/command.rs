@@ -22,6 +22,7 @@ pub(crate) mod own;
 mod proposed;
 mod question;
 pub(crate) mod remedy;
+mod replaced;
 pub(crate) mod spoken;
 pub(crate) mod usage;
 

@@ -66,7 +66,8 @@ pub fn run(call: Vec<OsString>) -> u8 {
     let mut language = command::language_of(arguments.iter().cloned());
     let as_json = command::json_of(&arguments);
     let mut command = command::build_for(&arguments, language);
-    let command::meant::Understood { arguments, stray } = command::meant::understood(arguments, &command, language);
+    let command::meant::Understood { arguments, stray, remark } =
+        command::meant::understood(arguments, &command, language);
     // A language without its option is known only now.
     let meant = command::language_of(arguments.iter().cloned());
     if meant != language {
@@ -103,7 +104,7 @@ pub fn run(call: Vec<OsString>) -> u8 {
     let answer = dispatch(&matches, language);
     drop(waiting);
     match answer {
-        Ok(answer) => answer,
+        Ok(answer) => answer.remarked(remark),
         Err(why) => {
             let calls = command::remedy::calls(&why, &arguments, &command, language);
             fault::unanswered(&why, json, language).with_calls(&calls, language)

@@ -21,12 +21,15 @@ pub fn edited<'t>(
     text: &str,
     changes: impl IntoIterator<Item = (&'t str, TextChange<'t>)>,
 ) -> Result<String, EditFault> {
-    changes.into_iter().try_fold(text.to_owned(), |text, (path, change)| {
+    // An edit writes plain ends of lines.
+    let has_carriage_returns = text.contains("\r\n");
+    let edited = changes.into_iter().try_fold(text.to_owned(), |text, (path, change)| {
         let change = match change {
             TextChange::Value(typed) => Edit::Value(typed),
             TextChange::Table => Edit::Table,
             TextChange::Gone => Edit::Gone,
         };
         edit(&text, path, change)
-    })
+    })?;
+    Ok(if has_carriage_returns { edited.replace("\r\n", "\n").replace('\n', "\r\n") } else { edited })
 }

@@ -81,6 +81,12 @@ mod _antrieb {
         crate::labels(Language::of_id(lang).unwrap_or_default())
     }
 
+    /// Returns the number of checks that lack data, of all checks, and the number of requirements that do.
+    #[pyfunction]
+    fn missing_data(checks: usize, all: usize, requirements: usize, lang: &str) -> String {
+        words::missing_data_text([checks, all], requirements, Language::of_id(lang).unwrap_or_default())
+    }
+
     /// Returns the symbol of a figure as it is displayed: `theta_w` is `ϑ_w`.
     #[pyfunction]
     fn symbol(name: &str) -> String {

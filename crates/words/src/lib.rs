@@ -101,8 +101,8 @@ pub use recording::{encoding_guess, recording_text, role_text, table_text};
 pub use results::{
     Counts, Provisos, advice_word, check_missing, check_title, condition_text, conditions_text, counts_text,
     curve_title, degree_of_protection, equation_text, erratum_place_of, evidence_text, figure_term, grade_about,
-    grade_word, minutes, part_title, proviso_text, ranking_rule, row_name, row_sign, source_text, standing_text,
-    symbol_term, title_of_check, unmet_text, verdict_count, verdict_word, without_limit,
+    grade_word, minutes, missing_data_text, part_title, proviso_text, ranking_rule, row_name, row_sign, source_text,
+    standing_text, symbol_term, title_of_check, unmet_text, verdict_count, verdict_word, without_limit,
 };
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;

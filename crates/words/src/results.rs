@@ -255,7 +255,14 @@ pub fn standing_text(fit: Fit, provisos: &Provisos, unheld: bool, counts: &Count
             | ", aber die Last wird im stromlosen Zustand nicht gehalten"
         );
     }
-    text += &match missing {
+    text + &missing_data_text([missing, all], counts.requirements_open, language)
+}
+
+/// Returns the number of checks that lack data, of all checks, and the number of requirements that do; empty if nothing is
+/// missing.
+#[must_use]
+pub fn missing_data_text([missing, all]: [usize; 2], requirements: usize, language: Language) -> String {
+    let checks = match missing {
         0 => String::new(),
         1 => said!(language => "; data missing for 1 of {all} checks" | "; bei 1 von {all} Nachweisen fehlen Angaben"),
         _ => said!(language =>
@@ -263,14 +270,15 @@ pub fn standing_text(fit: Fit, provisos: &Provisos, unheld: bool, counts: &Count
             | "; bei {missing} von {all} Nachweisen fehlen Angaben"
         ),
     };
-    text += &match counts.requirements_open {
-        0 => String::new(),
-        1 => said!(language => "; data missing for 1 requirement" | "; bei 1 Anforderung fehlen Angaben"),
-        open => {
-            said!(language => "; data missing for {open} requirements" | "; bei {open} Anforderungen fehlen Angaben")
+    let open = requirements;
+    checks
+        + &match open {
+            0 => String::new(),
+            1 => said!(language => "; data missing for 1 requirement" | "; bei 1 Anforderung fehlen Angaben"),
+            _ => {
+                said!(language => "; data missing for {open} requirements" | "; bei {open} Anforderungen fehlen Angaben")
+            }
         }
-    };
-    text
 }
 
 /// Returns the numbers of checks by verdict, in one line.

@@ -69,6 +69,7 @@ texts! {
     column_of_the_answer(name) =
         "the answer has a column `{name}` already" | "die Antwort hat schon eine Spalte `{name}`";
     rename_it = "rename the column of the table" | "die Spalte der Tabelle umbenennen";
+    as_a_label(name) = "as a label call the column \"{name}\"" | "als Beschriftung heißt die Spalte „{name}“";
     carried(names) = "carried into the answer: {names}" | "in die Antwort übernommen: {names}";
     rows_done(done, all, rate, left) =
         "{done} of {all} rows · {rate} rows/s · {left} left" | "{done} von {all} Zeilen · {rate} Zeilen/s · noch {left}";

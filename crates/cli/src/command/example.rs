@@ -7,7 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use project::Hint;
 use quantities::{Language, seen};
 use questions::embedded_catalogue;
-use questions::list::{ArgumentKind, recognises};
+use questions::list::{Argument, ArgumentKind, Entry, LIST, recognises};
 use std::ffi::OsString;
 use std::path::Path;
 use words::{Usage, UsageHint};
@@ -173,6 +173,9 @@ impl Stray {
         let mut calls: Vec<String> =
             self.options.iter().filter_map(|(option, value)| filled(&without(&[option, value]), called)).collect();
         if calls.is_empty() {
+            calls.extend(other_command(called, &self.word));
+        }
+        if calls.is_empty() {
             calls.extend(filled(&without(&[]), called));
         }
         calls.dedup();
@@ -196,6 +199,21 @@ impl Stray {
         Some((usage, Some(UsageHint::Words(Hint::ValidAre(values)))))
     }
 }
+
+/// Returns the call of another command about the project, of which a word is the name of a check, a figure or a scenario.
+pub(super) fn other_command(called: &Called<'_>, word: &str) -> Option<String> {
+    let project = called.projects.first()?.to_str()?;
+    let takes = |entry: &Entry| {
+        let of_others =
+            |argument: &&Argument| OTHER_COMMANDS.contains(&(entry.command, argument.name)) && argument.takes(word);
+        let option = format!("--{}", entry.arguments.iter().find(of_others)?.name);
+        Some(typed([super::NAME, entry.command, project, &option, word]))
+    };
+    LIST.iter().copied().find_map(takes)
+}
+
+/// Commands and options whose words name what another command may be meant to show.
+const OTHER_COMMANDS: [(&str, &str); 3] = [("explain", "check"), ("plot", "figure"), ("simulate", "scenario")];
 
 /// Values of the arguments that no example states.
 const VALUES: [&str; 8] = ["10 m", "10 s", "10 deg", "10 N m", "24 V", "20 degC", "2026-03-01", "1"];

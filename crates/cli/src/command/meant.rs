@@ -1,8 +1,10 @@
 //! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
 
+use super::example::other_command;
 use super::own;
 use super::remedy::is_project;
-use super::spoken::{seems_code, twin_options};
+use super::replaced::{with_best_code, with_own_options};
+use super::spoken::seems_code;
 use clap::{Arg, ArgAction, Command};
 use project::Hint;
 use quantities::Language;
@@ -59,6 +61,8 @@ pub(crate) struct Understood {
     pub(crate) arguments: Vec<OsString>,
     /// First word that remains.
     pub(crate) stray: Option<Stray>,
+    /// Remark on a code that the call does not state.
+    pub(crate) remark: Option<String>,
 }
 
 /// An option that may take a word.
@@ -323,7 +327,8 @@ impl<'c> Called<'c> {
         };
         let named =
             || position.get_num_args().is_some_and(|range| range.max_values() > 1) && self.named(word).is_some();
-        let is_meant_otherwise = || is_project && !self.proposals(word).is_empty();
+        let is_meant_otherwise =
+            || is_project && (!self.proposals(word).is_empty() || other_command(self, word).is_some());
         is_its || self.takers(word, given).0.is_empty() && !named() && !is_meant_otherwise()
     }
 }
@@ -331,8 +336,9 @@ impl<'c> Called<'c> {
 /// Returns a call with each word that no position takes behind the option that it belongs to, and the words of a title
 /// that a position takes as one. Words that stay are reported.
 pub(crate) fn understood(arguments: Vec<OsString>, whole: &Command, language: Language) -> Understood {
-    let unchanged = |arguments| Understood { arguments, stray: None };
+    let unchanged = |arguments| Understood { arguments, stray: None, remark: None };
     let arguments = with_own_options(arguments, whole, language);
+    let (arguments, remark) = with_best_code(arguments, whole, language);
     let texts: Option<Vec<&str>> = arguments.iter().map(|word| word.to_str()).collect();
     let (Some(texts), Some(called)) = (texts, Called::of(&arguments, whole, language)) else {
         return unchanged(arguments);
@@ -366,28 +372,7 @@ pub(crate) fn understood(arguments: Vec<OsString>, whole: &Command, language: La
         stray.place + more - fewer + usize::from(kind_due)
     };
     let stray = stray.map(|stray| Stray { place: before(&stray), ..stray });
-    Understood { arguments: meant, stray }
-}
-
-/// Returns a call with each option of another name by that of the command.
-fn with_own_options(mut arguments: Vec<OsString>, whole: &Command, language: Language) -> Vec<OsString> {
-    let Some(called) = Called::of(&arguments, whole, language) else { return arguments };
-    let is_known = |name: &str| called.options().any(|option| option.get_long() == Some(name));
-    for word in arguments.iter_mut().skip(called.begin).take_while(|word| *word != "--") {
-        let Some((name, value)) = word.to_str().and_then(|word| word.strip_prefix("--")).map(|word| {
-            let (name, value) = word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
-            (name.to_owned(), value.map(str::to_owned))
-        }) else {
-            continue;
-        };
-        if is_known(&name) {
-            continue;
-        }
-        if let Some(meant) = twin_options(&name).iter().find(|meant| is_known(meant)) {
-            *word = value.map_or_else(|| format!("--{meant}"), |value| format!("--{meant}={value}")).into();
-        }
-    }
-    arguments
+    Understood { arguments: meant, stray, remark }
 }
 
 /// Assignment of the bare words of a call.

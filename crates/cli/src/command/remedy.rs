@@ -23,14 +23,16 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
     let call = Call { called, arguments };
     match why {
         Unanswered::File { name, is_too_large: false, .. } => call.with_other_file(name),
-        Unanswered::Code { text, .. } if has_ending(text, &[".toml"]) => call.with_best_code(text, language),
         Unanswered::Text { faults, .. }
             if faults.len() == 1 && faults.iter().any(|fault| fault.id.ends_with("_not_closed")) =>
         {
             call.with(&["--set", "axis.single_move=true"])
         }
-        Unanswered::Refused(Refusal::NoActuator, _) => call.with_option_of_example("code"),
+        Unanswered::Refused(Refusal::NoActuator, _) => call.with_own_best(language),
         Unanswered::Option { name: "from", .. } => call.as_recording(),
+        Unanswered::Option { name: "hours-per-day", .. } if call.command() == "simulate" && !call.states("days") => {
+            call.with(&["--days", "1"])
+        }
         Unanswered::Option { name: "key", .. } if !call.states("key") => call.called.calls_of_example_range(),
         Unanswered::Message(_) if call.command() == "export" && !call.states("table") => {
             call.with_option_of_example("out")
@@ -116,15 +118,17 @@ impl Call<'_> {
         }
         let meant = match nearest_name(name, &names) {
             Hint::DidYouMean(name) => vec![name],
+            _ if !self.called.projects.is_empty() => Vec::new(),
             _ => names.iter().take(PROJECTS_MOST).map(|name| (*name).to_owned()).collect(),
         };
         meant.iter().filter_map(|other| self.with_instead(name, &[other])).collect()
     }
 
-    /// Returns the call with the code of the best actuator of a project in place of the project.
-    fn with_best_code(&self, project: &str, language: Language) -> Vec<String> {
-        let code = best_of_project(&[project], language);
-        code.and_then(|code| self.with_instead(project, &[&code])).into_iter().collect()
+    /// Returns the call with the best actuator of its project.
+    fn with_own_best(&self, language: Language) -> Vec<String> {
+        let project = self.called.projects.first().and_then(|path| path.to_str());
+        let code = project.and_then(|project| best_of_project(&[project], language));
+        code.map(|code| self.with(&["--code", &code])).unwrap_or_else(|| self.with_option_of_example("code"))
     }
 
     /// Returns the call that begins a project with its recording.

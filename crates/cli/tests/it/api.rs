@@ -222,3 +222,46 @@ fn revisions_pictures_and_faults_are_those_of_the_command() {
     assert_eq!((reply.status, command.code), (422, 2));
     assert_eq!(String::from_utf8(reply.body).unwrap(), command.out);
 }
+
+/// A table with names of its rows, and with ends of lines of Windows.
+struct Labelled;
+
+impl Files for Labelled {
+    fn open(&self, _: &str) -> std::io::Result<Box<dyn Read>> {
+        Ok(Box::new(&b"id,load.inertia [kg m^2],line\r\nA1,1.0,north\r\nB2,1.5,\r\n"[..]))
+    }
+}
+
+impl Shell for Labelled {
+    fn files(&self) -> &dyn Files {
+        self
+    }
+
+    fn catalogue(&self) -> &Arc<dyn Catalogue> {
+        questions::embedded_catalogue()
+    }
+
+    fn version(&self, _: &[u8]) -> String {
+        String::new()
+    }
+}
+
+#[test]
+fn labels_of_a_table_are_repeated_in_its_answers() {
+    let project = std::fs::read(root().join("examples/indexing-table.toml")).unwrap();
+    let query = encoded(&[("table", "tasks.csv")]);
+    let call = Call {
+        method: Method::Post,
+        path: "/api/v1/sweep",
+        query: &query,
+        media: None,
+        body: &project,
+        language: Language::default(),
+    };
+    let reply = page::respond(&call, &Labelled, &Progress::endless());
+    let found: serde_json::Value = serde_json::from_slice(&reply.body).unwrap();
+    let labels = |row: usize| found["answers"][row]["labels"].clone();
+    assert_eq!(labels(0), serde_json::json!({"id": "A1", "line": "north"}), "{found}");
+    assert_eq!(labels(1), serde_json::json!({"id": "B2"}), "{found}");
+    assert_eq!(found["not_judged"], serde_json::json!([]), "{found}");
+}

@@ -97,17 +97,15 @@ fn a_refused_call_names_calls_that_work() {
         "antrieb size tilt",
         "antrieb check lfit.toml",
         "antrieb size",
-        "antrieb wiring lift.toml",
-        "antrieb mount lift.toml",
-        "antrieb data disc.toml",
-        "antrieb torsion lift.toml 5Nm",
         "antrieb torsion CHA-14A-50-E-D2048",
         "antrieb size once.toml",
         "antrieb export lift.toml",
         "antrieb new sweep disc.toml",
         "antrieb new sweep --from log.csv",
         "antrieb new manual --from log.csv",
-        "antrieb commission disc.toml sinamics",
+        "antrieb simulate disc.toml --hours-per-day 8h",
+        "antrieb check disc.toml thermal",
+        "antrieb size disc.toml torque_speed",
     ] {
         let folder = folder();
         let refused = call(folder.path(), written);
@@ -163,6 +161,11 @@ fn calls_as_people_write_them_are_answered() {
         ("antrieb new lift mass=200kg supply=48V", "mass = \"200kg\""),
         ("antrieb simulate disc.toml Emergency stop at 0.4s", "0.4"),
         ("antrieb plot disc.toml torque speed", "<svg"),
+        ("antrieb wiring lift.toml", "Wiring of CHA-"),
+        ("antrieb mount lift.toml", "Mounting of CHA-"),
+        ("antrieb data disc.toml", "the best of the ranking, CHA-"),
+        ("antrieb torsion lift.toml 5Nm", "5.000 Nm"),
+        ("antrieb commission disc.toml sinamics", "Commissioning of CHA-"),
     ] {
         let found = call(folder.path(), written);
         assert!(
@@ -170,6 +173,14 @@ fn calls_as_people_write_them_are_answered() {
             "{written}\n{}",
             call(folder.path(), written).err
         );
+    }
+    for (written, file) in [
+        ("antrieb report lift.toml", "lift.pdf"),
+        ("antrieb report lift.toml mass=45kg", "lift_mass=45kg.pdf"),
+        ("antrieb report lift.toml --scale load=1.1 --set \"ambient=35 degC\"", "lift_ambient=35degC_load=1.1.pdf"),
+    ] {
+        let report = call(folder.path(), written);
+        assert!(report.code < 2 && folder.path().join(file).is_file(), "{written}\n{}", report.err);
     }
     for (written, part) in [
         ("antrieb plot disc.toml temperature", "torque_speed"),

@@ -28,7 +28,7 @@ from antrieb._arrays import axes_from_arrays
 from antrieb._axis import load, loads
 from antrieb._call import AntriebError, Lang, Picture, Text
 from antrieb._call import Path as Path
-from antrieb._lines import Line
+from antrieb._lines import Grid, Line
 from antrieb._quantity import Q, Quantity, q
 from antrieb._record import Record, Rows
 from antrieb._section import Section
@@ -46,6 +46,7 @@ __all__ = [
     "ArrowSchema",
     "ArrowStream",
     "Fault",
+    "Grid",
     "Lang",
     "Line",
     "Picture",

@@ -382,7 +382,7 @@ def load(path: str | os.PathLike[str]) -> Axis | Project:
         raise TypeError(f"load takes the path of a project file, not {type(path).__name__}; loads takes its text")
     file = pathlib.Path(path)
     # Files that an editor of Windows wrote.
-    text = file.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
+    text = file.read_bytes().decode("utf-8-sig")
     return loads(text, name=os.fspath(path), folder=file.parent)
 
 

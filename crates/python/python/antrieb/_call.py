@@ -54,6 +54,12 @@ class AntriebError(ValueError):
     nearest: tuple[answers.ListedCode, ...]
     """The nearest codes that can be ordered, where an ordering code is wrong."""
 
+    @property
+    def meant(self) -> tuple[str, ...]:
+        """The words that are probably meant, of each fault with a nearest valid choice."""
+        hints = (re.search(r"[`\"]([^`\"]+)[`\"]\?$", fault.hint or "") for fault in self.faults)
+        return tuple(found[1] for found in hints if found)
+
     def __init__(self, record: dict[str, Any]) -> None:
         record = _arguments(record)
         of = answers.CodeFaults if "nearest" in record else answers.Faults
@@ -189,7 +195,7 @@ def placed(error: AntriebError, given: Iterable[tuple[str, str]], folders: Seque
     errors: list[dict[str, Any]] = []
     for fault in error.record.get("errors", []):
         if not any(fault.get(place) for place in ("option", "file", "line", "heading", "position")):
-            names = [name for name, value in pairs if len(value) > 1 and re.search(rf"(?<!\w){re.escape(value)}(?!\w)", fault["message"])]
+            names = [name for name, value in pairs if _quotes(fault["message"], value)]
             if not names and _TRACE.search(fault["message"]):
                 names = [name for name, _ in pairs if name == "trace"]
             fault = {**fault, "option": names[0]} if names else fault
@@ -197,6 +203,24 @@ def placed(error: AntriebError, given: Iterable[tuple[str, str]], folders: Seque
             fault = {key: value.replace(folder, "") if isinstance(value, str) else value for key, value in fault.items()}
         errors.append(fault)
     return AntriebError({**error.record, "errors": errors})
+
+
+def _quotes(message: str, value: str) -> bool:
+    """Returns true if a message is about a value: a sign alone counts between quotes."""
+    found = re.escape(value)
+    return bool(re.search(rf"(?<!\w){found}(?!\w)" if len(value) > 1 else rf"[\"„“`']{found}[\"“”`']", message))
+
+
+def of_objects(error: AntriebError, texts: Sequence[Text]) -> AntriebError:
+    """The exception of a call about one project of objects, with arguments in place of lines."""
+    source = to_source(texts[0]) if len(texts) == 1 else None
+    text = None if source is None else source._handed()[0]  # pyright: ignore[reportPrivateUsage]
+    # Lines of a file that was loaded are those of the file until something changes.
+    if text is None or getattr(source, "_text", None) == text:
+        return error
+    from antrieb._argument import by_argument
+
+    return by_argument(error, text)
 
 
 _TRACE = re.compile(r"\b(?:trace|Verlauf)\b")
@@ -326,7 +350,7 @@ def ask(
             command, sources, given, lang_id, unit_text("deadline", deadline), unit_text("memory", memory)
         )
     except AntriebError as error:
-        raise placed(error, given, [each.folder for each in held]) from None
+        raise placed(of_objects(error, texts), given, [each.folder for each in held]) from None
     finally:
         for each in held:
             each.end()

@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Collection, Mapping
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from antrieb import _axis
 from antrieb._antrieb import Table
@@ -19,9 +19,6 @@ from antrieb._quantity import Q, columns_of
 from antrieb._section import ReturnMove, _steps, distance_of
 from antrieb._source import ProjectSource
 from antrieb._tables import Column, arrow_library, cells, joined, split
-
-if TYPE_CHECKING:
-    from antrieb._call import AntriebError
 
 ROWS_MOST = 100_000_000
 """Rows that a grid may have."""
@@ -225,16 +222,3 @@ def _back(parts: list[list[Any] | Decimal], row: int) -> float | None:
     except ArithmeticError:
         return None
     return float(-sum(numbers, Decimal(0)))
-
-
-def kept(error: AntriebError, lang: str) -> AntriebError:
-    """Returns the exception; a heading that may be a label or a key has the name by which it is carried as well."""
-    errors: list[dict[str, Any]] = []
-    for each in error.record.get("errors", []):
-        title = str(each.get("heading") or "")
-        if each.get("id") == "unknown_key" and title and "." not in title:
-            label = "label_" + title.partition(" [")[0].replace(" ", "_")
-            how = f'als Beschriftung heißt die Spalte "{label}"' if lang == "de" else f'as a label call the column "{label}"'
-            each = {**each, "hint": f"{each['hint']}; {how}" if each.get("hint") else how}
-        errors.append(each)
-    return type(error)({**error.record, "errors": errors})

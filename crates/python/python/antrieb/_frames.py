@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from html import escape
+from types import NoneType
 from typing import Any
 
 from antrieb._antrieb import Table
+from antrieb._lines import Grid
 from antrieb._record import _library  # pyright: ignore[reportPrivateUsage]
 from antrieb._tables import arrow_library
 
@@ -68,6 +71,46 @@ def item(table: Table, key: Any) -> Any:
     if not -count <= at < count:
         raise IndexError(f"there are {count} rows, not {at}")
     return {heading: values[at] for heading, values in table.to_pydict().items()}
+
+
+ANSWERED = frozenset(
+    {"row", "fit", "fit_if_estimate", "code", "utilisation", "tightest", "error", "verdict", "fits", "errata", "mass [kg]", "length [mm]"}
+)
+"""Columns of the answers of a sweep; the others are repeated from its table."""
+
+
+def arrays(table: Table, value: str, x: str | None, y: str | None) -> Grid:
+    """The values of a column over two columns of the table that was swept.
+
+    Raises:
+        KeyError: There is no such column.
+        TypeError: More or fewer than two columns vary, or a pair of values has several rows.
+    """
+    columns = table.to_pydict()
+    for name in (value, x, y):
+        if name is not None and name not in columns:
+            raise KeyError(f"no column is called {name!r}; there are {', '.join(columns)}")
+    own = [name for name in columns if name not in ANSWERED and not name.endswith((".verdict", ".utilisation"))]
+    varied = [name for name in own if len(set(columns[name])) > 1 and name not in (x, y, value)]
+    names = [name for name in (x, y) if name is not None]
+    if len(names) + len(varied) < 2 or (len(varied) + len(names) > 2 and len(names) < 2):
+        there = f"there are {', '.join(own)}" if own else "the sweep repeats them with grid=True or inputs=True"
+        raise TypeError(f"arrays: two columns whose values vary are wanted, x='…' and y='…'; {there}")
+    rest = iter(varied)
+    x = next(rest) if x is None else x
+    y = next(rest) if y is None else y
+    xs, ys = ([*dict.fromkeys(columns[name])] for name in (x, y))
+    places = {pair: at for at, pair in enumerate(zip(columns[x], columns[y], strict=True))}
+    if len(places) < len(table):
+        raise TypeError(f"arrays: a pair of {x} and {y} has several rows; filter the table, or sweep without check and front")
+    absent = math.nan if all(isinstance(each, (int, float, NoneType)) for each in columns[value]) else None
+
+    def cell(pair: tuple[Any, Any]) -> Any:
+        at = places.get(pair)
+        found = None if at is None else columns[value][at]
+        return absent if found is None else found
+
+    return Grid(name=value, x=xs, y=ys, z=[[cell((one, other)) for one in xs] for other in ys], x_label=x, y_label=y, z_label=value)
 
 
 def _shown(table: Table) -> tuple[list[str], list[list[str]]]:

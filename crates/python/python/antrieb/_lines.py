@@ -59,6 +59,39 @@ class Line(Record):
         return ax.plot(self.x, self.y, **style)
 
 
+@dataclasses.dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Grid(Record):
+    """A column of a sweep over two others: `ax.pcolormesh(*grid)`, `ax.contourf(*grid)`, or `grid.draw(ax)`."""
+
+    name: str
+    """Name of the column."""
+    x: list[Any]
+    """Values of the first column."""
+    y: list[Any]
+    """Values of the second column."""
+    z: list[list[Any]]
+    """A row for each value of `y`; NaN, for texts `None`, where the sweep has no answer."""
+    x_label: str
+    """Heading of the first column with its unit."""
+    y_label: str
+    """Heading of the second column with its unit."""
+    z_label: str
+    """Heading of the values."""
+
+    def __iter__(self) -> Iterator[list[Any]]:
+        return iter((self.x, self.y, self.z))
+
+    @property
+    def axes(self) -> dict[str, str]:
+        """The labels of the axes, as `Axes.set` of Matplotlib takes them."""
+        return {"xlabel": self.x_label, "ylabel": self.y_label}
+
+    def draw(self, ax: Any, **style: Any) -> Any:
+        """Draw it into axes of Matplotlib, with the labels of the axes; `style` is handed over to `pcolormesh`."""
+        ax.set(**self.axes, title=self.z_label)
+        return ax.pcolormesh(self.x, self.y, self.z, **{"shading": "nearest", **style})
+
+
 def _line(name: str, x: Any, y: Any, x_of: tuple[str, str | None], y_of: tuple[str, str | None], kind: Kind = "line") -> Line:
     labels = [f"{label} [{unit}]" if unit not in (None, "", "1") and unit not in label else label for label, unit in (x_of, y_of)]
     xs: list[Any] = [math.nan if each is None else each for each in x]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import difflib
 import importlib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, Generic, SupportsIndex, TypeVar, overload
 
 if TYPE_CHECKING:
@@ -18,10 +18,8 @@ NAMES = ("id", "code", "name", "axis", "key", "symbol", "file")
 """Fields by which a record of a list is found, in this order."""
 
 
-DERIVED: dict[str, dict[str, Callable[[Any], Any]]] = {
-    "Rejection": {"verdict": lambda rejected: "does_not_fit", "tightest": lambda rejected: rejected.check},
-}
-"""Fields that records have beside those of the JSON, so that a loop reads all entries of `candidates` alike."""
+DERIVED = {"Rejection": ("verdict", "tightest")}
+"""Properties that data frames have beside the fields of the JSON, so that all entries of `candidates` have the same columns."""
 
 
 class Record:
@@ -32,10 +30,7 @@ class Record:
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            made = DERIVED.get(type(self).__name__, {}).get(name)
-            if made is None:
-                raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(_names(type(self)))}")
-            return made(self)
+            raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(_names(type(self)))}")
 
     def to_dict(self) -> dict[str, Any]:
         """Return the fields as dictionaries and lists, by the names of Python."""
@@ -234,7 +229,7 @@ def _flat(record: Any, above: str = "") -> dict[str, Any]:
     if not isinstance(record, Record):
         return {above.rstrip(".") or "value": record}
     found: dict[str, Any] = {}
-    for name in [*_names(type(record)), *DERIVED.get(type(record).__name__, {})]:
+    for name in [*_names(type(record)), *DERIVED.get(type(record).__name__, ())]:
         value: Any = getattr(record, name)
         values: Any = value
         if isinstance(value, Record):
@@ -261,14 +256,21 @@ def _rows(entries: Iterable[Any]) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = []
     for each in entries:
         given: Any = each
-        own: dict[str, Any] = given if isinstance(each, dict) else _flat(each)
+        own: dict[str, Any] = given if isinstance(each, dict) else _of_line(each) if type(each).__name__ == "Line" else _flat(each)
         inside = _inside(each)
         rows.extend({**own, **part} for part in inside or [{}])
     return rows
 
 
+def _of_line(line: Any) -> dict[str, Any]:
+    """The fields of a line beside its points."""
+    return {name: getattr(line, name) for name in _names(type(line)) if name not in ("x", "y")}
+
+
 def _inside(record: Any) -> list[dict[str, Any]]:
     """What an entry holds, with the name of its list in front."""
+    if type(record).__name__ == "Line":
+        return [{"x": x, "y": y} for x, y in zip(record.x, record.y, strict=True)]
     if type(record).__name__ == "Curve":
         edges: list[tuple[str, list[Any]]] = [("value", record.points), ("upper", record.upper or [])]
         return [{"edge": edge, "n": point[0], "T": point[1]} for edge, points in edges for point in points]
@@ -304,6 +306,9 @@ def _rows_of(record: Any, entries: list[Any]) -> list[dict[str, Any]]:
     """The rows of a record; of a comparison one for each check of each actuator."""
     if type(record).__name__ == "Line":
         return [{record.x_label: x, record.y_label: y} for x, y in zip(record.x, record.y, strict=True)]
+    if type(record).__name__ == "Grid":
+        cells = [(x, y, z) for y, row in zip(record.y, record.z, strict=True) for x, z in zip(record.x, row, strict=True)]
+        return [{record.x_label: x, record.y_label: y, record.z_label: z} for x, y, z in cells]
     if type(record).__name__ != "Comparison":
         return _rows(entries)
     return [

@@ -58,7 +58,8 @@ def save(source: BaseAxis | BaseProject, path: str | os.PathLike[str]) -> None:
             goal.write_bytes(content)
         else:
             shutil.copyfile(content, goal)
-    file.write_text(text, encoding="utf-8")
+    # The ends of its lines are those of the text.
+    file.write_bytes(text.encode())
 
 
 def used(source: BaseAxis | BaseProject) -> list[str]:

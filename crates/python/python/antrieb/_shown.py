@@ -23,27 +23,10 @@ ROWS_OF_HTML = 40
 Cells = list[list[str]]
 
 
-LABELS = {
-    "en": {
-        "missing_one": "; data missing for 1 of {all} checks",
-        "missing": "; data missing for {count} of {all} checks",
-        "open_one": "; data missing for 1 requirement",
-        "open": "; data missing for {count} requirements",
-    },
-    "de": {
-        "missing_one": "; bei 1 von {all} Nachweisen fehlen Angaben",
-        "missing": "; bei {count} von {all} Nachweisen fehlen Angaben",
-        "open_one": "; bei 1 Anforderung fehlen Angaben",
-        "open": "; bei {count} Anforderungen fehlen Angaben",
-    },
-}
-"""Words of the command line that the native part does not hand over; a test compares them with its text."""
-
-
 @functools.cache
 def words(lang: str) -> dict[str, str]:
     """The words of a language by their names."""
-    return {**LABELS[lang], **dict(_antrieb.labels(lang))}
+    return dict(_antrieb.labels(lang))
 
 
 def number(value: Any, lang: str, digits: int = 4) -> str:
@@ -135,16 +118,12 @@ def is_open(check: Any) -> bool:
 
 def standing(record: Any, lang: str, checks: Sequence[Any] | None = None) -> str:
     """The verdict on an actuator, and what is missing for its checks."""
-    word = words(lang)
-    text = word[record.verdict]
+    text = words(lang)[record.verdict]
     checks = getattr(record, "checks", None) if checks is None else checks
     if checks is None or record.verdict == "does_not_fit":
         return text
     missing = sum(map(is_open, checks))
-    for name, count in (("missing", missing), ("open", record.open_questions - missing)):
-        if count > 0:
-            text += word[name if count > 1 else f"{name}_one"].format(count=count, all=len(checks))
-    return text
+    return text + _antrieb.missing_data(missing, len(checks), max(0, record.open_questions - missing), lang)
 
 
 def _judged_best(record: Any) -> Any:

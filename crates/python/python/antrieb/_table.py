@@ -10,8 +10,8 @@ from antrieb import _antrieb
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 from antrieb._axis import to_source
-from antrieb._call import AntriebError, Lang, Path, Text, flag, handed, language, pairs_of, unit_text
-from antrieb._columns import keyed, kept, matched
+from antrieb._call import AntriebError, Lang, Path, Text, flag, handed, language, of_objects, pairs_of, unit_text
+from antrieb._columns import keyed, matched
 from antrieb._fault import fault
 from antrieb._progress import Progress, observed
 from antrieb._tables import TableLike
@@ -65,7 +65,7 @@ class Sweep:
         try:
             self._sweep = _antrieb.Sweep(*given)
         except AntriebError as error:
-            raise kept(error, lang) from None
+            raise of_objects(error, (text,)) from None
         self._empty = self._sweep.made_of[1]
 
     def __reduce__(self) -> tuple[Callable[..., Sweep], tuple[Any, ...]]:
@@ -216,4 +216,4 @@ def sweep(
         try:
             return _antrieb.Sweep.whole(project, rows, options, lang, limit, is_repeated, until, observer)
         except AntriebError as error:
-            raise kept(error, lang) from None
+            raise of_objects(error, (text,)) from None

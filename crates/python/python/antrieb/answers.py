@@ -364,6 +364,16 @@ actuator."""
     objections: list[str]
     """Requirements not met and rules violated, as text."""
 
+    @property
+    def verdict(self) -> Fit:
+        """Verdict on the actuator: it does not fit."""
+        return "does_not_fit"
+
+    @property
+    def tightest(self) -> CheckId | None:
+        """Id of the governing check, as `check`."""
+        return self.check
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Assessed(Record):
@@ -789,10 +799,12 @@ class SweepRow(Record):
     """The best of both."""
     utilisation: float | None = None
     """Utilisation of its governing check; where none fits that of the nearest miss."""
-    tightest: str | None = None
+    tightest: CheckId | None = None
     """Identifier of this check."""
     error: str | None = None
     """Why the row is not judged."""
+    labels: dict[str, str] | None = None
+    """Cells of the columns that are no keys, such as `id`, by their headings."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)

@@ -79,6 +79,18 @@ impl Table {
         frames(slf, "to_dicts")
     }
 
+    /// A column of the answers over two columns of the table that was swept, as arrays with labels.
+    #[pyo3(signature = (value="utilisation", *, x=None, y=None))]
+    fn arrays<'py>(
+        slf: &Bound<'py, Self>,
+        value: &str,
+        x: Option<&str>,
+        y: Option<&str>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let frames = slf.py().import(intern!(slf.py(), "antrieb._frames"))?;
+        frames.getattr("arrays")?.call1((slf, value, x, y))
+    }
+
     /// The table as a data frame of pandas.
     fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         frames(slf, "to_pandas")

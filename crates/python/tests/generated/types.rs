@@ -126,6 +126,7 @@ fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
     match own.as_str() {
         "Sizing" => out.push_str(CANDIDATES),
         "Glossary" => out.push_str(ENTRIES),
+        "Rejection" => out.push_str(REJECTED),
         _ => {}
     }
     if let Some((field, of)) = entries(&own, fields, &required, schema) {
@@ -153,6 +154,19 @@ const CANDIDATES: &str = r#"
     def candidates(self) -> Rows[Ranked | Rejection]:
         """The fitting actuators by rank, then those that do not fit by their excess."""
         return Rows([*self.ranking, *self.rejected])
+"#;
+
+/// Properties of a rejected actuator, so that a loop reads all entries of `candidates` alike.
+const REJECTED: &str = r#"
+    @property
+    def verdict(self) -> Fit:
+        """Verdict on the actuator: it does not fit."""
+        return "does_not_fit"
+
+    @property
+    def tightest(self) -> CheckId | None:
+        """Id of the governing check, as `check`."""
+        return self.check
 "#;
 
 /// Property of the answer of `glossary`.

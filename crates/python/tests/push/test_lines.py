@@ -13,6 +13,7 @@ import unittest
 
 import antrieb
 from antrieb import answers, questions
+from antrieb.examples import ARM
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
 PROJECT = EXAMPLES / "indexing-table.toml"
@@ -20,6 +21,49 @@ SEVERAL = EXAMPLES / "two-axes.toml"
 CODE = "CHA-25A-50-H-C1024"
 ENCODED = "CHA-25A-100-H-M512P-B"
 FIGURES: tuple[typing.Any, ...] = ("torque_speed", "cycle", "utilisation", "torsion", "candidate_map")
+
+
+class Grids(unittest.TestCase):
+    """A sweep over two quantities as arrays."""
+
+    TIMES, LOADS = (0.8, 1.0, 1.2), (0.5, 2.0)
+
+    def swept(self) -> antrieb.Table:
+        """Every time with every payload."""
+        columns = {"motion.1.time": antrieb.q(self.TIMES, "s"), "motion.1.payload": antrieb.q(self.LOADS, "kg")}
+        return antrieb.sweep(ARM, columns, grid=True)
+
+    def test_the_values_of_a_grid_stand_by_both_columns(self) -> None:
+        table = self.swept()
+        grid = table.arrays()
+        x, y, z = grid
+        self.assertEqual((tuple(x), tuple(y)), (self.TIMES, self.LOADS))
+        self.assertEqual(grid.axes, {"xlabel": "motion[1].time [s]", "ylabel": "motion[1].payload [kg]"})
+        for row in table:
+            place = y.index(row["motion[1].payload [kg]"]), x.index(row["motion[1].time [s]"])
+            self.assertEqual(z[place[0]][place[1]], row["utilisation"])
+        turned = table.arrays("code", x="motion[1].payload [kg]")
+        self.assertEqual([*zip(*turned.z, strict=True)], [tuple(row) for row in table.arrays("code").z])
+        if importlib.util.find_spec("pandas"):
+            self.assertEqual(len(grid.to_pandas()), len(table))
+        self.assertEqual(pickle.loads(pickle.dumps(grid)), grid)
+
+    def test_what_is_no_grid_is_refused_with_its_columns(self) -> None:
+        table = self.swept()
+        self.assertRaisesRegex(KeyError, "utilization.*utilisation", table.arrays, "utilization")
+        with self.assertRaisesRegex(TypeError, "grid=True or inputs=True"):
+            antrieb.sweep(ARM, {"motion.1.time": antrieb.q(self.TIMES, "s")}).arrays()
+        twice = antrieb.sweep(ARM, {"motion[1].time [s]": [1.0, 1.0, 1.1], "motion[1].payload [kg]": [1.0, 1.0, 2.0]}, inputs=True)
+        self.assertRaisesRegex(TypeError, "several rows", twice.arrays)
+
+    @unittest.skipUnless(importlib.util.find_spec("pandas"), "without pandas")
+    def test_the_points_of_lines_are_rows(self) -> None:
+        lines = antrieb.curve(CODE).arrays()
+        frame = lines.to_pandas()
+        self.assertEqual(len(frame), sum(len(line.x) for line in lines))
+        self.assertEqual([*frame.columns[-2:]], ["x", "y"])
+        first = frame[frame["name"] == lines[0].name]
+        self.assertEqual([*first["y"]], lines[0].y)
 
 
 class Pictures(unittest.TestCase):

@@ -86,6 +86,44 @@ def answered(project: typing.Any) -> typing.Any:
         return [fault.message for fault in error.faults]
 
 
+class Faults(unittest.TestCase):
+    """Faults of whole projects, and texts from other systems."""
+
+    def test_a_fault_of_a_project_of_objects_names_the_argument(self) -> None:
+        move, back = an.Move("modified_sine", distance="90 deg", time="0.8 s"), an.Return(time="0.6 s")
+        arm = an.Arm(mass="6 kg", length="0.5 m")
+        for wrong, named in (
+            (an.Axis("a", arm, []), "motion"),
+            (an.Axis("a", arm, [move]), "motion[1]"),
+            (an.Axis("a", arm, [move, back], mains="400 V", supply="560 V"), "mains"),
+        ):
+            for ask in (an.size, lambda axis: an.sweep(axis, {"code": ["CHA-25A-50-H-C1024"]})):
+                with self.subTest(named), self.assertRaises(an.AntriebError) as caught:
+                    ask(wrong)
+                fault = caught.exception.faults[0]
+                self.assertTrue(isinstance(fault, an.answers.Fault) and fault.option and fault.option.startswith(named), str(caught.exception))
+                self.assertIsNone(fault.line)
+                self.assertIn(named, str(caught.exception))
+
+    def test_a_fault_of_a_text_has_its_line_and_the_word_that_is_meant(self) -> None:
+        with self.assertRaises(an.AntriebError) as caught:
+            an.size(axis().to_toml().replace("[mechanism", "[mechanizm", 1))
+        self.assertIn("mechanism", caught.exception.meant)
+        self.assertTrue(all(isinstance(each, an.answers.Fault) and each.line for each in caught.exception.faults))
+
+    def test_ends_of_lines_stay_as_they_are(self) -> None:
+        text = ("# head\n" + axis().to_toml()).replace("\n", "\r\n")
+        read = an.loads(text)
+        self.assertEqual(read.to_toml(), text)
+        changed = read.replace(supply="48 V").to_toml()
+        self.assertEqual(changed, text.replace("560 V", "48 V"))
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "a.toml")
+            file.write_bytes(text.encode())
+            an.load(file).save(file)
+            self.assertEqual(file.read_bytes(), text.encode())
+
+
 class Projects(unittest.TestCase):
     """Objects and their files."""
 

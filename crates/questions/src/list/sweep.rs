@@ -7,7 +7,7 @@ use super::{
 };
 use crate::sizing_use::Refusal;
 use crate::sweep::csv::{Broken, Columns, Lines};
-use crate::sweep::{Cells, Head, Options, SweepRow, SweepSummary, Tally, Wanted};
+use crate::sweep::{Cells, Head, Options, SweepRow, SweepSummary, TableColumns, Tally, Wanted};
 use axis::{AxisProject, Catalogue, Files};
 use quantities::{Language, seen};
 use recording::{Content, Fault};
@@ -105,8 +105,11 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
         }
     };
     let headings: Vec<&str> = lines.headings().iter().map(String::as_str).collect();
+    let places = TableColumns::of(&headings);
+    let keys: Vec<&str> = places.keys.iter().filter_map(|place| headings.get(*place).copied()).collect();
     let options = args.options(inquiry.catalogue, lines.has_decimal_commas(), language)?;
-    let mut head = Head::read(text, projects, &headings, options);
+    let mut head = Head::read(text, projects, &keys, options);
+    places.faults(&[], language).for_each(|fault| head.refuse(fault));
     let mut columns: Columns = vec![Vec::new(); headings.len()];
     let mut rows = 0;
     while !head.is_enough() {
@@ -114,7 +117,7 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
             Ok(None) => break,
             Ok(Some(part)) => {
                 let count = part.first().map_or(0, Vec::len) as u64;
-                head.check(&cells(&part), rows);
+                head.check(&cells(&part, &places.keys), rows);
                 rows += count;
                 // Of a table that is too long the rows are counted only.
                 if rows <= ROWS_MOST as u64 {
@@ -145,10 +148,19 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
     if rows > most as u64 {
         return Err(Unanswered::message(sweeps::too_many_rows(&rows, &most, language)));
     }
-    let answers = sweep.judge(&cells(&columns), inquiry.progress).map_err(Refusal::from)?;
+    let answers = sweep.judge(&cells(&columns, &places.keys), inquiry.progress).map_err(Refusal::from)?;
     let mut tally = Tally::default();
     answers.iter().for_each(|answer| tally.add(answer));
-    let rows = (0..).zip(&answers).flat_map(|(row, answer)| SweepRow::of(row, answer));
+    let labels = |row: usize| -> BTreeMap<String, String> {
+        let cell = |place: usize| columns.get(place)?.get(row)?.as_deref();
+        let of = |(place, name): &(usize, String)| Some((name.clone(), cell(*place)?.to_owned()));
+        places.carried.iter().filter_map(of).collect()
+    };
+    let rows = answers.iter().enumerate().flat_map(|(row, answer)| {
+        let labels = labels(row);
+        let lines = SweepRow::of(row as u64, answer).into_iter();
+        lines.map(move |line| SweepRow { labels: labels.clone(), ..line })
+    });
     Ok(SweepSummary { answers: rows.collect(), ..tally.summary(None, language) })
 }
 
@@ -174,8 +186,12 @@ fn refused(name: &str, message: String) -> Unanswered {
     Unanswered::File { name: seen(name).into_owned(), message, is_too_large: false }
 }
 
-fn cells(columns: &Columns) -> Vec<Cells<'_>> {
-    let texts = columns.iter().map(|cells| cells.iter().map(|cell| cell.as_deref().map(Cow::Borrowed)).collect());
+/// Returns the columns of the keys.
+fn cells<'c>(columns: &'c Columns, keys: &[usize]) -> Vec<Cells<'c>> {
+    let texts = keys
+        .iter()
+        .filter_map(|place| columns.get(*place))
+        .map(|cells| cells.iter().map(|cell| cell.as_deref().map(Cow::Borrowed)).collect());
     texts.map(Cells::Texts).collect()
 }
 

@@ -7,7 +7,7 @@ use project::{Fault, Heading, Hint, Kind, TabularFault};
 use quantities::{Language, Unit, seen};
 use recording::Thousands;
 use std::borrow::Cow;
-use words::{fault_text, hint_text};
+use words::{fault_text, hint_text, sweeps};
 
 /// Cells of a column.
 #[derive(Clone, Debug)]
@@ -80,14 +80,28 @@ impl CellFault {
     #[must_use]
     pub fn of(heading: &str, row: Option<u64>, (fault, hint): &(Fault, Option<Hint>), language: Language) -> Self {
         let own = || words::own_hint(fault, language);
+        let hint = hint.as_ref().map(|hint| hint_text(hint, language)).or_else(own);
+        // A heading that may be a key or a label has a name under which it is a label.
+        let label = matches!(fault, Fault::UnknownKey { .. }).then(|| label_of(heading)).flatten();
+        let label = label.map(|label| sweeps::as_a_label(&seen(&label), language));
         Self {
             heading: seen(heading).into_owned(),
             row,
             id: fault.id(),
             message: fault_text(fault, language),
-            hint: hint.as_ref().map(|hint| hint_text(hint, language)).or_else(own),
+            hint: match (hint, label) {
+                (Some(hint), Some(label)) => Some(format!("{hint}; {label}")),
+                (hint, label) => hint.or(label),
+            },
         }
     }
+}
+
+/// Returns the name under which a column is carried instead of read as a key; `None` for a heading that is a path.
+fn label_of(heading: &str) -> Option<String> {
+    let name = heading.split('[').next().unwrap_or_default().trim();
+    let label = format!("label_{}", name.replace(' ', "_"));
+    (!name.is_empty() && !name.contains('.') && project::is_label(&label)).then_some(label)
 }
 
 impl Cells<'_> {

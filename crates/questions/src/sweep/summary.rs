@@ -1,7 +1,7 @@
 //! Numbers of the results of a sweep.
 
 use super::{Answer, Every, Judged};
-use answers::Number;
+use answers::{Id, Number};
 use quantities::Language;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -71,9 +71,12 @@ pub struct SweepRow {
     /// Utilisation of its governing check; where none fits that of the nearest miss.
     pub utilisation: Option<Number>,
     /// Identifier of this check.
-    pub tightest: Option<&'static str>,
+    pub tightest: Option<Id<CheckId>>,
     /// Why the row is not judged.
     pub error: Option<String>,
+    /// Cells of the columns that are no keys, such as `id`, by their headings.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub labels: BTreeMap<String, String>,
 }
 
 impl SweepRow {
@@ -88,12 +91,13 @@ impl SweepRow {
             utilisation: None,
             tightest: None,
             error: None,
+            labels: BTreeMap::new(),
         };
         let share = |share: Option<f64>| share.map(|share| Number::in_unit(share, &quantities::unit::ONE));
         let of = |code: Option<String>, utilisation: Option<f64>, tightest: Option<CheckId>| Self {
             code,
             utilisation: share(utilisation),
-            tightest: tightest.map(CheckId::id),
+            tightest: tightest.map(Id),
             ..empty()
         };
         match answer {
