@@ -88,7 +88,8 @@ fn types(root: &Path, work: &TestFolder, tools: &Ready) -> Result<(), Error> {
     must_succeed(pyright.arg(&sources))
 }
 
-/// Builds the release wheel and tests it with the engine of clusters: a cluster that loses a worker and a node.
+/// Builds the release wheel and tests it with the engine of clusters, a cluster that loses a worker and a node, and measures
+/// the cost of the way through Python.
 ///
 /// # Errors
 /// There is no Python, something does not build, or a test fails.
@@ -103,6 +104,11 @@ pub(crate) fn night(root: &Path) -> Result<(), Error> {
     for wheel in wheels.filter_map(Result::ok) {
         tools.install(&wheel.path())?;
     }
+    // The same rows without Python, against which its cost is measured.
+    let kernel =
+        ["build", "--quiet", "--release", "--package", "python", "--no-default-features", "--example", "kernel"];
+    must_succeed(&mut cargo(root, &kernel))?;
+    let kernel = Workspace::ask(root)?.target.join("release").join("examples").join("kernel");
     let tests = root.join(PACKAGE).join("tests").join("night");
     // Without an isolated network the engine searches one outside.
     let alone = Command::new("unshare").args(["--net", "true"]).stderr(Stdio::null()).status();
@@ -115,7 +121,7 @@ pub(crate) fn night(root: &Path) -> Result<(), Error> {
     };
     run.args(["-m", "unittest", "discover", "--verbose", "--start-directory"]).arg(tests);
     // Its settings and the token that it writes stay in the folder of the run.
-    must_succeed(run.env("HOME", &work.folder).env("RAY_USAGE_STATS_ENABLED", "0"))
+    must_succeed(run.env("HOME", &work.folder).env("RAY_USAGE_STATS_ENABLED", "0").env("ANTRIEB_KERNEL", kernel))
 }
 
 /// Folder for one run.

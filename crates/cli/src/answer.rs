@@ -70,7 +70,7 @@ impl CommandAnswer {
         Self::data(lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect())
     }
 
-    /// Puts a remark before the messages.
+    /// Adds a remark before the messages.
     pub(crate) fn remarked(mut self, remark: Option<String>) -> Self {
         if let Some(remark) = remark {
             self.talk.insert_str(0, &format!("{remark}\n"));

@@ -2,7 +2,7 @@
 
 pub(crate) mod keys;
 
-use crate::command::typed;
+use crate::command::typed::typed;
 use clap::ArgMatches;
 use project::{Edit, edit, key_at, load_scaled, nearest_heading, paced, stretch, written};
 use quantities::{Language, seen};

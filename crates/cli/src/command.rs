@@ -9,21 +9,21 @@ use std::ffi::OsString;
 use words::help::values;
 use words::{Usage, Word, help, usage_text};
 
-pub(crate) use example::typed;
-
 const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod argument;
 mod example;
+mod folder;
 pub(crate) mod library;
 pub(crate) mod meant;
 pub(crate) mod own;
 mod proposed;
 mod question;
 pub(crate) mod remedy;
-mod replaced;
+pub(crate) mod replaced;
 pub(crate) mod spoken;
+pub(crate) mod typed;
 pub(crate) mod usage;
 
 /// Returns the requested language: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine

@@ -66,8 +66,8 @@ pub fn run(call: Vec<OsString>) -> u8 {
     let mut language = command::language_of(arguments.iter().cloned());
     let as_json = command::json_of(&arguments);
     let mut command = command::build_for(&arguments, language);
-    let command::meant::Understood { arguments, stray, remark } =
-        command::meant::understood(arguments, &command, language);
+    let (found, remark) = command::replaced::understood(arguments, &command, language);
+    let command::meant::Understood { arguments, stray } = found;
     // A language without its option is known only now.
     let meant = command::language_of(arguments.iter().cloned());
     if meant != language {

@@ -1,33 +1,18 @@
 //! Calls that work, with the words of a faulty one.
 
+use super::folder::{best_of_project, project_name, projects_in};
 use super::meant::{Called, Part, Stray, understood};
-use super::remedy::{project_name, projects_in};
-use crate::source::SourceFile;
+use super::typed::typed;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use project::Hint;
-use quantities::{Language, seen};
-use questions::embedded_catalogue;
-use questions::list::{Argument, ArgumentKind, Entry, LIST, recognises};
+use quantities::seen;
+use questions::list::{ArgumentKind, recognises};
 use std::ffi::OsString;
 use std::path::Path;
 use words::{Usage, UsageHint};
 
 /// Largest number of further words that a call is filled with.
 const FILLED_MOST: usize = 8;
-
-/// Returns the words of a call as they are typed: those with spaces or signs of a shell between quotes.
-pub(crate) fn typed<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
-    let quoted = |word: &str| {
-        let is_plain = |sign: char| sign.is_alphanumeric() || "-_./=:,+@%".contains(sign);
-        match word {
-            "" => "\"\"".to_owned(),
-            _ if word.chars().all(is_plain) => word.to_owned(),
-            _ if word.contains('"') => format!("'{word}'"),
-            _ => format!("\"{word}\""),
-        }
-    };
-    words.into_iter().map(quoted).collect::<Vec<_>>().join(" ")
-}
 
 /// Splits an example into its words.
 fn split(example: &str) -> Vec<String> {
@@ -123,17 +108,6 @@ fn named_code(called: &Called<'_>, name: &str) -> bool {
     argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code))
 }
 
-/// Returns the code of the best actuator of the first project among some words; `None` if there is no answer.
-pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<String> {
-    let path = words.iter().map(Path::new).find(|path| path.extension().is_some_and(|ending| ending == "toml"))?;
-    let file = SourceFile::read(path, questions::MEMORY_USUAL, language).ok()?;
-    let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
-    let [project] = &projects[..] else { return None };
-    let sizing = questions::size(project);
-    let id = sizing.named()?.id.to_string();
-    questions::read_code(&id, language).is_ok().then_some(id)
-}
-
 impl Stray {
     /// Returns the fault of the word, and the calls that work in place of the given one.
     pub(crate) fn fault(&self, called: &Called<'_>, arguments: &[OsString]) -> (Usage, Option<UsageHint>) {
@@ -173,7 +147,7 @@ impl Stray {
         let mut calls: Vec<String> =
             self.options.iter().filter_map(|(option, value)| filled(&without(&[option, value]), called)).collect();
         if calls.is_empty() {
-            calls.extend(other_command(called, &self.word));
+            calls.extend(called.other_command(&self.word));
         }
         if calls.is_empty() {
             calls.extend(filled(&without(&[]), called));
@@ -199,21 +173,6 @@ impl Stray {
         Some((usage, Some(UsageHint::Words(Hint::ValidAre(values)))))
     }
 }
-
-/// Returns the call of another command about the project, of which a word is the name of a check, a figure or a scenario.
-pub(super) fn other_command(called: &Called<'_>, word: &str) -> Option<String> {
-    let project = called.projects.first()?.to_str()?;
-    let takes = |entry: &Entry| {
-        let of_others =
-            |argument: &&Argument| OTHER_COMMANDS.contains(&(entry.command, argument.name)) && argument.takes(word);
-        let option = format!("--{}", entry.arguments.iter().find(of_others)?.name);
-        Some(typed([super::NAME, entry.command, project, &option, word]))
-    };
-    LIST.iter().copied().find_map(takes)
-}
-
-/// Commands and options whose words name what another command may be meant to show.
-const OTHER_COMMANDS: [(&str, &str); 3] = [("explain", "check"), ("plot", "figure"), ("simulate", "scenario")];
 
 /// Values of the arguments that no example states.
 const VALUES: [&str; 8] = ["10 m", "10 s", "10 deg", "10 N m", "24 V", "20 degC", "2026-03-01", "1"];

@@ -1,9 +1,7 @@
 //! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
 
-use super::example::other_command;
+use super::folder::{RECORDINGS, has_ending, is_project};
 use super::own;
-use super::remedy::is_project;
-use super::replaced::{with_best_code, with_own_options};
 use super::spoken::seems_code;
 use clap::{Arg, ArgAction, Command};
 use project::Hint;
@@ -61,8 +59,6 @@ pub(crate) struct Understood {
     pub(crate) arguments: Vec<OsString>,
     /// First word that remains.
     pub(crate) stray: Option<Stray>,
-    /// Remark on a code that the call does not state.
-    pub(crate) remark: Option<String>,
 }
 
 /// An option that may take a word.
@@ -75,9 +71,6 @@ struct Candidate {
 /// Extensions of the files that a question reads besides its project.
 const TABLES: [&str; 3] = [".csv", ".csv.gz", ".parquet"];
 
-/// Extensions of recordings.
-pub(super) const RECORDINGS: [&str; 5] = [".csv", ".csv.gz", ".parquet", ".txt", ".log"];
-
 /// Returns `true` if a word is a number with a minus sign, and no option.
 fn is_negative(word: &str) -> bool {
     word.strip_prefix('-').is_some_and(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.'))
@@ -85,11 +78,6 @@ fn is_negative(word: &str) -> bool {
 
 /// Kind of a project that begins with a recording.
 const RECORDING: &str = "recording";
-
-pub(super) fn has_ending(word: &str, endings: &[&str]) -> bool {
-    let word = word.to_lowercase();
-    endings.iter().any(|ending| word.len() > ending.len() && word.ends_with(ending))
-}
 
 /// Returns the extensions of the files of a media type.
 fn endings(file: &OutputFile) -> Vec<&'static str> {
@@ -328,7 +316,7 @@ impl<'c> Called<'c> {
         let named =
             || position.get_num_args().is_some_and(|range| range.max_values() > 1) && self.named(word).is_some();
         let is_meant_otherwise =
-            || is_project && (!self.proposals(word).is_empty() || other_command(self, word).is_some());
+            || is_project && (!self.proposals(word).is_empty() || self.other_command(word).is_some());
         is_its || self.takers(word, given).0.is_empty() && !named() && !is_meant_otherwise()
     }
 }
@@ -336,9 +324,7 @@ impl<'c> Called<'c> {
 /// Returns a call with each word that no position takes behind the option that it belongs to, and the words of a title
 /// that a position takes as one. Words that stay are reported.
 pub(crate) fn understood(arguments: Vec<OsString>, whole: &Command, language: Language) -> Understood {
-    let unchanged = |arguments| Understood { arguments, stray: None, remark: None };
-    let arguments = with_own_options(arguments, whole, language);
-    let (arguments, remark) = with_best_code(arguments, whole, language);
+    let unchanged = |arguments| Understood { arguments, stray: None };
     let texts: Option<Vec<&str>> = arguments.iter().map(|word| word.to_str()).collect();
     let (Some(texts), Some(called)) = (texts, Called::of(&arguments, whole, language)) else {
         return unchanged(arguments);
@@ -372,7 +358,7 @@ pub(crate) fn understood(arguments: Vec<OsString>, whole: &Command, language: La
         stray.place + more - fewer + usize::from(kind_due)
     };
     let stray = stray.map(|stray| Stray { place: before(&stray), ..stray });
-    Understood { arguments: meant, stray, remark }
+    Understood { arguments: meant, stray }
 }
 
 /// Assignment of the bare words of a call.

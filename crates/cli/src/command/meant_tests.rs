@@ -73,7 +73,7 @@ fn a_further_word_is_taken_or_its_refusal_names_calls_that_work() {
         for word in WORDS {
             let mut call = arguments.clone();
             call.insert(arguments.len(), word.into());
-            let Understood { arguments: meant, stray, .. } = understood(call, &whole, Language::En);
+            let Understood { arguments: meant, stray } = understood(call, &whole, Language::En);
             let Some(stray) = stray else {
                 let read = whole.clone().try_get_matches_from(&meant);
                 let is_refused = match read.as_ref().err().map(clap::Error::kind) {
@@ -122,7 +122,7 @@ fn what_a_call_lacks_is_filled_in_behind_its_own_words() {
             lacking += 1;
             let found = filled(begun, &called).unwrap_or_else(|| panic!("{begun:?}"));
             assert!(is_read(&found, &whole), "{found}");
-            let own = super::super::example::typed(begun.iter().filter_map(|word| word.to_str()));
+            let own = super::super::typed::typed(begun.iter().filter_map(|word| word.to_str()));
             assert!(found.starts_with(&own), "{found} {own}");
         }
     }
@@ -194,7 +194,7 @@ fn a_refusal_is_said_in_both_languages() {
         ("antrieb explain a.toml termal", ["termal", "antrieb explain a.toml --check thermal"]),
         ("antrieb check a.toml --code X CHA-25A-50-H-C1024", ["--code", "antrieb check a.toml --code X"]),
     ] {
-        let Understood { arguments, stray, .. } = understood(words(call), &whole, Language::En);
+        let Understood { arguments, stray } = understood(words(call), &whole, Language::En);
         let called = Called::of(&arguments, &whole, Language::En).unwrap();
         let (usage, hint) = stray.unwrap().fault(&called, &arguments);
         let [en, de] = Language::ALL

@@ -1,12 +1,18 @@
 //! Options for a word that is the value of none: a factor of the load, a key of the project with this quantity.
 
 use super::example::filled;
-use super::meant::{Called, RECORDINGS, has_ending};
+use super::folder::{RECORDINGS, axes_of, has_ending, text_of};
+use super::meant::Called;
+use super::typed::typed;
 use crate::changed::keys;
 use clap::Arg;
-use project::{Hint, PROJECT_MAX_BYTES, Written, key_at, nearest_name, written};
+use project::{Hint, Written, key_at, nearest_name, written};
+use questions::list::{Argument, Entry, LIST};
 use std::ffi::OsString;
 use std::path::Path;
+
+/// Commands and options whose words name what another command may be meant to show.
+const OTHER_COMMANDS: [(&str, &str); 3] = [("explain", "check"), ("plot", "figure"), ("simulate", "scenario")];
 
 /// Largest number of options that a refusal names.
 const PROPOSALS_MOST: usize = 4;
@@ -17,21 +23,6 @@ struct RangeWord<'w> {
     low: &'w str,
     high: &'w str,
     unit: &'w str,
-}
-
-/// Reads the text of a project file of limited size.
-pub(super) fn text_of(path: &Path) -> Option<String> {
-    let bytes = disk::read_within(std::fs::File::open(path).ok()?, PROJECT_MAX_BYTES).ok()?;
-    String::from_utf8(bytes).ok()
-}
-
-/// Returns the names of the axes of a project.
-pub(super) fn axes_of(path: &Path) -> Vec<String> {
-    let all = text_of(path).and_then(|text| written(&text)).unwrap_or_default();
-    let is_name = |path: &str| {
-        path.strip_prefix("axis[").and_then(|rest| rest.split_once(']')).is_some_and(|(_, key)| key == ".name")
-    };
-    all.into_iter().filter(|each| is_name(&each.path)).filter_map(|each| each.value).collect()
 }
 
 /// Returns the factor that a word states as a percentage or with a sign of multiplication.
@@ -83,8 +74,8 @@ impl<'w> RangeWord<'w> {
 fn calls_of_columns(columns: &[String], project: Option<&str>) -> Vec<String> {
     let keys = columns.iter().flat_map(|column| ["--key", column]);
     let table = ["antrieb", "new", "sweep"].into_iter().chain(keys).chain(["--out", TABLE]);
-    let answer = project.map(|project| super::typed(["antrieb", "sweep", project, "--table", TABLE, "--out", ANSWERS]));
-    std::iter::once(super::typed(table)).chain(answer).collect()
+    let answer = project.map(|project| typed(["antrieb", "sweep", project, "--table", TABLE, "--out", ANSWERS]));
+    std::iter::once(typed(table)).chain(answer).collect()
 }
 
 /// Returns a column with a range about the first time, else the first quantity, of the motion of a project.
@@ -131,6 +122,18 @@ impl Called<'_> {
     /// Returns the text of the first project of the call.
     pub(super) fn project_text(&self) -> Option<String> {
         self.projects.first().and_then(|path| text_of(path))
+    }
+
+    /// Returns the call of another command about the project, of which a word is the name of a check, a figure or a scenario.
+    pub(super) fn other_command(&self, word: &str) -> Option<String> {
+        let project = self.projects.first()?.to_str()?;
+        let takes = |entry: &Entry| {
+            let of_others =
+                |argument: &&Argument| OTHER_COMMANDS.contains(&(entry.command, argument.name)) && argument.takes(word);
+            let option = format!("--{}", entry.arguments.iter().find(of_others)?.name);
+            Some(typed([super::NAME, entry.command, project, &option, word]))
+        };
+        LIST.iter().copied().find_map(takes)
     }
 
     /// Returns options that take what a word may mean for the project: a factor of the load, a value of a key.

@@ -1,10 +1,11 @@
 //! Calls in place of one that was parsed and cannot be answered.
 
-use super::example::{best_of_project, filled};
-use super::meant::{Called, RECORDINGS, has_ending};
-use super::proposed::{axes_of, text_of};
+use super::example::filled;
+use super::folder::{RECORDINGS, axes_of, best_of_project, has_ending, project_name, projects_in};
+use super::meant::Called;
+use super::typed::typed;
 use clap::Command;
-use project::{Hint, nearest_name, written};
+use project::{Hint, nearest_name};
 use quantities::Language;
 use questions::Refusal;
 use questions::list::Unanswered;
@@ -13,9 +14,6 @@ use std::path::{Path, PathBuf};
 
 /// Largest number of projects of a folder that are named in place of a missing one.
 const PROJECTS_MOST: usize = 3;
-
-/// Largest number of files of a folder that are read.
-const SEARCHED_MOST: usize = 50;
 
 /// Returns the calls in place of a refused one; empty if none is known.
 pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, language: Language) -> Vec<String> {
@@ -114,7 +112,7 @@ impl Call<'_> {
         }
         if names.is_empty() && self.called.projects.is_empty() {
             let out = if has_ending(name, &[".toml"]) { name } else { &own };
-            return vec![super::typed(["antrieb", "new", "screw", "--out", out])];
+            return vec![typed(["antrieb", "new", "screw", "--out", out])];
         }
         let meant = match nearest_name(name, &names) {
             Hint::DidYouMean(name) => vec![name],
@@ -136,33 +134,8 @@ impl Call<'_> {
         let words: Vec<&str> = self.arguments.iter().filter_map(|word| word.to_str()).collect();
         let from = words.iter().position(|word| *word == "--from").and_then(|place| words.get(place + 1));
         let from = from.copied().or_else(|| words.iter().find_map(|word| word.strip_prefix("--from=")));
-        from.map(|from| super::typed(["antrieb", "new", "recording", "--from", from, "--out", &project_name(from)]))
+        from.map(|from| typed(["antrieb", "new", "recording", "--from", from, "--out", &project_name(from)]))
             .into_iter()
             .collect()
     }
-}
-
-/// Returns the name of the project of a recording.
-pub(super) fn project_name(recording: &str) -> String {
-    let stem = RECORDINGS.iter().find_map(|ending| recording.strip_suffix(ending)).unwrap_or(recording);
-    format!("{stem}.toml")
-}
-
-/// Returns the project files in a folder, sorted.
-pub(super) fn projects_in(folder: &Path) -> Vec<PathBuf> {
-    let read = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let entries = std::fs::read_dir(read).into_iter().flatten().flatten();
-    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-    let mut found: Vec<PathBuf> =
-        names.filter(|name| has_ending(name, &[".toml"])).map(|name| folder.join(name)).collect();
-    found.sort();
-    found.truncate(SEARCHED_MOST);
-    found.retain(|path| is_project(path));
-    found
-}
-
-/// Returns `true` if a file is a project: it states the motion of an axis.
-pub(super) fn is_project(path: &Path) -> bool {
-    let all = text_of(path).and_then(|text| written(&text)).unwrap_or_default();
-    all.iter().any(|each| each.path == "motion[1]" || each.path == "axis[1].motion[1]")
 }

@@ -1,7 +1,7 @@
 //! Words of a call in place of others: options by their own names, the best actuator in place of its project.
 
-use super::example::best_of_project;
-use super::meant::{Called, Part};
+use super::folder::best_of_project;
+use super::meant::{self, Called, Part, Understood};
 use super::spoken::{seems_code, twin_options};
 use clap::{Arg, Command};
 use quantities::Language;
@@ -10,8 +10,19 @@ use std::ffi::OsString;
 use std::path::Path;
 use words::terminal;
 
+/// Returns a call as it is meant, with a remark on a code that it does not state.
+pub(crate) fn understood(
+    arguments: Vec<OsString>,
+    whole: &Command,
+    language: Language,
+) -> (Understood, Option<String>) {
+    let arguments = with_own_options(arguments, whole, language);
+    let (arguments, remark) = with_best_code(arguments, whole, language);
+    (meant::understood(arguments, whole, language), remark)
+}
+
 /// Returns a call about one actuator with the best one of a project that stands in place of its code, and a remark on it.
-pub(super) fn with_best_code(
+fn with_best_code(
     mut arguments: Vec<OsString>,
     whole: &Command,
     language: Language,
@@ -44,7 +55,7 @@ pub(super) fn with_best_code(
 }
 
 /// Returns a call with each option of another name by that of the command.
-pub(super) fn with_own_options(mut arguments: Vec<OsString>, whole: &Command, language: Language) -> Vec<OsString> {
+fn with_own_options(mut arguments: Vec<OsString>, whole: &Command, language: Language) -> Vec<OsString> {
     let Some(called) = Called::of(&arguments, whole, language) else { return arguments };
     let is_known = |name: &str| called.options().any(|option| option.get_long() == Some(name));
     for word in arguments.iter_mut().skip(called.begin).take_while(|word| *word != "--") {

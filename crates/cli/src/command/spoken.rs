@@ -94,13 +94,13 @@ pub(super) fn seems_code(word: &str) -> bool {
 mod tests {
     use super::*;
     use crate::command::build;
-    use crate::command::meant::understood;
+    use crate::command::replaced::understood;
     use quantities::Language;
 
     fn call(text: &str) -> Vec<String> {
         let words = std::iter::once("antrieb").chain(text.split(' ')).map(OsString::from).collect();
         let whole = build(Language::En);
-        let understood = understood(with_own_words(words), &whole, Language::En);
+        let (understood, _) = understood(with_own_words(words), &whole, Language::En);
         understood.arguments.into_iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect()
     }
 

@@ -1,9 +1,10 @@
 //! Calls that the command-line library rejects, as faults like all others.
 
-use super::example::{filled, typed};
+use super::example::filled;
+use super::folder::projects_in;
 use super::meant::{Called, Stray};
-use super::remedy::projects_in;
 use super::spoken::option_meant;
+use super::typed::typed;
 use crate::answer::{CommandAnswer, written};
 use answers::{Fault, Faults};
 use clap::Command;

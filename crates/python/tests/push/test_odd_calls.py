@@ -6,6 +6,7 @@ from __future__ import annotations
 import inspect
 import pathlib
 import re
+import sys
 import time
 import typing
 import unittest
@@ -152,5 +153,21 @@ class OddCalls(unittest.TestCase):
                     antrieb.sweep(PROJECT, {INERTIA: [1.0]}, **{key: value})
 
 
+def table() -> None:
+    """Print each call with its answer, a line of Markdown for each: `python test_odd_calls.py --table`."""
+    print("| call | answer |\n|---|---|")
+    for name, key, value, needed in calls():
+        try:
+            getattr(antrieb, name)(**{**needed, key: value})
+            said = "no exception"
+        except (TypeError, ValueError) as error:
+            said = f"{type(error).__name__}: {error}"
+        line = " ".join(said.split()).replace("|", "\\|")
+        print(f"| `{name}({key}={value!r:.30})` | {line:.200} |")
+
+
 if __name__ == "__main__":
-    unittest.main()
+    if "--table" in sys.argv:
+        table()
+    else:
+        unittest.main()

@@ -107,7 +107,7 @@ class Faults(unittest.TestCase):
 
     def test_a_fault_of_a_text_has_its_line_and_the_word_that_is_meant(self) -> None:
         with self.assertRaises(an.AntriebError) as caught:
-            an.size(axis().to_toml().replace("[mechanism", "[mechanizm", 1))
+            an.size(axis().to_toml().replace("[mechanism", "[mechanisms", 1))
         self.assertIn("mechanism", caught.exception.meant)
         self.assertTrue(all(isinstance(each, an.answers.Fault) and each.line for each in caught.exception.faults))
 
