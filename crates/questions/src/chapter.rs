@@ -4,6 +4,7 @@ mod commission;
 mod encoder;
 mod identification;
 mod mount;
+mod parts;
 mod recorded;
 mod simulation;
 mod upkeep;
@@ -13,48 +14,15 @@ pub use commission::commission;
 pub use encoder::encoder;
 pub use identification::identification;
 pub use mount::mount;
+pub use parts::marked_errata;
 pub use recorded::{RecordedLine, recorded};
 pub use simulation::simulation;
 pub use upkeep::upkeep;
 pub use wiring::wiring;
 
 use crate::answer::document;
-use answers::{Block, Chapter, CitedErratum, Column, Document, Fact, Hazard, Id, Number};
-use catalogue::SignalWord;
-use quantities::{Language, Unit, format_significant};
-use words::{ERRATUM_MARK, capitalised, erratum_place_of, signal_word};
-
-/// Creates a hazard or a rule with its signal word.
-fn hazard(signal: Option<Id<SignalWord>>, text: &str, source: String, language: Language) -> Hazard {
-    Hazard {
-        level: signal.map_or("", |signal| signal.id()),
-        word: signal.map_or("", |signal| signal_word(*signal, language)),
-        text: text.to_owned(),
-        source,
-    }
-}
-
-/// Converts facts to hazards and rules, in the same order.
-fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
-    facts.iter().map(|fact| hazard(fact.signal, fact.text, fact.source.clone(), language)).collect()
-}
-
-/// Returns errata with their evidence, each behind the mark of the values that it concerns.
-#[must_use]
-pub fn marked_errata(errata: &[CitedErratum], language: Language) -> Vec<String> {
-    errata.iter().map(|each| format!("{ERRATUM_MARK} {}", erratum_line(each, language))).collect()
-}
-
-/// Returns the place of an erratum in words, and its evidence.
-fn erratum_line(erratum: &CitedErratum, language: Language) -> String {
-    format!("{}: {}", capitalised(&erratum_place_of(&erratum.id, language)), erratum.evidence)
-}
-
-/// Returns notes, and errata with their evidence.
-fn remarks(notes: &[String], errata: &[CitedErratum], language: Language) -> Vec<String> {
-    let erratum = |erratum: &CitedErratum| erratum_line(erratum, language);
-    notes.iter().cloned().chain(errata.iter().map(erratum)).collect()
-}
+use answers::{Block, Chapter, Document, Hazard};
+use quantities::Language;
 
 /// Removes from each chapter the hazards and rules of earlier ones, so that a report states each of them once; empty
 /// sections are removed too.
@@ -94,43 +62,6 @@ fn names(text: &str, short: &str) -> bool {
         let (before, after) = (text.get(..at).unwrap_or_default(), text.get(at + short.len()..).unwrap_or_default());
         !part(before.chars().next_back()) && !part(after.chars().next())
     })
-}
-
-/// A column, and the function that formats its cells.
-type Shown<'f, T> = (Column, &'f dyn Fn(&T) -> String);
-
-/// Adds a grid with a row for each item, if there are any items.
-fn grid<'t, T: 't>(chapter: &mut Chapter, items: impl IntoIterator<Item = &'t T>, columns: &[Shown<'_, T>]) {
-    let row = |item: &T| columns.iter().map(|(_, cell)| cell(item)).collect();
-    let rows = items.into_iter().map(row).collect();
-    chapter.grid(columns.iter().map(|(column, _)| column.clone()).collect(), rows);
-}
-
-/// Text of an empty value.
-const NOTHING: &str = "–";
-
-/// Formats a number with this many significant digits.
-fn significant(value: Option<Number>, digits: usize, language: Language) -> String {
-    value.map_or_else(|| NOTHING.to_owned(), |value| format_significant(value.0, digits, language))
-}
-
-/// Formats a number as in the manual, without padding zeros.
-fn plain(value: Option<Number>, language: Language) -> String {
-    let text = value.and_then(|value| value.written()).map_or_else(|| NOTHING.to_owned(), |value| value.to_string());
-    text.replace('.', &language.decimal_mark().to_string())
-}
-
-/// Returns the symbol of a unit of the records; empty for a pure number.
-fn unit_shown(unit: &str, language: Language) -> String {
-    match Unit::of(unit) {
-        _ if unit == "1" => String::new(),
-        Some(unit) => unit.symbol_in(language).to_owned(),
-        // The increment of an object: `0.1 %`.
-        None if unit.starts_with(|c: char| c.is_ascii_digit()) => {
-            unit.replace('.', &language.decimal_mark().to_string())
-        }
-        None => unit.to_owned(),
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Values of a motor for the drive, and checks of the first run.
 
-use super::{grid, hazard, hazards, marked_errata, unit_shown};
+use super::parts::{grid, hazard, hazards, marked_errata, unit_shown};
 use answers::{
     Chapter, Column, CommissionEntry, CommissionParameter, Commissioning, DriveObject, DriveParameter, EncoderValue,
     OverloadSupervision, SensorThreshold, Task,

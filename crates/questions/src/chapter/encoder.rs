@@ -1,6 +1,6 @@
 //! Signals and words of the encoders of a code.
 
-use super::{grid, hazards, plain, significant};
+use super::parts::{grid, hazards, plain, significant};
 use answers::{Chapter, Column, DecodedWord, Encoder, EncoderPin, EncoderSignal, EncoderState, SignalForm, WordFault};
 use installation::wiring::Role;
 use quantities::Language;

@@ -1,6 +1,6 @@
 //! Results of a recorded run as a chapter.
 
-use super::{grid, significant, unit_shown};
+use super::parts::{grid, significant, unit_shown};
 use crate::list::identify::{Identification, LeftOpen};
 use answers::{Chapter, Column, Number};
 use quantities::Language;

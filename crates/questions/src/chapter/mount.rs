@@ -1,6 +1,6 @@
 //! Mounting of an actuator as a chapter.
 
-use super::{NOTHING, grid, hazards, plain, significant, unit_shown};
+use super::parts::{NOTHING, grid, hazards, plain, significant, unit_shown};
 use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
 use provenance::Grade;
 use quantities::{Language, format_number};

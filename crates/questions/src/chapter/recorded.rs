@@ -1,7 +1,7 @@
 //! A recorded commissioning, line by line.
 
 use super::commission::shown;
-use super::{NOTHING, significant, unit_shown};
+use super::parts::{NOTHING, significant, unit_shown};
 use answers::{Recorded, RecordedValue};
 use quantities::Language;
 use sizing::Verdict;

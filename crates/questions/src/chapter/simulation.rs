@@ -1,6 +1,6 @@
 //! A run of the digital twin as a chapter.
 
-use super::{grid, significant, unit_shown};
+use super::parts::{grid, significant, unit_shown};
 use answers::{Chapter, Column, Figures, Grade, ModelParameter, Number, Simulation};
 use quantities::Language;
 use words::{capitalised, grade_word, simulation, verdict_word};

@@ -1,6 +1,6 @@
 //! Maintenance of an actuator: tasks and dates.
 
-use super::{grid, hazards, remarks, significant};
+use super::parts::{grid, hazards, remarks, significant};
 use answers::{Chapter, Column, Fact, Upkeep};
 use quantities::Language;
 use words::{capitalised, grade_word, signal_word, terminal, upkeep};

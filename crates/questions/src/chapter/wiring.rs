@@ -1,6 +1,6 @@
 //! Connectors, pins and cables as a chapter.
 
-use super::{NOTHING, Shown, grid, hazards};
+use super::parts::{NOTHING, Shown, grid, hazards};
 use answers::{
     Block, Chapter, Column, Connector, ConnectorExit, ConnectorPin, NoteBy, Number, Picture, VoltageDrops, Wiring,
 };
