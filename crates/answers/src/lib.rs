@@ -5,6 +5,7 @@
 //! the name `title`, `name`, `meaning`, `message`, `hint`, `notes`, `source` … is a text in the requested language.
 //! This crate computes nothing, and no record is created from JSON.
 
+mod catalogue_check;
 mod chapters;
 mod check;
 mod code;
@@ -34,6 +35,9 @@ mod units;
 mod upkeep;
 mod wiring;
 
+pub use catalogue_check::{
+    CatalogueCheck, CatalogueFigure, CatalogueFinding, CatalogueProposal, CheckedCatalogue, OtherProduct,
+};
 pub use chapters::{
     Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, TorqueExceeded, Torsion,
 };

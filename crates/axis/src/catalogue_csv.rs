@@ -28,8 +28,24 @@ pub(crate) struct CsvText {
     pub(crate) toml: String,
     /// Places of the cells.
     pub(crate) places: Places,
+    /// Headings of keys with units.
+    pub(crate) headings: Vec<UnitHeading>,
     /// Faults of headings and lines.
     pub(crate) faults: Vec<AxisDiagnostic>,
+}
+
+/// Heading of a key with its unit.
+pub(crate) struct UnitHeading {
+    /// Name of the key.
+    pub(crate) key: &'static str,
+    /// Heading as written.
+    pub(crate) text: String,
+    /// Unit as written.
+    pub(crate) unit: String,
+    /// Line, from one.
+    pub(crate) line: usize,
+    /// Column in characters, from one.
+    pub(crate) column: usize,
 }
 
 /// Places of the cells of a table, by the beginning of their lines in the text.
@@ -37,7 +53,8 @@ pub(crate) struct CsvText {
 pub(crate) struct Places(Vec<(usize, usize, usize)>);
 
 impl Places {
-    fn at(&self, place: usize) -> (usize, usize) {
+    /// Returns line and column of the table for a place in the text.
+    pub(crate) fn at(&self, place: usize) -> (usize, usize) {
         let next = self.0.partition_point(|(start, ..)| *start <= place);
         let found = next.checked_sub(1).and_then(|index| self.0.get(index));
         found.map_or((1, 1), |(_, line, column)| (*line, *column))
@@ -83,7 +100,8 @@ const fn dimension_of(key: &Key) -> Option<Dimension> {
 
 /// Returns a table as the text of a catalogue file.
 pub(crate) fn as_toml(name: &str, bytes: &[u8]) -> CsvText {
-    let mut found = CsvText { toml: String::new(), places: Places::default(), faults: Vec::new() };
+    let mut found =
+        CsvText { toml: String::new(), places: Places::default(), headings: Vec::new(), faults: Vec::new() };
     let of_file = |fault| AxisFault::Recording { name: name.to_owned(), fault };
     let is_known = |cell: &str| matches!(name_of(cell).0, known if known == KIND || key_of(&known).is_some());
     let mut records = match Records::open_below(bytes, is_known) {
@@ -107,6 +125,10 @@ pub(crate) fn as_toml(name: &str, bytes: &[u8]) -> CsvText {
             Ok(column) => (column, None),
             Err(fault) => (Column::Refused, Some(fault)),
         };
+        if let Column::Of(key, Some(unit)) = &column {
+            let (line, column) = place(index);
+            found.headings.push(UnitHeading { key: key.name, text: heading.clone(), unit: unit.clone(), line, column });
+        }
         columns.push(column);
         if let Some(fault) = fault {
             let (fault, hint) = *fault;

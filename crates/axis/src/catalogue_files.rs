@@ -66,7 +66,7 @@ impl Catalogue for FileCatalogue {
     }
 }
 
-/// Returns the products of a catalogue file, in TOML or, with the ending `.csv`, in CSV; `parameters` are those of an
+/// Returns the products of a catalogue file, in TOML or CSV by its ending, else by its content; `parameters` are those of an
 /// actuator whose file states no value.
 ///
 /// # Errors
@@ -76,8 +76,8 @@ pub fn read_products(name: &str, bytes: &[u8], parameters: &Parameters) -> Resul
         let fault = Fault::FileTooLarge { bytes: bytes.len(), most: CATALOGUE_MAX_BYTES };
         return Err(vec![Diagnostic::at("", 0..0, fault.into(), None)]);
     }
-    if is_csv(name) {
-        let CsvText { toml, places, faults } = catalogue_csv::as_toml(name, bytes);
+    if is_csv(name, bytes) {
+        let CsvText { toml, places, faults, .. } = catalogue_csv::as_toml(name, bytes);
         let (products, mut found) = of_toml(name, &toml, &|at| places.line_of(at), parameters);
         found = found.into_iter().map(|fault| places.moved(fault)).collect();
         let mut all = faults;
@@ -105,8 +105,13 @@ pub fn read_products(name: &str, bytes: &[u8], parameters: &Parameters) -> Resul
     if faults.is_empty() { Ok(products) } else { Err(faults) }
 }
 
-fn is_csv(name: &str) -> bool {
-    name.to_ascii_lowercase().ends_with(".csv")
+/// Returns `true` if a catalogue file is a table: by its ending, else if no line opens a table of TOML.
+pub(crate) fn is_csv(name: &str, bytes: &[u8]) -> bool {
+    let name = name.to_ascii_lowercase();
+    if name.ends_with(".csv") || name.ends_with(".toml") {
+        return name.ends_with(".csv");
+    }
+    !bytes.split(|byte| *byte == b'\n').any(|line| line.trim_ascii_start().starts_with(b"["))
 }
 
 /// Returns the products of a text in TOML, and its faults.

@@ -36,6 +36,7 @@ mod needs;
 mod one_fault_tests;
 mod order;
 mod own;
+mod plausibility;
 mod recorded;
 mod recording_name;
 mod recordings;
@@ -64,6 +65,10 @@ pub use gearing::Gearing;
 pub use kept::KeptRecordings;
 pub use law_sample::law_sample;
 pub use measured::{measurand, measured};
+pub use plausibility::{
+    CatalogueCheck, ComparedFigure, PLAUSIBILITY_RULES, PlausibilityFinding, PlausibilityRule, PlausibilityRuleId,
+    SERIES_KEYS, SIZE_KEYS, SeriesKey, UnitProposal, check_catalogue,
+};
 pub use recording_name::{RECORDINGS, is_recording_name, is_referable_name};
 pub use recordings::{RecordingRead, is_parquet, read_recording};
 pub use roles::Within;

@@ -81,13 +81,14 @@ fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<F
         (Reads::Nothing, _) => return Ok(Vec::new()),
         (Reads::Project | Reads::Pins | Reads::Measured | Reads::TwoProjects, Some(option)) => &[option],
         (Reads::TwoProjects, None) => &["old", "new"],
-        (Reads::Project | Reads::Pins | Reads::Measured, None) => &["project"],
+        (Reads::Project | Reads::Pins, None) => &["project"],
+        (Reads::Measured, None) => &["files"],
     };
     let memory = memory::allowed(matches, language)?;
     let paths = names.iter().flat_map(|name| matches.get_many::<PathBuf>(name).into_iter().flatten());
     let (mut files, mut faults) = (Vec::new(), Vec::new());
     for path in paths {
-        match File::read(path, memory, language) {
+        match File::read(path, entry.reads, memory, language) {
             Ok(file) => files.push(file),
             Err(fault) => faults.push(fault),
         }

@@ -80,11 +80,11 @@ pub(crate) fn build_for(arguments: &[OsString], language: Language) -> Command {
 }
 
 fn built(language: Language, is_whole: &dyn Fn(&Entry) -> bool) -> Command {
-    library::usage(headed(commands(language, is_whole), &examples(), language), language)
+    library::usage(headed(commands(language, is_whole), "", &examples(), language), language)
 }
 
-/// Adds headings and a help flag in the language to a command and all its subcommands.
-fn headed(command: Command, examples: &[(&str, String)], language: Language) -> Command {
+/// Adds headings and a help flag in the language to a command and all its subcommands; `above` are the words before its name.
+fn headed(command: Command, above: &str, examples: &[(&str, String)], language: Language) -> Command {
     let reads_a_project =
         command.get_arguments().any(|argument| ["project", "old"].contains(&argument.get_id().as_str()));
     let command = if reads_a_project {
@@ -126,12 +126,14 @@ fn headed(command: Command, examples: &[(&str, String)], language: Language) -> 
                 .help(help::version_flag(language)),
         );
     }
-    let example = examples.iter().find(|(name, _)| *name == command.get_name());
+    let words = format!("{above} {}", command.get_name()).trim_start().to_owned();
+    let example = examples.iter().find(|(name, _)| *name == words);
     if let Some((_, call)) = example {
         let tail = command.get_after_help().map(|text| format!("{text}\n\n")).unwrap_or_default();
         command = command.after_help(format!("{tail}{}:\n  {call}", help::example(language)));
     }
-    command.mut_subcommands(|subcommand| headed(subcommand, examples, language))
+    let above = if command.get_name() == NAME { "" } else { words.as_str() };
+    command.mut_subcommands(|subcommand| headed(subcommand, above, examples, language))
 }
 
 /// Commands about a product without a project.
@@ -150,12 +152,11 @@ const EXAMPLES: [(&str, &str); 9] = [
     ("schema", "antrieb schema"),
 ];
 
-/// Returns one call of each command; all of them are tested.
+/// Returns one call of each command, by its words; all of them are tested.
 pub(crate) fn examples() -> Vec<(&'static str, String)> {
     let own = EXAMPLES.iter().map(|(name, call)| (*name, (*call).to_owned()));
     let call = |entry: &Entry| format!("{NAME} {} {}", entry.command, entry.example).trim_end().to_owned();
-    let of_list =
-        LIST.iter().filter(|entry| entry.option().is_none()).map(|entry| (question::last(entry), call(entry)));
+    let of_list = LIST.iter().filter(|entry| entry.option().is_none()).map(|entry| (entry.command(), call(entry)));
     own.chain(of_list).collect()
 }
 

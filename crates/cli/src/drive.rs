@@ -9,7 +9,7 @@ use clap::ArgMatches;
 use order_code::OrderCode;
 use quantities::{Language, MomentOfInertia};
 use questions::drive::{Time, bare_axis, eds, with_drive};
-use questions::list::{AXIS, Cost, Given, Inquiry, Unanswered};
+use questions::list::{AXIS, Cost, Given, Inquiry, Reads, Unanswered};
 use questions::{embedded_catalogue, read_code, read_quantity};
 use server::{DriveProtocol, DriveServer, Unserved};
 use std::io::Write;
@@ -35,7 +35,8 @@ pub(crate) fn drive(matches: &ArgMatches, language: Language) -> Result<CommandA
     let inertia = inertia.map_err(|fault| Unanswered::option("inertia", fault))?;
     let project = match matches.get_one::<PathBuf>("project-file") {
         Some(path) => {
-            of_file(&SourceFile::read(path, memory::allowed(matches, language)?, language)?, word("axis"), language)?
+            let memory = memory::allowed(matches, language)?;
+            of_file(&SourceFile::read(path, Reads::Project, memory, language)?, word("axis"), language)?
         }
         None => bare_axis(&code, inertia, embedded_catalogue(), language)?,
     };

@@ -7,7 +7,6 @@ use crate::table::width;
 use crate::waiting::waited_s;
 pub(crate) use disk::path_text;
 use order_code::OrderCode;
-use project::PROJECT_MAX_BYTES;
 use quantities::{Language, seen};
 use questions::CodeRefusal;
 use questions::answer::{code_worded, refusal_text};
@@ -16,13 +15,13 @@ use questions::list::code_list::Availability;
 use std::path::Path;
 use words::{Worded, terminal, terms};
 
-/// Reads at most one byte more than a project file may have, so that a large file or an endless stream is not read to
+/// Reads at most one byte more than a file may have, so that a large file or an endless stream is not read to
 /// its end.
-pub(crate) fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+pub(crate) fn read_bytes(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
     if path.as_os_str() == "-" {
-        disk::read_within(std::io::stdin().lock(), PROJECT_MAX_BYTES)
+        disk::read_within(std::io::stdin().lock(), most)
     } else {
-        disk::read_within(std::fs::File::open(path)?, PROJECT_MAX_BYTES)
+        disk::read_within(std::fs::File::open(path)?, most)
     }
 }
 

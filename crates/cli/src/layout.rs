@@ -3,8 +3,8 @@
 use crate::call::Show;
 use crate::command::own;
 use crate::{
-    chapter, code, commission, compare, data, diff, encoder, errata, explain, export, glossary, inertia, judge,
-    licences, mount, moves, plot, report, simulate, sweep, upkeep, wiring,
+    catalogue_check, chapter, code, commission, compare, data, diff, encoder, errata, explain, export, glossary,
+    inertia, judge, licences, mount, moves, plot, report, simulate, sweep, upkeep, wiring,
 };
 use clap::Command;
 use quantities::Language;
@@ -38,6 +38,7 @@ const LAYOUTS: &[Layout] = &[
     shown(&list::encoder::ENTRY, encoder::encoder),
     shown(&list::errata::ENTRY, errata::errata),
     shown(&list::catalogue::ENTRY, data::catalogue).with(own::catalogue),
+    shown(&list::catalogue_check::ENTRY, catalogue_check::check).with(catalogue_check::options),
     shown(&list::curve::ENTRY, chapter::curve).with(own::picture),
     shown(&list::plot::ENTRY, plot::plot).with(own::plot),
     shown(&list::bearing::ENTRY, chapter::bearing),

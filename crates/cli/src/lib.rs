@@ -7,6 +7,7 @@
 mod answer;
 mod ask;
 mod call;
+mod catalogue_check;
 mod changed;
 mod chapter;
 mod code;

@@ -6,7 +6,7 @@ use axis::{Grant, Reach};
 use clap::ArgMatches;
 use disk::{Links, ProjectFiles};
 use quantities::Language;
-use questions::list::{ReferencedText, Unanswered};
+use questions::list::{Reads, ReferencedText, Unanswered};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use words::file_trouble;
@@ -21,14 +21,14 @@ pub struct SourceFile {
 }
 
 impl SourceFile {
-    /// Reads the file at a path, `-` for standard input; `memory` limits the bytes of its recordings.
+    /// Reads the file at a path, `-` for standard input, up to the limit of what is read; `memory` limits the bytes of its recordings.
     ///
     /// # Errors
     /// Error of the system.
-    pub fn read(path: &Path, memory: u64, language: Language) -> Result<Self, Unanswered> {
+    pub fn read(path: &Path, reads: Reads, memory: u64, language: Language) -> Result<Self, Unanswered> {
         let piped = path.as_os_str() == "-";
         let name = if piped { "stdin".to_owned() } else { path_text(path) };
-        let bytes = read_bytes(path).map_err(|error| Unanswered::File {
+        let bytes = read_bytes(path, reads.bytes_most()).map_err(|error| Unanswered::File {
             name: name.clone(),
             message: file_trouble(&error, language),
             is_too_large: false,

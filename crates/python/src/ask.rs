@@ -6,7 +6,7 @@ use axis::{Catalogue, Files, NoFiles};
 use disk::ProjectFiles;
 use page::{Reply, Shell};
 use quantities::Language;
-use questions::list::{ArgumentKind, Entry, Given, Inquiry, LIST, ReferencedText, Unanswered};
+use questions::list::{ArgumentKind, Entry, Given, Inquiry, LIST, Reads, ReferencedText, Unanswered};
 use questions::{Progress, embedded_catalogue};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -73,7 +73,7 @@ impl QuestionCall {
     fn answered(&self, progress: &Progress) -> Result<Reply, Unanswered> {
         let entry = entry(&self.command)?;
         let memory = antrieb::memory_allowed(self.memory.clone(), self.language)?;
-        let read = self.texts.iter().map(|text| text.read(memory, self.language));
+        let read = self.texts.iter().map(|text| text.read(entry.reads, memory, self.language));
         let files: Vec<CallSource> = read.collect::<Result<_, _>>()?;
         let sources: Vec<_> = files.iter().map(CallSource::source).collect();
         let has_names = sources.iter().any(|source| source.may_name_products());
@@ -116,9 +116,9 @@ impl SourceText {
     ///
     /// # Errors
     /// Error of the system about the file.
-    pub fn read(&self, memory: u64, language: Language) -> Result<CallSource, Unanswered> {
+    pub fn read(&self, reads: Reads, memory: u64, language: Language) -> Result<CallSource, Unanswered> {
         let (file, recordings) = match self {
-            Self::At(path) => (SourceFile::read(path, memory, language)?, Recordings::default()),
+            Self::At(path) => (SourceFile::read(path, reads, memory, language)?, Recordings::default()),
             Self::Is { text, name, folder, recordings } => {
                 let file = SourceFile::of_text(name.clone(), text.clone().into_bytes(), Path::new(folder), memory);
                 (file, Arc::clone(recordings))

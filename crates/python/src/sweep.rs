@@ -6,7 +6,7 @@ use arrow_schema::Schema;
 use quantities::Language;
 use questions::embedded_catalogue;
 use questions::list::sweep::{Args, ENTRY};
-use questions::list::{Argument, Given, Unanswered};
+use questions::list::{Argument, Given, Reads, Unanswered};
 use std::borrow::Cow;
 use sweep_io::{BatchHead, BatchSweep, Repeats, TableFaults};
 
@@ -47,7 +47,7 @@ impl SweepCall {
         let arguments = ENTRY.arguments.iter().copied().filter(|argument| argument.name != TABLE);
         let given = Given::of(&arguments.collect::<Vec<Argument>>(), pairs, self.language)?;
         let options = Args::read(&given)?.options(embedded_catalogue(), false, self.language)?;
-        let file = self.text.read(self.memory_allowed()?, self.language)?;
+        let file = self.text.read(Reads::Project, self.memory_allowed()?, self.language)?;
         let source = file.source();
         let text = source.text(self.language)?;
         let files = Box::new(file.files.clone());

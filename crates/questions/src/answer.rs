@@ -1,5 +1,6 @@
 //! The results of the use cases as records of `answers`, with their texts in the requested language.
 
+mod catalogue_check;
 mod chapters;
 mod check;
 mod code;
@@ -22,6 +23,7 @@ mod upkeep;
 mod wiring;
 mod written;
 
+pub use catalogue_check::checked_catalogue;
 pub use chapters::{battery, bearings, curves, inertia, torsion};
 pub use check::{check, explained, explanations};
 pub use code::{code_faults, code_reading, completion, listed};

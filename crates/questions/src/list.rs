@@ -14,6 +14,7 @@ mod unanswered;
 pub mod battery;
 pub mod bearing;
 pub mod catalogue;
+pub mod catalogue_check;
 pub mod check;
 pub mod code_complete;
 pub mod code_list;
@@ -60,6 +61,7 @@ pub use given::{Given, Hinted, bounded, recognises};
 pub use inquiry::{Answer, Inquiry, PlacedAxis, ReferencedText, media};
 pub use unanswered::Unanswered;
 
+use project::{CATALOGUE_MAX_BYTES, PROJECT_MAX_BYTES};
 use words::{Word, help};
 
 /// Every question, in the order in which a face lists them.
@@ -84,6 +86,7 @@ pub static LIST: &[&Entry] = &[
     &encoder_trace::ENTRY,
     &errata::ENTRY,
     &catalogue::ENTRY,
+    &catalogue_check::ENTRY,
     &torsion::ENTRY,
     &commission::ENTRY,
     &commission_drive::ENTRY,
@@ -231,10 +234,21 @@ pub enum Reads {
     Project,
     /// A list of pins.
     Pins,
-    /// Measured values.
+    /// Values of the caller: measured ones, or those of catalogue files.
     Measured,
     /// Two revisions of a project.
     TwoProjects,
+}
+
+impl Reads {
+    /// Returns the largest size of a text in bytes.
+    #[must_use]
+    pub const fn bytes_most(self) -> usize {
+        match self {
+            Self::Measured => CATALOGUE_MAX_BYTES,
+            Self::Nothing | Self::Project | Self::Pins | Self::TwoProjects => PROJECT_MAX_BYTES,
+        }
+    }
 }
 
 /// Kind of an answer.

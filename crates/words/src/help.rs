@@ -234,6 +234,18 @@ texts! {
     catalogue_export =
         "Every cell of the manufacturer's tables in long format"
         | "Jede Zelle der Herstellertabellen im Langformat";
+    catalogue_check =
+        "Check catalogue files: faults with line and column, then implausible values with their reasons"
+        | "Katalogdateien prüfen: Fehler mit Zeile und Spalte, dann unplausible Werte mit Begründung";
+    catalogue_check_files =
+        "Catalogue files in TOML or CSV; - reads standard input"
+        | "Katalogdateien in TOML oder CSV; - liest die Standardeingabe";
+    catalogue_check_fix_units =
+        "Propose cells with other units or shifted decimal marks that resolve findings; writes nothing"
+        | "Zellen mit anderen Einheiten oder verschobenem Komma vorschlagen, die Befunde auflösen; schreibt nichts";
+    catalogue_check_exit =
+        "Exit status: 0 no finding, 1 implausible values, 2 faults of a file"
+        | "Rückgabewert: 0 kein Befund, 1 unplausible Werte, 2 Fehler einer Datei";
     catalogue_format = "csv (default) or json" | "csv (Vorgabe) oder json";
     antrieb =
         "Engineering workbench for hollow-shaft servo actuators of the CHA series"

@@ -37,6 +37,7 @@ pub mod page;
 pub mod pages;
 pub mod pictures;
 mod plain;
+pub mod plausibility;
 mod print;
 mod project_file;
 mod project_page;
@@ -147,6 +148,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("operation", operation::TEXTS),
     ("pages", pages::TEXTS),
     ("pictures", pictures::TEXTS),
+    ("plausibility", plausibility::TEXTS),
     ("recorded_template", recorded_template::TEXTS),
     ("records", records::TEXTS),
     ("report", report::TEXTS),

@@ -12,7 +12,9 @@ texts! {
     project_body = "the text of a project file (TOML)" | "der Text einer Projektdatei (TOML)";
     two_projects_body = "the texts of two project files" | "die Texte zweier Projektdateien";
     pins_body = "a pin list (CSV)" | "eine Stiftliste (CSV)";
-    measured_body = "measured values (TOML)" | "gemessene Werte (TOML)";
+    measured_body =
+        "measured values (TOML), or a catalogue file (TOML or CSV)"
+        | "gemessene Werte (TOML) oder eine Katalogdatei (TOML oder CSV)";
     lang = "Language of the texts, en (default) or de" | "Sprache der Texte, en (ohne Angabe) oder de";
     file =
         "Name of the project in faults and files (stdin)"

@@ -16,7 +16,7 @@ const REMAINING: [(&str, usize); 14] = [
     ("crates/page", 15),
     ("crates/project", 28),
     ("crates/quantities", 4),
-    ("crates/questions", 63),
+    ("crates/questions", 60),
     ("crates/recording", 7),
     ("crates/sizing", 37),
     ("crates/trace", 8),

@@ -4,6 +4,7 @@ use crate::source::SourceFile;
 use project::{PROJECT_MAX_BYTES, written};
 use quantities::Language;
 use questions::embedded_catalogue;
+use questions::list::Reads;
 use std::path::{Path, PathBuf};
 
 /// Extensions of recordings.
@@ -61,7 +62,7 @@ pub(super) fn is_project(path: &Path) -> bool {
 /// Returns the code of the best actuator of the first project among some words; `None` if there is no answer.
 pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<String> {
     let path = words.iter().map(Path::new).find(|path| path.extension().is_some_and(|ending| ending == "toml"))?;
-    let file = SourceFile::read(path, questions::MEMORY_USUAL, language).ok()?;
+    let file = SourceFile::read(path, Reads::Project, questions::MEMORY_USUAL, language).ok()?;
     let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
     let [project] = &projects[..] else { return None };
     let sizing = questions::size(project);

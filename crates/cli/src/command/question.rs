@@ -112,7 +112,8 @@ fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
             file("old", values::old(l), help::diff_old(l)),
             file("new", values::new(l), help::diff_new(l)).display_order(2),
         ],
-        Reads::Nothing | Reads::Pins | Reads::Measured => Vec::new(),
+        Reads::Measured => vec![file("files", values::file(l), help::catalogue_check_files(l)).num_args(1..)],
+        Reads::Nothing | Reads::Pins => Vec::new(),
     };
     words.into_iter().map(|word| word.required(true)).collect()
 }

@@ -2284,6 +2284,124 @@ class CatalogueCell(Record):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CatalogueCheck(Record):
+    """`catalogue check`: plausibility of catalogue files."""
+
+    plausible: bool
+    """`true` without a finding."""
+    files: Rows[CheckedCatalogue]
+    """Files in the order of the call."""
+
+    def __iter__(self) -> Iterator[CheckedCatalogue]:
+        return iter(self.files)
+
+    def __getitem__(self, key: int | str, /) -> CheckedCatalogue:
+        return self.files[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CheckedCatalogue(Record):
+    """Plausibility of one catalogue file."""
+
+    file: str
+    """Name of the file."""
+    products: int
+    """Number of products."""
+    findings: Rows[CatalogueFinding]
+    """Implausible values, in the order of the file."""
+    proposals: Rows[CatalogueProposal]
+    """Proposed cells, in the order of the file; empty unless requested."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CatalogueFinding(Record):
+    """An implausible value, or several that contradict each other."""
+
+    id: str
+    """Id of the rule."""
+    product: str
+    """Name of the product."""
+    line: int
+    """Line of the first value, from 1."""
+    column: int
+    """Column of the first value in characters, from 1."""
+    formula: str
+    """Compared ratio in symbols, or the key that is compared with other products; empty for names."""
+    value: float | None = None
+    """Value of the ratio; `null` for names."""
+    low: float | None = None
+    """Smallest plausible ratio; `null` for names."""
+    high: float | None = None
+    """Largest plausible ratio; `null` for names."""
+    unit: str
+    """Unit of the ratio; empty for a pure number."""
+    figures: Rows[CatalogueFigure]
+    """Compared values."""
+    other: OtherProduct | None = None
+    """Other product concerned; `null` if there is none."""
+    message: str
+    """Description of the finding."""
+    reason: str
+    """Reason why the values contradict each other, and the usual cause."""
+
+    def __iter__(self) -> Iterator[CatalogueFigure]:
+        return iter(self.figures)
+
+    def __getitem__(self, key: int | str, /) -> CatalogueFigure:
+        return self.figures[key]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CatalogueFigure(Record):
+    """A value that a rule compares."""
+
+    symbol: str
+    """Symbol in the formula; empty for a rule without a formula."""
+    key: str
+    """Name of the key."""
+    written: str
+    """Value as written, with its unit."""
+    line: int
+    """Line of the value, from 1."""
+    column: int
+    """Column of the value in characters, from 1."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class OtherProduct(Record):
+    """Another product of the file."""
+
+    product: str
+    """Name of the product."""
+    line: int
+    """Line of the product, from 1."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class CatalogueProposal(Record):
+    """A proposed cell: with this one change, no rule that reads the value has a finding. Nothing is written to the file."""
+
+    product: str | None = None
+    """Name of the product; `null` for the heading of a column."""
+    key: str
+    """Name of the key."""
+    line: int
+    """Line of the cell, from 1."""
+    column: int
+    """Column of the cell in characters, from 1."""
+    old: str
+    """Cell as written."""
+    new: str
+    """Proposed cell."""
+    meant: str
+    """Value that the proposed cell means, with its unit; for a heading the unit."""
+    resolves: list[str]
+    """Ids of the rules that the value breaks as written."""
+    alternative: bool
+    """`true` if another proposal for the product resolves the same findings: one of them is wrong."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Torsion(Record):
     """`torsion`: twist angle of a gear under a torque."""
 
@@ -3594,11 +3712,16 @@ __all__ = [
     "CableFor",
     "CableRole",
     "CatalogueCell",
+    "CatalogueCheck",
+    "CatalogueFigure",
+    "CatalogueFinding",
+    "CatalogueProposal",
     "Centre",
     "Check",
     "CheckChange",
     "CheckId",
     "CheckRow",
+    "CheckedCatalogue",
     "Choice",
     "Circuit",
     "CitedErratum",
@@ -3704,6 +3827,7 @@ __all__ = [
     "NotSought",
     "NoteBy",
     "OpenField",
+    "OtherProduct",
     "OverloadSupervision",
     "OverloadTrip",
     "Part",

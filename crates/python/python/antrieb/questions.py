@@ -1295,6 +1295,47 @@ def catalogue_export(
     return answer
 
 
+def catalogue_check(
+    text: Text,
+    *,
+    lang: Lang = "en",
+    fix_units: bool = False,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: str | None = None,
+    memory: str | None = None,
+) -> answers.CatalogueCheck:
+    """Check catalogue files: faults with line and column, then implausible values with their reasons.
+
+    Args:
+        text: The catalogue file as text, or the path of its file.
+        lang: Language of the texts: `en` or `de`.
+        fix_units: Propose cells with other units or shifted decimal marks that resolve findings; writes nothing.
+        file: What a text is called in faults.
+        folder: Where the recordings that a text names lie; without it the current folder.
+        deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
+        memory: How much memory the recordings may take, such as `1 GiB`.
+
+    Returns:
+        The record, as `--json` has it, as typed objects; units as `antrieb.answers` states.
+
+    Raises:
+        AntriebError: Every fault of the call.
+    """
+    answer: answers.CatalogueCheck = ask(
+        lambda: answers.CatalogueCheck,
+        "catalogue check",
+        (text,),
+        [("fix-units", flag("fix_units", fix_units))],
+        lang,
+        file=file,
+        folder=folder,
+        deadline=deadline,
+        memory=memory,
+    )
+    return answer
+
+
 def torsion(
     code: str,
     *,
@@ -2066,6 +2107,7 @@ _EXAMPLES = {
     "encoder": "encoder CHA-25A-100-H-M512P --angle \"12.5 deg\" --turn 3",
     "errata": "errata CHA-25A-50-H-M512P",
     "catalogue_export": "catalogue export --format csv",
+    "catalogue_check": "catalogue check examples/catalogue/stock.csv",
     "torsion": "torsion CHA-20A-100-H-C1024 --torque \"60 N m\"",
     "commission": "commission CHA-25A-100-H-M512P-B --for sinamics",
     "inertia": "inertia \"disc diameter=200mm length=20mm density=7850kg/m^3\"",
@@ -2087,6 +2129,7 @@ __all__ = [
     "battery",
     "bearing",
     "catalogue",
+    "catalogue_check",
     "catalogue_export",
     "check",
     "code",

@@ -108,7 +108,7 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
     out.push_str("\n\n");
     out.push_str(&head(entry, &takes, &every));
     let _ = writeln!(out, "    \"\"\"{}\"\"\"", about(entry, &takes));
-    let sources: Vec<String> = sources(entry.reads).iter().map(|each| each.name.clone()).collect();
+    let sources: Vec<String> = sources(entry).iter().map(|each| each.name.clone()).collect();
     let texts = if sources.is_empty() { "()".to_owned() } else { format!("({},)", sources.join(", ")) };
     let pair = |each: &Argument| {
         let (option, name) = (quoted(each.name), name(each.name));
@@ -290,15 +290,18 @@ fn union<'t>(types: impl Iterator<Item = &'t str>) -> String {
 }
 
 /// Returns the parameters for the subject of a function.
-fn sources(reads: Reads) -> Vec<Parameter> {
+fn sources(entry: &Entry) -> Vec<Parameter> {
     let text = |name: &str, about: &str| Parameter {
         name: name.to_owned(),
         of: "Text".to_owned(),
         usual: None,
         about: about.to_owned(),
     };
-    match reads {
+    match entry.reads {
         Reads::Nothing => Vec::new(),
+        Reads::Measured if entry.command == "catalogue check" => {
+            vec![text("text", "The catalogue file as text, or the path of its file.")]
+        }
         Reads::Project => vec![text("text", "The project as text, or the path of its file.")],
         Reads::Pins => vec![text("text", "The list of pins in CSV as text, or the path of its file.")],
         Reads::Measured => vec![text("text", "The measured values as text, or the path of their file.")],
@@ -319,7 +322,7 @@ fn takes(entry: &Entry) -> Takes {
     let (must, may): (Vec<&Argument>, Vec<&Argument>) = at_place.into_iter().partition(|each| each.required);
     let (before, must): (Vec<&Argument>, Vec<&Argument>) = must.into_iter().partition(|each| is_recorded(each));
     let mut first: Vec<Parameter> = before.into_iter().map(|each| of_argument(each, entry.gives)).collect();
-    first.extend(sources(entry.reads));
+    first.extend(sources(entry));
     first.extend(must.into_iter().chain(may).map(|each| of_argument(each, entry.gives)));
     named.push(Parameter {
         name: "lang".to_owned(),

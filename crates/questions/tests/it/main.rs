@@ -5,6 +5,7 @@ mod another_series;
 mod answers_page;
 mod begins_in_motion;
 mod cam_table;
+mod catalogue_check;
 mod catalogue_files;
 mod check_and_twin;
 mod cited;
