@@ -84,7 +84,7 @@ fn names(block: &[&Candidate<'_>]) -> String {
     block.iter().map(|candidate| candidate.id.to_string()).collect::<Vec<_>>().join(" ")
 }
 
-/// Returns what an objection asks for: another requirement, or nothing for a code that cannot be ordered.
+/// Returns what would remove an objection: another requirement, or nothing for a code that cannot be ordered.
 fn without(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
     let text = objection_text(candidate, objection, language);
     match objection {

@@ -265,7 +265,7 @@ impl StackedChart {
         inside as f64 * SEGMENT_LEAST <= plane.area.right - plane.area.left
     }
 
-    /// Returns the borders within a plane \[px\]; none if they would stand too close to be told apart.
+    /// Returns the borders within a plane \[px\]; none if they would stand too close to each other.
     fn borders_in(&self, plane: &Plane) -> Vec<f64> {
         if !self.are_segments_seen(plane) {
             return Vec::new();

@@ -133,7 +133,7 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
         if role == Role::Time && found.is_empty() {
             found.extend(seconds(headings));
         }
-        // Names that differ in case only (t in s, T in Nm) are told apart by their units.
+        // Names that differ in case only (t in s, T in Nm) are distinguished by their units.
         let has_unit_of_another =
             |pick: &Pick| headings.get(pick.index).is_some_and(|heading| heading.has_unit_of_another(role));
         if found.len() > 1 && !found.iter().all(has_unit_of_another) {

@@ -63,3 +63,9 @@ pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     parts.retain(|part| !part.is_empty());
     parts.join(", ")
 }
+
+/// Returns the place of an erratum in words: the table, and the cell or a description; empty for an unknown id.
+#[must_use]
+pub fn erratum_place_of(id: &str, language: Language) -> String {
+    catalogue::erratum(id).map_or_else(String::new, |erratum| erratum_place(erratum, language))
+}

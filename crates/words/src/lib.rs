@@ -77,7 +77,7 @@ pub use commissioned::{
     unjudged_text,
 };
 pub use derivation::{found_condition, found_text, symbol_shown};
-pub use errata::{ERRATUM_MARK, erratum_kind, erratum_place, erratum_status, marked};
+pub use errata::{ERRATUM_MARK, erratum_kind, erratum_place, erratum_place_of, erratum_status, marked};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{FaultWords, Worded, fault_text, hint_text, own_hint, worded};
@@ -101,9 +101,9 @@ pub use quantity::{percent_text, quantity_fault, quantity_hint, unpadded};
 pub use recording::{encoding_guess, recording_text, role_text, table_text};
 pub use results::{
     Counts, Provisos, advice_word, check_missing, check_title, condition_text, conditions_text, counts_text,
-    curve_title, degree_of_protection, equation_text, erratum_place_of, evidence_text, figure_term, grade_about,
-    grade_word, minutes, missing_data_text, part_title, proviso_text, ranking_rule, row_name, row_sign, source_text,
-    standing_text, symbol_term, title_of_check, unmet_text, verdict_count, verdict_word, without_limit,
+    curve_title, degree_of_protection, equation_text, evidence_text, figure_term, grade_about, grade_word, minutes,
+    missing_data_text, part_title, proviso_text, ranking_rule, row_name, row_sign, source_text, standing_text,
+    symbol_term, title_of_check, unmet_text, verdict_count, verdict_word, without_limit,
 };
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;

@@ -1,7 +1,6 @@
 //! Words for results: checks, requirements, sources.
 
 use crate::derivation::symbol_shown;
-use crate::errata::erratum_place;
 use crate::texts::said;
 use crate::{document_short, pick, terminal, terms};
 use actuator::CurveKind;
@@ -404,12 +403,6 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
 pub(super) fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
     let number = format_significant(unit.from_si(si), digits, language);
     if unit.symbol == "1" { number } else { format!("{number} {}", unit.symbol_in(language)) }
-}
-
-/// Returns the place of an erratum in words: the table, and the cell or a description; empty for an unknown id.
-#[must_use]
-pub fn erratum_place_of(id: &str, language: Language) -> String {
-    catalogue::erratum(id).map_or_else(String::new, |erratum| erratum_place(erratum, language))
 }
 
 /// Returns the evidence for an erratum.
