@@ -7,6 +7,7 @@
 pub mod answer;
 mod candidate;
 mod catalogue_reserve;
+mod catalogue_template;
 pub mod chapter;
 mod chapters;
 mod closed;

@@ -150,16 +150,21 @@ fn bracketed(written: &str) -> Option<(String, &str)> {
     let groups = written.char_indices().filter_map(|(place, sign)| {
         let (open, close) = BRACKETS.into_iter().find(|(open, _)| *open == sign)?;
         let rest = written.get(place + open.len_utf8()..)?;
-        let inner = rest.get(..rest.find(close)?)?;
+        let inner = rest.get(..closing(rest, (open, close)).or_else(|| rest.find(close))?)?;
         let before = written.get(..place)?;
         let behind = rest.get(inner.len() + close.len_utf8()..)?;
         (!before.trim().is_empty()).then_some((before, inner, behind))
     });
     let groups: Vec<(&str, &str, &str)> = groups.take(GROUPS_MOST).collect();
-    let unit = groups
-        .iter()
-        .rev()
-        .find(|(_, inner, _)| !inner.bytes().all(|byte| byte.is_ascii_digit()) && Unit::of(inner).is_some());
+    let is_unit = |(_, inner, _): &&(&str, &str, &str)| {
+        !inner.bytes().all(|byte| byte.is_ascii_digit()) && Unit::of(inner).is_some()
+    };
+    // The brackets of a fraction belong to its unit: `[A/(1/min)]`.
+    let is_within = |part: &(&str, &str, &str), whole: &(&str, &str, &str)| {
+        whole.0.len() < part.0.len() && whole.2.len() < part.2.len()
+    };
+    let units: Vec<&(&str, &str, &str)> = groups.iter().filter(is_unit).collect();
+    let unit = units.iter().rev().find(|part| !units.iter().any(|whole| is_within(part, whole))).copied();
     let is_about = |inner: &str| {
         let words = words(inner);
         let about = |word: &String| {
@@ -173,6 +178,20 @@ fn bracketed(written: &str) -> Option<(String, &str)> {
     // `n / (1/min)` is a fraction in brackets, not a name that ends with a stroke.
     let before = before.trim_end();
     Some((format!("{}{behind}", before.strip_suffix('/').unwrap_or(before)), inner))
+}
+
+/// Returns the place of the bracket that closes one opened before a text.
+fn closing(rest: &str, (open, close): (char, char)) -> Option<usize> {
+    let mut depth = 0_usize;
+    for (place, sign) in rest.char_indices() {
+        if sign == open {
+            depth += 1;
+        } else if sign == close {
+            let Some(outer) = depth.checked_sub(1) else { return Some(place) };
+            depth = outer;
+        }
+    }
+    None
 }
 
 /// Maximum number of brackets of a name that are examined.
@@ -261,6 +280,8 @@ mod tests {
             ("n / 1/min", "n", Some("1/min")),
             ("n / (1/min)", "n", Some("1/min")),
             ("n [1/min]", "n", Some("1/min")),
+            ("K_INL [A/(1/min)]", "K_INL", Some("A/(1/min)")),
+            ("k_E (V/(rad/s))", "k_E", Some("V/(rad/s)")),
             ("n in 1/min", "n", Some("1/min")),
             ("pos / °", "pos", Some("°")),
             ("t/s", "t", Some("s")),

@@ -8,6 +8,7 @@ mod actuator_keys;
 mod assumptions;
 mod axis_faults;
 mod bodies;
+pub mod catalogue_template;
 mod codes;
 pub mod commission;
 mod commissioned;
@@ -137,6 +138,7 @@ pub fn capitalised(text: &str) -> String {
 
 /// Every module of texts by name, for tests of all texts.
 pub const MODULES: &[(&str, &[Text])] = &[
+    ("catalogue_template", catalogue_template::TEXTS),
     ("commission", commission::TEXTS),
     ("encoder", encoder::TEXTS),
     ("help", help::TEXTS),

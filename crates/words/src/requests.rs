@@ -23,7 +23,7 @@ texts! {
         "json, csv or parquet for one table, xlsx for the workbook; default: json if a table is named, otherwise xlsx"
         | "json, csv oder parquet für eine Tabelle, xlsx für die Arbeitsmappe; ohne Angabe json, wenn eine Tabelle genannt ist, sonst xlsx";
     figure = "Picture" | "Bild";
-    kind = "Kind of the project" | "Art des Projekts";
+    kind = "Kind of the file" | "Art der Datei";
     kind_manual =
         "load as moment of inertia and torque, moves as in the manual"
         | "Last als Massenträgheitsmoment und Moment, Bewegungen wie in der Anleitung";

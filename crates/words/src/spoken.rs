@@ -143,6 +143,7 @@ pub const KINDS: &[(&str, &[&str])] = &[
     ("four_bar", &["linkage", "four bar linkage", "gelenkviereck", "koppelgetriebe"]),
     ("joint", &["robot", "robot joint", "roboter", "gelenk", "robotergelenk"]),
     ("recording", &["trace", "log", "csv", "aufzeichnung", "messung"]),
+    ("catalogue", &["catalog", "stock list", "data sheet", "katalog", "lagerliste", "datenblatt"]),
     ("sweep", &["grid", "variation", "raster"]),
 ];
 

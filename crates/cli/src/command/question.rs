@@ -21,8 +21,8 @@ pub(super) fn listed(entry: &Entry, language: Language) -> Command {
 /// Returns the command of a question.
 pub(super) fn command(entry: &'static Entry, language: Language) -> Command {
     let questions: Vec<&Entry> = std::iter::once(entry).chain(entry.others()).collect();
-    // The extension of a file decides its format, so that no argument is needed.
-    let by_ending = entry.files().any(|file| file.media.len() > 1);
+    // The extension of a file decides its format, so that no argument is needed besides a record on standard output.
+    let by_ending = entry.gives.is_record() && entry.files().any(|file| file.media.len() > 1);
     let mut arguments: Vec<&Argument> = Vec::new();
     for argument in questions.iter().flat_map(|question| question.arguments) {
         let is_known = arguments.iter().any(|known| known.name == argument.name);

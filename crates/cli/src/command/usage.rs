@@ -218,7 +218,7 @@ mod tests {
         ] {
             let found = refused_for("antrieb new", false, language);
             assert_eq!((found.code, found.data.as_str()), (2, ""), "{language:?}");
-            for kind in template_kinds().chain(["sweep"]) {
+            for kind in template_kinds().chain(["sweep", "catalogue"]) {
                 let about = kind_about(kind, language).unwrap();
                 let line = found.talk.lines().find(|line| line.trim_start().starts_with(&format!("{kind} "))).unwrap();
                 assert!(line.ends_with(about) && about.len() > 9, "{kind}: {line}");

@@ -1942,10 +1942,11 @@ def upkeep_ical(
 
 
 def new(
-    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "load", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep"],
+    kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "load", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep", "catalogue"],
     *,
     lang: Lang = "en",
     example: bool = False,
+    format: Literal["toml", "csv"] | None = None,
     key: str | Sequence[str] | None = None,
     by: Literal["sobol", "lhs", "grid"] = "sobol",
     samples: int = 100,
@@ -1954,9 +1955,10 @@ def new(
     """Create a commented project file to fill in.
 
     Args:
-        kind: Kind of the project.
+        kind: Kind of the file.
         lang: Language of the texts: `en` or `de`.
         example: An example of a machine with all that it may have, instead of the plain file.
+        format: Format of a catalogue file: toml (default) or csv; by the ending of the file that is written.
         key: For `new sweep`: a key with its range or values, "motion[1].time [s] = 1..3 log"; may be repeated.
         by: For `new sweep`: sampling method (sobol).
         samples: For `new sweep`: number of sampled rows, or steps per range of a grid (100). 1 to 1000000.
@@ -1972,7 +1974,7 @@ def new(
         lambda: object,
         "new",
         (),
-        [("kind", kind), ("example", flag("example", example)), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
+        [("kind", kind), ("example", flag("example", example)), ("format", format), ("key", key), ("by", by), ("samples", samples), ("seed", seed)],
         lang,
     )
     return answer

@@ -1,9 +1,10 @@
-//! `new KIND`: a commented project file to fill in.
+//! `new KIND`: a commented project file, or catalogue file, to fill in.
 
 use super::given::{arguments, by_id, count, flag, lines, text, word};
 use super::{
     Answer, Argument, ArgumentForm, ArgumentKind, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, media,
 };
+use crate::catalogue_template::{CatalogueFormat, catalogue_template};
 pub use crate::incoming::IncomingFile;
 pub use crate::recorded_template::{begins_with_motion, recorded};
 use crate::sizing_use::Refusal;
@@ -12,16 +13,19 @@ pub use crate::templates::{Template, example, plain_text, template, template_kin
 use quantities::Language;
 use words::help::values;
 use words::spoken::KINDS;
-use words::{help, requests};
+use words::{catalogue_template, help, requests};
 
 arguments! {
     /// Arguments of `new`: kind of the file, and columns of a table.
     pub struct Args {
         /// The kind.
         kind: Option<String> = Argument::option("kind", values::kind, requests::kind)
-            .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP]).collect())).form(ArgumentForm::Bare).required().titled(other_words) => text,
+            .of(ArgumentKind::Word(|| template_kinds().chain([SWEEP, CATALOGUE]).collect())).form(ArgumentForm::Bare).required().titled(other_words) => text,
         /// The example of a machine with all that it may have, in place of the plain file.
         example: bool = Argument::flag("example", help::new_example) => flag,
+        /// Format of a catalogue file.
+        format: Option<CatalogueFormat> = Argument::option("format", values::format, catalogue_template::format)
+            .of(ArgumentKind::Word(|| CatalogueFormat::IDS.to_vec())) => word(by_id(&CatalogueFormat::ALL, CatalogueFormat::id)),
         /// Keys of a table with their ranges, one per line.
         key: String = Argument::option("key", values::text, help::new_key).repeated() => lines,
         /// Method of covering the ranges of a table.
@@ -40,9 +44,15 @@ arguments! {
 /// The kind of a table of rows for a sweep.
 const SWEEP: &str = "sweep";
 
+/// The kind of a catalogue file.
+const CATALOGUE: &str = "catalogue";
+
+/// Name of a catalogue file without its ending.
+const CATALOGUE_NAME: &str = "stock";
+
 /// Returns the words of [`KINDS`], each with its kind.
 fn other_words() -> Vec<(String, &'static str)> {
-    let is_kind = |kind: &&str| *kind == SWEEP || template_kinds().any(|known| known == *kind);
+    let is_kind = |kind: &&str| [SWEEP, CATALOGUE].contains(kind) || template_kinds().any(|known| known == *kind);
     let of = |(kind, words): &(&'static str, &'static [&'static str])| {
         let kind = *kind;
         words.iter().map(move |word| ((*word).to_owned(), kind)).collect::<Vec<_>>()
@@ -61,7 +71,8 @@ pub static ENTRY: Entry = Entry {
     writes: &[OutputFile::of("out", &[media::TOML, media::CSV], help::new_out)],
     example: "arm --out axis.toml",
     answer: Some(|inquiry| {
-        let is_table = inquiry.given.all("kind").any(|kind| kind == SWEEP);
+        let Args { kind, format, .. } = Args::read(&inquiry.given)?;
+        let is_table = kind.as_deref() == Some(SWEEP) || format == Some(CatalogueFormat::Csv);
         let media = if is_table { media::CSV } else { media::TOML };
         Ok(Answer::text(media, found(inquiry, USUAL_NAME)?.text))
     }),
@@ -76,6 +87,7 @@ pub fn kind_about(kind: &str, language: Language) -> Option<&'static str> {
         "table" => requests::kind_table,
         "recording" => requests::kind_recording,
         SWEEP => requests::kind_sweep,
+        CATALOGUE => catalogue_template::kind,
         mechanism => {
             let key = project::key_at(&format!("mechanism.{mechanism}"))?;
             return Some(words::about_text(key.about, language));
@@ -90,10 +102,17 @@ pub const USUAL_NAME: &str = "axis.toml";
 /// Returns the project file for a file name.
 ///
 /// # Errors
-/// If the kind does not exist.
+/// If the kind does not exist, or has another format than the one that is stated.
 pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> {
     let args = Args::read(&inquiry.given)?;
     let kind = args.kind.unwrap_or_default();
+    if kind == CATALOGUE {
+        return catalogue(args.format, file, inquiry.language);
+    }
+    if args.format.is_some() {
+        let message = catalogue_template::format_of_catalogue_only(inquiry.language).to_owned();
+        return Err(Unanswered::option("format", (message, None)));
+    }
     if kind == SWEEP {
         let text =
             table(args.key.lines(), args.by.unwrap_or_default(), args.samples, args.seed as u64, inquiry.language)?;
@@ -101,6 +120,22 @@ pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> 
     }
     let of = if args.example { example } else { template };
     Ok(of(&kind, file, inquiry.language).ok_or(Refusal::NoData)?)
+}
+
+/// Returns the catalogue file for a file name, whose ending is that of the format.
+fn catalogue(stated: Option<CatalogueFormat>, file: &str, language: Language) -> Result<Template, Unanswered> {
+    let is_usual = file == USUAL_NAME;
+    let ending = file.rsplit_once('.').map(|(_, ending)| ending.to_lowercase()).filter(|_| !is_usual);
+    let by_ending = CatalogueFormat::ALL.into_iter().find(|format| ending.as_deref() == Some(format.id()));
+    if let (Some(stated), Some(other)) = (stated, by_ending)
+        && stated != other
+    {
+        return Err(Unanswered::option("format", (catalogue_template::other_ending(&other.id(), language), None)));
+    }
+    let format = stated.or(by_ending).unwrap_or(CatalogueFormat::Toml);
+    let usual = || format!("{CATALOGUE_NAME}.{}", format.id());
+    let file = if is_usual { usual() } else { file.to_owned() };
+    Ok(Template { text: catalogue_template(format, &file, language), recording: None })
 }
 
 #[cfg(test)]
@@ -114,7 +149,7 @@ mod tests {
         let words: Vec<&str> = KINDS.iter().flat_map(|(_, words)| words.iter().copied()).collect();
         let once: BTreeSet<&str> = words.iter().copied().collect();
         assert_eq!(words.len(), once.len());
-        let kinds: BTreeSet<&str> = template_kinds().chain([SWEEP]).collect();
+        let kinds: BTreeSet<&str> = template_kinds().chain([SWEEP, CATALOGUE]).collect();
         for (kind, words) in KINDS {
             assert!(kinds.contains(kind), "{kind}");
             for word in *words {
@@ -124,5 +159,37 @@ mod tests {
                 assert_eq!(found.ok().and_then(|args| args.kind).as_deref(), Some(*kind), "{word}");
             }
         }
+    }
+
+    fn made(pairs: &[(&str, &str)], file: &str) -> Result<String, Unanswered> {
+        let pairs = pairs.iter().map(|(name, value)| ((*name).into(), (*value).into()));
+        let given = Given::of(Args::ARGUMENTS, pairs, Language::En)?;
+        let progress = crate::Progress::endless();
+        let catalogue = crate::embedded_catalogue();
+        let (sources, language) = (Vec::new(), Language::En);
+        let inquiry = Inquiry {
+            given,
+            sources,
+            catalogue,
+            days_since_1970: None,
+            progress: &progress,
+            refuses_long: true,
+            language,
+        };
+        found(&inquiry, file).map(|template| template.text)
+    }
+
+    #[test]
+    fn the_format_of_a_catalogue_file_is_stated_or_that_of_its_ending() {
+        let kind = ("kind", CATALOGUE);
+        let is_toml = |text: Result<String, Unanswered>| text.unwrap().contains("[[actuator]]");
+        assert!(is_toml(made(&[kind], USUAL_NAME)));
+        assert!(is_toml(made(&[kind], "mine.TOML")));
+        assert!(is_toml(made(&[kind], "mine")));
+        assert!(!is_toml(made(&[kind], "mine.csv")));
+        assert!(!is_toml(made(&[kind, ("format", "csv")], USUAL_NAME)));
+        assert!(!is_toml(made(&[kind, ("format", "csv")], "mine")));
+        assert!(made(&[kind, ("format", "csv")], "mine.toml").is_err());
+        assert!(made(&[("kind", "arm"), ("format", "csv")], USUAL_NAME).is_err());
     }
 }
