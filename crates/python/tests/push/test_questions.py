@@ -13,6 +13,7 @@ import os
 import pathlib
 import pickle
 import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -60,13 +61,14 @@ def call_of(function: typing.Any, example: str) -> tuple[dict[str, typing.Any], 
             value: typing.Any = True if hints.get(name) is bool else words.pop(0)
             if hints.get(name) is int or hints.get(name) == int | None:
                 value = int(value)
-            if name == "out" and "format" in parameters:
+            # The format of a catalogue file is chosen for `new catalogue` alone.
+            if name == "out" and "format" in parameters and function is not questions.new:
                 name, value = "format", pathlib.Path(value).suffix[1:]
             whole = whole and name in parameters and name != "format"
             if name in parameters:
                 several = name in named and not isinstance(named[name], list)
                 named[name] = [named[name], value] if several else value
-        elif word.endswith(".toml") and sources:
+        elif (word.endswith(".toml") or word.startswith("examples/")) and sources:
             named[sources.pop(0)] = pathlib.Path(word)
         else:
             named[places.pop(0)] = word
@@ -96,6 +98,7 @@ class Questions(unittest.TestCase):
         for name in ("axis.toml", "before.toml"):
             pathlib.Path(name).write_text(PROJECT, encoding="utf-8")
         pathlib.Path("after.toml").write_text(PROJECT.replace("inertia = \"", "inertia = \"1", 1), encoding="utf-8")
+        shutil.copytree(EXAMPLES / "catalogue", "examples/catalogue")
         # The name is that of the example; over a question a table is read as CSV.
         pathlib.Path("tasks.parquet").write_text("load.inertia [kg m^2]\n1.0\n1.3\n", encoding="utf-8")
         run = command("simulate", "axis.toml", "--code", CODE, "--out", "run.csv")
