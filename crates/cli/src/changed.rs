@@ -4,7 +4,7 @@ pub(crate) mod keys;
 
 use crate::command::typed::typed;
 use clap::ArgMatches;
-use project::{Edit, edit, key_at, load_scaled, nearest_heading, paced, stretch, written};
+use project::{Edit, Written, edit, key_at, load_scaled, nearest_heading, paced, stretch, written};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use words::{Usage, UsageHint, terminal, usage_hint, usage_text};
@@ -121,7 +121,11 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
             [path] => path.clone(),
             [] => {
                 let stated: Vec<&str> = all.iter().map(|each| each.path.as_str()).collect();
-                let hint = nearest_heading(&key, &stated).map(|hint| usage_hint(&UsageHint::Words(hint), language));
+                let with_unit = with_units(&all, (prefix, &key), value);
+                let hint = match with_unit.is_empty() {
+                    false => Some(usage_hint(&UsageHint::Calls(with_unit), language)),
+                    true => nearest_heading(&key, &stated).map(|hint| usage_hint(&UsageHint::Words(hint), language)),
+                };
                 return Err((terminal::set_no_key(&seen(&key), language), hint));
             }
             found => {
@@ -142,6 +146,25 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     let before = stated(&path).unwrap_or("–").to_owned();
     let done = edit(text, &path, Edit::Value(value)).map_err(|fault| (fault.to_string(), None))?;
     Ok((done, format!("{path} {before} → {}", if value.is_empty() { "–" } else { value })))
+}
+
+/// Values of which a number without a unit may lack the unit, one of each quantity that a project often states.
+const UNITS: [&str; 12] = ["mm", "s", "deg", "N m", "N", "kg", "kg m^2", "V", "degC", "1/min", "m/s", "rad/s^2"];
+
+/// Returns the options that state a number with the unit that it lacks, for the keys that the end of a path names.
+fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &str) -> Vec<String> {
+    let number = value.replace(',', ".");
+    if number.parse::<f64>().is_err() {
+        return Vec::new();
+    }
+    let mut found: Vec<String> = Vec::new();
+    for unit in UNITS {
+        let value = format!("{number} {unit}");
+        let paths = keys::named(all, prefix, key, &value);
+        found.extend(paths.iter().map(|path| typed(["--set", &format!("{path}={value}")])));
+    }
+    found.truncate(NAMED_KEYS_MOST);
+    found
 }
 
 /// Scales load, payloads, times or distances.

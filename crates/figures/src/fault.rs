@@ -3,7 +3,7 @@
 use quantities::Language;
 use questions::Refusal;
 use questions::answer::refusal_text;
-use words::{check_missing, page, pictures, simulation, terms, wiring};
+use words::{check_missing, pictures, simulation, terms, wiring};
 
 /// Reason why a figure cannot be drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,9 +28,7 @@ impl NoFigure {
     pub fn message(&self, waited_s: Option<f64>, language: Language) -> String {
         match self {
             Self::NoFlangeLoads => terms::no_flange_loads(language).to_owned(),
-            Self::FlangeLoadsOpen(missing) => {
-                format!("{} {}", page::to_be_checked_state(language), check_missing(missing, language))
-            }
+            Self::FlangeLoadsOpen(missing) => terms::flange_loads_open(&check_missing(missing, language), language),
             Self::OfACode => wiring::face_of_a_code(language).to_owned(),
             Self::OfARun => simulation::picture_of_a_run(language).to_owned(),
             Self::NoStiffness => pictures::no_stiffness(language).to_owned(),

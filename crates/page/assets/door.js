@@ -1,6 +1,6 @@
 // Files that come from outside: a project is opened, a recording is shown first and written only when it is used. They are chosen,
 // dropped anywhere, or pasted.
-import { begin, choose, fields, openedBy, put, said, sentences, shut, tell } from './page.js';
+import { begin, choose, named, fields, openedBy, put, said, sentences, shut, tell } from './page.js';
 const $ = (selector) => document.querySelector(selector);
 const ENDINGS = '.csv,.txt,.tsv,.parquet,.pq,.gz,.zst';
 const PREVIEW = '/recording/preview';
@@ -73,7 +73,7 @@ async function use() {
   brought = null;
   shut();
   $('#standing')?.focus({ preventScroll: true });
-  if ($('#text')) put(words); else begin(words, reply.headers.get('x-file') ?? 'axis.toml');
+  if ($('#text')) put(words); else begin(words, named(reply) ?? 'axis.toml');
 }
 document.addEventListener('change', (event) => { if (brought && event.target.form?.id === 'incoming') ask(event.target.name); });
 addEventListener('submit', (event) => { if (event.target.id === 'incoming') { event.preventDefault(); use(); } }, true);

@@ -12,11 +12,13 @@ function opened(name) {
   return name === undefined || name === of ? value : ` ${name}`;
 }
 let shown = '';
+let isOfSaving = false;
 // The verdict takes the focus of a question that is answered.
 function cleared() {
   const notice = $('#disk');
   const had = notice?.contains(document.activeElement);
   notice?.replaceChildren();
+  isOfSaving = false;
   if (had) $('#standing')?.focus({ preventScroll: true });
 }
 let isLooking = false;
@@ -26,7 +28,8 @@ async function look(asked, isSaving = false) {
   isLooking = true;
   try {
     const reply = await fetch(`/watch?${new URLSearchParams({ known: asked, lang: lang() })}`).catch(() => undefined);
-    if (reply?.status !== 200) { if (reply?.status === 204) { cleared(); shown = ''; } return; }
+    // The choices about a refused name stay until one is made.
+    if (reply?.status !== 200) { if (reply?.status === 204 && (isSaving || !isOfSaving)) { cleared(); shown = ''; } return; }
     const version = reply.headers.get('x-version') ?? '';
     const words = await reply.text();
     const of = asked + version + words;
@@ -44,7 +47,7 @@ async function merge(asked, prefer, isSaving) {
   const reply = await fetch('/merge', { method: 'POST', body }).catch(() => undefined);
   if (!reply?.ok) { if (reply) tell(await reply.text()); return; }
   const found = new URLSearchParams(await reply.text());
-  if (found.has('notice')) { $('#disk').innerHTML = found.get('notice'); return; }
+  if (found.has('notice')) { $('#disk').innerHTML = found.get('notice'); isOfSaving = isSaving === true; return; }
   // What was typed meanwhile is merged with the next look.
   if ($('#text').value !== before) { shown = ''; return; }
   known().value = found.get('known');
@@ -78,11 +81,12 @@ document.addEventListener('click', (event) => {
     save();
   } else if (button?.dataset.disk === 'over') {
     known().value = button.dataset.known;
+    $('#file').value = button.dataset.known.split(' ').slice(1).join(' ');
     cleared();
     save();
   }
 });
-addEventListener('antrieb:conflict', () => look(opened($('#file')?.value), true));
+addEventListener('antrieb:conflict', ({ detail }) => look(opened(detail), true));
 addEventListener('focus', () => look(opened()));
 document.addEventListener('visibilitychange', () => look(opened()));
 setInterval(() => look(opened()), 4000);

@@ -152,7 +152,7 @@ function keepDraft(changed) {
   try {
     if (changed) {
       for (const old of drafts().filter((each) => each.key !== key).slice(DRAFTS_MOST - 1)) localStorage.removeItem(old.key);
-      localStorage.setItem(key, JSON.stringify({ text: last, base: saved, file: fileName(), at: Date.now() }));
+      localStorage.setItem(key, JSON.stringify({ text: last, base: saved, file: fileName(), at: Date.now(), from: location.search }));
     } else if (past.length || future.length) localStorage.removeItem(key);
     full = false;
   } catch (fault) {
@@ -181,6 +181,13 @@ function draft() {
   // Of a file, the draft of another tab that was closed or is still open; the latest that belongs to what is in the folder.
   if (!found && key.includes(OWN)) {
     found = drafts().find((each) => ofDraft(each.key)[0] === ofDraft(key)[0] && each.base === text().defaultValue && each.text !== each.base);
+    key = found?.key ?? key;
+  }
+  // Behind a page of the browser that says that nothing answers, an axis that was begun has lost its name: the latest draft that was
+  // begun with the same values is offered.
+  const isBegun = new URLSearchParams(location.search).has('begin');
+  if (!found && isBegun) {
+    found = drafts().find((each) => each.from === location.search && each.text !== text().defaultValue);
     key = found?.key ?? key;
   }
   if (continued && found?.text === text().defaultValue) { saved = found.base; buttons(); return; }
@@ -293,13 +300,30 @@ document.addEventListener('htmx:after:swap', () => {
   // What had the focus is gone: the verdict, which the change was about, takes it.
   if (hadFocus && document.activeElement === document.body) $('#standing')?.focus({ preventScroll: true });
 });
-// A beginning with a fault is not sent: its first field with one takes the focus.
-document.addEventListener('submit', (event) => {
-  const wrong = event.target.matches('.begin-form') && event.target.querySelector('[aria-invalid=true]');
-  if (!wrong) return;
+// A beginning with a fault is not sent: its first field with one takes the focus. It is examined as it is sent, since what was typed last
+// may not have been answered yet.
+const examined = new WeakMap();
+const valuesOf = (form) => String(new URLSearchParams(new FormData(form)));
+document.addEventListener('submit', async (event) => {
+  const form = event.target;
+  if (!form.matches('.begin-form') || examined.get(form) === valuesOf(form)) return;
   event.preventDefault();
   event.stopImmediatePropagation();
-  wrong.focus();
+  const values = valuesOf(form);
+  const reply = await fetch(`/begin/drawing?${values}`).catch(() => undefined);
+  const answer = new DOMParser().parseFromString(reply?.ok ? await reply.text() : '', 'text/html');
+  let wrong;
+  for (const part of answer.querySelectorAll('template[hx-target]')) {
+    const place = form.querySelector(part.getAttribute('hx-target'));
+    if (!place) continue;
+    place.replaceChildren(...document.importNode(part.content, true).childNodes);
+    for (const field of place.parentElement.querySelectorAll('[aria-describedby]')) {
+      if (place.childElementCount > 0) { field.setAttribute('aria-invalid', 'true'); wrong ??= field; } else field.removeAttribute('aria-invalid');
+    }
+  }
+  if (wrong) { wrong.focus(); return; }
+  examined.set(form, values);
+  form.requestSubmit();
 }, true);
 // The drawer gives the focus back to where it was opened.
 let opener = null;
@@ -487,13 +511,15 @@ export function choose(accept, then) {
   chooser.addEventListener('change', () => { if (chooser.files[0]) then(chooser.files[0]); });
   chooser.click();
 }
+// The name of a file in a header, which holds ASCII only.
+export const named = (reply) => { const name = reply.headers.get('x-file'); return name === null ? undefined : decodeURIComponent(name); };
 export async function save() {
   const reply = await send('/save');
   if (!reply) return;
   const words = await reply.text();
   if (reply.ok) {
     try { localStorage.removeItem(draftKey()); for (const each of drafts()) if (each.text === last && ofDraft(each.key)[0] === ofDraft(draftKey())[0]) localStorage.removeItem(each.key); } catch { /* a browser that keeps nothing */ }
-    $('#file').value = reply.headers.get('x-file') ?? $('#file').value;
+    $('#file').value = named(reply) ?? $('#file').value;
     $('#file-name').textContent = $('#file').value;
     $('#state [name=known]').value = `${reply.headers.get('x-version') ?? ''} ${$('#file').value}`;
     saved = last;
@@ -507,7 +533,10 @@ export async function save() {
     buttons();
   } else {
     tell(words);
-    if (reply.status === 409) dispatchEvent(new Event('antrieb:conflict'));
+    if (reply.status === 409) dispatchEvent(new CustomEvent('antrieb:conflict', { detail: named(reply) ?? $('#file').value }));
+    // A file that was opened keeps its name where another one is refused.
+    const of = ($('#state [name=known]')?.value ?? '').split(' ').slice(1).join(' ');
+    if (of) { $('#file').value = of; $('#file-name').textContent = of; }
   }
 }
 // What was loaded from the folder, or merged with what is there: undo leads back.

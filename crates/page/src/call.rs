@@ -147,6 +147,16 @@ impl Reply {
         self
     }
 
+    /// Adds a header with the name of a file; a header holds ASCII, other letters and `%` are percent-encoded.
+    #[must_use]
+    pub fn with_name(self, header: &'static str, name: &str) -> Self {
+        let encoded = name.bytes().map(|byte| match byte {
+            b' '..=b'~' if byte != b'%' => char::from(byte).to_string(),
+            _ => format!("%{byte:02X}"),
+        });
+        self.with(header, encoded.collect::<String>())
+    }
+
     /// Adds the header that makes a browser save the body as a file of this name.
     #[must_use]
     pub fn saved_as(self, name: &str) -> Self {

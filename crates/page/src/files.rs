@@ -87,9 +87,11 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
                 Storage::Disk => page::saved(&name, l),
                 Storage::Browser => page::kept_in_browser(&name, &page::project_file(l), l),
             };
-            Reply::text(200, &text).with("x-version", shell.version(state.text.as_bytes())).with("x-file", name)
+            Reply::text(200, &text).with("x-version", shell.version(state.text.as_bytes())).with_name("x-file", &name)
         }
-        Err(SaveFault::Changed) if opened.is_none() => Reply::text(409, &page::name_is_taken(&name, l)),
+        Err(SaveFault::Changed) if opened.is_none() => {
+            Reply::text(409, &page::name_is_taken(&name, l)).with_name("x-file", &name)
+        }
         Err(SaveFault::Changed) => {
             let text = match folder.place() {
                 Storage::Disk => page::changed_on_disk(&name, l),

@@ -51,7 +51,7 @@ pub(crate) fn used(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     match with_recording(state, choices, &name, choices.smoothing.as_deref()) {
         Ok((text, _)) => {
             let stem = name.split('.').next().unwrap_or_default();
-            Reply::text(200, &text).with("x-file", crate::names::project_name(stem))
+            Reply::text(200, &text).with_name("x-file", &crate::names::project_name(stem))
         }
         Err(_) => Reply::text(422, words::incoming::text_is_faulty(l)),
     }

@@ -6,7 +6,7 @@ use crate::sketch;
 use crate::value::{self, stated, taken};
 use maud::{Markup, html};
 use project::{Edit, Kind, edit, key_at, written};
-use quantities::{Language, Measure, Unit, format_significant};
+use quantities::{Dimension, Language, Measure, Unit, format_significant};
 use questions::list::new::{example, plain_text};
 use questions::list::size::sized;
 use questions::{MechanismId, Progress, Rejected, read_all_watched};
@@ -269,6 +269,8 @@ fn asked_label(begin: &Begin, row: &[&str], language: Language) -> String {
         "motion[1].distance" if begin.mechanism == Some(MechanismId::ScissorLift.key()) => {
             return page::stroke_of_platform(language).to_owned();
         }
+        // The body of a turntable is a disc until it is changed.
+        "mechanism.turntable.body[1].diameter" => return page::diameter_of_the_disc(language).to_owned(),
         "motion[1].speed" => return page::speed_of_crank(language).to_owned(),
         "motion[1].time" => return page::duration_of(language).to_owned(),
         "motion[2].time" => return page::pause_of(language).to_owned(),
@@ -293,7 +295,12 @@ fn row_of(begin: &Begin, row: &[&str], stated: Option<&dyn Fn(&str) -> String>, 
     let label = asked_label(begin, row, l);
     let usual = begin.of_template(path);
     let unit = usual.split_once(' ').and_then(|(_, unit)| Unit::of(unit));
-    let units: Vec<&Unit> = unit.map(|unit| unit.dimension.units()).unwrap_or_default().iter().collect();
+    // A quantity may have fewer units than its dimension: the lead of a screw is no number of yards.
+    let dimension = match key.kind {
+        Kind::Quantity(dimension, _) => Some(dimension),
+        _ => unit.map(|unit| unit.dimension),
+    };
+    let units: Vec<&Unit> = dimension.map(Dimension::units).unwrap_or_default().iter().collect();
     let is_alone = stated.is_some();
     let follows = |trigger: &'static str| (!is_alone).then_some(trigger);
     let drawn = || follows("/begin/drawing");

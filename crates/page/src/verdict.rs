@@ -63,7 +63,7 @@ fn line(candidate: &Candidate<'_>, assumed: usize, language: Language) -> Markup
             (count("advice", counts.advised, of(Verdict::Advice, counts.advised)))
             (count("unchecked", counts.not_checked, of(Verdict::NotChecked, counts.not_checked)))
             (count("no-limit", counts.without_limit, format!("{} {}", counts.without_limit, without_limit(l))))
-            @if assumed > 0 { a.count.assumed-count href="#assumptions" { (assumed) span.word { " " (page::assumed_count(l)) } } }
+            @if assumed > 0 { a.count.assumed-count href="#assumptions" { (assumed) span.word { " " (terms::assumed(l)) } } }
         }
     }
 }

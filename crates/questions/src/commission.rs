@@ -1,8 +1,8 @@
 //! The commissioning of a code: its values in the form of a drive, and a record of measured values.
 
 use crate::answer::cited_once;
-use crate::chapter::marked_errata;
 use crate::eds;
+use answers::CitedErratum;
 use installation::commission as room;
 use installation::commission::cia402::{self, Object};
 use installation::commission::sinamics::{self, Setting};
@@ -27,6 +27,11 @@ identified! {
         /// The neutral list.
         Plain = "plain",
     }
+}
+
+/// Returns errata for a file that a program reads, each by its id, with which `antrieb errata` finds it again.
+fn named_errata(errata: &[CitedErratum]) -> Vec<String> {
+    errata.iter().map(|each| format!("{ERRATUM_MARK} {}: {}", each.id, each.evidence)).collect()
 }
 
 /// Returns the default temperature of winding and sensors for measurements: that of the resistance in the manual.
@@ -67,7 +72,7 @@ pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
         doubts.extend(errata);
     }
     out.push('\n');
-    for line in marked_errata(&cited_once(doubts, language), language) {
+    for line in named_errata(&cited_once(doubts, language)) {
         remark(&mut out, &line);
     }
     remark(&mut out, commission::script_missing(language));
@@ -155,7 +160,7 @@ fn object_section(out: &mut String, head: &str, object: &Object, language: Langu
         mappable: false,
     };
     eds::variable(out, head, &variable);
-    for line in marked_errata(&cited_once(object.errata(), language), language) {
+    for line in named_errata(&cited_once(object.errata(), language)) {
         eds::remark(out, &line);
     }
 }

@@ -33,8 +33,23 @@ pub fn recorded(
     let plain = template(kind, file, language)?.text;
     let (head, motion) = plain.split_once("[[motion]]")?;
     let (_, tail) = motion.split_once("\n[requirements]")?;
+    let head = without_figures(head);
     let text = format!("{head}{}\n[requirements]{tail}", segment(&preview, named, language));
     Some(Template { text, recording: None })
+}
+
+/// Returns the part of a template above its motion with the figures of the machine as comments: those of an example are
+/// none of the recorded machine.
+fn without_figures(head: &str) -> String {
+    let mut is_of_machine = false;
+    let line = |line: &str| {
+        if let Some(table) = line.strip_prefix('[') {
+            is_of_machine = table.starts_with("load") || table.starts_with("mechanism");
+        }
+        let states = line.starts_with(|sign: char| sign.is_ascii_lowercase()) && line.contains(" = ");
+        if is_of_machine && states { format!("# {line}\n") } else { format!("{line}\n") }
+    };
+    head.lines().map(line).collect()
 }
 
 /// Returns `true` if the motion of a kind of project may be a recording.

@@ -396,8 +396,8 @@ texts! {
         | "Eine Datei namens {name} existiert bereits und wurde nicht überschrieben.";
     without_the_requirement(why) = "without the requirement: {why}" | "ohne die Anforderung: {why}";
     and_also(one, other) = "{one}; and {other}" | "{one}; und {other}";
+    diameter_of_the_disc = "Diameter of the solid disc or cylinder" | "Durchmesser der Vollscheibe oder des Vollzylinders";
     tool_awaits = "Needed for an answer:" | "Für das Ergebnis anzugeben:";
-    assumed_count = "assumed" | "angenommen";
     to_the_start = "To the start page" | "Zur Startseite";
     save_under(name) = "Save as {name}" | "Als {name} speichern";
     open_it(name) = "Open {name}" | "{name} öffnen";

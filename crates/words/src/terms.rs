@@ -44,6 +44,8 @@ texts! {
     no_flange_loads =
         "the project states no flange loads: [bearing] is missing"
         | "das Projekt nennt keine Lasten am Flansch: [bearing] fehlt";
+    flange_loads_open(why) =
+        "the loads on the flange are not complete: {why}" | "die Lasten am Flansch sind nicht vollständig: {why}";
     not_checked = "not checked" | "nicht geprüft";
     not_required = "not required" | "nicht gefordert";
     number = "no." | "Nr.";

@@ -150,7 +150,16 @@ impl Stray {
             calls.extend(called.other_command(&self.word));
         }
         if calls.is_empty() {
-            calls.extend(filled(&without(&[]), called));
+            let given: Vec<&str> = texts.iter().filter_map(|text| text.strip_prefix("--")).collect();
+            let given: Vec<&str> = given.iter().filter_map(|name| name.split('=').next()).collect();
+            let options = self.as_quantity(called, &given);
+            calls.extend(options.iter().filter_map(|(option, value)| filled(&without(&[option, value]), called)));
+        }
+        if calls.is_empty() {
+            let left = without(&[]);
+            // The value of an example in place of a typed number would answer another question.
+            let is_filled = |call: &String| split(call).len() > left.len();
+            calls.extend(filled(&left, called).filter(|call| !(is_number_like(&self.word) && is_filled(call))));
         }
         calls.dedup();
         let hint = if calls.is_empty() { UsageHint::Help } else { UsageHint::Calls(calls) };
@@ -158,7 +167,28 @@ impl Stray {
     }
 }
 
+/// Returns `true` if a word begins like a number.
+fn is_number_like(word: &str) -> bool {
+    word.trim_start_matches(['-', '+']).starts_with(|sign: char| sign.is_ascii_digit())
+}
+
 impl Stray {
+    /// Returns the options that take the word with a decimal point or with a unit, which it lacks, each with that value.
+    fn as_quantity(&self, called: &Called<'_>, given: &[&str]) -> Vec<(String, String)> {
+        if !is_number_like(&self.word) || self.word.matches([',', '.']).count() > 1 {
+            return Vec::new();
+        }
+        let number = self.word.replace(',', ".");
+        let units = VALUES.iter().filter_map(|value| value.split_once(' ')).map(|(_, unit)| unit);
+        let with_units = units.filter(|_| number.parse::<f64>().is_ok()).map(|unit| format!("{number} {unit}"));
+        let mut found: Vec<(String, String)> = Vec::new();
+        for value in std::iter::once(number.clone()).chain(with_units) {
+            let (names, _) = called.takers(&value, given);
+            found.extend(names.into_iter().map(|name| (name, value.clone())));
+        }
+        found
+    }
+
     /// Returns the fault of the word as the value of an option that the call lacks and whose values are known.
     fn of_required(&self, called: &Called<'_>, texts: &[&str]) -> Option<(Usage, Option<UsageHint>)> {
         let is_lacking = |option: &&clap::Arg| {

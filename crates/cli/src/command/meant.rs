@@ -164,6 +164,21 @@ impl<'c> Called<'c> {
         Some(parts)
     }
 
+    /// Returns the first word of a call that is an option which the command does not have.
+    pub(super) fn unknown_option(&self, arguments: &[OsString]) -> Option<String> {
+        let words = arguments.iter().skip(self.begin).map_while(|word| word.to_str().filter(|word| *word != "--"));
+        let is_known = |word: &str| {
+            let name = word.split('=').next().unwrap_or_default();
+            self.options().any(|option| {
+                option.get_long().is_some_and(|long| name.strip_prefix("--") == Some(long))
+                    || option.get_short().is_some_and(|short| name.strip_prefix('-') == Some(&short.to_string()))
+            })
+        };
+        let mut unknown =
+            words.filter(|word| word.starts_with('-') && *word != "-" && !is_negative(word) && !is_known(word));
+        unknown.next().map(str::to_owned)
+    }
+
     pub(super) fn options(&self) -> impl Iterator<Item = &Arg> {
         self.command.get_arguments().chain(self.whole.get_arguments()).filter(|option| !option.is_positional())
     }
@@ -247,7 +262,7 @@ impl<'c> Called<'c> {
     }
 
     /// Returns the options that take a word, and one that takes it but is given already.
-    fn takers(&self, word: &str, given: &[&str]) -> (Vec<String>, Option<String>) {
+    pub(super) fn takers(&self, word: &str, given: &[&str]) -> (Vec<String>, Option<String>) {
         let mut found: Vec<Candidate> = Vec::new();
         let mut twice = None;
         for option in self.options() {

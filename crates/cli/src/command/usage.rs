@@ -28,19 +28,31 @@ pub(crate) fn refused(
     language: Language,
 ) -> CommandAnswer {
     let missing = &missing(error, command, arguments)[..];
-    let meant = match error.kind() {
-        ErrorKind::UnknownArgument => {
-            context(error, ContextKind::InvalidArg).and_then(|word| option_meant(&word, called(command, arguments)))
-        }
+    // Behind an unknown option every word is one too many; the option is what is wrong.
+    let unknown = match error.kind() {
+        ErrorKind::UnknownArgument => Called::of(arguments, command, language)
+            .and_then(|called| called.unknown_option(arguments))
+            .map(|word| seen(&word).into_owned())
+            .or_else(|| context(error, ContextKind::InvalidArg)),
         _ => None,
     };
+    let usage_of = |error| match &unknown {
+        Some(written) => Usage::UnknownOption { written: written.clone() },
+        None => usage_of(error),
+    };
+    let whole = Called::of(arguments, command, language);
+    let meant = unknown.as_deref().and_then(|word| {
+        let suggested = || {
+            let is_same = context(error, ContextKind::InvalidArg).as_deref() == Some(word);
+            context(error, ContextKind::SuggestedArg).filter(|near| is_same && !near.is_empty())
+        };
+        let near = || whole.as_ref()?.near_option(word);
+        option_meant(word, called(command, arguments)).or_else(suggested).or_else(near)
+    });
     let calls = match error.kind() {
         ErrorKind::UnknownArgument => {
-            let word = context(error, ContextKind::InvalidArg).unwrap_or_default();
-            let called = Called::of(arguments, command, language);
-            let suggested = || context(error, ContextKind::SuggestedArg).filter(|near| !near.is_empty());
-            let near = meant.clone().or_else(suggested).or_else(|| called.as_ref()?.near_option(&word));
-            called.map(|called| called.calls_instead_of(&word, near.as_deref(), arguments)).unwrap_or_default()
+            let word = unknown.clone().unwrap_or_default();
+            whole.as_ref().map(|called| called.calls_instead_of(&word, meant.as_deref(), arguments)).unwrap_or_default()
         }
         _ => Vec::new(),
     };

@@ -504,7 +504,7 @@ fn nothing_is_written_where_something_is_wrong() {
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", png], "there is no such folder"),
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", "-"], "--png requires a file name"),
         (vec!["plot", table, "--figure", "cycle", "--svg", folder.to_str().unwrap()], "this is a folder"),
-        (vec!["plot", "examples/screw-axis.toml", "--figure", "bearing_load", "--svg", svg], "[bearing] is missing"),
+        (vec!["plot", "examples/screw-axis.toml", "--figure", "bearing_load", "--svg", svg], "bearing.flange_share"),
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--width", "30"], "--width"),
         (vec!["plot", table, "--figure", "cycl", "--svg", svg], "cycle"),
         (vec!["curve", "CHA-20A-100-H-C1024", "--svg", svg, "--height", "9 m"], "--height"),

@@ -66,6 +66,7 @@ fn calls() -> Vec<(&'static str, Vec<String>)> {
     call("commission --record", &["commission", "CHA-25A-100-H-M512P-B", "--record", record]);
     call("encoder", &["encoder", "CHA-25A-100-H-M512P", "--angle", "12.5 deg", "--turn", "3"]);
     call("errata", &["errata"]);
+    call("catalogue check", &["catalogue", "check", "examples/catalogue/stock.csv"]);
     call("torsion", &["torsion", "CHA-20A-100-H-C1024", "--torque", "60.5 N m"]);
     call("inertia", &["inertia", "disc diameter=200.5mm length=20mm mass=5kg", "point mass=1kg distance=100mm"]);
     call("curve", &["curve", "CHA-20A-100-H-C1024", "--voltage", "220.5 V"]);

@@ -196,3 +196,43 @@ fn calls_as_people_write_them_are_answered() {
         both.err
     );
 }
+
+/// A number that is typed stays the number of the proposed call; an unknown option is what is wrong, not the code before it.
+#[test]
+fn a_refusal_keeps_what_is_typed_and_names_what_is_wrong() {
+    let folder = folder();
+    for (typed, message, proposed) in [
+        ("torsion CHA-20A-100-H-C1024 75,5Nm", "75,5Nm", &["--torque 75.5Nm"][..]),
+        ("torsion CHA-20A-100-H-C1024 75", "75", &["--torque \"75 N m\"", "--angle \"75 deg\""]),
+        ("torsion CHA-20A-100-H-C1024 60kg", "60kg", &[]),
+        ("battery CHA-20A-100-H-M512P --hours 16", "unknown option \"--hours\"", &["--hours-per-day"]),
+        ("simulate disc.toml CHA-20A-100-H-C1024 --frob", "unknown option \"--frob\"", &[]),
+        ("size disc.toml --set ambient=45", "ambient", &["--set \"requirements.ambient=45 degC\""]),
+    ] {
+        let run = call(folder.path(), &format!("antrieb {typed}"));
+        assert_eq!(run.code, 2, "{typed}: {}", run.err);
+        let first = run.err.lines().next().unwrap();
+        assert!(first.contains(message), "{typed}: {}", run.err);
+        for each in proposed {
+            assert!(run.err.contains(each), "{typed}: {}", run.err);
+        }
+        assert!(!run.err.contains("60 N m"), "{typed}: {}", run.err);
+    }
+}
+
+/// A recording says nothing about the mass of the machine: no figure of a template stands in its project.
+#[test]
+fn a_project_of_a_recording_has_no_figures_of_a_template() {
+    let folder = folder();
+    std::fs::write(folder.path().join("turn.csv"), "t [s];q [deg]\n0;0\n0,1;5\n0,2;0\n").unwrap();
+    std::fs::write(folder.path().join("line.csv"), "t [s];x [mm];F [N]\n0;0;1\n0,1;5;2\n0,2;0;1\n").unwrap();
+    for (file, missing) in [("turn.csv", &["load.inertia"][..]), ("line.csv", &["pulley_diameter"])] {
+        let made = call(folder.path(), &format!("antrieb new recording --from {file} --out {file}.toml"));
+        assert_eq!(made.code, 0, "{}", made.err);
+        let run = call(folder.path(), &format!("antrieb size {file}.toml"));
+        assert_eq!(run.code, 2, "{file}: {}", run.out);
+        for key in missing {
+            assert!(run.err.contains(key), "{file}: {}", run.err);
+        }
+    }
+}

@@ -55,6 +55,11 @@ fn decoded(value: &str) -> String {
     String::from_utf8(bytes).unwrap()
 }
 
+/// Decodes a percent-encoded text, as `decodeURIComponent` does.
+fn percent_decoded(text: &str) -> String {
+    decoded(&text.replace('+', "%2B").replace(' ', "+"))
+}
+
 /// Two tabs on one file: the second to save gets a message and both choices; no text is lost.
 #[test]
 fn what_another_has_saved_is_noticed_and_asked_about() {
@@ -83,6 +88,21 @@ fn what_another_has_saved_is_noticed_and_asked_about() {
     let gone = page(&watch(&second));
     assert!(gone.contains("data-known=\"\"") && !gone.contains("data-disk=\"load\""), "{gone}");
     assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", "").0, 200, "written anew");
+}
+
+/// A header holds ASCII; the page decodes the name, so that the next save goes to the same file.
+#[test]
+fn a_name_with_any_letters_comes_back_as_it_is_on_disk() {
+    let folder = InMemory::default();
+    for name in ["Hubwerk Süd.toml", "軸.toml", "100 %.toml", "plain.toml"] {
+        let reply = folder.post("/save", &[("text", "format = 1\n"), ("file", name), ("known", "")]);
+        assert_eq!(reply.status, 200, "{name}");
+        let sent = &reply.headers.iter().find(|(header, _)| *header == "x-file").unwrap().1;
+        assert!(sent.is_ascii(), "{sent}");
+        let written = folder.0.borrow().keys().next().cloned().unwrap();
+        assert_eq!(percent_decoded(sent), written);
+        folder.0.borrow_mut().clear();
+    }
 }
 
 /// A new axis under the name of a file that was not opened: a free name comes first, replacing is a choice of its own.

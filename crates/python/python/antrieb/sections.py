@@ -371,7 +371,7 @@ class Screw(Mechanism):
             mass: Moved mass. Mass such as `"3.2 kg"`, zero or more.
             inertia: Moment of inertia of the parts rotating with the output, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             inclination: Angle of the positive direction above the horizontal; 90 deg is upwards; default: horizontal, listed as assumed. Angle such as `"90 deg"`.
-            counterweight: Counterweight; moves with the load and reduces it by its weight. Mass such as `"3.2 kg"`, zero or more.
+            counterweight: Counterweight; moves with the load and reduces it by its weight; on a hoist with as many falls as the load. Mass such as `"3.2 kg"`, zero or more.
             friction_force: Friction force of seals and guides. Force such as `"500 N"`, zero or more.
             friction_coefficient: Friction coefficient of the guide; default 0. 0 to 10.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
@@ -456,7 +456,7 @@ class Belt(Mechanism):
             mass: Moved mass. Mass such as `"3.2 kg"`, zero or more.
             inertia: Moment of inertia of the parts rotating with the output, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             inclination: Angle of the positive direction above the horizontal; 90 deg is upwards; default: horizontal, listed as assumed. Angle such as `"90 deg"`.
-            counterweight: Counterweight; moves with the load and reduces it by its weight. Mass such as `"3.2 kg"`, zero or more.
+            counterweight: Counterweight; moves with the load and reduces it by its weight; on a hoist with as many falls as the load. Mass such as `"3.2 kg"`, zero or more.
             friction_force: Friction force of seals and guides. Force such as `"500 N"`, zero or more.
             friction_coefficient: Friction coefficient of the guide; default 0. 0 to 10.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
@@ -799,7 +799,7 @@ class Hoist(Mechanism):
             rope_mass: Mass of all falls at position zero; default: neglected, listed as assumed. Mass such as `"4 kg"`, zero or more.
             hanging: Length of each fall at position zero. Length such as `"6 m"`, above zero.
             sheave_efficiency: Efficiency of one sheave; default 1, listed as assumed. 0.5 to 1.
-            counterweight: Counterweight; moves with the load and reduces it by its weight. Mass such as `"3.2 kg"`, zero or more.
+            counterweight: Counterweight; moves with the load and reduces it by its weight; on a hoist with as many falls as the load. Mass such as `"3.2 kg"`, zero or more.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
             viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
