@@ -45,6 +45,9 @@ pub(super) struct Peers<'r> {
 /// J_out = J·i² for the inertia J of the motor, on which the gear, the encoder and the brake have a small part.
 pub(super) struct SameMotors(BTreeMap<usize, MotorInertia>);
 
+/// Manufacturer, series, and the bits of torque constant and resistance, by which a motor is recognised.
+type SameMotorKey<'r> = (&'r str, &'r str, u64, u64);
+
 struct MotorInertia {
     /// Ratio to the median.
     ratio: f64,
@@ -55,7 +58,7 @@ struct MotorInertia {
 impl SameMotors {
     /// Compares the products of a file; at least three are needed to find the wrong one.
     pub(super) fn of(rows: &[Row]) -> Self {
-        let mut motors: BTreeMap<(&str, &str, u64, u64), Vec<(usize, f64)>> = BTreeMap::new();
+        let mut motors: BTreeMap<SameMotorKey<'_>, Vec<(usize, f64)>> = BTreeMap::new();
         for (index, row) in rows.iter().enumerate() {
             let value = |key: &str| row.si(key).filter(|value| *value > 0.0);
             let of_motor = value("torque_constant_motor").zip(value("resistance_ll"));
