@@ -79,6 +79,8 @@ texts! {
     foreign_site =
         "requests from other sites are not accepted"
         | "Anfragen anderer Websites werden nicht angenommen";
+    of_a_sweep_only =
+        "only the table of many axes has it: `new sweep`" | "das hat nur die Tabelle vieler Achsen: `new sweep`";
     token_missing =
         "the token is missing: open the whole address that `antrieb serve` printed in its window; programs send the token as bearer token"
         | "das Token fehlt: die ganze Adresse öffnen, die `antrieb serve` in seinem Fenster ausgegeben hat; Programme senden das Token als Bearer-Token";

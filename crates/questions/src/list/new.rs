@@ -96,6 +96,9 @@ pub fn kind_about(kind: &str, language: Language) -> Option<&'static str> {
     Some(about(language))
 }
 
+/// Options that only the table of a sweep has.
+const OF_A_SWEEP: [&str; 4] = ["key", "by", "samples", "seed"];
+
 /// Default file name in the header of a new project.
 pub const USUAL_NAME: &str = "axis.toml";
 
@@ -112,6 +115,11 @@ pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> 
     if args.format.is_some() {
         let message = catalogue_template::format_of_catalogue_only(inquiry.language).to_owned();
         return Err(Unanswered::option("format", (message, None)));
+    }
+    if kind != SWEEP
+        && let Some(option) = OF_A_SWEEP.into_iter().find(|option| inquiry.given.all(option).next().is_some())
+    {
+        return Err(Unanswered::option(option, (requests::of_a_sweep_only(inquiry.language).to_owned(), None)));
     }
     if kind == SWEEP {
         let text =
@@ -159,6 +167,19 @@ mod tests {
                 assert_eq!(found.ok().and_then(|args| args.kind).as_deref(), Some(*kind), "{word}");
             }
         }
+    }
+
+    /// An option that a kind has no use for is refused, not ignored.
+    #[test]
+    fn options_of_a_sweep_are_refused_for_other_kinds() {
+        let values = [("key", "motion[1].time [s] = 1, 2"), ("by", "grid"), ("samples", "5"), ("seed", "2")];
+        for kind in template_kinds() {
+            for (option, value) in values {
+                let refused = made(&[("kind", kind), (option, value)], USUAL_NAME);
+                assert!(matches!(refused, Err(Unanswered::Option { name, .. }) if name == option), "{kind} {option}");
+            }
+        }
+        assert!(made(&[("kind", SWEEP), ("key", "motion[1].time [s] = 1..3"), ("by", "grid")], USUAL_NAME).is_ok());
     }
 
     fn made(pairs: &[(&str, &str)], file: &str) -> Result<String, Unanswered> {
