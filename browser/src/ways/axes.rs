@@ -68,6 +68,10 @@ pub(crate) fn a_further_axis(stage: &OpenPage<'_>) -> Worded {
 /// A download has the name of the project.
 pub(crate) fn names_of_downloads(stage: &OpenPage<'_>) -> Worded {
     stage.example("belt", "en")?;
+    // A project without a name of its own has that of its axis.
+    let path = stage.download("#workbook", "xlsx")?;
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    expect(name.starts_with("belt-axis"), || name.clone())?;
     stage.tab.fill("#file", "my lift.toml")?;
     for (button, ending) in [("#workbook", "xlsx"), ("#data", "json")] {
         let path = stage.download(button, ending)?;

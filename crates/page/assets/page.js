@@ -476,8 +476,11 @@ export function keep(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 // What a client of the interface would ask for, about the axis and the actuator that are shown.
-// Files are named after the project, of one of several axes with its name.
-const stem = () => ($('#file')?.value || 'axis.toml').replace(/\.toml$/i, '').trim() || 'axis';
+// Files are named after the project, of one of several axes with its name too; before a project has a name, after its axis.
+const stem = () => {
+  const file = ($('#file')?.value || 'axis.toml').replace(/\.toml$/i, '').trim() || 'axis';
+  return file === 'axis' ? /^\s*name\s*=\s*"([^"]+)"/m.exec(text()?.value ?? '')?.[1] ?? file : file;
+};
 const plain = (name) => name.trim().replace(/[^\p{L}\p{N}._-]+/gu, '-');
 async function download(what, ending) {
   const held = (name) => $(`#state [name=${name}]`)?.value ?? '';
