@@ -70,10 +70,10 @@ impl SameMotors {
             }
         }
         let mut found = BTreeMap::new();
-        for products in motors.into_values().filter(|products| products.len() >= SAME_MOTOR_LEAST) {
-            let Some(middle) = median(products.iter().map(|(_, inertia)| *inertia).collect()) else { continue };
-            let far = |inertia: f64| (inertia / middle).ln().abs();
-            let nearest = products.iter().min_by(|a, b| far(a.1).total_cmp(&far(b.1))).map_or(0, |(index, _)| *index);
+        for mut products in motors.into_values().filter(|products| products.len() >= SAME_MOTOR_LEAST) {
+            // The median is that of a product, so that the ratio can be found by its figures; of two, the smaller.
+            products.sort_by(|a, b| a.1.total_cmp(&b.1));
+            let Some(&(nearest, middle)) = products.get((products.len() - 1) / 2) else { continue };
             found.extend(
                 products.into_iter().map(|(index, inertia)| (index, MotorInertia { ratio: inertia / middle, nearest })),
             );

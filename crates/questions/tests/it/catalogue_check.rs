@@ -208,6 +208,19 @@ fn an_inertia_that_is_not_that_of_the_motor_is_found() {
     }
 }
 
+/// Two of four products with one motor are wrong: the ratio is that of two products, which the finding names.
+#[test]
+fn the_ratio_to_the_same_motor_is_that_of_a_product_of_the_file() {
+    let text = "id;ratio;inertia_out [kg cm^2];torque_constant_motor [N m/A];resistance_ll [ohm]\n\
+        A;50;900;0.12;2.1\nB;100;36000;0.12;2.1\nC;30;3240;0.12;2.1\nD;80;2304;0.12;2.1\n";
+    let check = checked("x.csv", text);
+    let found: Vec<(&str, f64)> =
+        check.findings.iter().map(|finding| (finding.product.as_str(), finding.ratio.unwrap())).collect();
+    assert_eq!(found.iter().map(|(product, _)| *product).collect::<Vec<_>>(), ["B", "C"]);
+    // (36000/100²)/(900/50²) = (3240/30²)/(2304/80²) = 10.
+    assert!(found.iter().all(|(_, ratio)| (ratio - 10.0).abs() < 1e-9), "{found:?}");
+}
+
 #[test]
 fn names_that_differ_in_writing_only_are_found() {
     let mut file = Sheet::of_series(90);
