@@ -4,7 +4,7 @@
 use crate::run;
 
 use quantities::Unit;
-use questions::list::LIST;
+use questions::list::{ArgumentForm, LIST};
 use run::{examples, run};
 
 const CODE: &str = "CHA-25A-50-H-C1024";
@@ -75,6 +75,26 @@ fn calls() -> Vec<(&'static str, Vec<String>)> {
     call("glossary", &["glossary"]);
     call("units", &["units"]);
     calls
+}
+
+/// A default that is stated is the default: no command refuses it, and none answers otherwise.
+#[test]
+fn a_stated_default_changes_no_answer() {
+    let mut seen = std::collections::BTreeSet::new();
+    let calls = calls();
+    for (question, arguments) in calls.iter().filter(|(question, _)| seen.insert(*question)) {
+        let entry = LIST.iter().find(|entry| entry.command == *question).unwrap();
+        let is_stated = |name: &str| arguments.iter().any(|word| word.strip_prefix("--") == Some(name));
+        let defaults = entry.arguments.iter().filter(|argument| argument.form == ArgumentForm::Option);
+        let defaults = defaults.filter(|argument| !is_stated(argument.name));
+        let defaults = defaults.filter_map(|argument| Some((argument.name, argument.usual?)));
+        let defaults: Vec<String> =
+            defaults.flat_map(|(name, value)| [format!("--{name}"), value.to_owned()]).collect();
+        let plain: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let stated: Vec<&str> = plain.iter().copied().chain(defaults.iter().map(String::as_str)).collect();
+        let (plain, stated) = (run(&plain), run(&stated));
+        assert_eq!((stated.code, stated.out), (plain.code, plain.out), "{question} {defaults:?}: {}", stated.err);
+    }
 }
 
 /// Number of bytes from which a mark of quotation and the next one do not belong together.

@@ -92,6 +92,12 @@ impl Given {
         self.values.iter().filter(move |(known, _)| *known == name).map(|(_, value)| value.as_str())
     }
 
+    /// Returns `true` if a value other than the default is stated for an argument.
+    #[must_use]
+    pub(super) fn differs(&self, argument: &Argument) -> bool {
+        self.all(argument.name).any(|value| argument.usual != Some(value))
+    }
+
     /// Returns the language of the faults.
     #[must_use]
     pub const fn language(&self) -> Language {

@@ -116,10 +116,12 @@ pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> 
         let message = catalogue_template::format_of_catalogue_only(inquiry.language).to_owned();
         return Err(Unanswered::option("format", (message, None)));
     }
+    let mut of_a_sweep = Args::ARGUMENTS.iter().filter(|argument| OF_A_SWEEP.contains(&argument.name));
+    // A face may state every argument, the defaults too.
     if kind != SWEEP
-        && let Some(option) = OF_A_SWEEP.into_iter().find(|option| inquiry.given.all(option).next().is_some())
+        && let Some(option) = of_a_sweep.find(|argument| inquiry.given.differs(argument))
     {
-        return Err(Unanswered::option(option, (requests::of_a_sweep_only(inquiry.language).to_owned(), None)));
+        return Err(Unanswered::option(option.name, (requests::of_a_sweep_only(inquiry.language).to_owned(), None)));
     }
     if kind == SWEEP {
         let text =
@@ -173,7 +175,12 @@ mod tests {
     #[test]
     fn options_of_a_sweep_are_refused_for_other_kinds() {
         let values = [("key", "motion[1].time [s] = 1, 2"), ("by", "grid"), ("samples", "5"), ("seed", "2")];
+        // Python states every argument with its default.
+        let defaults = [("by", "sobol"), ("samples", "100"), ("seed", "1")];
         for kind in template_kinds() {
+            let stated: Vec<(&str, &str)> = [("kind", kind)].into_iter().chain(defaults).collect();
+            let plain = made(&[("kind", kind)], USUAL_NAME);
+            assert_eq!(made(&stated, USUAL_NAME).unwrap(), plain.unwrap(), "{kind}");
             for (option, value) in values {
                 let refused = made(&[("kind", kind), (option, value)], USUAL_NAME);
                 assert!(matches!(refused, Err(Unanswered::Option { name, .. }) if name == option), "{kind} {option}");
