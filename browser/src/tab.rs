@@ -24,6 +24,7 @@ const FOCUS_AFTER: Duration = Duration::from_millis(500);
 
 /// Keys by their WebDriver codes.
 pub(crate) mod key {
+    pub(crate) const BACKSPACE: char = '\u{e003}';
     pub(crate) const TAB: char = '\u{e004}';
     pub(crate) const ENTER: char = '\u{e007}';
     pub(crate) const ESCAPE: char = '\u{e00c}';
@@ -266,6 +267,12 @@ impl Tab {
     pub(crate) fn drag(&self, selector: &str, (x, y): (i64, i64)) -> Worded {
         self.there(selector)?;
         self.run("document.querySelector(arguments_[0]).scrollIntoView({ block: 'center' });", vec![json!(selector)])?;
+        // An answer that is on its way draws the picture anew, and another element may lie at the place of this one.
+        self.until(&format!(
+            "(() => {{ const {{ x, y }} = document.querySelector({}).getBoundingClientRect(); const [is, was] = [`${{x}} ${{y}}`, window.wasAt]; \
+             window.wasAt = is; return is === was && !document.querySelector('.htmx-request'); }})()",
+            json!(selector)
+        ))?;
         self.runtime.block_on(async {
             let element = self.client.find(Locator::Css(selector)).await.map_err(message)?;
             let duration = Some(Duration::from_millis(100));

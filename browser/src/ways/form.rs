@@ -12,6 +12,18 @@ pub(crate) fn a_value_changes_the_verdict(stage: &OpenPage<'_>) -> Worded {
     tab.says("#text", "mass = \"60 kg\"")?;
     let after = tab.text("#answer")?;
     expect(before != after, || format!("the same answer: {after}"))?;
+    // A value that is emptied and typed anew keeps its line, with the comment.
+    let commented = "const text = document.querySelector('#text'); \
+        text.value = text.value.replace('mass = \"60 kg\"', 'mass = \"60 kg\" # with gripper'); \
+        text.dispatchEvent(new Event('change', { bubbles: true }));";
+    tab.run(commented, Vec::new())?;
+    tab.until("!document.querySelector('.htmx-request')")?;
+    let field = "const mass = document.querySelector('#f-mechanism-belt-mass'); mass.focus(); mass.select();";
+    tab.run(field, Vec::new())?;
+    tab.keys(&key::BACKSPACE.to_string())?;
+    tab.until("!document.querySelector('#text').value.includes('with gripper')")?;
+    tab.keys("61")?;
+    tab.says("#text", "mass = \"61 kg\" # with gripper")?;
     stage.change("#f-mechanism-belt-mass", "6000 kg")?;
     tab.says("#answer", "No actuator")
 }

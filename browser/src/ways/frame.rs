@@ -164,7 +164,19 @@ pub(crate) fn no_answer(stage: &OpenPage<'_>) -> Worded {
     tab.offline(false)?;
     tab.says("#text", "33 kg")?;
     tab.says("#text", "81 mm")?;
-    tab.until("document.documentElement.dataset.away === undefined")
+    tab.until("document.documentElement.dataset.away === undefined")?;
+    // It is in the draft too, for a window that is closed before.
+    tab.offline(true)?;
+    tab.until("document.documentElement.dataset.away !== undefined")?;
+    tab.fill("#f-mechanism-belt-mass", "34 kg")?;
+    tab.until("Object.values(localStorage).some((draft) => draft.includes('34 kg'))")?;
+    tab.open("about:blank")?;
+    tab.offline(false)?;
+    stage.start("en")?;
+    tab.click("#unsaved li button")?;
+    stage.ready()?;
+    tab.says("#text", "34 kg")?;
+    tab.says("#text", "81 mm")
 }
 
 /// Two axes that were never saved do not share their unsaved work; the start page lists both, and each goes on under its own name.

@@ -47,10 +47,10 @@ document.addEventListener('htmx:before:request', (event) => {
   if (body.has('path') && source.closest('details.more')) body.append('folded', '');
   if (event.detail.ctx.request.action.endsWith('/work')) body.append('parts', parts());
   for (const [id, open] of folds) if (open && (id.startsWith('f-') || id === 'ranking-rest')) body.append('fold', id);
-  // A pull at the end of a segment begins at the text that was there when it began; so does what is typed into a segment in one go,
-  // since other segments follow it.
+  // A pull at the end of a segment begins at the text that was there when it began. So does what is typed into a field in one go: other
+  // segments follow one of the motion, and a value that is emptied and typed anew keeps its line with the comment.
   if (base(source) !== undefined) body.set('text', base(source));
-  else if (source.matches('input[type=text]') && body.get('path')?.includes('motion[') && body.has('value')) body.set('text', begun(source));
+  else if (source.matches('input[type=text]') && body.has('path') && body.has('value')) body.set('text', begun(source));
   else if (source !== text()) body.set('text', text().value);
   const good = $('#state [name=good]');
   if (good) body.set('good', good.value);
@@ -147,13 +147,18 @@ function drafts() {
   return found.filter((each) => typeof each.text === 'string').sort((a, b) => b.at - a.at);
 }
 let full = false;
+let hasTyped = false;
 function keepDraft(changed) {
   const key = draftKey();
+  // What was typed while nothing answers is not in the text yet.
+  const typed = [...unsent].map((id) => document.getElementById(id)).filter((field) => field?.matches('#fields input[type=text], #fields select, #fields textarea'))
+    .map((field) => [field.id, field.value]);
   try {
-    if (changed) {
+    if (changed || typed.length > 0) {
       for (const old of drafts().filter((each) => each.key !== key).slice(DRAFTS_MOST - 1)) localStorage.removeItem(old.key);
-      localStorage.setItem(key, JSON.stringify({ text: last, base: saved, file: fileName(), at: Date.now(), from: location.search }));
-    } else if (past.length || future.length) localStorage.removeItem(key);
+      localStorage.setItem(key, JSON.stringify({ text: last, base: saved, file: fileName(), at: Date.now(), from: location.search, typed }));
+    } else if (past.length || future.length || hasTyped) localStorage.removeItem(key);
+    hasTyped = typed.length > 0;
     full = false;
   } catch (fault) {
     // A browser that keeps nothing at all is not reported with every key.
@@ -190,13 +195,32 @@ function draft() {
     found = drafts().find((each) => each.from === location.search && each.text !== text().defaultValue);
     key = found?.key ?? key;
   }
-  if (continued && found?.text === text().defaultValue) { saved = found.base; buttons(); return; }
-  if (!found || found.text === text().defaultValue || (found.base !== text().defaultValue && found.base !== '')) return;
+  const isSame = found?.text === text().defaultValue;
+  if (continued && found) {
+    if (isSame) { saved = found.base; buttons(); }
+    restore(found);
+    return;
+  }
+  if (!found || (isSame && !found.typed?.length) || (!isSame && found.base !== text().defaultValue && found.base !== '')) return;
   const kind = first || performance.getEntriesByType('navigation')[0]?.type;
-  if (kind === 'reload' || kind === 'back_forward') { put(found.text); tell(said('restored')); return; }
+  if (kind === 'reload' || kind === 'back_forward') { restore(found); tell(said('restored')); return; }
   const chosen = (then) => () => { place.replaceChildren(); then(); };
   place.replaceChildren(`${said('draft')} ${fileName()}, ${instant(found.at)} `,
-    button(said('restore'), chosen(() => put(found.text))), ' ', button(said('discard'), chosen(() => localStorage.removeItem(key))));
+    button(said('restore'), chosen(() => restore(found))), ' ', button(said('discard'), chosen(() => localStorage.removeItem(key))));
+}
+// The text of a draft, then what was typed into its fields while nothing answered.
+function restore({ text: value, typed = [] }) {
+  const retype = () => {
+    for (const [id, held] of typed) {
+      const field = document.getElementById(id);
+      if (!field) continue;
+      field.value = held;
+      field.dispatchEvent(new Event('change', { bubbles: true }));
+    }
+  };
+  if (value === text().value) { retype(); return; }
+  if (typed.length > 0) document.addEventListener('htmx:after:swap', retype, { once: true });
+  put(value);
 }
 // The start page lists what was not saved, the latest first.
 const UNSAVED_SHOWN = 3;
@@ -213,7 +237,9 @@ function unsaved() {
     const go = () => {
       if (!of.startsWith('/')) { try { if (tab) sessionStorage.setItem(CHOSEN, tab); } catch { /* a browser that keeps nothing */ } location.href = `${root()}?${new URLSearchParams({ open: of, lang: document.documentElement.lang })}`; return; }
       try { sessionStorage.setItem(CONTINUED, each.key); } catch { /* a browser that keeps nothing */ }
-      begin(each.text, each.file || 'axis.toml');
+      // An axis that was begun goes on at the address that it was begun with, so that reloading it posts nothing again.
+      if (new URLSearchParams(each.from ?? '').has('begin')) location.href = root() + each.from;
+      else begin(each.text, each.file || 'axis.toml');
     };
     const file = of.startsWith('/') ? each.file : of;
     row.append(button([name, file === 'axis.toml' && name ? '' : file].filter(Boolean).join(' – '), go), ` ${instant(each.at)} `,
@@ -438,7 +464,11 @@ document.addEventListener('htmx:response:error', (event) => {
 const unsent = new Set();
 function gone(event) {
   const source = event.detail?.ctx?.sourceElement;
-  if (source?.id) { unsent.delete(source.id); unsent.add(source.id); }
+  if (source?.id) {
+    unsent.delete(source.id);
+    unsent.add(source.id);
+    if (text() && isNamed) keepDraft(last !== saved);
+  }
   document.documentElement.dataset.away = '';
   tell('');
 }
