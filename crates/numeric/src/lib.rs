@@ -22,7 +22,7 @@ pub use first::{EQUAL, First};
 pub use highest::{highest, vertex};
 pub use limit::{AT_THE_LIMIT, at_least, at_most};
 pub use lobatto::{legendre, lobatto};
-pub use ordered::{nth_smallest, upper_median};
+pub use ordered::{nth_smallest, quantile, upper_median};
 pub use random::Random;
 pub use root::{root, root_by_slope, root_steps, roots, roots_between};
 pub use symmetric::Symmetric;

@@ -59,6 +59,19 @@ const fn value(key: u64) -> f64 {
     f64::from_bits(if key & SIGN == 0 { !key } else { key & !SIGN })
 }
 
+/// Returns the value that a part of the values does not exceed; 0 without a value.
+#[must_use]
+pub fn quantile(values: &mut [f64], part: f64) -> f64 {
+    #[allow(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a place among the values"
+    )]
+    let place = ((values.len() as f64 * part) as usize).min(values.len().saturating_sub(1));
+    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(place, f64::total_cmp).1 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

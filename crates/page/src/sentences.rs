@@ -2,8 +2,49 @@
 
 use crate::file_lines::in_words;
 use crate::markup::label_of;
+use questions::ColumnRole;
+use words::{incoming, role_key, role_text};
 use maud::{Markup, html};
 use quantities::Language;
+
+/// Word of the file for a column without use.
+const NO_COLUMN: &str = "none";
+
+/// Words for a column in a table of the file.
+type ColumnWords = fn(&dyn std::fmt::Display, Language) -> String;
+
+/// Tables of a recording in the project, each with the words of the page for one column.
+const TABLES: [(&str, ColumnWords); 3] = [
+    ("columns", |column, _| column.to_string()),
+    ("units", incoming::unit_of),
+    ("recorded_ratio", incoming::ratio_of_column),
+];
+
+/// Returns a sentence with the tables of a recording, `columns = { torque = "none" }`, in the words of the page.
+fn tables_in_words(text: &str, language: Language) -> String {
+    let role = |key: &str| ColumnRole::ALL.into_iter().find(|role| role_key(*role) == key.trim());
+    let said = |pair: &str, words: ColumnWords| {
+        let (key, value) = pair.split_once(" = ")?;
+        let value = value.trim_matches('"');
+        let value = match value.strip_prefix('#') {
+            Some(number) => incoming::column_number(&number, language),
+            None if value == NO_COLUMN => incoming::not_used(language).to_owned(),
+            None => value.to_owned(),
+        };
+        Some(format!("{} {value}", words(&role_text(role(key)?, language), language)))
+    };
+    let mut text = text.to_owned();
+    for (key, words) in TABLES {
+        let head = format!("{key} = {{ ");
+        while let Some((before, rest)) = text.split_once(&head)
+            && let Some((inside, after)) = rest.split_once(" }")
+            && let Some(pairs) = inside.split(", ").map(|pair| said(pair, words)).collect::<Option<Vec<String>>>()
+        {
+            text = format!("{before}{}{after}", pairs.join(", "));
+        }
+    }
+    text
+}
 
 /// Returns a sentence about the file: text between grave accents is a quotation of it; a key is shown by its label.
 pub(crate) fn quoted(text: &str, language: Language) -> Markup {
@@ -26,7 +67,8 @@ pub(crate) fn hint(hint: Option<&str>, language: Language) -> Markup {
             html! { (head) ": " @match alone { Some(alone) if !alone.contains('"') => { (alone) }, _ => code { (value) } } },
         )
     };
-    html! { @if let Some(hint) = hint { " – " @match line(hint) { Some(example) => { (example) }, None => { (quoted(hint, language)) } } } }
+    let hint = hint.map(|hint| tables_in_words(hint, language));
+    html! { @if let Some(hint) = hint.as_deref() { " – " @match line(hint) { Some(example) => { (example) }, None => { (quoted(hint, language)) } } } }
 }
 
 /// Returns `true` for a line of the file, which a hint states as an example; its field is where the hint stands.
@@ -37,5 +79,31 @@ fn is_line(text: &str) -> bool {
 
 /// Returns a fault with its hint.
 pub(crate) fn worded(message: &str, advice: Option<&str>, language: Language) -> Markup {
-    html! { (quoted(message, language)) (hint(advice, language)) }
+    html! { (quoted(&tables_in_words(message, language), language)) (hint(advice, language)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_of_a_recording_are_said_in_words() {
+        let said = [
+            (
+                "use the speed alone: columns = { position = \"none\" }",
+                "use the speed alone: position not used",
+                "use the speed alone: Position nicht verwendet",
+            ),
+            (
+                "columns = { time = \"#1\", torque = \"M\" } and units = { time = \"s\" }",
+                "time column 1, torque or force M and unit of time s",
+                "Zeit Spalte 1, Drehmoment oder Kraft M and Einheit von Zeit s",
+            ),
+            ("columns = { other = 1 }", "columns = { other = 1 }", "columns = { other = 1 }"),
+        ];
+        for (file, en, de) in said {
+            assert_eq!(tables_in_words(file, Language::En), en);
+            assert_eq!(tables_in_words(file, Language::De), de);
+        }
+    }
 }

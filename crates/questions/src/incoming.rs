@@ -2,7 +2,7 @@
 
 use crate::progress::Progress;
 use axis::{AxisFault, AxisProject, Files, Grant, read_recording};
-use motion::{ColumnQuality, MadeUp, Recorded, RecordedFault, Samples, Treatment};
+use motion::{ColumnQuality, MadeUp, Outliers, Recorded, RecordedFault, Samples, SignalKind, Treatment};
 use quantities::{Measure, MomentOfInertia, Time, Torque, parse_as};
 use recording::{Along, Content, Layout, Preview, Recording, Role, Series};
 use std::io::{Cursor, Read};
@@ -106,6 +106,21 @@ impl Files for FilesWithIncoming<'_> {
     }
 }
 
+/// Single values of a recorded column far beside those around them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColumnOutliers {
+    /// Role of the column.
+    pub role: Role,
+    /// Direction of its values.
+    pub along: Along,
+    /// Number of the values.
+    pub count: usize,
+    /// Instant of the one farthest from those around it \[s\].
+    pub time_s: f64,
+    /// Value there, in SI.
+    pub value: f64,
+}
+
 /// A recording that could be read, with its quality.
 #[derive(Clone, Debug)]
 pub struct ExaminedRecording {
@@ -119,6 +134,8 @@ pub struct ExaminedRecording {
     pub intervals_s: [f64; 3],
     /// Quality of each recorded column, in its SI unit.
     pub quality: Vec<(Role, Along, ColumnQuality)>,
+    /// Single values of recorded columns far beside those around them.
+    pub outliers: Vec<ColumnOutliers>,
 }
 
 impl ExaminedRecording {
@@ -154,9 +171,17 @@ impl ExaminedRecording {
             Some((role, *along, ColumnQuality::of(&recording.time_s, values)))
         });
         let quality = quality.collect();
+        let outliers = columns.into_iter().filter_map(|(role, series)| {
+            let Series { along, values } = series.as_ref()?;
+            let kind = if role == Role::Torque { SignalKind::Force } else { SignalKind::Motion };
+            let found = Outliers::of(values, kind)?;
+            let (time_s, value) = (*recording.time_s.get(found.farthest)?, *values.get(found.farthest)?);
+            Some(ColumnOutliers { role, along: *along, count: found.count, time_s, value })
+        });
+        let outliers = outliers.collect();
         let intervals_s = intervals(&recording.time_s);
         let recorded = Recorded::new(samples.clone(), Treatment::default())?;
-        Ok(Self { recording, samples, recorded, intervals_s, quality })
+        Ok(Self { recording, samples, recorded, intervals_s, quality, outliers })
     }
 
     /// Returns the largest acceleration with a window of smoothing [rad/s²], or [m/s²] along a line, of a single move or of a
@@ -167,6 +192,18 @@ impl ExaminedRecording {
         let steps = smoothed.time_s().windows(2).zip(smoothed.speed_rad_s().windows(2));
         let acceleration = steps.filter_map(|(t, w)| Some((w.last()? - w.first()?) / (t.last()? - t.first()?)));
         Some(acceleration.fold(0.0, |most: f64, a| most.max(a.abs())))
+    }
+
+    /// Returns the recorded values of a column at the beginning and at the end, in SI, and their direction.
+    #[must_use]
+    pub fn ends(&self, role: Role) -> Option<(Along, [f64; 2])> {
+        let series = match role {
+            Role::Position => self.recording.course.position.as_ref(),
+            Role::Speed => self.recording.course.speed.as_ref(),
+            Role::Torque => self.recording.torque.as_ref(),
+            Role::Time => None,
+        }?;
+        Some((series.along, [*series.values.first()?, *series.values.last()?]))
     }
 
     /// Returns `true` if the recording is that of a motion along a line.

@@ -78,7 +78,7 @@ pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use flange::flange_course;
 pub use gearing_proposals::{GEARING_INSTANTS_MOST, GearingProposal};
 pub use incoming::{
-    ExaminedRecording, FilesWithIncoming, IncomingFile, SmoothingEffect, smoothing_effects, window_text,
+    ColumnOutliers, ExaminedRecording, FilesWithIncoming, IncomingFile, SmoothingEffect, smoothing_effects, window_text,
 };
 pub use law_shape::{law_peaks, law_shape};
 pub use mechanism::MechanismId;

@@ -39,6 +39,16 @@ texts! {
         "{median} (median), {least} to {most}" | "{median} (Median), {least} bis {most}";
     step_of(column) = "Step, {column}" | "Quantisierungsschritt, {column}";
     noise_of(column) = "Noise (1σ), {column}" | "Rauschen (1σ), {column}";
+    ends_of(column) = "Beginning and end, {column}" | "Anfang und Ende, {column}";
+    from_to(from, to) = "{from}, {to}" | "{from}; {to}";
+    outliers(count, column, value, time) =
+        "{column}: one value far beside those before and behind, {value} at {time}. If it is a fault of the recording, delete its row: a peak decides about the actuator."
+        | "{column}: ein Wert weit neben den Werten davor und danach, {value} bei {time}. Ist er ein Fehler der Aufzeichnung, seine Zeile löschen: Eine Spitze entscheidet über den Antrieb.",
+        "{column}: {count} values far beside those before and behind, the farthest {value} at {time}. If they are faults of the recording, delete their rows: a peak decides about the actuator."
+        | "{column}: {count} Werte weit neben den Werten davor und danach, der äußerste {value} bei {time}. Sind sie Fehler der Aufzeichnung, ihre Zeilen löschen: Eine Spitze entscheidet über den Antrieb.";
+    column_number(number) = "column {number}" | "Spalte {number}";
+    unit_of(column) = "unit of {column}" | "Einheit von {column}";
+    ratio_of_column(column) = "ratio of {column}" | "Übersetzung von {column}";
     at_most(value) = "at most {value}" | "höchstens {value}";
     none_found = "none found" | "keiner gefunden";
     steps_alone(alone, motion) =

@@ -99,7 +99,7 @@ pub use print::{
 pub use project_file::{body_key, key_word, short_label, table_of_project};
 pub use project_page::project_page;
 pub use quantity::{percent_text, quantity_fault, quantity_hint, unpadded};
-pub use recording::{encoding_guess, recording_text, role_text, table_text};
+pub use recording::{encoding_guess, recording_text, role_key, role_text, table_text};
 pub use results::{
     Counts, Provisos, advice_word, check_missing, check_title, condition_text, conditions_text, counts_text,
     curve_title, degree_of_protection, equation_text, evidence_text, figure_term, grade_about, grade_word, minutes,

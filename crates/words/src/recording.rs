@@ -502,7 +502,9 @@ fn stamp(stamp: Stamp, language: Language) -> String {
     format!("{number} {}", stamp.unit.symbol_in(language))
 }
 
-const fn role_key(role: Role) -> &'static str {
+/// Returns the word of the file for a role.
+#[must_use]
+pub const fn role_key(role: Role) -> &'static str {
     match role {
         Role::Time => "time",
         Role::Position => "position",

@@ -3,6 +3,8 @@
 
 use super::Observed;
 use super::doubts::{Column, Doubt, Misread};
+use motion::{Outliers, SignalKind};
+use numeric::quantile;
 use std::f64::consts::TAU;
 
 /// Returns the doubts that columns raise before any equation, each with the value of its sentence.
@@ -29,17 +31,6 @@ pub(super) fn doubts(run: &Observed) -> Vec<Doubt> {
 
 /// Smallest distance moved each way over a constant value, relative to the range of the motion. A choice.
 const MOVED: f64 = 0.1;
-
-/// Largest deviation from the running median relative to that which 99 % of the values have, and to the range of the values
-/// without a hundredth at each end. A choice: noise of any kind exceeds neither.
-const WILD: [f64; 2] = [20.0, 0.3];
-
-/// Largest deviation relative to the range for a torque or a current: at a reversal they jump by the friction, with a peak of the
-/// controller within a row.
-const WILD_FORCE: f64 = 1.0;
-
-/// Largest share of the rows that are single values. A choice: more are a signal.
-const WILD_MOST: f64 = 0.01;
 
 /// Smallest jump relative to the change from row to row that 99 % of the rows have, and to the range. A choice.
 const JUMP: [f64; 2] = [10.0, 0.02];
@@ -177,37 +168,11 @@ fn correlation(pairs: &[[f64; 2]]) -> f64 {
     if xx > 0.0 && yy > 0.0 { xy / (xx * yy).sqrt() } else { 0.0 }
 }
 
-/// Returns the value that a part of the values does not exceed.
-fn quantile(values: &mut [f64], part: f64) -> f64 {
-    #[allow(
-        clippy::cast_precision_loss,
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a place among the values"
-    )]
-    let place = ((values.len() as f64 * part) as usize).min(values.len().saturating_sub(1));
-    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(place, f64::total_cmp).1 }
-}
-
-/// Returns the doubt of single values far beside the median of five, with the instant of the first.
+/// Returns the doubt of single values far beside those around them, with the instant of the first.
 fn outlier(column: Column, values: &[f64], time: &[f64]) -> Option<Doubt> {
-    let off = |five: &[f64]| {
-        let mut sorted: [f64; 5] = five.try_into().ok()?;
-        sorted.sort_unstable_by(f64::total_cmp);
-        Some((five.get(2)? - sorted.get(2)?).abs())
-    };
-    let off: Vec<f64> = values.windows(5).filter_map(off).collect();
-    let usual = quantile(&mut off.clone(), 0.99);
-    let mut sorted = values.to_vec();
-    let range = quantile(&mut sorted, 0.99) - quantile(&mut sorted, 0.01);
-    let [of_usual, of_range] = WILD;
     let is_force = matches!(column, Column::Torque | Column::Current);
-    let least = (of_usual * usual).max(if is_force { WILD_FORCE } else { of_range } * range);
-    let mut wild = off.iter().enumerate().filter(|(_, off)| **off > least);
-    let (first, _) = wild.next()?;
-    #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
-    let share = (1.0 + wild.count() as f64) / values.len() as f64;
-    (share < WILD_MOST).then(|| Doubt::new(column, Misread::Outlier, time.get(first + 2).copied().unwrap_or_default()))
+    let found = Outliers::of(values, if is_force { SignalKind::Force } else { SignalKind::Motion })?;
+    Some(Doubt::new(column, Misread::Outlier, time.get(found.first).copied().unwrap_or_default()))
 }
 
 /// Returns the doubt of a position that jumps by no whole number of revolutions from row to row, with the instant.

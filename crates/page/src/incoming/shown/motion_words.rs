@@ -5,7 +5,7 @@ use quantities::unit::{
     RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
 };
 use quantities::{Language, Unit, format_significant};
-use questions::{Along, ColumnRole, ExaminedRecording, Spurious};
+use questions::{Along, ColumnOutliers, ColumnRole, ExaminedRecording, Spurious};
 use words::{incoming, role_text};
 
 fn figure(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
@@ -25,6 +25,12 @@ pub(super) fn quality_rows(examined: &ExaminedRecording, language: Language) -> 
         (incoming::period(l).to_owned(), figure(examined.recorded.duration_s(), &SECOND, 5, l)),
         (incoming::sample_time(l).to_owned(), sample_time),
     ];
+    for role in [ColumnRole::Position, ColumnRole::Speed] {
+        if let Some((along, ends)) = examined.ends(role) {
+            let [from, to] = ends.map(|si| figure(si, unit(role, along), 4, l));
+            rows.push((incoming::ends_of(&role_text(role, l), l), incoming::from_to(&from, &to, l)));
+        }
+    }
     for (role, along, quality) in &examined.quality {
         let unit = unit(*role, *along);
         let name = role_text(*role, l);
@@ -35,6 +41,14 @@ pub(super) fn quality_rows(examined: &ExaminedRecording, language: Language) -> 
         }
     }
     rows
+}
+
+/// Returns the sentence about the single values of a column that are far beside those around them.
+pub(super) fn outliers(found: &ColumnOutliers, language: Language) -> String {
+    let l = language;
+    let value = figure(found.value, unit(found.role, found.along), 4, l);
+    let time = figure(found.time_s, &SECOND, 6, l);
+    incoming::outliers(found.count, &words::capitalised(&role_text(found.role, l)), &value, &time, l)
 }
 
 /// Returns the unit in which a column is shown.
