@@ -8,7 +8,7 @@ use quantities::{Language, Measure};
 use questions::texts::{by_importance, checked_text, instant_text, margin_share, margin_text, unit_text, verdict_text};
 use questions::{Candidate, Check, Part, Verdict};
 use words::{
-    about_text, capitalised, check_missing, grade_word, note_text, page, part_title, short_label, source_text,
+    about_text, capitalised, check_missing, grade_word, hyphenated, note_text, page, part_title, short_label, source_text,
     terminal, terms, title_of_check,
 };
 
@@ -42,7 +42,7 @@ pub(crate) fn of(candidate: &Candidate<'_>, prefix: &str, language: Language) ->
                     th scope="col" { (capitalised(terms::check(l))) }
                     th.number scope="col" { (capitalised(terms::value(l))) }
                     th.number scope="col" { (capitalised(terms::limit(l))) }
-                    th scope="col" { (capitalised(terms::unit(l))) }
+                    th.of-unit scope="col" { (capitalised(terms::unit(l))) }
                     th.number scope="col" { (crate::tip::of_word(terms::utilisation_short(l), l)) }
                 } }
                 @for part in &Part::ALL {
@@ -89,11 +89,12 @@ fn row(check: &Check, worst: &[overlay::Worst<'_>], prefix: &str, language: Lang
             th scope="row" {
                 span.verdict title=(verdict_text(check, l)) { span.unseen { (verdict_text(check, l)) ": " } }
                 button.plain type="button" title=(page::how_it_came_about(l)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
-                    hx-vals=(vals(&[("check", check.id.id())])) { (capitalised(&title_of_check(check, l))) }
+                    hx-vals=(vals(&[("check", check.id.id())])) { (hyphenated(&capitalised(&title_of_check(check, l)))) }
             }
             td.number { (checked_text(check.id, check.value, l)) }
-            td.number { (checked_text(check.id, check.limit, l)) }
-            td { (unit_text(check.value.or(check.limit), l)) }
+            // In a narrow pane the unit stands behind the limit.
+            td.number { (checked_text(check.id, check.limit, l)) span.unit { " " (unit_text(check.value.or(check.limit), l)) } }
+            td.of-unit { (unit_text(check.value.or(check.limit), l)) }
             td.number {
                 (margin_text(check, l))
                 @if let Some(at) = check.at {

@@ -3,7 +3,7 @@
 use crate::call::Reply;
 use maud::{DOCTYPE, Markup, html};
 use quantities::Language;
-use words::{capitalised, page};
+use words::page;
 
 /// Folders of the files that are the same for all clients and contain nothing of a project: a shell may send them to a
 /// client without a token.
@@ -34,7 +34,7 @@ fn sentence(status: u16, script: &Markup, (message, start): (&str, Option<&str>)
         (DOCTYPE)
         html lang=(language.id()) data-locked[status == 401] { (head) body { main.start {
             h1 { "antrieb" }
-            p role="status" { (capitalised(message)) }
+            p role="status" { (message) }
             @if let Some(start) = start { p { a href=(start) { (page::to_the_start(language)) } } }
         } } }
     };

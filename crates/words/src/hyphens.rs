@@ -28,6 +28,7 @@ const PARTS: &[&str] = &[
     "effektiv",
     "eingriffs",
     "einschalt",
+    "entmagneti",
     "feedback",
     "gerad",
     "geschwindigkeits",
@@ -49,6 +50,7 @@ const PARTS: &[&str] = &[
     "scheren",
     "schrägungs",
     "spannungs",
+    "spitzen",
     "steifigkeits",
     "stillstands",
     "strom",
@@ -113,6 +115,8 @@ mod tests {
             ("Drehzahl, Motor", "Drehzahl, Motor"),
             ("moment of inertia", "moment of inertia"),
             ("Abtriebsflansch", "Abtriebs|flansch"),
+            ("Spitzendrehmoment", "Spitzen|drehmoment"),
+            ("Entmagnetisierung", "Entmagneti|sierung"),
             ("Übertragungsgenauigkeit", "Übertragungs|genauigkeit"),
         ] {
             assert_eq!(hyphenated(word).replace('\u{ad}', "|"), wanted);
