@@ -53,6 +53,9 @@ pub struct Candidate {
     pub checks: Vec<Check>,
     /// Requirements not met and rules violated, as text.
     pub objections: Vec<String>,
+    /// Requirements that stay open because a datum is missing, as text; only where there are some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub open_requirements: Option<Vec<String>>,
     /// Number of questions that could not be answered because a datum is missing: checks without a value, and open
     /// requirements.
     pub open_questions: usize,

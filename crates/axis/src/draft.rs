@@ -68,6 +68,7 @@ pub(crate) fn prepare(root: &AxisSource, catalogue: &dyn Catalogue, report: &mut
     order::check(&root.parts, report);
     if let Some(required) = root.parts.requirements.get() {
         requirements::battery(required, catalogue, report);
+        requirements::offer(required, catalogue, report);
         let has_line = driven(&root.parts).is_none_or(|driven| driven.travel().is_some());
         requirements::check(required, has_line, report);
     }

@@ -93,6 +93,15 @@ pub enum AxisFault {
         /// Fault with its place in the file.
         found: Box<AxisDiagnostic>,
     },
+    /// A price without an amount or without a currency.
+    NoPrice,
+    /// A manufacturer of whom the catalogue has no product.
+    UnknownMaker {
+        /// Name as written.
+        name: String,
+        /// Manufacturers of the catalogue.
+        makers: Vec<String>,
+    },
     /// A catalogue file without products.
     NoProducts,
     /// A product with the name of another one of the file.
@@ -163,6 +172,8 @@ impl AxisFault {
             Self::Body(error) => ids::body(error),
             Self::BodyOfText { error, .. } => ids::body(error),
             Self::InCatalogue { found, .. } => found.fault.id(),
+            Self::NoPrice => "no_price",
+            Self::UnknownMaker { .. } => "unknown_maker",
             Self::NoProducts => "catalogue_without_products",
             Self::ProductNamedTwice { .. } => "product_named_twice",
             Self::ProductOfTwoFiles { .. } => "product_of_two_files",

@@ -5,7 +5,7 @@ use crate::catalogue::Catalogue;
 use crate::choices;
 use crate::fault::{AxisFault, AxisReport};
 use actuator::{BatteryFault, Protection};
-use configurator::Requirements;
+use configurator::{Price, Requirements, is_maker};
 use project::choices::MainsPhases;
 use project::sections::{DriveSection, PositionLoop, RequirementsSection, Section, StatedField};
 use project::{Fault, Hint, example};
@@ -19,6 +19,13 @@ pub(crate) fn build(section: &RequirementsSection) -> Requirements {
         hollow_shaft_min: section.hollow_shaft_min.value(),
         length_max: section.length_max.value(),
         mass_max: section.mass_max.value(),
+        makers: section
+            .makers
+            .get()
+            .map(|all| all.0.iter().map(|(name, _)| name.clone()).collect())
+            .unwrap_or_default(),
+        price_max: section.price_max.get().and_then(|price| Price::read(price)),
+        lead_time_max: section.lead_time_max.value(),
         supply: link(section).map(|supply| supply.least()),
     }
 }
@@ -123,6 +130,26 @@ pub(crate) fn apply(section: &RequirementsSection, axis: &mut Axis) {
         special_application: section.special_application.value().map(choices::special_application),
         ..AxisRequirements::default()
     };
+}
+
+/// Reports a price without amount or currency, and manufacturers that the catalogue does not have.
+pub(crate) fn offer(section: &RequirementsSection, catalogue: &dyn Catalogue, report: &mut AxisReport<'_>) {
+    if section.price_max.get().is_some_and(|price| Price::read(price).is_none()) {
+        report.fault(section.price_max.span(), AxisFault::NoPrice, None);
+    }
+    let Some(stated) = section.makers.get() else { return };
+    let mut makers: Vec<String> = Vec::new();
+    for maker in catalogue.products(false).iter().filter_map(|product| product.manufacturer.as_deref()) {
+        if !makers.iter().any(|known| known == maker) {
+            makers.push(maker.to_owned());
+        }
+    }
+    for (name, span) in &stated.0 {
+        if !makers.iter().any(|maker| is_maker(maker, name)) {
+            let fault = AxisFault::UnknownMaker { name: name.clone(), makers: makers.clone() };
+            report.fault(span.clone(), fault, None);
+        }
+    }
 }
 
 /// Reports an operation for which the life of the battery is unknown.

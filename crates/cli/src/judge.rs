@@ -417,10 +417,13 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     out.push_str(&table.render());
     for objection in &candidate.objections {
         let head = match objection {
-            Objection::Unmet(questions::Unmet::NotKnown { .. }) => terminal::requirement_not_checked(language),
+            Objection::Unmet(unmet) if unmet.is_open() => terminal::requirement_not_checked(language),
             _ => terms::requirement_not_met(language),
         };
         out.push_str(&labelled(head, &objection_text(candidate, objection, language)));
+    }
+    for open in &candidate.open_requirements {
+        out.push_str(&labelled(terminal::requirement_not_checked(language), &words::unmet_text(open, language)));
     }
     out.push_str(&remarks(candidate, "", language));
     out

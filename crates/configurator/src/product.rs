@@ -1,10 +1,11 @@
 //! Products: an actuator of any source with its identity and its data.
 
+use crate::offer::Offer;
 use crate::rules::{Availability, BrokenRule, availability};
 use actuator::Parameters;
 use catalogue::SeriesData;
 use order_code::{Brake, Feedback, Option1, Option2, OrderCode, Pattern};
-use quantities::{Measure, Time};
+use quantities::Measure;
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
@@ -30,15 +31,6 @@ pub struct Product {
     pub brake: Option<Brake>,
     /// Price and time of delivery, as a catalogue file states them.
     pub offer: Offer,
-}
-
-/// Price and time of delivery of a product.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Offer {
-    /// Price as written, such as `1250 EUR`.
-    pub price: Option<Arc<str>>,
-    /// Time of delivery.
-    pub lead_time: Option<Time>,
 }
 
 /// Frame size of a product.

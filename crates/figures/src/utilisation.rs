@@ -5,7 +5,7 @@ use crate::labels::{amount, listed, percent};
 use plot::{Bar, BarChart, Label, PlaneAxis};
 use quantities::Language;
 use questions::texts::{by_importance, checked_text, counts_text, margin_share, verdict_text};
-use questions::{Candidate, Check, CheckId, Direction, Objection, Unmet, Verdict};
+use questions::{Candidate, Check, CheckId, Direction, Objection, Verdict};
 use words::{
     advice_word, capitalised, check_missing, pictures, row_name, terms, title_of_check, unmet_text, verdict_word,
     without_keys, without_limit,
@@ -18,6 +18,9 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     let mut chart = BarChart::new(PlaneAxis::new("", "%").name(pictures::utilisation_of_the_limit(language)));
     for objection in &candidate.objections {
         chart = chart.bar(objection_bar(candidate, objection, language));
+    }
+    for open in &candidate.open_requirements {
+        chart = chart.bar(requirement_bar(plot::Verdict::NotChecked, &unmet_text(open, language), language));
     }
     for check in &checks {
         chart = chart.bar(bar(check, language));
@@ -35,7 +38,7 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     if checks.iter().any(|check| check.is_without_limit()) {
         chart = chart.explain(plot::Verdict::NoLimit, without_limit(language));
     }
-    let rows = checks.len() + candidate.objections.len();
+    let rows = checks.len() + candidate.objections.len() + candidate.open_requirements.len();
     #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
     let height = 6.0f64.mul_add(rows as f64, 30.0);
     let mut caption = pictures::utilisation_caption(language).to_owned();
@@ -105,11 +108,15 @@ fn bar(check: &Check, language: Language) -> Bar {
 
 fn objection_bar(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> Bar {
     let (sign, text) = match objection {
-        Objection::Unmet(unmet @ Unmet::NotKnown { .. }) => (plot::Verdict::NotChecked, unmet_text(unmet, language)),
+        Objection::Unmet(unmet) if unmet.is_open() => (plot::Verdict::NotChecked, unmet_text(unmet, language)),
         Objection::Unmet(unmet) => (plot::Verdict::Fail, unmet_text(unmet, language)),
         Objection::Rule(rule) => (plot::Verdict::Fail, questions::texts::rule_text(&candidate.id, rule, language)),
     };
-    Bar::new(capitalised(&text), sign).text(terms::requirement(language)).tooltip(&text)
+    requirement_bar(sign, &text, language)
+}
+
+fn requirement_bar(sign: plot::Verdict, text: &str, language: Language) -> Bar {
+    Bar::new(capitalised(text), sign).text(terms::requirement(language)).tooltip(text)
 }
 
 fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {

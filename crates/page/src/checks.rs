@@ -8,8 +8,8 @@ use quantities::{Language, Measure};
 use questions::texts::{by_importance, checked_text, instant_text, margin_share, margin_text, unit_text, verdict_text};
 use questions::{Candidate, Check, Part, Verdict};
 use words::{
-    about_text, capitalised, check_missing, grade_word, hyphenated, note_text, page, part_title, short_label, source_text,
-    terminal, terms, title_of_check,
+    about_text, capitalised, check_missing, grade_word, hyphenated, note_text, page, part_title, short_label,
+    source_text, terminal, terms, title_of_check,
 };
 
 pub(crate) fn verdict_class(verdict: Verdict) -> &'static str {

@@ -13,7 +13,7 @@ use questions::texts::{
 };
 use questions::{Candidate, Check, Progress, Verdict, catalogue_fingerprint, project_fingerprint};
 use std::collections::BTreeMap;
-use words::{assumption_text, capitalised, page, title_of_check, verdict_count, without_keys};
+use words::{assumption_text, capitalised, page, terminal, title_of_check, unmet_text, verdict_count, without_keys};
 
 /// Number of checks with a bar, as on the first page of the report.
 const BARS: usize = 5;
@@ -49,6 +49,7 @@ fn page_of(state: &PageState, project: &AxisProject, candidate: &Candidate<'_>, 
         section class={ "result " (class(candidate)) } {
             p.standing { strong.code { (candidate.id) } br; (capitalised(&standing_text(candidate, l))) }
             @for objection in &candidate.objections { p.fail { (objection_text(candidate, objection, l)) } }
+            @for open in &candidate.open_requirements { p { (capitalised(terminal::requirement_not_checked(l))) ": " (unmet_text(open, l)) } }
             p { (capitalised(&counts_text(candidate, l))) }
             @if !open.is_empty() { p { (capitalised(&verdict_count(Verdict::NotChecked, open.len(), l))) ": " (open.join("; ")) "." } }
         }

@@ -2,10 +2,10 @@
 
 use crate::file_lines::in_words;
 use crate::markup::label_of;
-use questions::ColumnRole;
-use words::{incoming, role_key, role_text};
 use maud::{Markup, html};
 use quantities::Language;
+use questions::ColumnRole;
+use words::{incoming, role_key, role_text};
 
 /// Word of the file for a column without use.
 const NO_COLUMN: &str = "none";

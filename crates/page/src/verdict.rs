@@ -10,7 +10,9 @@ use quantities::Language;
 use questions::list::check::reserve_unasked;
 use questions::texts::{objection_text, percent, reserve_lines, standing_text};
 use questions::{Candidate, Progress, Verdict};
-use words::{about_text, capitalised, check_title, page, short_label, terms, verdict_count, without_limit};
+use words::{
+    about_text, capitalised, check_title, page, short_label, terminal, terms, unmet_text, verdict_count, without_limit,
+};
 
 /// Number of faults shown at once.
 pub(crate) const FAULTS_SHOWN: usize = 20;
@@ -82,6 +84,7 @@ fn below(found: &Outcome<'_, '_>, candidate: &Candidate<'_>, progress: &Progress
     };
     html! {
         @for objection in &candidate.objections { p.below.fail { (objection_text(candidate, objection, l)) } }
+        @for open in &candidate.open_requirements { p.below.open { (capitalised(terminal::requirement_not_checked(l))) ": " (unmet_text(open, l)) } }
         @for (head, parts) in reserve_lines(&reserve, candidate, l) {
             p.below.would { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
         }

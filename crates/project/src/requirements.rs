@@ -4,7 +4,7 @@ use crate::KeyDefault;
 use crate::about::About;
 use crate::choices::{LeftOut, MainsPhases, MountingPosition, ProtectionDegree, SpecialApplication};
 use crate::section::section;
-use crate::value::{Choices, WordChoice, choice, choices};
+use crate::value::{Choices, Texts, WordChoice, choice, choices};
 use order_code::{Feedback, Option1, Option2, Series};
 use quantities::{
     Acceleration, Angle, EffectiveVoltage, ElectricCurrent, ElectricPotential, Frequency, Length, Mass, Power,
@@ -25,6 +25,9 @@ section! {
         hollow_shaft_min: Length => not_negative, example("18 mm");
         length_max: Length => positive, example("200 mm");
         mass_max: Mass => positive, example("10 kg");
+        makers: Texts => example("Example Drives");
+        price_max: String => example("1500 EUR");
+        lead_time_max: Time => positive, example("60 d");
         supply: ElectricPotential => positive, noted(KeyDefault::NoSupply);
         mains: EffectiveVoltage => positive;
         mains_phases: MainsPhases;

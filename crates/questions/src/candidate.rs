@@ -29,8 +29,10 @@ pub struct Candidate<'p> {
     pub on_request: Vec<Field>,
     /// Every check.
     pub judgement: Judgement,
-    /// Reasons against the candidate besides failing checks.
+    /// Reasons against the candidate besides failing checks; each rejects it.
     pub objections: Vec<Objection>,
+    /// Requirements that stay open because a datum is missing, and that do not reject the candidate.
+    pub open_requirements: Vec<Unmet>,
     /// Criteria of the ranking.
     pub standing: Standing,
     /// `true` if neither the call nor the project names an actuator and the answer is about the best of the ranking.
@@ -103,8 +105,8 @@ impl Candidate<'_> {
             };
             *of += 1;
         }
-        let open = |objection: &&Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
-        counts.requirements_open = self.objections.iter().filter(open).count();
+        let open = |objection: &&Objection| matches!(objection, Objection::Unmet(unmet) if unmet.is_open());
+        counts.requirements_open = self.open_requirements.len() + self.objections.iter().filter(open).count();
         counts
     }
 

@@ -3,7 +3,7 @@
 use crate::sizing_use::{Candidate, Objection};
 use configurator::Unmet;
 use provenance::Source;
-use quantities::unit::{KILOGRAM, MILLIMETRE};
+use quantities::unit::{DAY, KILOGRAM, MILLIMETRE};
 use quantities::{Measure, Unit};
 use sizing::{Amount, Verdict};
 
@@ -55,6 +55,7 @@ pub fn limits_needed(candidate: &Candidate<'_>) -> Option<Vec<NeededLimit>> {
             }
             Objection::Unmet(Unmet::Length { has, .. }) => of("requirements.length_max", has.si(), &MILLIMETRE),
             Objection::Unmet(Unmet::Mass { has, .. }) => of("requirements.mass_max", has.si(), &KILOGRAM),
+            Objection::Unmet(Unmet::LeadTime { has, .. }) => of("requirements.lead_time_max", has.si(), &DAY),
             _ => return None,
         });
     }

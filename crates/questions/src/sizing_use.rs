@@ -5,7 +5,7 @@ use crate::progress::Stopped;
 use actuator::Parameters;
 use axis::Assumption;
 use axis::{AxisProject, Catalogue};
-use configurator::{BrokenRule, Product, ProductId};
+use configurator::{BrokenRule, Product, ProductId, Unmet};
 use provenance::Datum;
 use quantities::Measure;
 use rayon::prelude::*;
@@ -480,7 +480,9 @@ fn candidate<'p>(judging: &mut Judging<'p>, id: ProductId, product: &'p Product)
     let project = judging.project;
     let parameters = &product.parameters;
     let judgement = judging.judge(parameters);
-    let mut objections: Vec<Objection> = project.requirements.unmet(&id, product).map(Objection::Unmet).collect();
+    let (unmet, open_requirements): (Vec<Unmet>, Vec<Unmet>) =
+        project.requirements.unmet(&id, product).partition(|unmet| unmet.rejects(product));
+    let mut objections: Vec<Objection> = unmet.into_iter().map(Objection::Unmet).collect();
     // A product without options is in the catalogue because it is available; only options can change that.
     let on_request = match id.has_options().then(|| id.availability()) {
         None => Vec::new(),
@@ -490,8 +492,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, id: ProductId, product: &'p Product)
             Vec::new()
         }
     };
-    let is_ordered = !objections.iter().any(|objection| matches!(objection, Objection::Rule(_)));
-    let met = is_ordered && project.requirements.are_met(&id, product);
+    let met = objections.is_empty();
     let is_among_makers = project.catalogue().has_files();
     let size = product.rank_size(is_among_makers);
     let standing = Standing::of(&judgement, met, size, known_si(&parameters.mass));
@@ -502,6 +503,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, id: ProductId, product: &'p Product)
         on_request,
         judgement,
         objections,
+        open_requirements,
         standing,
         is_best_of_ranking: false,
         is_among_makers,

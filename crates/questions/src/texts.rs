@@ -119,7 +119,11 @@ fn reason_title(reason: &Reason<'_>, language: Language) -> String {
         Objection::Unmet(Unmet::Length { .. }) => records::too_long,
         Objection::Unmet(Unmet::Mass { .. }) => records::too_heavy,
         Objection::Unmet(Unmet::SupplyTooLow { .. }) => records::supply_too_low,
-        Objection::Unmet(unmet @ (Unmet::Brake(_) | Unmet::NotKnown { .. })) => return unmet_text(unmet, language),
+        Objection::Unmet(Unmet::Price { .. }) => records::too_expensive,
+        Objection::Unmet(Unmet::LeadTime { .. }) => records::lead_time_too_long,
+        Objection::Unmet(unmet @ (Unmet::Brake(_) | Unmet::Maker | Unmet::NotKnown { .. } | Unmet::NotOffered(_))) => {
+            return unmet_text(unmet, language);
+        }
         Objection::Rule(rule) => return records::rule_of_table(&rule.table, language),
     };
     text(language).to_owned()

@@ -269,7 +269,7 @@ impl<'c> Judged<'c> {
         let touched = |table: &str| project.tolerances.iter().any(|each| each.path.starts_with(table));
         let varies = touched("requirements.") || (own && touched("actuator."));
         let speaks = |objection: &Objection| match objection {
-            Objection::Unmet(unmet) => !varies && speaks(own, unmet),
+            Objection::Unmet(unmet) => !varies && unmet.rejects(candidate.product),
             Objection::Rule(_) => true,
         };
         Self { candidate, hopeless: candidate.objections.iter().any(speaks) }
@@ -290,15 +290,8 @@ impl<'c> Judged<'c> {
             return true;
         }
         let requirements = variant.requirements.as_ref().unwrap_or(&project.requirements);
-        let own = product.is_of_project();
-        requirements.unmet(&self.candidate.id, product).all(|unmet| !speaks(own, &unmet))
+        requirements.are_met(&self.candidate.id, product)
     }
-}
-
-/// Returns `true` if an unmet requirement counts. An unknown datum of a user's actuator leaves a requirement open and
-/// does not break it.
-const fn speaks(own: bool, unmet: &crate::Unmet) -> bool {
-    !(own && matches!(unmet, crate::Unmet::NotKnown { .. }))
 }
 
 /// Creates the judge of a variant that determines only verdict and utilisation.

@@ -69,6 +69,13 @@ fn axis_fault_text(fault: &AxisFault, language: Language) -> String {
             let text = axis_fault_text(&found.fault, language);
             said!(language => "{name}, line {line}, column {column}: {text}" | "{name}, Zeile {line}, Spalte {column}: {text}")
         }
+        AxisFault::NoPrice => said!(language =>
+            "no price: an amount with its currency is required, without marks that group digits"
+            | "kein Preis: erforderlich ist ein Betrag mit Währung, ohne Zeichen zwischen Tausendern"
+        ),
+        AxisFault::UnknownMaker { name, .. } => said!(language =>
+            "the catalogue has no manufacturer {}" | "im Katalog steht kein Hersteller {}", recording::quoted(name, language)
+        ),
         AxisFault::NoProducts => said!(language =>
             "the catalogue file has no products" | "die Katalogdatei enthält keine Produkte"
         ),
@@ -109,6 +116,11 @@ fn axis_own_hint(fault: &AxisFault, language: Language) -> Option<String> {
             found.hint.as_ref().map(|hint| hint_text(hint, language)).or_else(own)
         }
         AxisFault::NoProducts => example_hint("[[actuator]]", language),
+        AxisFault::NoPrice => example_hint("price_max = \"1500 EUR\"", language),
+        AxisFault::UnknownMaker { makers, .. } => {
+            let makers = makers.join("; ");
+            Some(said!(language => "manufacturers of the catalogue: {makers}" | "Hersteller des Katalogs: {makers}"))
+        }
         AxisFault::NothingOffered => example_hint("files = [\"stock.toml\"]", language),
         AxisFault::ImpossibleWithin { why: None, .. }
         | AxisFault::Curve(_)

@@ -422,6 +422,18 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         About::Requirements(RequirementsName::hollow_shaft_min) => ("minimum hollow shaft bore diameter", "minimaler Hohlwellendurchmesser"),
         About::Requirements(RequirementsName::length_max) => ("maximum length of the actuator", "maximale Baulänge des Antriebs"),
         About::Requirements(RequirementsName::mass_max) => ("maximum mass of the actuator", "maximale Masse des Antriebs"),
+        About::Requirements(RequirementsName::makers) => (
+            "permitted manufacturers, each by its name or the first words of it; default: any",
+            "zulässige Hersteller, jeder mit seinem Namen oder dessen ersten Wörtern; ohne Angabe alle",
+        ),
+        About::Requirements(RequirementsName::price_max) => (
+            "maximum price with its currency; compared with the prices of catalogue files",
+            "höchster Preis mit Währung; verglichen mit den Preisen der Katalogdateien",
+        ),
+        About::Requirements(RequirementsName::lead_time_max) => (
+            "maximum lead time; compared with those of catalogue files",
+            "längste Lieferzeit; verglichen mit denen der Katalogdateien",
+        ),
         About::Requirements(RequirementsName::supply) => ("DC link voltage; without it, the terminal voltage is not checked", "Zwischenkreisspannung; ohne Angabe wird die Klemmenspannung nicht geprüft"),
         About::Requirements(RequirementsName::mains) => (
             "mains voltage instead of the DC link voltage, line to line, rms; each check uses the less favourable limit",

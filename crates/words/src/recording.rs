@@ -481,7 +481,7 @@ pub fn encoding_guess(encoding: Option<Encoding>, language: Language) -> Option<
     Some(said!(language => "text read as {name} (assumed)" | "Text als {name} gelesen (Annahme)"))
 }
 
-fn quoted(text: &str, language: Language) -> String {
+pub(super) fn quoted(text: &str, language: Language) -> String {
     said!(language => "\"{text}\"" | "„{text}“")
 }
 

@@ -7,6 +7,8 @@ texts! {
     hollow_shaft_too_narrow = "hollow shaft bore too small" | "Hohlwellendurchmesser zu klein";
     too_long = "too long" | "zu lang";
     too_heavy = "too heavy" | "zu schwer";
+    too_expensive = "too expensive" | "zu teuer";
+    lead_time_too_long = "lead time too long" | "Lieferzeit zu lang";
     supply_too_low = "supply voltage too low for the winding" | "Versorgungsspannung zu niedrig für die Wicklung";
     rule_of_table(table) = "rule of the ordering code, table {table}" | "Regel des Bestellschlüssels, Tabelle {table}";
     screws_at_the_load = "screws between flange and load" | "Schrauben zwischen Flansch und Last";

@@ -118,6 +118,8 @@ pub(crate) fn cases() -> Vec<(&'static str, String, At)> {
         ("not_a_choice", segments(&["law = \"sprint\"\ntime = \"1 s\""]), Field("motion[1].law")),
         ("not_a_choice", more("[requirements]\nfeedback = [\"X\"]\n"), Field("requirements.feedback")),
         ("empty_list", more("[requirements]\nfeedback = []\n"), Field("requirements.feedback")),
+        ("no_price", more("[requirements]\nprice_max = \"1.500 EUR\"\n"), Field("requirements.price_max")),
+        ("unknown_maker", more("[requirements]\nmakers = [\"Nobody\"]\n"), Field("requirements.makers")),
         ("not_a_row", more(&format!("{bend}[[\"0 1/min\"]]\n")), Field("curve[1].points")),
         ("ratio_count", more("[stage]\nkind = \"belt\"\nratios = []\n"), Field("stage.ratios")),
         ("ratio_and_ratios", more("[stage]\nkind = \"belt\"\nratio = 2.0\nratios = [2.0, 3.0]\n"), Field("stage.ratios")),

@@ -119,6 +119,8 @@ class Ranked(Record):
     """The checks, in a fixed order."""
     objections: list[str]
     """Requirements not met and rules violated, as text."""
+    open_requirements: list[str] | None = None
+    """Requirements that stay open because a datum is missing, as text; only where there are some."""
     open_questions: int
     """Number of questions that could not be answered because a datum is missing: checks without a value, and open
 requirements."""
@@ -414,6 +416,8 @@ class Assessed(Record):
     """The checks, in a fixed order."""
     objections: list[str]
     """Requirements not met and rules violated, as text."""
+    open_requirements: list[str] | None = None
+    """Requirements that stay open because a datum is missing, as text; only where there are some."""
     open_questions: int
     """Number of questions that could not be answered because a datum is missing: checks without a value, and open
 requirements."""
@@ -636,6 +640,8 @@ class Judgement(Record):
     """The checks, in a fixed order."""
     objections: list[str]
     """Requirements not met and rules violated, as text."""
+    open_requirements: list[str] | None = None
+    """Requirements that stay open because a datum is missing, as text; only where there are some."""
     open_questions: int
     """Number of questions that could not be answered because a datum is missing: checks without a value, and open
 requirements."""

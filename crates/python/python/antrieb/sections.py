@@ -2798,6 +2798,9 @@ class Axis(BaseAxis):
         "hollow_shaft_min",
         "length_max",
         "mass_max",
+        "makers",
+        "price_max",
+        "lead_time_max",
         "supply",
         "mains",
         "mains_phases",
@@ -2859,6 +2862,9 @@ class Axis(BaseAxis):
         "hollow_shaft_min": Kind("quantity", example="18 mm"),
         "length_max": Kind("quantity", example="200 mm"),
         "mass_max": Kind("quantity", example="10 kg"),
+        "makers": Kind("texts"),
+        "price_max": Kind("text"),
+        "lead_time_max": Kind("quantity", example="60 d"),
         "supply": Kind("quantity", example="560 V"),
         "mains": Kind("quantity", example="400 V"),
         "mains_phases": Kind("word", words=("single", "three",)),
@@ -2918,6 +2924,9 @@ class Axis(BaseAxis):
     hollow_shaft_min: str | None
     length_max: str | None
     mass_max: str | None
+    makers: tuple[str, ...] | None
+    price_max: str | None
+    lead_time_max: str | None
     supply: str | None
     mains: str | None
     mains_phases: Literal["single", "three"] | None
@@ -2979,6 +2988,9 @@ class Axis(BaseAxis):
         hollow_shaft_min: Quantity | None = None,
         length_max: Quantity | None = None,
         mass_max: Quantity | None = None,
+        makers: Sequence[str] | None = None,
+        price_max: str | None = None,
+        lead_time_max: Quantity | None = None,
         supply: Quantity | None = None,
         mains: Quantity | None = None,
         mains_phases: Literal["single", "three"] | None = None,
@@ -3038,6 +3050,9 @@ class Axis(BaseAxis):
             hollow_shaft_min: Minimum hollow shaft bore diameter. Length such as `"18 mm"`, zero or more.
             length_max: Maximum length of the actuator. Length such as `"200 mm"`, above zero.
             mass_max: Maximum mass of the actuator. Mass such as `"10 kg"`, above zero.
+            makers: Permitted manufacturers, each by its name or the first words of it; default: any.
+            price_max: Maximum price with its currency; compared with the prices of catalogue files.
+            lead_time_max: Maximum lead time; compared with those of catalogue files. Time such as `"60 d"`, above zero.
             supply: DC link voltage; without it, the terminal voltage is not checked, listed as assumed. Voltage such as `"560 V"`, above zero.
             mains: Mains voltage instead of the DC link voltage, line to line, rms; each check uses the less favourable limit. Effective voltage such as `"400 V"`, above zero.
             mains_phases: Number of mains phases; default: three.
@@ -3097,6 +3112,9 @@ class Axis(BaseAxis):
             hollow_shaft_min=hollow_shaft_min,
             length_max=length_max,
             mass_max=mass_max,
+            makers=makers,
+            price_max=price_max,
+            lead_time_max=lead_time_max,
             supply=supply,
             mains=mains,
             mains_phases=mains_phases,

@@ -17,12 +17,18 @@ use configurator::ProductId;
 use quantities::unit::{DAY, DEGREE_CELSIUS, KILOGRAM, MILLIMETRE, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Proviso, Reserve, SAMPLES_ANEW, Verdict};
-use words::ranking_rule;
+use words::{ranking_rule, unmet_text};
 
 /// Returns the objections to a candidate besides failing checks, as text.
 #[must_use]
 pub fn objections(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
     candidate.objections.iter().map(|each| objection_text(candidate, each, language)).collect()
+}
+
+/// Returns the requirements that stay open because a datum is missing, as text; `None` if there are none.
+fn open_requirements(candidate: &Candidate<'_>, language: Language) -> Option<Vec<String>> {
+    let open = candidate.open_requirements.iter().map(|unmet| unmet_text(unmet, language));
+    Some(open.collect()).filter(|open: &Vec<String>| !open.is_empty())
 }
 
 /// Returns the verdict on a candidate.
@@ -50,6 +56,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
         demand: demand(judgement.manual.as_ref(), judgement.demand.as_ref()),
         checks: judgement.checks.iter().map(|each| check(each, language)).collect(),
         objections: objections(candidate, language),
+        open_requirements: open_requirements(candidate, language),
         open_questions: candidate.open_questions(),
     }
 }

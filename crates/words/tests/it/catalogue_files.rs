@@ -8,6 +8,8 @@ use quantities::Language;
 fn faults_of_catalogue_files_have_their_sentences() {
     let id = || "XD-20".to_owned();
     let all = [
+        AxisFault::NoPrice,
+        AxisFault::UnknownMaker { name: "Drives".to_owned(), makers: vec!["Example Drives".to_owned()] },
         AxisFault::NoProducts,
         AxisFault::ProductNamedTwice { id: id(), line: 7 },
         AxisFault::ProductOfTwoFiles { id: id() },
