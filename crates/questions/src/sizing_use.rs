@@ -122,6 +122,13 @@ pub enum Refusal {
     Broken(Vec<BrokenRule>),
     /// The manual prints no data for this code.
     NoData,
+    /// The catalogue file does not state a datum of a product that the answer needs.
+    NotStated {
+        /// Name of the product.
+        name: String,
+        /// Symbol of the datum.
+        symbol: &'static str,
+    },
     /// No catalogue file has a product of this name.
     NoProduct {
         /// Name as given.
@@ -368,6 +375,11 @@ fn check_with<'p>(project: &'p AxisProject, id: ProductId, mut judging: Judging<
     let product = own.or_else(|| project.catalogue().product(&id));
     let product = product.ok_or_else(|| not_offered(&**project.catalogue(), &id))?;
     Ok(candidate(&mut judging, id, product))
+}
+
+/// Returns the reason why an answer about a product lacks a datum.
+pub(crate) fn without_datum(product: &Product, symbol: &'static str) -> Refusal {
+    if product.is_described() { Refusal::NotStated { name: product.id.to_string(), symbol } } else { Refusal::NoData }
 }
 
 /// Returns the reason why a catalogue has no product with an identity.

@@ -236,3 +236,15 @@ fn a_project_of_a_recording_has_no_figures_of_a_template() {
         }
     }
 }
+
+/// Of a product of a catalogue file the datum that lacks is named; it has neither an ordering code nor a manual.
+#[test]
+fn a_product_of_a_file_names_the_datum_that_it_lacks() {
+    for (question, more, german) in [("curve", &[][..], "n_N"), ("torsion", &["--torque", "10 N m"], "K_1")] {
+        let file = ["--catalogue", "examples/catalogue/stock.csv"];
+        let run = crate::run::run(&[&[question, "XD-20-80"], more, &file, &["--lang", "de"]].concat());
+        assert_eq!(run.code, 2, "{}", run.out);
+        assert!(run.err.contains("XD-20-80: nicht bekannt") && run.err.contains(german), "{}", run.err);
+        assert!(!run.err.contains("Bestell"), "{}", run.err);
+    }
+}

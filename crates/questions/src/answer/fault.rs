@@ -5,7 +5,7 @@ use crate::sizing_use::Refusal;
 use crate::sweep::{CellFault, TableFaults};
 use answers::{Fault, Faults, Place};
 use quantities::{Language, format_significant, seen};
-use words::{Worded, check_title, terminal};
+use words::{Worded, check_missing, check_title, terminal};
 
 /// Returns the faults of an input file.
 #[must_use]
@@ -103,6 +103,7 @@ pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language
             let near = near.as_ref().map_or_else(String::new, |near| format!("; {}", terminal::near(near, language)));
             format!("{}{near}", terminal::no_product(&seen(name), language))
         }
+        Refusal::NotStated { name, symbol } => format!("{}: {}", seen(name), check_missing(symbol, language)),
         Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
     }
 }

@@ -5,7 +5,7 @@ use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, PICTURE
 use crate::answer;
 use crate::chapters::read_quantity;
 use crate::plane::{Plane, plane_of};
-use crate::sizing_use::{Refusal, not_offered};
+use crate::sizing_use::{not_offered, without_datum};
 use configurator::ProductId;
 use quantities::ElectricPotential;
 use words::{help, help::values};
@@ -44,6 +44,6 @@ pub static ENTRY: Entry = Entry {
 pub fn found(inquiry: &Inquiry<'_>) -> Result<(ProductId, Plane), Unanswered> {
     let Args { code, voltage } = Args::read(&inquiry.given)?;
     let product = inquiry.catalogue.product(&code).ok_or_else(|| not_offered(&**inquiry.catalogue, &code))?;
-    let plane = plane_of(product, voltage).map_err(|_| Refusal::NoData)?;
+    let plane = plane_of(product, voltage).map_err(|missing| without_datum(product, missing.symbol))?;
     Ok((code, plane))
 }

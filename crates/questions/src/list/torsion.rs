@@ -4,7 +4,7 @@ use super::given::{arguments, product, some};
 use super::{Answer, Argument, ArgumentForm, CODE, Entry, Gives, Inquiry, Reads, Record, Unanswered};
 use crate::answer;
 use crate::chapters::read_quantity;
-use crate::sizing_use::{Refusal, not_offered};
+use crate::sizing_use::{not_offered, without_datum};
 use crate::torsion::{TorsionAnswer, Twist, torsion};
 use configurator::ProductId;
 use quantities::{Angle, Torque};
@@ -50,6 +50,6 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<(ProductId, TorsionAnswer), Unansw
     let one = || Unanswered::option("torque", (words::terminal::torque_or_angle(inquiry.language).to_owned(), None));
     let twist = Twist::of(torque, angle).ok_or_else(one)?;
     let product = inquiry.catalogue.product(&code).ok_or_else(|| not_offered(&**inquiry.catalogue, &code))?;
-    let found = torsion(&product.parameters, twist).ok_or(Refusal::NoData)?;
+    let found = torsion(&product.parameters, twist).ok_or_else(|| without_datum(product, "K_1"))?;
     Ok((code, found))
 }
