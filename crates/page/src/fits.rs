@@ -3,7 +3,7 @@
 
 use crate::call::Shell;
 use crate::checks;
-use crate::markup::vals;
+use crate::markup::{id_of_product, vals};
 use crate::parts::part;
 use crate::shown::Outcome;
 use crate::state::{Filter, List, MARKED_MOST, PageState, ReadProject, Sort};
@@ -267,13 +267,13 @@ fn row(state: &PageState, rank: Option<usize>, candidate: &Candidate<'_>, looked
     let it = looked_at.filter(|it| it.id == candidate.id);
     let unfolded = it.is_some() && state.unfolded;
     html! {
-        tbody id={ "r-" (name) } aria-current=[it.map(|_| "true")] {
+        tbody id={ "r-" (id_of_product(&name)) } aria-current=[it.map(|_| "true")] {
             tr {
                 td.number.rank { @match rank { Some(rank) => (rank), None => "–" } }
                 td.code {
                     (fold(&name, unfolded, l))
                     @if !candidate.product.is_of_project() {
-                        input type="checkbox" name="mark" form="state" value=(name) id={ "m-" (name) } aria-label=(page::mark(&name, l))
+                        input type="checkbox" name="mark" form="state" value=(name) id={ "m-" (id_of_product(&name)) } aria-label=(page::mark(&name, l))
                             checked[is_marked(&candidate.id)] data-checked=(is_marked(&candidate.id)) disabled[!is_marked(&candidate.id) && state.marked.len() >= MARKED_MOST]
                             hx-post="/work" hx-trigger="change";
                     }

@@ -13,7 +13,7 @@ use quantities::Language;
 use questions::list::compare::compare;
 use questions::list::new::{self, Template, template_kinds};
 use questions::list::size::sized;
-use questions::{Candidate, CheckId, Progress, Refusal, Rejected, Sizing, explain, explain_own};
+use questions::{Candidate, CheckId, ProductId, Progress, Refusal, Rejected, Sizing, explain, explain_own};
 use std::sync::LazyLock;
 use words::{check_title, page};
 
@@ -392,6 +392,13 @@ pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) 
 
 fn comparison(state: &mut PageState, shell: &dyn Shell, progress: &Progress) -> Markup {
     let held = state.hold(shell, progress);
-    let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked, progress).ok());
+    // A mark may be left of a catalogue file that the project does not name any more.
+    let found = held.projects.get(state.axis).and_then(|project| {
+        let is_known = |id: &&ProductId| {
+            project.catalogue().product(id).is_some() || project.actuator.as_ref().is_some_and(|own| own.id == **id)
+        };
+        let marked: Vec<ProductId> = state.marked.iter().filter(is_known).cloned().collect();
+        compare(project, &marked, progress).ok()
+    });
     html! { @if let Some(found) = found { (detail::compared(&found, state.language)) } }
 }

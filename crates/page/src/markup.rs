@@ -21,6 +21,20 @@ pub(crate) fn id(path: &str) -> String {
     format!("f-{}", path.chars().map(sign).collect::<String>())
 }
 
+/// Returns the part of an identifier that stands for a product: its ordering code, or its name with other signs than letters,
+/// digits and hyphens as their numbers, so that different names have different identifiers.
+pub(crate) fn id_of_product(name: &str) -> String {
+    let mut id = String::with_capacity(name.len());
+    for sign in name.chars() {
+        if sign.is_ascii_alphanumeric() || sign == '-' {
+            id.push(sign);
+        } else {
+            id.push_str(&format!("_{:x}_", u32::from(sign)));
+        }
+    }
+    id
+}
+
 /// Returns a fault as the page states it: the place of a missing load is a choice there, and no table of the file.
 pub(crate) fn in_words(worded: Worded, fault: &AxisDiagnostic, language: Language) -> Worded {
     if !matches!(fault.fault, AxisFault::Stated(Fault::NoMechanism)) {

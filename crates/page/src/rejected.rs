@@ -3,16 +3,16 @@
 use crate::call::{Call, Shell};
 use crate::checks;
 use crate::fits::{filters, fold};
-use crate::markup::vals;
+use crate::markup::{id_of_product, vals};
 use crate::parts::part;
 use crate::shown::Outcome;
-use crate::state::PageState;
+use crate::state::{PageState, product_id};
 use axis::AxisProject;
 use maud::{Markup, html};
 use quantities::Language;
 use questions::list::check::reserve_unasked;
 use questions::texts::{objection_text, reason, reserve_lines};
-use questions::{Candidate, Objection, ProductId, Progress, Sizing, check, read_code};
+use questions::{Candidate, Objection, ProductId, Progress, Sizing, check};
 use words::{capitalised, page, terms};
 
 /// Number of actuators whose changes are searched at once.
@@ -48,7 +48,7 @@ pub(crate) fn list(state: &PageState, sizing: &Sizing<'_>, found: &Outcome<'_, '
                 @for (place, candidate) in block.iter().enumerate() {
                     @let name = candidate.id.to_string();
                     @let it = found.candidate.filter(|it| it.id == candidate.id);
-                    tbody id={ "r-" (name) } aria-current=[it.map(|_| "true")] {
+                    tbody id={ "r-" (id_of_product(&name)) } aria-current=[it.map(|_| "true")] {
                         tr {
                             td.code {
                                 (fold(&name, it.is_some() && state.unfolded, l))
@@ -77,11 +77,11 @@ fn is_short(project: &AxisProject) -> bool {
 
 /// Returns the identifier of the cell with the change of an actuator.
 fn cell(version: &str, name: &str) -> String {
-    format!("w-{version}-{name}")
+    format!("w-{version}-{}", id_of_product(name))
 }
 
 fn names(block: &[&Candidate<'_>]) -> String {
-    block.iter().map(|candidate| candidate.id.to_string()).collect::<Vec<_>>().join(" ")
+    block.iter().map(|candidate| candidate.id.to_string()).collect::<Vec<_>>().join("\n")
 }
 
 /// Returns what would remove an objection: another requirement, or nothing for a code that cannot be ordered.
@@ -102,9 +102,9 @@ pub(crate) fn changes(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -
     let version = call.field("version").unwrap_or_default();
     let named = call.field(NAMES).unwrap_or_default();
     let ids = named
-        .split_whitespace()
+        .lines()
         .take(BLOCK)
-        .filter_map(|name| Some(ProductId::from(read_code(name, l).ok()?.parsed.code)));
+        .filter_map(|name| product_id(name, l));
     let of = |id: &ProductId| {
         let candidate = check(project, id).ok()?;
         let mut parts: Vec<String> = candidate.objections.iter().map(|each| without(&candidate, each, l)).collect();

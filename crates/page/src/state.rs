@@ -272,13 +272,19 @@ pub(crate) struct ReadProject {
     pub(crate) open_cycle: Option<(String, bool)>,
 }
 
+/// Returns the identity of a product: an ordering code, else the name of a product of a catalogue file; `None` for an empty
+/// text.
+pub(crate) fn product_id(text: &str, language: Language) -> Option<ProductId> {
+    let code = read_code(text, language).ok().map(|reading| ProductId::from(reading.parsed.code));
+    code.or_else(|| (!text.trim().is_empty()).then(|| ProductId::named(text.trim())))
+}
+
 impl PageState {
     /// Reads the state of a request.
     pub(crate) fn of(call: &Call<'_>) -> Self {
         let field = |name: &str| call.field(name).map(Cow::into_owned).unwrap_or_default();
         let number = |name: &str| taken(&field(name), call.language());
-        let code =
-            |text: &str| read_code(text, call.language()).ok().map(|reading| ProductId::from(reading.parsed.code));
+        let code = |text: &str| product_id(text, call.language());
         let mut state = Self {
             text: field("text").replace("\r\n", "\n"),
             good: field("good").replace("\r\n", "\n"),

@@ -93,6 +93,10 @@ pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> M
     let needs_code = tool.needs_code();
     let about = if needs_code { page::tool_code(l) } else { (tool.title)(l) };
     let shown = match &tool.ask {
+        // Only what the checks need is known of it.
+        _ if needs_code && scene.is_about_a_product_of_a_file() => {
+            html! { p.unchecked id="tool-answer" { (page::tool_of_codes_only(&scene.about, l)) } }
+        }
         Ask::Code(say) | Ask::About(say) => html! { (say(&scene.about, l)) (scene.link(&[])) },
         Ask::Record => record::shown(&scene),
         Ask::Loads => loads::shown(&scene),

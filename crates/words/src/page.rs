@@ -123,6 +123,9 @@ texts! {
     what_would_let_it_in = "What would make it fit" | "Notwendige Änderung";
     close = "Close" | "Schließen";
     tools = "Tools" | "Werkzeuge";
+    tool_of_codes_only(name) =
+        "{name} is a product of a catalogue file. Of it only what the checks need is known; this page is about ordering codes of the built-in series."
+        | "{name} ist ein Produkt einer Katalogdatei. Von ihm ist nur bekannt, was die Nachweise benötigen; diese Seite gilt für Bestellbezeichnungen der eingebauten Baureihe.";
     tool_code = "Ordering code" | "Bestellbezeichnung";
     tool_data = "Data sheet" | "Datenblatt";
     tool_encoder = "Encoder signals" | "Gebersignale";

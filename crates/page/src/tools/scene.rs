@@ -6,7 +6,7 @@ use figures::Theme;
 use maud::{Markup, html};
 use project::{Written, written};
 use quantities::{Language, Measure, format_significant};
-use questions::{Progress, check, read_all_watched, read_code};
+use questions::{ProductId, Progress, check, read_all_watched, read_code};
 use std::borrow::Cow;
 use words::page;
 
@@ -44,6 +44,18 @@ impl<'c> Scene<'c> {
             is_filled: call.field("asked").is_some_and(|inquiry| inquiry == tool),
             is_in_view: call.field("within").is_some_and(|place| place == IN_VIEW),
         }
+    }
+
+    /// Returns `true` if it is about a product of a catalogue file that the shown project names.
+    pub(super) fn is_about_a_product_of_a_file(&self) -> bool {
+        if read_code(&self.about, self.language).is_ok() {
+            return false;
+        }
+        let text = self.call.field("text").unwrap_or_default();
+        let place: usize = self.call.field("axis").and_then(|axis| axis.parse().ok()).unwrap_or(0);
+        let axes = read_all_watched(&text, self.shell.files(), self.shell.catalogue(), self.progress);
+        let id = ProductId::named(self.about.trim());
+        axes.ok().and_then(|axes| Some(axes.get(place)?.catalogue().product(&id).is_some())).unwrap_or_default()
     }
 
     /// Returns the entry of a field of the tool; several texts have a line each.

@@ -5,7 +5,7 @@ use crate::shell;
 
 use quantities::Language;
 use questions::list::new::{example, template_kinds};
-use shell::{get, page, post, whole};
+use shell::{InMemory, get, page, post, whole};
 
 #[test]
 fn every_example_is_a_whole_page_in_both_languages() {
@@ -135,4 +135,25 @@ fn a_field_that_is_emptied_does_not_move_away() {
     let behind = |page: &str| page.find(fold).zip(page.find(field)).is_some_and(|(fold, field)| fold < field);
     assert!(behind(&filled(&[("folded", ""), ("fold", "f-mechanism-turntable-m")])));
     assert!(!behind(&filled(&[("fold", "f-mechanism-turntable-m")])));
+}
+
+/// A product of a catalogue file is selected like a code; what is known of ordering codes only says so.
+#[test]
+fn a_product_of_a_file_is_selected_by_its_name() {
+    let folder = InMemory::default();
+    let stock = "id;ratio;torque_max [N m];inertia_out [kg m^2]\nA <b> 1;50;70;0,1\nA_b 1;50;80;0,2\n";
+    let _ = folder.0.borrow_mut().insert("stock.csv".to_owned(), stock.as_bytes().to_vec());
+    let text = example("turntable", "axis", Language::En).unwrap().text;
+    let text = text.replacen("format = 1\n", "format = 1\n[catalogue]\nfiles = [\"stock.csv\"]\n", 1);
+    let fields = |more: &[(&'static str, &'static str)]| [&[("text", text.as_str()), ("good", &text)], more].concat();
+    let html = page(&folder.post("/work", &fields(&[("code", "A <b> 1"), ("list", "rejected")])));
+    whole(&html);
+    let verdict = html.split("id=\"standing\"").nth(1).unwrap();
+    assert!(verdict[..400.min(verdict.len())].contains("A &lt;b&gt; 1"), "{}", &verdict[..400]);
+    let tool = page(&folder.post("/tools", &fields(&[("tool", "wiring"), ("about", "A <b> 1")])));
+    assert!(tool.contains("product of a catalogue file") && !tool.contains("not known as"), "{tool}");
+    // An unknown name leads to the best, as an unknown code does.
+    let other = page(&folder.post("/work", &fields(&[("code", "B")])));
+    let verdict = other.split("id=\"standing\"").nth(1).unwrap();
+    assert!(verdict[..400.min(verdict.len())].contains("CHA-"), "{}", &verdict[..400]);
 }
