@@ -57,16 +57,17 @@ impl Named {
         }
     }
 
-    /// Splits off a unit of a role after an underscore, `time_s`, `vel_mm_s`, `n_1_min`, if no unit is marked. `fits`
-    /// tests the name first, which is cheaper than searching units.
+    /// Splits off a unit of a role after an underscore or a space, `time_s`, `vel_mm_s`, `n_1_min`, `Pos mm`, if no unit is
+    /// marked. `fits` tests the name first, which is cheaper than searching units.
     pub(crate) fn for_role(&self, role: Role, fits: impl Fn(&str) -> bool) -> Option<Self> {
         if self.unit.is_some() || self.bare.len() > NAME_BYTES {
             return None;
         }
         // The longest unit has three parts: `10_m_s`.
-        let strokes: Vec<usize> = self.bare.match_indices('_').map(|(at, _)| at).collect();
+        let strokes: Vec<usize> = self.bare.match_indices(['_', ' ']).map(|(at, _)| at).collect();
         strokes.iter().rev().take(3).rev().find_map(|at| {
             let (bare, unit) = (self.bare.get(..*at)?, self.bare.get(at + 1..)?);
+            let bare = bare.trim_end();
             let unit = (!bare.is_empty() && fits(bare)).then(|| unit_of(role, unit)).flatten()?;
             Some(Self { bare: bare.to_owned(), unit: Some(unit.ascii.to_owned()) })
         })
@@ -199,6 +200,11 @@ const GROUPS_MOST: usize = 8;
 
 fn behind_a_stroke(written: &str) -> Option<(String, &str)> {
     let parts = [" / ", " in "].iter().find_map(|by| written.split_once(by));
+    // A fraction behind a space: `Speed mm/s`.
+    let parts = parts.or_else(|| {
+        let fraction = written.rsplit_once(' ').filter(|(bare, unit)| !bare.trim().is_empty() && unit.contains('/'))?;
+        Unit::of(fraction.1).map(|_| fraction)
+    });
     let parts =
         parts.or_else(|| written.split_once('/').filter(|(bare, unit)| !bare.is_empty() && Unit::of(unit).is_some()));
     parts.map(|(bare, unit)| (bare.to_owned(), unit))
@@ -285,6 +291,8 @@ mod tests {
             ("n in 1/min", "n", Some("1/min")),
             ("pos / °", "pos", Some("°")),
             ("t/s", "t", Some("s")),
+            ("Speed mm/s", "Speed", Some("mm/s")),
+            ("Drehzahl 1/min", "Drehzahl", Some("1/min")),
             ("v/vmax", "v/vmax", None),
             ("(deg)", "(deg)", None),
             ("Axis[1].ActPos [deg]", "Axis[1].ActPos", Some("deg")),
@@ -316,6 +324,10 @@ mod tests {
             ("n_rpm", Role::Speed, "n", "1/min"),
             ("torque_nm", Role::Torque, "torque", "N m"),
             ("M_N_m", Role::Torque, "M", "N m"),
+            ("Pos mm", Role::Position, "Pos", "mm"),
+            ("Time s", Role::Time, "Time", "s"),
+            ("Ist Weg mm", Role::Position, "Ist Weg", "mm"),
+            ("Torque N m", Role::Torque, "Torque", "N m"),
         ] {
             let named = Named::marked(written).for_role(role, |_| true).unwrap();
             assert_eq!((named.bare.as_str(), named.unit.as_deref()), (bare, Some(unit)), "{written}");
