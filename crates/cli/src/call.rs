@@ -14,7 +14,7 @@ use clap::parser::ValueSource;
 use project::{BODY_SHAPES, CATALOGUE_MAX_BYTES};
 use quantities::Language;
 use questions::list::{
-    Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, Reads, ReferencedText, Unanswered, bounded,
+    Argument, ArgumentForm, ArgumentKind, Entry, Given, Inquiry, Reads, ReferencedText, Unanswered, bounded, new,
 };
 use questions::{embedded_catalogue, read_code, with_catalogue_files};
 use std::borrow::Cow;
@@ -194,6 +194,9 @@ impl Call<'_> {
                 }
             }
         }
+        // The command line has already decided what is required: values of the call may stand in place of a table.
+        let decided = |argument: &Argument| Argument { required: false, ..*argument };
+        let arguments: &[Argument] = &arguments.iter().map(decided).collect::<Vec<_>>();
         let may_name = |file: &File| file.source().may_name_products();
         let has_names = self.catalogue.has_files() || self.files.iter().any(may_name);
         Ok(Given::of(arguments, pairs, self.language)?.naming_products(has_names))
@@ -239,6 +242,9 @@ impl Call<'_> {
             let message = terminal::no_values_of_a_table(self.language).to_owned();
             return Err(Unanswered::option("set", (message, None)));
         }
+        if let Some(text) = &changed {
+            new::checked(text, self.language)?;
+        }
         Ok(changed)
     }
 
@@ -256,6 +262,17 @@ impl Call<'_> {
     /// Returns the text of an option.
     pub(crate) fn text(&self, name: &str) -> Option<&str> {
         self.matches.try_get_one::<String>(name).ok().flatten().map(String::as_str)
+    }
+
+    /// Returns all texts of a repeated option.
+    pub(crate) fn texts(&self, name: &str) -> Vec<String> {
+        let all = self.matches.try_get_many::<String>(name).ok().flatten();
+        all.map(|all| all.cloned().collect()).unwrap_or_default()
+    }
+
+    /// Returns the number of an option.
+    pub(crate) fn count(&self, name: &str) -> Option<u64> {
+        self.matches.try_get_one::<u64>(name).ok().flatten().copied()
     }
 
     /// Returns the text of an option, of limited length and without invisible characters.

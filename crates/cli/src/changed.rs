@@ -2,11 +2,12 @@
 
 pub(crate) mod keys;
 
-use crate::command::typed::typed;
+use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
-use project::{Edit, Written, edit, key_at, load_scaled, nearest_heading, paced, stretch, written};
+use project::{Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
+use std::borrow::Cow;
 use words::{Usage, UsageHint, terminal, usage_hint, usage_text};
 
 /// Quantities that a call may scale.
@@ -48,7 +49,11 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
     let steps = sets.iter().map(|change| ("set", change)).chain(scales.iter().map(|change| ("scale", change)));
     for (option, change) in steps {
         let made = match option {
-            "set" => set(&changed.text, change, &prefix, language),
+            "set" => set(&changed.text, change, &prefix, language).map_err(|fault| {
+                // The machine of the example turns on in one direction.
+                let is_plain = matches.try_get_one::<bool>(EXAMPLE).ok().flatten() == Some(&false);
+                of_stations(&changed.text, change, is_plain, language).unwrap_or(fault)
+            }),
             _ => scale(&changed.text, change, &prefix, language),
         };
         match made {
@@ -90,7 +95,7 @@ pub(crate) fn file_name_of_changes(matches: &ArgMatches) -> String {
 }
 
 /// Returns the prefix of the keys of the wanted axis: empty for a project with one; `None` for a text that is no TOML.
-fn prefix(text: &str, wanted: Option<&String>) -> Option<String> {
+pub(crate) fn prefix(text: &str, wanted: Option<&String>) -> Option<String> {
     let all = written(text)?;
     let value = |path: &str| all.iter().find(|key| key.path == path).and_then(|key| key.value.clone());
     let place = (1..).take_while(|place| all.iter().any(|key| key.path == format!("axis[{place}]")));
@@ -122,11 +127,12 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
             [] => {
                 let stated: Vec<&str> = all.iter().map(|each| each.path.as_str()).collect();
                 let with_unit = with_units(&all, (prefix, &key), value);
+                let option = |(path, value): &(String, String)| typed(["--set", &format!("{path}={value}")]);
                 let hint = match with_unit.is_empty() {
-                    false => Some(usage_hint(&UsageHint::Calls(with_unit), language)),
-                    true => nearest_heading(&key, &stated).map(|hint| usage_hint(&UsageHint::Words(hint), language)),
+                    false => UsageHint::Calls(with_unit.iter().map(option).collect()),
+                    true => UsageHint::Words(keys::nearest(&all, &key, &stated)),
                 };
-                return Err((terminal::set_no_key(&seen(&key), language), hint));
+                return Err((terminal::set_no_key(&seen(&key), language), Some(usage_hint(&hint, language))));
             }
             found => {
                 let option = |path: &String| typed(["--set", &format!("{path}={}", seen(value))]);
@@ -144,25 +150,70 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
         return Err((terminal::set_which_axis(&format!("axis[1].{path}"), language), None));
     }
     let before = stated(&path).unwrap_or("–").to_owned();
+    let is_truth = key_at(&path).is_some_and(|key| matches!(key.kind, Kind::Bool));
+    let value = truth(value).filter(|_| is_truth).unwrap_or(value);
+    let value = &*with_point(&path, value);
+    let lacking = with_units(&all, ("", &path), value);
+    if !lacking.is_empty() {
+        let option = |(path, value): &(String, String)| typed(["--set", &format!("{path}={value}")]);
+        let hint = UsageHint::Calls(lacking.iter().map(option).collect());
+        return Err((terminal::set_unit(&path, language), Some(usage_hint(&hint, language))));
+    }
     let done = edit(text, &path, Edit::Value(value)).map_err(|fault| (fault.to_string(), None))?;
     Ok((done, format!("{path} {before} → {}", if value.is_empty() { "–" } else { value })))
 }
 
-/// Values of which a number without a unit may lack the unit, one of each quantity that a project often states.
-const UNITS: [&str; 12] = ["mm", "s", "deg", "N m", "N", "kg", "kg m^2", "V", "degC", "1/min", "m/s", "rad/s^2"];
+/// Returns the value of a quantity with a decimal point in place of a comma, unless that may separate thousands: `1,200 kg`.
+fn with_point<'v>(path: &str, value: &'v str) -> Cow<'v, str> {
+    let is_measured = key_at(path).is_some_and(|key| matches!(key.kind, Kind::Quantity(..) | Kind::Along(..)));
+    let (number, _) = number_and_unit(value);
+    match number.split_once(',') {
+        Some((whole, rest)) if is_measured && !rest.contains([',', '.']) && !whole.contains('.') && rest.len() != 3 => {
+            Cow::Owned(value.replacen(',', ".", 1))
+        }
+        _ => Cow::Borrowed(value),
+    }
+}
 
-/// Returns the options that state a number with the unit that it lacks, for the keys that the end of a path names.
-fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &str) -> Vec<String> {
+/// Returns the fault of a number of stations, with the distance between them.
+fn of_stations(text: &str, change: &str, is_plain: bool, language: Language) -> Option<Fault> {
+    let (key, value) = change.split_once('=')?;
+    let distance = distance_of_stations(key.trim(), value.trim())?;
+    let all = written(text)?;
+    let stated = all.iter().find(|each| each.path.ends_with(".distance") && each.value.is_some())?;
+    let option = typed(["--set", &format!("{}={distance}", stated.path)]);
+    let option = if is_plain { format!("--{EXAMPLE} {option}") } else { option };
+    let hint = usage_hint(&UsageHint::Calls(vec![option]), language);
+    Some((terminal::set_no_key(&seen(key.trim()), language), Some(hint)))
+}
+
+/// Flag of a new project that is that of a machine.
+const EXAMPLE: &str = "example";
+
+/// Returns the keys that the end of a path names, each with the number and the unit that it lacks: that of the stated value, else
+/// one of every quantity that the key may be.
+pub(crate) fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &str) -> Vec<(String, String)> {
     let number = value.replace(',', ".");
     if number.parse::<f64>().is_err() {
         return Vec::new();
     }
-    let mut found: Vec<String> = Vec::new();
-    for unit in UNITS {
+    let mut found: Vec<(String, String)> = Vec::new();
+    for unit in keys::UNITS {
         let value = format!("{number} {unit}");
-        let paths = keys::named(all, prefix, key, &value);
-        found.extend(paths.iter().map(|path| typed(["--set", &format!("{path}={value}")])));
+        let paths = if key_at(key).is_some() { vec![key.to_owned()] } else { keys::named(all, prefix, key, &value) };
+        let lacking = paths.into_iter().filter(|path| keys::is_quantity(path, &value));
+        found.extend(lacking.map(|path| (path, value.clone())));
     }
+    let own = |path: &str| {
+        let stated = all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref())?;
+        Some(number_and_unit(stated).1.to_owned()).filter(|unit| !unit.is_empty())
+    };
+    for (path, value) in &mut found {
+        if let Some(unit) = own(path) {
+            *value = format!("{number} {unit}");
+        }
+    }
+    found.dedup();
     found.truncate(NAMED_KEYS_MOST);
     found
 }
@@ -170,6 +221,7 @@ fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &str) -> Vec<
 /// Scales load, payloads, times or distances.
 fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(String, String), Fault> {
     let (what, factor) = change.split_once('=').map_or((change, ""), |(what, factor)| (what.trim(), factor.trim()));
+    let what = words::spoken::scaled(what).unwrap_or(what);
     if !SCALED.contains(&what) {
         let words: Vec<String> = SCALED.iter().map(|word| (*word).to_owned()).collect();
         return Err(bad(change, "scale", UsageHint::Words(project::Hint::ValidAre(words)), language));

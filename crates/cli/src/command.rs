@@ -13,6 +13,7 @@ const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod argument;
+pub(crate) mod begun;
 mod example;
 mod folder;
 pub(crate) mod library;
@@ -22,8 +23,10 @@ mod proposed;
 mod question;
 pub(crate) mod remedy;
 pub(crate) mod replaced;
+mod solid;
 pub(crate) mod spoken;
 pub(crate) mod typed;
+mod unknown;
 pub(crate) mod usage;
 
 /// Returns the requested language: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine

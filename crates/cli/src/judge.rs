@@ -276,6 +276,10 @@ fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, l
     let head = terminal::rejected_count(&rejected.len(), language);
     let tail = terminal::all_shows_each(language);
     out.push_str(&labelled(&head, &format!("{} ({tail})", parts.join(", "))));
+    let by_all = questions::texts::failed_by_all(sizing, language);
+    if sizing.fitting().is_empty() && !by_all.is_empty() {
+        out.push_str(&labelled(terminal::failed_by_all(language), &by_all.join(", ")));
+    }
     let noted = |head: &str, candidate: &Candidate<'_>| {
         labelled(head, &format!("{}, {}", candidate.id, reason(candidate, language)))
     };

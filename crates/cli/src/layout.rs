@@ -21,7 +21,7 @@ pub(crate) struct Layout {
 const LAYOUTS: &[Layout] = &[
     shown(&list::size::ENTRY, judge::size).with(own::size),
     shown(&list::check::ENTRY, judge::check),
-    shown(&list::sweep::ENTRY, sweep::sweep),
+    shown(&list::sweep::ENTRY, sweep::sweep).with(own::sweep),
     shown(&list::simulate::ENTRY, simulate::simulate).with(own::simulate),
     shown(&list::identify::ENTRY, simulate::identify),
     shown(&list::report::ENTRY, report::report).with(own::report),

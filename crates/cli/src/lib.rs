@@ -65,9 +65,10 @@ pub fn run(call: Vec<OsString>) -> u8 {
     disk::refuse_large_files();
     let arguments = command::with_help_asked(call.into_iter());
     let mut language = command::language_of(arguments.iter().cloned());
+    let (arguments, is_begun) = command::begun::with_command(arguments, language);
     let as_json = command::json_of(&arguments);
     let mut command = command::build_for(&arguments, language);
-    let (found, remark) = command::replaced::understood(arguments, &command, language);
+    let (found, remark) = command::replaced::understood(arguments, is_begun, &command, language);
     let command::meant::Understood { arguments, stray } = found;
     // A language without its option is known only now.
     let meant = command::language_of(arguments.iter().cloned());
@@ -107,6 +108,7 @@ pub fn run(call: Vec<OsString>) -> u8 {
     match answer {
         Ok(answer) => answer.remarked(remark),
         Err(why) => {
+            let why = command::remedy::with_whole_calls(why, &arguments, language);
             let calls = command::remedy::calls(&why, &arguments, &command, language);
             fault::unanswered(&why, json, language).with_calls(&calls, language)
         }

@@ -3,10 +3,14 @@
 
 mod parts;
 mod run;
+mod shown;
 mod table;
+mod vary;
 
 use crate::answer::{CommandAnswer, written};
 use crate::call::Call;
+use crate::changed::prefix;
+use crate::command::own::VARY;
 use crate::fault::path_text;
 use parts::{PART, SweepParts};
 use quantities::{Language, format_number};
@@ -14,34 +18,74 @@ use questions::list::{Inquiry, Unanswered, sweep};
 use questions::sweep::{SweepSummary, Tally};
 use run::SweepRun;
 use std::fmt::Write as _;
-use std::path::PathBuf;
-use sweep_io::{BatchHead, Format};
-use table::Table;
+use std::path::{Path, PathBuf};
+use sweep_io::{BatchHead, Constants, Format, Repeats};
+use table::{Table, TableRows};
 use words::sweeps;
 
-/// `antrieb sweep PROJECT --table FILE --out FILE`
+/// Columns of the answers besides those of the question (`--inputs`).
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Inputs {
+    /// Columns of the table.
+    Table,
+    /// Columns of the table, and the values that the project states.
+    All,
+}
+
+/// Steps of a range without `--steps`.
+pub(crate) const STEPS: u64 = 11;
+
+/// `antrieb sweep PROJECT --table FILE --out FILE`, `antrieb sweep PROJECT --vary KEY=VALUES`
 pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let args = sweep::Args::read(&inquiry.given)?;
+    let text = inquiry.source()?.text(language)?;
+    let stated = call.texts(VARY);
+    let steps = call.count("steps").unwrap_or(STEPS);
+    let steps = usize::try_from(steps).unwrap_or(usize::MAX);
     let path = PathBuf::from(args.table.clone().unwrap_or_default());
-    let (Some(out), Some(project_files)) = (call.path("out"), call.project_files()) else {
-        return Ok(CommandAnswer::none());
+    let rows = match &stated[..] {
+        [] => TableRows::File(&path),
+        _ => TableRows::Stated(vary::rows(text, args.axis.as_ref(), &stated, steps, language)?),
+    };
+    match (&rows, call.path("out")) {
+        (TableRows::Stated(rows), None) => shown::sweep(call, inquiry, rows),
+        (_, Some(out)) => into_file(call, inquiry, (&args, out), Table { rows, language }),
+        (TableRows::File(_), None) => Ok(CommandAnswer::none()),
+    }
+}
+
+/// Writes the answers of a table to a file.
+fn into_file(
+    call: &Call<'_>,
+    inquiry: &Inquiry<'_>,
+    (args, out): (&sweep::Args, &Path),
+    table: Table<'_>,
+) -> Result<CommandAnswer, Unanswered> {
+    let language = call.language;
+    let Some(project_files) = call.project_files() else { return Ok(CommandAnswer::none()) };
+    let wanted = match call.text("inputs") {
+        Some("all") => Some(Inputs::All),
+        Some(_) => Some(Inputs::Table),
+        // Values that no file holds are repeated in the answer.
+        None => matches!(table.rows, TableRows::Stated(_)).then_some(Inputs::Table),
     };
     let source = inquiry.source()?;
     let text = source.text(language)?;
     let projects = source.projects(inquiry.catalogue, inquiry.progress, language);
+    let products = run::products(&**inquiry.catalogue, projects.as_deref().unwrap_or_default());
     let mut inputs = call.inputs(projects.as_deref().unwrap_or_default());
-    inputs.push(path.clone());
+    if let TableRows::File(path) = &table.rows {
+        inputs.push(path.to_path_buf());
+    }
     let saver = call.saver(&inputs);
-    let ending = || Unanswered::option("out", (sweeps::ending_of_a_table(language).to_owned(), None));
-    let place = Format::of(out).ok_or_else(ending);
-    let place = place.and_then(|answers| saver.ready(&[out]).map(|()| answers));
-    let table = Table { path: &path, language };
+    let place = format_of(call, out).and_then(|answers| saver.ready(&[out]).map(|()| answers));
     let opened = table.open(0, PART).map(|batches| (table, batches));
     let ready = match opened {
         Ok((table, batches)) => {
             let options = args.options(inquiry.catalogue, batches.has_decimal_commas(), language)?;
-            let mut head = BatchHead::read(text, projects, &batches.schema(), options);
+            let repeats = if wanted.is_some() { Repeats::Values } else { Repeats::Labels };
+            let mut head = BatchHead::read(text, projects, &batches.schema(), repeats, options);
             head.refuse_unwritable(&batches.schema(), language);
             table.checked(batches, head, project_files.clone()).map(|(sweep, rows)| (table, sweep, rows))
         }
@@ -51,14 +95,23 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
         (Ok((table, sweep, rows)), Ok(answers)) => (table, sweep, rows, answers),
         (ready, place) => return Err(Unanswered::combined(ready.err().into_iter().chain(place.err()).collect())),
     };
-    let request = format!("{args:?} {} {answers:?} {}", language.id(), call.memory());
-    let run = SweepRun { table: &table, project: text, recordings: sweep.recordings(), files: &project_files, request };
+    let options = vec![
+        ("--axis", format!("{:?}", args.axis)),
+        ("--check", format!("{:?}", args.check)),
+        ("--front", args.front.to_string()),
+        ("--inputs", wanted.is_some().to_string()),
+        ("--lang", language.id().to_owned()),
+        ("--memory", call.memory().to_string()),
+    ];
+    let recordings = sweep.recordings();
+    let run = SweepRun { table: &table, project: text, products, recordings, files: &project_files, options };
     // Files that the table names are protected too.
     let inputs: Vec<PathBuf> =
         inputs.into_iter().chain(run.recordings.iter().map(|name| project_files.folder.join(name))).collect();
     let saver = call.saver(&inputs);
     saver.ready(&[out])?;
-    let parts = SweepParts::of(&run, out, &run.mark()?, sweep.rows_within(call.memory(), PART))?;
+    let lines = sweep.rows_within(call.memory(), PART);
+    let parts = SweepParts::of(&run, out, run.mark()?, lines, call.flag("force"))?;
     let mut talk = format!("{}\n", sweeps::keys(&sweep.keys().collect::<Vec<_>>().join(", "), language));
     let carried = sweep.carried().collect::<Vec<_>>().join(", ");
     if !carried.is_empty() {
@@ -69,8 +122,14 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
         return Err(parts.ended(why));
     }
     let parts = parts.verified(&run)?;
+    let constants = if wanted == Some(Inputs::All) {
+        let keys: Vec<&str> = sweep.keys().collect();
+        Constants::of(text, &prefix(text, args.axis.as_ref()).unwrap_or_default(), &keys)
+    } else {
+        Constants::default()
+    };
     let mut tally = Tally::default();
-    if let Err(why) = saver.save_by(out, |file| parts.join(answers, &sweep, rows, file, &mut tally)) {
+    if let Err(why) = saver.save_by(out, |file| parts.join((answers, &constants), &sweep, rows, file, &mut tally)) {
         return Err(parts.ended(why));
     }
     parts.remove();
@@ -79,17 +138,27 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     Ok(CommandAnswer { talk, ..CommandAnswer::data(data) }.fits(summary.fitting > 0))
 }
 
+/// Returns the format of the answers: that of the ending of their file, with the decimal sign of the call.
+fn format_of(call: &Call<'_>, out: &Path) -> Result<Format, Unanswered> {
+    let language = call.language;
+    let ending = || Unanswered::option("out", (sweeps::ending_of_a_table(language).to_owned(), None));
+    let format = Format::of(out).ok_or_else(ending)?;
+    if !call.flag("decimal-comma") {
+        return Ok(format);
+    }
+    let none = || Unanswered::option("decimal-comma", (sweeps::decimal_comma_of_csv(language).to_owned(), None));
+    format.with_decimal_commas().ok_or_else(none)
+}
+
 /// Returns the summary for the terminal.
 fn shown(summary: &SweepSummary, language: Language) -> String {
     #[allow(clippy::cast_precision_loss, reason = "counts of rows")]
     let share = |rows: u64| format_number(100.0 * rows as f64 / summary.rows.max(1) as f64, 1, language);
     let counted = |rows: u64| usize::try_from(rows).unwrap_or(usize::MAX);
     let mut text = String::new();
-    let _ = writeln!(
-        text,
-        "{}",
-        sweeps::written(counted(summary.rows), &summary.file.clone().unwrap_or_default(), language)
-    );
+    if let Some(file) = &summary.file {
+        let _ = writeln!(text, "{}", sweeps::written(counted(summary.rows), file, language));
+    }
     let _ = writeln!(text, "{}", sweeps::fitting(counted(summary.fitting), &share(summary.fitting), language));
     if summary.fit_if_estimate > 0 {
         let rows = summary.fit_if_estimate;

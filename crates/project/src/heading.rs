@@ -3,7 +3,7 @@
 
 use crate::edit::key_at;
 use crate::key::{Key, Kind};
-use crate::nearest::{nearest, other_name};
+use crate::nearest::{nearest, other_names};
 use crate::read::{MAGNITUDES, Reader, joined, shortened};
 use crate::root::KEYS;
 use crate::{Fault, Hint, Range, TabularFault};
@@ -162,10 +162,8 @@ impl Heading {
     /// them, are `true`.
     #[must_use]
     pub fn word<'c>(&self, cell: &'c str) -> &'c str {
-        let is_one_of = |words: [&str; 2]| words.iter().any(|word| cell.eq_ignore_ascii_case(word));
         match self.key.kind {
-            Kind::Bool if is_one_of(["true", "wahr"]) => "true",
-            Kind::Bool if is_one_of(["false", "falsch"]) => "false",
+            Kind::Bool => truth(cell).unwrap_or(cell),
             _ => cell,
         }
     }
@@ -187,6 +185,17 @@ impl Heading {
             _ => None,
         }
     }
+}
+
+/// Words for true and false in any case, in both languages.
+const TRUTHS: [(&str, [&str; 6]); 2] =
+    [("true", ["true", "wahr", "yes", "ja", "on", "an"]), ("false", ["false", "falsch", "no", "nein", "off", "aus"])];
+
+/// Returns `true` or `false` as a project file has it, for a word that means it.
+#[must_use]
+pub fn truth(word: &str) -> Option<&'static str> {
+    let is_one_of = |words: &[&str; 6]| words.contains(&&*word.to_lowercase());
+    TRUTHS.iter().find(|(_, words)| is_one_of(words)).map(|(truth, _)| *truth)
 }
 
 /// Splits a heading into key and unit: the unit is in the last brackets, behind a space or a text that is no entry of a
@@ -296,7 +305,7 @@ pub fn is_label(written: &str) -> bool {
     }
     let mut all = Vec::new();
     columns(KEYS, "", "[1]", &mut all);
-    let other_name = other_name(&name);
+    let others = other_names(&name);
     let plain = |text: &str| text.replace([' ', '_', '-'], ".");
     let is_meant = |path: &String| {
         let last = path.rsplit('.').next().unwrap_or(path);
@@ -305,7 +314,7 @@ pub fn is_label(written: &str) -> bool {
             letters == 0 || (own.len() > NAME_LEAST && letters * NAME_LEAST <= own.len())
         };
         let is_akin = name.len() >= NAME_LEAST && last.strip_prefix(&*name).is_some_and(|rest| rest.starts_with('_'));
-        is_akin || other_name == Some(last) || is_near(&name, last) || is_near(&plain(&name), &plain(path))
+        is_akin || others.contains(&last) || is_near(&name, last) || is_near(&plain(&name), &plain(path))
     };
     !all.iter().any(is_meant)
 }
@@ -321,7 +330,7 @@ fn nearest_key(written: &str, stated: &[&str]) -> Option<Hint> {
     let mut all = Vec::new();
     columns(KEYS, "", "[1]", &mut all);
     let own_name = written.rsplit('.').next().unwrap_or(&written);
-    let other_name = other_name(own_name);
+    let others = other_names(own_name);
     let distance = |path: &String| {
         let last = path.rsplit('.').next().unwrap_or(path);
         let whole = strsim::damerau_levenshtein(&written, path);
@@ -333,7 +342,7 @@ fn nearest_key(written: &str, stated: &[&str]) -> Option<Hint> {
         let own = if is_near { letters + table } else { usize::MAX };
         // `friction` of `friction_torque`, or the name that another program has for it.
         let begins = |rest: &str| rest.starts_with('_') && own_name.len() >= NAME_LEAST;
-        let is_akin = last.strip_prefix(own_name).is_some_and(begins) || other_name == Some(last);
+        let is_akin = last.strip_prefix(own_name).is_some_and(begins) || others.contains(&last);
         whole.min(plain).min(own).min(if is_akin { 1 + table } else { usize::MAX })
     };
     // A key of the project, of one of its tables, or of another one.

@@ -5,36 +5,90 @@ use crate::key::{Key, Kind};
 use crate::read::{WORD_SHOWN, shortened};
 use quantities::Dimension;
 
-/// Other names of keys: those of other programs, and German ones.
-const OTHER_NAMES: [(&str, &str); 16] = [
-    ("angle", "distance"),
-    ("stroke", "distance"),
-    ("travel", "distance"),
-    ("weg", "distance"),
-    ("winkel", "distance"),
-    ("hub", "distance"),
-    ("duration", "time"),
-    ("zeit", "time"),
-    ("dauer", "time"),
-    ("velocity", "speed"),
-    ("drehzahl", "speed"),
-    ("geschwindigkeit", "speed"),
-    ("beschleunigung", "acceleration"),
-    ("ruck", "jerk"),
-    ("masse", "mass"),
-    ("voltage", "supply"),
+/// Other names of keys: those of other programs, and German ones, each with the keys that it may name, the usual one first.
+const OTHER_NAMES: [(&str, &[&str]); 54] = [
+    ("angle", &["distance"]),
+    ("stroke", &["distance"]),
+    ("travel", &["distance"]),
+    ("weg", &["distance"]),
+    ("winkel", &["distance"]),
+    ("hub", &["distance"]),
+    ("schaltwinkel", &["distance"]),
+    ("duration", &["time"]),
+    ("zeit", &["time"]),
+    ("dauer", &["time"]),
+    ("schaltzeit", &["time"]),
+    ("velocity", &["speed"]),
+    ("drehzahl", &["speed"]),
+    ("geschwindigkeit", &["speed"]),
+    ("beschleunigung", &["acceleration"]),
+    ("ruck", &["jerk"]),
+    ("weight", &["mass"]),
+    ("masse", &["mass"]),
+    ("gewicht", &["mass"]),
+    ("last", &["mass", "payload", "inertia"]),
+    ("nutzlast", &["payload"]),
+    ("zuladung", &["payload"]),
+    ("voltage", &["supply"]),
+    ("spannung", &["supply"]),
+    ("zwischenkreisspannung", &["supply"]),
+    ("traegheitsmoment", &["inertia"]),
+    ("massentraegheitsmoment", &["inertia"]),
+    ("reibmoment", &["friction_torque"]),
+    ("reibung", &["friction_torque", "friction_force", "friction_coefficient"]),
+    ("reibkraft", &["friction_force"]),
+    ("reibungszahl", &["friction_coefficient"]),
+    ("durchmesser", &["diameter", "drum_diameter", "pulley_diameter", "roller_diameter"]),
+    ("trommeldurchmesser", &["drum_diameter"]),
+    ("laenge", &["length"]),
+    ("steigung", &["lead"]),
+    ("wirkungsgrad", &["efficiency"]),
+    ("uebersetzung", &["ratio"]),
+    ("neigung", &["inclination"]),
+    ("gegengewicht", &["counterweight"]),
+    ("prozesskraft", &["process_force"]),
+    ("prozessmoment", &["process_torque"]),
+    ("bremse", &["brake"]),
+    ("geber", &["feedback"]),
+    ("hohlwelle", &["hollow_shaft_min"]),
+    ("umgebung", &["ambient"]),
+    ("umgebungstemperatur", &["ambient"]),
+    ("temperature", &["ambient"]),
+    ("bewegungsgesetz", &["law"]),
+    ("taktzeit", &["cycle"]),
+    ("zyklus", &["cycle"]),
+    ("zykluszeit", &["cycle"]),
+    ("hoehe", &["height", "altitude"]),
+    ("breite", &["width"]),
+    ("dichte", &["density"]),
 ];
 
-/// Returns the name of the key that has another name elsewhere, in lower case.
-pub(crate) fn other_name(written: &str) -> Option<&'static str> {
-    OTHER_NAMES.iter().find(|(name, _)| *name == written).map(|(_, name)| *name)
+/// Letters of names as [`OTHER_NAMES`] writes them: umlauts by two letters.
+const LETTERS: [(char, &str); 4] = [('\u{e4}', "ae"), ('\u{f6}', "oe"), ('\u{fc}', "ue"), ('\u{df}', "ss")];
+
+/// Returns the keys that another name, in lower case, may stand for.
+#[must_use]
+pub fn other_names(written: &str) -> &'static [&'static str] {
+    let plain = LETTERS.iter().fold(written.to_owned(), |text, (letter, plain)| text.replace(*letter, plain));
+    OTHER_NAMES.iter().find(|(name, _)| *name == plain).map_or(&[], |(_, names)| names)
+}
+
+/// Names for the number of stations of a table that turns on by one station.
+const STATIONS: [&str; 6] = ["stations", "station", "positions", "stationen", "teilung", "nester"];
+
+/// Returns the distance from one station to the next, for a name and a number of stations.
+#[must_use]
+pub fn distance_of_stations(name: &str, number: &str) -> Option<String> {
+    let count = number.parse::<u16>().ok().filter(|count| *count > 1)?;
+    let degrees = 360.0 / f64::from(count);
+    STATIONS.contains(&&*name.to_lowercase()).then(|| format!("{degrees} deg"))
 }
 
 /// Returns the key that an unknown one stands for: by another name, or as the value of a key such as `dwell` of `law`.
 pub(crate) fn meant(written: &str, keys: &'static [Key]) -> Option<Hint> {
     let written = written.to_lowercase();
-    if let Some(name) = other_name(&written).filter(|name| keys.iter().any(|key| key.name == *name)) {
-        return Some(Hint::DidYouMean(name.to_owned()));
+    if let Some(name) = other_names(&written).iter().find(|name| keys.iter().any(|key| key.name == **name)) {
+        return Some(Hint::DidYouMean((*name).to_owned()));
     }
     let has = |key: &&Key| matches!(key.kind, Kind::OneOf(words) if words.contains(&written.as_str()));
     keys.iter().find(has).map(|key| Hint::DidYouMean(format!("{} = \"{written}\"", key.name)))

@@ -141,6 +141,17 @@ impl Sweep {
         self.columns.iter().map(Column::key)
     }
 
+    /// Returns the numbers of the cells of a column, by its place among the headings, in the unit of its heading; `None` for a
+    /// cell that is none.
+    #[must_use]
+    pub fn column_numbers(&self, place: usize, cells: &Cells<'_>) -> Vec<Option<f64>> {
+        let number = |row| match self.columns.get(place)?.value(cells, row, self.options.decimal_commas).ok()? {
+            Value::Number(number) => Some(number),
+            Value::Text(_) => None,
+        };
+        (0..cells.len()).map(number).collect()
+    }
+
     /// Returns the text of the project.
     #[must_use]
     pub fn text(&self) -> &str {

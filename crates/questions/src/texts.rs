@@ -21,10 +21,10 @@ use quantities::unit::{
 };
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
 use recording::{ColumnRead, KnownBy};
-use sizing::{Amount, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought};
+use sizing::{Amount, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{
-    Provisos, conditions_text, describe_rule, encoding_guess, grade_word, marked, percent_text, proviso_text, records,
-    source_text, symbol_term, terminal, title_of_check, unmet_text, unpadded,
+    Provisos, check_title, conditions_text, describe_rule, encoding_guess, grade_word, marked, percent_text,
+    proviso_text, records, source_text, symbol_term, terminal, title_of_check, unmet_text, unpadded,
 };
 
 /// Returns the result of a candidate: fit or not, the missing data, and a load that is not held without power.
@@ -94,6 +94,20 @@ pub fn rejections<'s, 'p>(sizing: &'s Sizing<'p>, language: Language) -> Vec<Rej
     }
     groups.sort_by(|a, b| b.candidates.len().cmp(&a.candidates.len()).then_with(|| a.title.cmp(&b.title)));
     groups
+}
+
+/// Returns the checks that every actuator fails which a check rejects, in the order of the checks: the cause where none fits.
+#[must_use]
+pub fn failed_by_all(sizing: &Sizing<'_>, language: Language) -> Vec<String> {
+    let by_checks = sizing.rejected().iter().filter(|each| matches!(each.reason(), Some(Reason::Check(_))));
+    let failing = |candidate: &Candidate<'_>| -> Vec<CheckId> {
+        let checks = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
+        checks.map(|check| check.id).collect()
+    };
+    let all: Vec<Vec<CheckId>> = by_checks.map(failing).collect();
+    let Some((first, others)) = all.split_first() else { return Vec::new() };
+    let is_of_all = |id: &&CheckId| others.iter().all(|failing| failing.contains(id));
+    first.iter().filter(is_of_all).map(|id| check_title(*id, language)).collect()
 }
 
 /// A reason with the candidates that it rejects.
@@ -387,11 +401,11 @@ pub fn reserve_lines(
 /// Describes a value with which an actuator fits: the key with its value, or a stage to add, and the code.
 #[must_use]
 pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
-    let value = unpadded(mend.unit.from_si(mend.si), 5, language);
+    let value = || unpadded(mend.unit.from_si(mend.si), 5, language);
     let what = if mend.adds_stage() {
-        terminal::a_stage(&value, language)
+        words::stage_by_its_keys(mend.unit.from_si(mend.si), language)
     } else {
-        format!("{} {value} {}", mend.path, mend.unit.symbol_in(language)).trim_end_matches(" 1").to_owned()
+        format!("{} {} {}", mend.path, value(), mend.unit.symbol_in(language)).trim_end_matches(" 1").to_owned()
     };
     match proviso_text(mend.proviso.estimate, mend.proviso.rating, language) {
         Some(proviso) => format!("{what} ({}, {proviso})", mend.code),
@@ -441,10 +455,12 @@ pub fn torsion_lines(id: &ProductId, answer: &TorsionAnswer, language: Language)
 pub fn battery_lines(battery: &BatteryLife, language: Language) -> Vec<String> {
     let years = |time: Time| format_significant(time.in_unit(&YEAR), 3, language);
     let grade = grade_word(battery.life.grade, language);
-    vec![
+    let outlives = battery.capped.then(|| words::upkeep::battery_outlives_encoder(language).to_owned());
+    let lines = [
         terminal::battery(&years(battery.life.value), &grade, language),
         terminal::battery_exchange(&years(battery.exchange_recommended), &years(battery.exchange_latest), language),
-    ]
+    ];
+    lines.into_iter().chain(outlives).collect()
 }
 
 /// Largest number of headings without use that a text lists.

@@ -21,6 +21,8 @@ pub struct BatchSweep {
     sweep: sweep::Sweep,
     schema: SchemaRef,
     columns: TableColumns,
+    /// Places of the carried columns whose texts are numbers, each with that among the keys.
+    numbers: Vec<(usize, usize)>,
     /// Number of columns of the table.
     width: usize,
 }
@@ -30,6 +32,7 @@ pub struct BatchHead {
     head: sweep::Head,
     schema: SchemaRef,
     columns: TableColumns,
+    numbers: Vec<(usize, usize)>,
     width: usize,
 }
 
@@ -41,6 +44,8 @@ pub enum Repeats {
     Labels,
     /// Every column.
     Inputs,
+    /// Every column, the values of keys as numbers where they are numbers, also if the table has texts.
+    Values,
 }
 
 impl BatchHead {
@@ -52,10 +57,14 @@ impl BatchHead {
 
     /// Reads the headings of a table for a project, by its text and its axes or the reason why they cannot be read.
     #[must_use]
-    pub fn read(text: &str, projects: Result<Vec<AxisProject>, Unanswered>, table: &Schema, options: Options) -> Self {
-        Self::with(table, Repeats::Labels, options, |headings, options| {
-            sweep::Head::read(text, projects, headings, options)
-        })
+    pub fn read(
+        text: &str,
+        projects: Result<Vec<AxisProject>, Unanswered>,
+        table: &Schema,
+        repeats: Repeats,
+        options: Options,
+    ) -> Self {
+        Self::with(table, repeats, options, |headings, options| sweep::Head::read(text, projects, headings, options))
     }
 
     fn with(
@@ -69,7 +78,7 @@ impl BatchHead {
         let mut columns = TableColumns::of(&names);
         let keys: Vec<&str> = columns.keys.iter().filter_map(|place| names.get(*place).copied()).collect();
         let mut head = read(&keys, options);
-        if repeats == Repeats::Inputs {
+        if repeats != Repeats::Labels {
             let inputs = columns.keys.iter().filter_map(|place| Some((*place, (*names.get(*place)?).to_owned())));
             // Codes of the table are those of the answer.
             columns.carried.extend(inputs.filter(|(_, name)| name.trim() != CODE));
@@ -77,12 +86,22 @@ impl BatchHead {
         }
         let own: Vec<&str> = answers.fields().iter().map(|field| field.name().as_str()).collect();
         columns.faults(&own, language).for_each(|fault| head.refuse(fault));
+        let is_text = |place: usize| table.fields().get(place).is_some_and(|field| field.data_type().is_string());
+        let numbers: Vec<(usize, usize)> = columns
+            .carried
+            .iter()
+            .filter(|_| repeats == Repeats::Values)
+            .filter_map(|(place, _)| Some((*place, columns.keys.iter().position(|key| key == place)?)))
+            .filter(|(place, key)| is_text(*place) && head.is_of_numbers(*key))
+            .collect();
         let carried = columns.carried.iter().filter_map(|(place, name)| {
             let field = table.fields().get(*place)?;
-            Some(Arc::new(Field::new(name, field.data_type().clone(), true)))
+            let is_number = numbers.iter().any(|(number, _)| number == place);
+            let of = if is_number { DataType::Float64 } else { field.data_type().clone() };
+            Some(Arc::new(Field::new(name, of, true)))
         });
         let schema = Arc::new(Schema::new(answers.fields().iter().cloned().chain(carried).collect::<Vec<_>>()));
-        Self { head, schema, columns, width: table.fields().len() }
+        Self { head, schema, columns, numbers, width: table.fields().len() }
     }
 
     /// Refuses carried columns whose cells cannot be written to a file and read from it.
@@ -125,8 +144,8 @@ impl BatchHead {
     /// # Errors
     /// Every fault of the project, of the headings and of the checked cells; `table` is the name of the table.
     pub fn ready(self, table: &str, files: Box<dyn Files + Send + Sync>) -> Result<BatchSweep, Unanswered> {
-        let Self { head, schema, columns, width } = self;
-        Ok(BatchSweep { sweep: head.ready(table, files)?, schema, columns, width })
+        let Self { head, schema, columns, numbers, width } = self;
+        Ok(BatchSweep { sweep: head.ready(table, files)?, schema, columns, numbers, width })
     }
 }
 
@@ -224,7 +243,8 @@ impl BatchSweep {
     /// # Errors
     /// [`Refusal::Stopped`] after a cancellation.
     pub fn batch(&self, batch: &RecordBatch, first_row: u64, progress: &Progress) -> Result<RecordBatch, Unanswered> {
-        let answers = self.sweep.judge(&cells(batch, &self.columns.keys), progress).map_err(Refusal::from)?;
+        let cells = cells(batch, &self.columns.keys);
+        let answers = self.sweep.judge(&cells, progress).map_err(Refusal::from)?;
         let mut columns = match &self.sweep.options().wanted {
             Wanted::Best => best(&answers, first_row),
             Wanted::Every(checks) => every(&answers, first_row, checks),
@@ -236,7 +256,10 @@ impl BatchSweep {
             let rows = columns.first().and_then(|rows| rows.as_primitive_opt::<UInt64Type>().cloned());
             let rows: UInt64Array = rows.iter().flatten().map(|row| row.map(|row| row - first_row)).collect();
             for place in self.columns.carried.iter().map(|(place, _)| *place) {
-                let Some(column) = batch.columns().get(place) else { continue };
+                let of_key = self.numbers.iter().find(|(number, _)| *number == place).map(|(_, key)| *key);
+                let values = of_key.and_then(|key| Some(self.sweep.column_numbers(key, cells.get(key)?)));
+                let numbers = values.map(|values| Arc::new(Float64Array::from(values)) as ArrayRef);
+                let Some(column) = numbers.as_ref().or_else(|| batch.columns().get(place)) else { continue };
                 columns.push(take(column, &rows, None).map_err(broken)?);
             }
         }

@@ -17,6 +17,7 @@ use questions::sweep::csv::{self, Broken, Columns, Lines};
 use recording::{
     Bytes, Content, FILE_BYTES_MAX, Fault, Limit, Memory, Ranges, Sniffed, Table, TableColumn, TableValues, ValueKind,
 };
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::ops::Range;
@@ -28,11 +29,31 @@ use words::table_text;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Text, a line for each row.
-    Csv,
+    Csv(Decimal),
     /// Text, packed with gzip.
-    PackedCsv,
+    PackedCsv(Decimal),
     /// Columns in pages.
     Parquet,
+}
+
+/// Decimal sign of a text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Decimal {
+    /// Point; commas between the cells.
+    #[default]
+    Point,
+    /// Comma; semicolons between the cells, as in the German notation of spreadsheets.
+    Comma,
+}
+
+impl Decimal {
+    /// Returns the sign between the cells.
+    const fn separator(self) -> char {
+        match self {
+            Self::Point => ',',
+            Self::Comma => ';',
+        }
+    }
 }
 
 impl Format {
@@ -41,10 +62,20 @@ impl Format {
     pub fn of(path: &Path) -> Option<Self> {
         let name = path.file_name()?.to_string_lossy().to_ascii_lowercase();
         match name.rsplit_once('.')?.1 {
-            "csv" => Some(Self::Csv),
-            "gz" if name.ends_with(".csv.gz") => Some(Self::PackedCsv),
+            "csv" => Some(Self::Csv(Decimal::Point)),
+            "gz" if name.ends_with(".csv.gz") => Some(Self::PackedCsv(Decimal::Point)),
             "parquet" => Some(Self::Parquet),
             _ => None,
+        }
+    }
+
+    /// Returns the format with decimal commas; `None` if it is no text.
+    #[must_use]
+    pub const fn with_decimal_commas(self) -> Option<Self> {
+        match self {
+            Self::Csv(_) => Some(Self::Csv(Decimal::Comma)),
+            Self::PackedCsv(_) => Some(Self::PackedCsv(Decimal::Comma)),
+            Self::Parquet => None,
         }
     }
 }
@@ -149,6 +180,19 @@ impl Batches {
             }
             Content::Text | Content::Packed(_) => {}
         }
+        Self::of_lines(source, skipped, rows, language)
+    }
+
+    /// Opens a table in CSV at a row, `rows` at a time.
+    ///
+    /// # Errors
+    /// The reason why it cannot be read.
+    pub fn of_text(text: String, skipped: u64, rows: usize, language: Language) -> Result<Self, NoBatch> {
+        let (_, source) = recording::opened(Box::new(std::io::Cursor::new(text))).map_err(trouble)?;
+        Self::of_lines(source, skipped, rows, language)
+    }
+
+    fn of_lines(source: Sniffed, skipped: u64, rows: usize, language: Language) -> Result<Self, NoBatch> {
         let broken = |broken| NoBatch::of(broken, language);
         let mut lines = Lines::open(source).map_err(broken)?;
         lines.skip(skipped).map_err(broken)?;
@@ -248,9 +292,9 @@ fn array(field: &Field, values: TableValues) -> ArrayRef {
 /// Answers written batch by batch.
 pub enum Answers<W: Write + Send> {
     /// CSV writer.
-    Csv(W),
+    Csv(W, Decimal),
     /// Writer of packed CSV.
-    PackedCsv(Box<GzEncoder<W>>),
+    PackedCsv(Box<GzEncoder<W>>, Decimal),
     /// Parquet writer.
     Parquet(Box<ArrowWriter<W>>),
 }
@@ -276,10 +320,10 @@ impl<W: Write + Send> Answers<W> {
                 let writer = ArrowWriter::try_new(to, schema, Some(properties)).map_err(|error| error.to_string())?;
                 Ok(Self::Parquet(Box::new(writer)))
             }
-            Format::Csv => heading(&mut to, &schema).map(|()| Self::Csv(to)),
-            Format::PackedCsv => {
+            Format::Csv(decimal) => heading(&mut to, &schema, decimal).map(|()| Self::Csv(to, decimal)),
+            Format::PackedCsv(decimal) => {
                 let mut packed = GzEncoder::new(to, flate2::Compression::default());
-                heading(&mut packed, &schema).map(|()| Self::PackedCsv(Box::new(packed)))
+                heading(&mut packed, &schema, decimal).map(|()| Self::PackedCsv(Box::new(packed), decimal))
             }
         }
     }
@@ -291,8 +335,8 @@ impl<W: Write + Send> Answers<W> {
     pub fn add(&mut self, batch: &RecordBatch) -> Result<(), String> {
         match self {
             Self::Parquet(writer) => writer.write(batch).map_err(|error| error.to_string()),
-            Self::Csv(to) => lines(to, batch),
-            Self::PackedCsv(to) => lines(to, batch),
+            Self::Csv(to, decimal) => lines(to, batch, *decimal),
+            Self::PackedCsv(to, decimal) => lines(to, batch, *decimal),
         }
     }
 
@@ -303,25 +347,38 @@ impl<W: Write + Send> Answers<W> {
     pub fn end(self) -> Result<W, String> {
         match self {
             Self::Parquet(writer) => writer.into_inner().map_err(|error| error.to_string()),
-            Self::Csv(mut to) => to.flush().map(|()| to).map_err(|error| error.to_string()),
-            Self::PackedCsv(to) => to.finish().map_err(|error| error.to_string()),
+            Self::Csv(mut to, _) => to.flush().map(|()| to).map_err(|error| error.to_string()),
+            Self::PackedCsv(to, _) => to.finish().map_err(|error| error.to_string()),
         }
     }
 }
 
-fn heading(to: &mut impl Write, schema: &Schema) -> Result<(), String> {
-    let names: Vec<_> = schema.fields().iter().map(|field| csv::written(field.name())).collect();
-    writeln!(to, "{}", names.join(",")).map_err(|error| error.to_string())
+fn heading(to: &mut impl Write, schema: &Schema, decimal: Decimal) -> Result<(), String> {
+    let names: Vec<_> =
+        schema.fields().iter().map(|field| csv::written_between(field.name(), decimal.separator())).collect();
+    line(to, &names, decimal)
 }
 
-fn lines(to: &mut impl Write, batch: &RecordBatch) -> Result<(), String> {
+fn line(to: &mut impl Write, cells: &[Cow<'_, str>], decimal: Decimal) -> Result<(), String> {
+    writeln!(to, "{}", cells.join(decimal.separator().encode_utf8(&mut [0; 4]))).map_err(|error| error.to_string())
+}
+
+fn lines(to: &mut impl Write, batch: &RecordBatch, decimal: Decimal) -> Result<(), String> {
     let options = FormatOptions::default();
-    let columns = batch.columns().iter().map(|column| ArrayFormatter::try_new(column.as_ref(), &options));
-    let columns: Vec<ArrayFormatter<'_>> = columns.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+    let columns = batch.columns().iter().map(|column| {
+        let has_decimals = decimal == Decimal::Comma && column.data_type().is_floating();
+        ArrayFormatter::try_new(column.as_ref(), &options).map(|formatter| (formatter, has_decimals))
+    });
+    let columns: Vec<(ArrayFormatter<'_>, bool)> =
+        columns.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
     for row in 0..batch.num_rows() {
-        let cells: Vec<String> = columns.iter().map(|column| column.value(row).to_string()).collect();
-        let cells: Vec<_> = cells.iter().map(|cell| csv::written(cell)).collect();
-        writeln!(to, "{}", cells.join(",")).map_err(|error| error.to_string())?;
+        let cell = |(column, has_decimals): &(ArrayFormatter<'_>, bool)| {
+            let text = column.value(row).to_string();
+            if *has_decimals { text.replace('.', ",") } else { text }
+        };
+        let cells: Vec<String> = columns.iter().map(cell).collect();
+        let cells: Vec<_> = cells.iter().map(|cell| csv::written_between(cell, decimal.separator())).collect();
+        line(to, &cells, decimal)?;
     }
     Ok(())
 }

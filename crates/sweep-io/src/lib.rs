@@ -4,10 +4,12 @@
 
 mod batch;
 mod columns;
+mod constants;
 mod files;
 mod tally;
 
 pub use batch::{BatchHead, BatchSweep, Repeats};
-pub use files::{Answers, Batches, Format, NoBatch, part};
+pub use constants::Constants;
+pub use files::{Answers, Batches, Decimal, Format, NoBatch, part};
 pub use questions::sweep::{CODE, CellFault, Options, TableFaults, Wanted};
 pub use tally::count;

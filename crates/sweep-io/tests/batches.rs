@@ -5,9 +5,11 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
 use axis::NoFiles;
+use quantities::Language;
 use questions::Progress;
+use std::io::Write as _;
 use std::sync::Arc;
-use sweep_io::{BatchHead, BatchSweep, Options, Repeats, TableFaults, Wanted};
+use sweep_io::{Answers, BatchHead, BatchSweep, Batches, Decimal, Format, Options, Repeats, TableFaults, Wanted};
 
 const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\
     law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
@@ -254,4 +256,38 @@ fn a_label_with_a_name_of_the_answer_is_refused() {
     ]);
     let head = BatchHead::of(("axis.toml", MOVE), &NoFiles, &table.schema(), Repeats::Labels, Options::default());
     assert!(head.ready("tasks", Box::new(NoFiles)).is_err());
+}
+
+/// Answers with decimal commas are read as a table with the same numbers and texts.
+#[test]
+fn a_file_with_decimal_commas_is_read_as_it_was_written() {
+    let batch = batch(vec![
+        ("load.inertia [kg m^2]", Arc::new(Float64Array::from(vec![Some(0.5), Some(-1250.25), None])) as ArrayRef),
+        ("count", Arc::new(Int64Array::from(vec![1, 20_000, 3]))),
+        ("id", Arc::new(StringArray::from(vec!["a;b", "c,d \"e\"", "f.g"]))),
+    ]);
+    for decimal in [Decimal::Point, Decimal::Comma] {
+        let mut file = tempfile::tempfile().unwrap();
+        let mut answers = Answers::begin(Vec::new(), Format::Csv(decimal), batch.schema()).unwrap();
+        answers.add(&batch).unwrap();
+        let bytes = answers.end().unwrap();
+        let text = String::from_utf8(bytes.clone()).unwrap();
+        assert_eq!(text.contains("-1250,25;20000;"), decimal == Decimal::Comma, "{text}");
+        file.write_all(&bytes).unwrap();
+        let mut read = Batches::open(file, 0, 9, Language::En).unwrap();
+        assert_eq!(read.has_decimal_commas(), decimal == Decimal::Comma, "{text}");
+        let found = read.next(Language::En).unwrap().unwrap();
+        assert_eq!(found.schema().field(0).name(), "load.inertia [kg m^2]");
+        let cells = |column: usize| -> Vec<Option<String>> {
+            let texts = found.column(column).as_string::<i32>();
+            texts
+                .iter()
+                .map(|text| text.map(|text| if column < 2 { text.replace(',', ".") } else { text.to_owned() }))
+                .collect()
+        };
+        let some = |texts: [&str; 3]| texts.map(|text| (!text.is_empty()).then(|| text.to_owned()));
+        assert_eq!(cells(0), some(["0.5", "-1250.25", ""]));
+        assert_eq!(cells(1), some(["1", "20000", "3"]));
+        assert_eq!(cells(2), some(["a;b", "c,d \"e\"", "f.g"]));
+    }
 }

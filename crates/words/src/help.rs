@@ -106,6 +106,17 @@ texts! {
     sweep_front =
         "For each row the ordering codes that are Pareto-optimal in mass, length and margin"
         | "Je Zeile die in Masse, Länge und Reserve Pareto-optimalen Bestellbezeichnungen";
+    sweep_vary =
+        "In place of a table: a key with its values or a range, payload=0,5,10kg or time=1..3s; repeated for every combination; without --out the answers are shown"
+        | "Statt einer Tabelle: ein Schlüssel mit Werten oder Bereich, payload=0;5;10kg oder time=1..3s; mehrfach für alle Kombinationen; ohne --out werden die Antworten angezeigt";
+    sweep_steps =
+        "Values of each range (11)" | "Werte je Bereich (11)";
+    sweep_inputs =
+        "Columns beside the results: those of the table, with all also the values that the project states"
+        | "Spalten neben den Ergebnissen: die der Tabelle, mit all auch die im Projekt angegebenen Werte";
+    sweep_decimal_comma =
+        "CSV with decimal commas, and semicolons between the columns"
+        | "CSV mit Dezimalkomma und Semikolon zwischen den Spalten";
     sweep_out =
         "Write the results as .csv, .csv.gz or .parquet; an interrupted run is continued"
         | "Ergebnisse als .csv, .csv.gz oder .parquet schreiben; ein unterbrochener Lauf wird fortgesetzt";

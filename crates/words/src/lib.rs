@@ -108,7 +108,7 @@ pub use results::{
 };
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;
-pub use stage::ratios_text;
+pub use stage::{ratios_text, stage_by_its_keys};
 pub use step_terms::{step_term, step_terms};
 pub use texts::{Text, Word};
 pub use usage::{Usage, UsageHint, usage_hint, usage_text};

@@ -130,22 +130,131 @@ pub const TWIN_OPTIONS: &[(&str, &[&str])] = &[
 /// it describes.
 #[rustfmt::skip] // one line per kind
 pub const KINDS: &[(&str, &[&str])] = &[
-    ("load", &["inertia", "flywheel", "direct", "last", "schwungmasse", "schwungrad"]),
-    ("turntable", &["disc", "disk", "rotary table", "round table", "drum", "scheibe", "drehtisch", "rundtisch", "trommel"]),
-    ("arm", &["lever", "pendulum", "swing arm", "tilting arm", "hebel", "pendel", "schwenkarm", "kipparm"]),
-    ("screw", &["ball screw", "spindle", "lead screw", "z axis", "vertical axis", "gewindetrieb", "kugelgewindetrieb", "hubachse", "z achse"]),
-    ("belt", &["toothed belt", "timing belt", "rack", "rack and pinion", "gantry", "linear axis", "x axis", "zahnriemen", "riemen", "zahnstange", "portal", "linearachse", "x achse"]),
-    ("conveyor", &["roller", "conveyor belt", "förderband", "rollenförderer", "walze"]),
-    ("slider_crank", &["crank", "press", "kurbel", "schubkurbel"]),
+    ("load", &["inertia", "flywheel", "direct", "direct drive", "last", "direktantrieb", "schwungmasse", "schwungrad"]),
+    ("turntable", &["disc", "disk", "rotary table", "round table", "drum", "indexing table", "index table", "scheibe", "drehtisch", "rundtisch", "rundschalttisch", "schalttisch", "trommel"]),
+    ("arm", &["lever", "pendulum", "swing arm", "tilting arm", "hebel", "pendel", "schwenkarm", "kipparm", "schwenkachse"]),
+    ("screw", &["ball screw", "spindle", "lead screw", "z axis", "vertical axis", "gewindetrieb", "kugelgewindetrieb", "kugelumlaufspindel", "schraube", "spindel", "gewindespindel", "spindelachse", "hubachse", "z achse"]),
+    ("belt", &["toothed belt", "timing belt", "rack", "rack and pinion", "gantry", "linear axis", "x axis", "zahnriemen", "riemen", "riemenachse", "zahnstange", "portal", "linearachse", "x achse"]),
+    ("conveyor", &["roller", "conveyor belt", "förderer", "förderband", "bandförderer", "rollenförderer", "walze"]),
+    ("slider_crank", &["crank", "press", "kurbel", "presse", "kurbelpresse", "schubkurbel"]),
     ("hoist", &["lift", "winch", "crane", "hubwerk", "winde", "kran", "aufzug"]),
     ("winder", &["roll", "unwinder", "rewinder", "reel", "wickler", "abwickler", "haspel", "rolle"]),
     ("scissor_lift", &["lifting table", "scissor", "hubtisch", "scherenhubtisch"]),
-    ("four_bar", &["linkage", "four bar linkage", "gelenkviereck", "koppelgetriebe"]),
+    ("four_bar", &["linkage", "four bar linkage", "gelenkviereck", "koppelgetriebe", "viergelenk"]),
     ("joint", &["robot", "robot joint", "roboter", "gelenk", "robotergelenk"]),
-    ("recording", &["trace", "log", "csv", "aufzeichnung", "messung"]),
+    ("recording", &["trace", "log", "csv", "aufzeichnung", "messung", "messdaten"]),
     ("catalogue", &["catalog", "stock list", "data sheet", "katalog", "lagerliste", "datenblatt"]),
     ("sweep", &["grid", "variation", "raster"]),
 ];
+
+/// Other words for values of options, each with the value.
+const VALUES: &[(&str, &str)] = &[
+    ("blackout", "power_failure"),
+    ("e-stop", "emergency_stop"),
+    ("estop", "emergency_stop"),
+    ("jam", "blocked_load"),
+    ("not-aus", "emergency_stop"),
+    ("not-halt", "emergency_stop"),
+    ("notaus", "emergency_stop"),
+    ("nothalt", "emergency_stop"),
+    ("netzausfall", "power_failure"),
+    ("power-loss", "power_failure"),
+    ("stromausfall", "power_failure"),
+];
+
+/// Returns the value of an option that another word stands for.
+#[must_use]
+pub fn value(word: &str) -> Option<&'static str> {
+    let word = word.to_lowercase();
+    VALUES.iter().find(|(other, _)| *other == word).map(|(_, value)| *value)
+}
+
+/// Words of bodies by which people name shapes and dimensions, each with that of the program.
+const BODY_WORDS: &[(&str, &str)] = &[
+    ("breite", "b"),
+    ("d", "diameter"),
+    ("da", "outer"),
+    ("di", "inner"),
+    ("dia", "diameter"),
+    ("dichte", "density"),
+    ("durchmesser", "diameter"),
+    ("h", "height"),
+    ("hohlzylinder", "tube"),
+    ("höhe", "height"),
+    ("id", "inner"),
+    ("kegel", "cone"),
+    ("kugel", "sphere"),
+    ("l", "length"),
+    ("länge", "length"),
+    ("m", "mass"),
+    ("masse", "mass"),
+    ("od", "outer"),
+    ("pipe", "tube"),
+    ("punkt", "point"),
+    ("punktmasse", "point"),
+    ("quader", "box"),
+    ("rho", "density"),
+    ("rohr", "tube"),
+    ("scheibe", "disc"),
+    ("shaft", "cylinder"),
+    ("stab", "rod"),
+    ("t", "length"),
+    ("vollzylinder", "cylinder"),
+    ("welle", "cylinder"),
+    ("zylinder", "cylinder"),
+    ("ρ", "density"),
+];
+
+/// Returns the shape or the dimension of a body that another word stands for.
+#[must_use]
+pub fn body_word(word: &str) -> Option<&'static str> {
+    let word = word.to_lowercase();
+    BODY_WORDS.iter().find(|(other, _)| *other == word).map(|(_, name)| *name)
+}
+
+/// Usual densities of materials, as round values of material tables (Dubbel, table of densities at 20 °C).
+#[rustfmt::skip] // one line per material
+const MATERIALS: &[(&str, &[&str])] = &[
+    ("7850kg/m^3", &["steel", "stahl"]),
+    ("7900kg/m^3", &["stainless", "inox", "edelstahl"]),
+    ("7200kg/m^3", &["iron", "guss", "grauguss", "gusseisen"]),
+    ("2700kg/m^3", &["aluminium", "aluminum", "alu"]),
+    ("8500kg/m^3", &["brass", "messing"]),
+    ("8800kg/m^3", &["bronze"]),
+    ("8960kg/m^3", &["copper", "kupfer"]),
+    ("4500kg/m^3", &["titanium", "titan"]),
+    ("1410kg/m^3", &["pom"]),
+    ("1140kg/m^3", &["pa", "pa6", "nylon"]),
+];
+
+/// Returns the density of a material, as a body states it.
+#[must_use]
+pub fn density(material: &str) -> Option<&'static str> {
+    let material = material.to_lowercase();
+    MATERIALS.iter().find(|(_, names)| names.contains(&&*material)).map(|(density, _)| *density)
+}
+
+/// Returns `true` if numbers usually have decimal commas in a language.
+#[must_use]
+pub const fn has_decimal_commas(language: Language) -> bool {
+    matches!(language, Language::De)
+}
+
+/// Words for the quantities that a call may scale.
+const SCALED: &[(&str, &[&str])] = &[
+    ("load", &["last", "lasten"]),
+    ("payload", &["nutzlast", "zuladung"]),
+    ("time", &["zeit", "zeiten", "times"]),
+    ("distance", &["weg", "wege", "winkel", "hub", "travel", "stroke"]),
+];
+
+/// Returns the quantity that a call may scale, by another word for it.
+#[must_use]
+pub fn scaled(word: &str) -> Option<&'static str> {
+    let word = word.to_lowercase();
+    let is_meant = |(name, words): &&(&str, &[&str])| *name == word || words.contains(&&*word);
+    SCALED.iter().find(is_meant).map(|(name, _)| *name)
+}
 
 /// Returns the language of a word: its identifier or its name, in any case.
 #[must_use]

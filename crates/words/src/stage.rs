@@ -1,9 +1,21 @@
 //! Words for the stage between actuator and mechanism.
 
 use crate::percent_text;
+use crate::quantity::unpadded;
+use crate::terminal;
 use crate::texts::said;
 use axis::RatioAnswer;
 use quantities::{Language, format_significant};
+
+/// Largest number of digits of a proposed ratio.
+const RATIO_DIGITS: usize = 5;
+
+/// Describes a stage to add by the keys that state it, whose numbers have a decimal point in every language.
+#[must_use]
+pub fn stage_by_its_keys(ratio: f64, language: Language) -> String {
+    let [shown, stated] = [language, Language::En].map(|language| unpadded(ratio, RATIO_DIGITS, language));
+    terminal::a_stage_by_its_keys(&shown, &stated, language)
+}
 
 /// Returns the answers for the ratios of a stage, in order; empty for a stage with one ratio.
 #[must_use]

@@ -32,9 +32,24 @@ texts! {
         | "{parts} Teil mit {rows} Zeilen eines unterbrochenen Laufs wird übernommen",
         "{parts} parts with {rows} rows of an interrupted run are kept"
         | "{parts} Teile mit {rows} Zeilen eines unterbrochenen Laufs werden übernommen";
-    begun_anew =
-        "the parts of an interrupted run belong to another project, table, recording, request or version and are removed"
-        | "die Teile eines unterbrochenen Laufs gehören zu einem anderen Projekt, einer anderen Tabelle, Aufzeichnung, Anfrage oder Version und werden entfernt";
+    begun_anew(parts, inputs) =
+        "{parts} part of an interrupted run is discarded; different: {inputs}"
+        | "{parts} Teil eines unterbrochenen Laufs wird verworfen; abweichend: {inputs}",
+        "{parts} parts of an interrupted run are discarded; different: {inputs}"
+        | "{parts} Teile eines unterbrochenen Laufs werden verworfen; abweichend: {inputs}";
+    other_run(parts, folder, inputs) =
+        "{folder} holds {parts} finished part of an interrupted run, which this call does not continue; different: {inputs}"
+        | "{folder} enthält {parts} fertigen Teil eines unterbrochenen Laufs, den dieser Aufruf nicht fortsetzt; abweichend: {inputs}",
+        "{folder} holds {parts} finished parts of an interrupted run, which this call does not continue; different: {inputs}"
+        | "{folder} enthält {parts} fertige Teile eines unterbrochenen Laufs, den dieser Aufruf nicht fortsetzt; abweichend: {inputs}";
+    other_run_hint =
+        "continue that run with its own call, write to another file, or begin anew with --force, which removes its parts"
+        | "jenen Lauf mit seinem Aufruf fortsetzen, in eine andere Datei schreiben oder mit --force neu beginnen, was seine Teile entfernt";
+    of_program = "version of antrieb" | "Version von antrieb";
+    of_catalogue = "catalogue" | "Katalog";
+    of_project = "project" | "Projekt";
+    of_table = "table" | "Tabelle";
+    of_recordings = "recordings" | "Aufzeichnungen";
     parts_foreign(folder) =
         "{folder} exists and was not made by antrieb; it remains unchanged: move it, or write the answers to another file"
         | "{folder} ist schon vorhanden und nicht von antrieb angelegt; es bleibt unverändert: verschieben oder die Antworten in eine andere Datei schreiben";
@@ -47,6 +62,9 @@ texts! {
     parts_changed =
         "the table or a recording was changed while the sweep ran: its parts are removed, the same call starts again"
         | "die Tabelle oder eine Aufzeichnung wurde während des Laufs geändert: die Teile werden entfernt, derselbe Aufruf beginnt von vorn";
+    decimal_comma_of_csv =
+        "a Parquet file has no decimal signs; write a .csv file"
+        | "eine Parquet-Datei hat keine Dezimalzeichen; eine .csv-Datei schreiben";
     ending_of_a_table =
         "the file name of the results must end in .csv, .csv.gz or .parquet"
         | "der Dateiname der Ergebnisse muss auf .csv, .csv.gz oder .parquet enden";
@@ -90,6 +108,18 @@ texts! {
     sample_key_hint =
         "write \"motion[1].time [s] = 1..3\", \"… = 1..3 log\" or \"… = 1; 2; 3\""
         | "„motion[1].time [s] = 1..3“, „… = 1..3 log“ oder „… = 1; 2; 3“ schreiben";
+    vary_form(written) =
+        "\"{written}\" is not a key with values" | "„{written}“ ist kein Schlüssel mit Werten";
+    vary_form_hint =
+        "write payload=0,5,10kg or time=1..3s, \"time=1..8 s log\" for equal ratios"
+        | "payload=0;5;10kg oder time=1..3s schreiben, \"time=1..8 s log\" für gleiche Verhältnisse";
+    vary_unit(key) = "`{key}`: the values have no unit" | "`{key}`: die Werte haben keine Einheit";
+    vary_commas(written) =
+        "\"{written}\" is ambiguous: commas separate values or are decimal signs"
+        | "„{written}“ ist mehrdeutig: Kommas trennen Werte oder sind Dezimalzeichen";
+    shown_rows(shown, all) =
+        "{shown} of {all} rows are shown; --json and --out have all of them"
+        | "{shown} von {all} Zeilen angezeigt; --json und --out enthalten alle";
     no_sample_keys = "no key is stated" | "kein Schlüssel angegeben";
     front_or_checks =
         "`front` and `check` exclude each other; state one of them"

@@ -129,6 +129,9 @@ texts! {
     fits_up_to = "fits up to (single changes)" | "geeignet bis (Einzeländerungen)";
     checks_pass_up_to = "all checks pass up to (single changes)" | "alle Nachweise erfüllt bis (Einzeländerungen)";
     would_fit_with_other_gearing = "would fit with one of these ratios" | "wäre mit einer dieser Übersetzungen geeignet";
+    a_stage_by_its_keys(ratio, number) =
+        "stage with ratio {ratio} (--set stage.kind=gear --set stage.ratio={number})"
+        | "Zwischenstufe mit Übersetzung {ratio} (--set stage.kind=gear --set stage.ratio={number})";
     a_stage(ratio) = "stage with ratio {ratio}" | "Zwischenstufe mit Übersetzung {ratio}";
     would_fit_with_one_of = "would fit if one of these changed" | "wäre geeignet, wenn eine der folgenden Größen geändert wird";
     checks_would_pass_with_one_of = "all checks would pass if one of these changed" | "alle Nachweise wären erfüllt, wenn eine der folgenden Größen geändert wird";
@@ -144,6 +147,7 @@ texts! {
     load_factor(factor) = "all masses and inertias × {factor}" | "alle Massen und Trägheitsmomente × {factor}";
     cycle_time(time) = "cycle time {time} s" | "Zykluszeit {time} s";
     ambient(ambient) = "ambient temperature {ambient} °C" | "Umgebungstemperatur {ambient} °C";
+    call_understood(call) = "understood as: {call}" | "verstanden als: {call}";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
     set_form = "the form is --set KEY=VALUE, such as --set mechanism.belt.mass=20kg" | "die Form ist --set SCHLÜSSEL=WERT, etwa --set mechanism.belt.mass=20kg";
     no_values_of_a_table =
@@ -151,6 +155,7 @@ texts! {
         | "eine Tabelle von Zeilen nimmt kein --set; ihre Spalten werden mit --key angegeben";
     set_which(key, one, other) = "{key} is ambiguous: {one} or {other}" | "{key} ist mehrdeutig: {one} oder {other}";
     set_which_axis(example) = "the project has several axes: --axis NAME, or {example}" | "das Projekt hat mehrere Achsen: --axis NAME, oder {example}";
+    set_unit(key) = "`{key}`: the value has no unit" | "`{key}`: der Wert hat keine Einheit";
     set_no_key(key) = "a project has no key \"{key}\"" | "ein Projekt hat keinen Schlüssel „{key}“";
     scale_not_possible(what) =
         "{what} cannot be scaled in this project: it has no such values, or states them as bodies or as a recording"
@@ -158,6 +163,8 @@ texts! {
     best_of_the_ranking(id) =
         "no actuator is stated (--code, or [actuator] in the project): the best of the ranking, {id}"
         | "kein Antrieb ist angegeben (--code, oder [actuator] im Projekt): der beste der Rangfolge, {id}";
+    compared_with_the_best(ids) =
+        "compared with the best of the ranking: {ids}" | "verglichen mit den besten der Rangfolge: {ids}";
     no_own_actuator =
         "the project has no [actuator]; select one from the catalogue with --code"
         | "das Projekt hat keinen [actuator]; einen Antrieb des Katalogs mit --code wählen";
@@ -274,6 +281,7 @@ texts! {
     move_number(number) = "move {number}" | "Bewegung {number}";
     at_s = "time s" | "Zeitpunkt s";
     grade_and_source = "grade, source of the limit" | "Güte, Quelle der Grenze";
+    failed_by_all = "failed by all of them" | "von allen nicht erfüllt";
     rejected_count(count) = "rejected {count}" | "verworfen {count}";
     worst_percent = "worst corner %" | "ungünstigste Ecke %";
     at_the_worst_corner = "at the worst corner" | "in der ungünstigsten Ecke";

@@ -37,11 +37,6 @@ pub enum Usage {
         /// Spelling of the call.
         written: String,
     },
-    /// A range of values stands where a table is expected.
-    RangeWithoutTable {
-        /// Spelling of the call.
-        written: String,
-    },
     /// Required arguments are missing.
     Missing {
         /// Names of the arguments in the help.
@@ -123,10 +118,6 @@ pub fn usage_text(usage: &Usage, language: Language) -> String {
             "\"{written}\" is a recording or a table; a project that names it is expected"
             | "„{written}“ ist eine Aufzeichnung oder Tabelle; erwartet wird ein Projekt, das sie nennt"
         ),
-        Usage::RangeWithoutTable { written } => said!(language =>
-            "\"{written}\": ranges are written into a table first"
-            | "„{written}“: Bereiche kommen zuerst in eine Tabelle"
-        ),
         Usage::Missing { names } => said!(language => "{names} is missing" | "es fehlt {names}"),
         Usage::BadValue { written, name } => {
             said!(language => "\"{written}\" is not a valid value for {name}" | "„{written}“ ist kein gültiger Wert für {name}")
@@ -178,7 +169,6 @@ mod tests {
             Usage::NoSuchArgument { written: word(), command: word() },
             Usage::SeveralOptions { written: word(), options: vec![word(), word()] },
             Usage::Recording { written: word() },
-            Usage::RangeWithoutTable { written: word() },
             Usage::Missing { names: word() },
             Usage::BadValue { written: word(), name: word() },
             Usage::ValueMissing { name: word() },

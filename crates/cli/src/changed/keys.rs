@@ -1,7 +1,11 @@
 //! Keys that a word or a value of a call may mean, in the project of the call.
 
-use project::{KEYS, Kind, Written, key_at, written};
+use project::{Hint, KEYS, Kind, Written, key_at, nearest_heading, nearest_name, other_names, truth, written};
 use quantities::{Dimension, parse};
+
+/// Units of which a number may lack one: one of each quantity that a project often states.
+pub(crate) const UNITS: [&str; 12] =
+    ["mm", "s", "deg", "N m", "N", "kg", "kg m^2", "V", "degC", "1/min", "m/s", "rad/s^2"];
 
 /// Table whose keys every project may have.
 const REQUIREMENTS: &str = "requirements";
@@ -17,8 +21,23 @@ pub(crate) fn with_brackets(path: &str) -> String {
 }
 
 /// Returns the paths of the keys with a name, `prefix` being that of the wanted axis: those that the project states, else
-/// those that one of its tables may have with this value.
+/// those that one of its tables may have with this value; else the same by the other names that people have for keys.
 pub(crate) fn named(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
+    let found = by_name(all, prefix, name, value);
+    if !found.is_empty() {
+        return found;
+    }
+    let (above, last) = name.rsplit_once('.').map_or(("", name), |(above, last)| (above, last));
+    let others = other_names(&last.to_lowercase()).iter().map(|other| match above {
+        "" => (*other).to_owned(),
+        above => format!("{above}.{other}"),
+    });
+    let found: Vec<String> = others.flat_map(|other| by_name(all, prefix, &other, value)).collect();
+    let fitting: Vec<String> = found.iter().filter(|path| takes(path, value)).cloned().collect();
+    if fitting.is_empty() { found } else { fitting }
+}
+
+fn by_name(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
     let is_own = |path: &str| path.strip_prefix(prefix).is_some_and(|inside| has_name(inside, name));
     let stated = all.iter().filter(|each| each.value.is_some() && is_own(&each.path));
     let stated: Vec<String> = stated.map(|each| each.path.clone()).collect();
@@ -49,6 +68,24 @@ pub(crate) fn of_quantity(text: &str, prefix: &str, value: &str) -> Vec<String> 
     }
     found
 }
+
+/// Returns the key that is nearest to an unknown one, else those that the project states.
+pub(crate) fn nearest(all: &[Written], key: &str, stated: &[&str]) -> Hint {
+    let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
+    let own =
+        || all.iter().filter(|each| each.value.is_some() && each.path.contains('.')).map(|each| each.path.clone());
+    let names: Vec<String> = own().map(|path| last(&path)).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let by_name = || match nearest_name(&last(key), &names) {
+        Hint::DidYouMean(name) => own().find(|path| last(path) == name).map(Hint::DidYouMean),
+        _ => None,
+    };
+    let all_of_project = || Hint::ValidAre(own().take(LISTED_MOST).collect());
+    nearest_heading(key, stated).or_else(by_name).unwrap_or_else(all_of_project)
+}
+
+/// Largest number of keys that are listed where none is near.
+const LISTED_MOST: usize = 12;
 
 fn has_name(path: &str, name: &str) -> bool {
     path.strip_suffix(name).is_some_and(|above| above.ends_with('.'))
@@ -87,19 +124,20 @@ fn dimensions(kind: Kind) -> Vec<Dimension> {
     }
 }
 
-fn is_quantity(path: &str, value: &str) -> bool {
+/// Returns `true` if a key at a path may have a quantity as its value.
+pub(crate) fn is_quantity(path: &str, value: &str) -> bool {
     let dimensions = key_at(path).map(|key| dimensions(key.kind)).unwrap_or_default();
     dimensions.into_iter().any(|dimension| parse(dimension, value).is_ok())
 }
 
 /// Returns `true` if a key at a path may have a value.
-fn takes(path: &str, value: &str) -> bool {
+pub(crate) fn takes(path: &str, value: &str) -> bool {
     match key_at(path).map(|key| key.kind) {
         None => false,
         Some(Kind::Quantity(..) | Kind::Along(..)) => is_quantity(path, value),
         Some(Kind::Number(..)) => value.parse::<f64>().is_ok(),
         Some(Kind::Integer(..)) => value.parse::<i64>().is_ok(),
-        Some(Kind::Bool) => matches!(value, "true" | "false"),
+        Some(Kind::Bool) => truth(value).is_some(),
         Some(Kind::OneOf(words)) => words.contains(&value),
         Some(kind) => matches!(kind, Kind::Text | Kind::Texts | Kind::ListOf(_)),
     }

@@ -15,7 +15,7 @@ use words::{Usage, UsageHint};
 const FILLED_MOST: usize = 8;
 
 /// Splits an example into its words.
-fn split(example: &str) -> Vec<String> {
+pub(super) fn split(example: &str) -> Vec<String> {
     let mut words = Vec::new();
     for (place, part) in example.split('"').enumerate() {
         if place % 2 == 1 {
@@ -114,10 +114,6 @@ impl Stray {
         let written = seen(&self.word).into_owned();
         let is_exact = self.options.iter().all(|(_, value)| *value == self.word);
         let texts: Vec<&str> = arguments.iter().skip(called.begin).filter_map(|word| word.to_str()).collect();
-        let ranges = called.calls_of_ranges(&texts);
-        if !ranges.is_empty() {
-            return (Usage::RangeWithoutTable { written }, Some(UsageHint::Calls(ranges)));
-        }
         if self.options.is_empty() && called.stands_for_project(&self.word, &texts) {
             let project = project_name(&self.word);
             let new = typed(["antrieb", "new", "recording", "--from", &self.word, "--out", &project]);
@@ -148,6 +144,9 @@ impl Stray {
             self.options.iter().filter_map(|(option, value)| filled(&without(&[option, value]), called)).collect();
         if calls.is_empty() {
             calls.extend(called.other_command(&self.word));
+        }
+        if calls.is_empty() && called.projects.len() > 1 && called.is_project_of_call(&self.word) {
+            calls.extend(called.calls_of_projects(arguments, self.place));
         }
         if calls.is_empty() {
             let given: Vec<&str> = texts.iter().filter_map(|text| text.strip_prefix("--")).collect();

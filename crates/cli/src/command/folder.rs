@@ -61,11 +61,30 @@ pub(super) fn is_project(path: &Path) -> bool {
 
 /// Returns the code of the best actuator of the first project among some words; `None` if there is no answer.
 pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<String> {
-    let path = words.iter().map(Path::new).find(|path| path.extension().is_some_and(|ending| ending == "toml"))?;
-    let file = SourceFile::read(path, Reads::Project, questions::MEMORY_USUAL, language).ok()?;
-    let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
-    let [project] = &projects[..] else { return None };
-    let sizing = questions::size(project);
-    let id = sizing.named()?.id.to_string();
-    questions::read_code(&id, language).is_ok().then_some(id)
+    let path = words.iter().find(|word| has_ending(word, &[".toml"]))?;
+    best_codes(path, 1, language).into_iter().next()
+}
+
+/// Returns the codes of the best actuators of a project with one axis, at most `most`: of those that fit, else the one with the
+/// smallest excess.
+pub(super) fn best_codes(path: &str, most: usize, language: Language) -> Vec<String> {
+    let found = || {
+        let file = SourceFile::read(Path::new(path), Reads::Project, questions::MEMORY_USUAL, language).ok()?;
+        let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
+        let [project] = &projects[..] else { return None };
+        let sizing = questions::size(project);
+        let named = sizing.named().into_iter();
+        let all = named.chain(sizing.fitting().iter()).map(|candidate| candidate.id.to_string());
+        let mut codes: Vec<String> = all.filter(|id| questions::read_code(id, language).is_ok()).collect();
+        let mut known: Vec<String> = Vec::new();
+        codes.retain(|code| {
+            !known.contains(code) && {
+                known.push(code.clone());
+                true
+            }
+        });
+        codes.truncate(most);
+        Some(codes)
+    };
+    found().unwrap_or_default()
 }

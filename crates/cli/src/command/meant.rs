@@ -24,6 +24,8 @@ pub(crate) struct Called<'c> {
     language: Language,
     /// Project files that the call names.
     pub(super) projects: Vec<PathBuf>,
+    /// First words behind the command.
+    pub(super) first: Vec<String>,
 }
 
 /// A part of a call behind the command.
@@ -80,7 +82,7 @@ fn is_negative(word: &str) -> bool {
 const RECORDING: &str = "recording";
 
 /// Returns the extensions of the files of a media type.
-fn endings(file: &OutputFile) -> Vec<&'static str> {
+pub(super) fn endings(file: &OutputFile) -> Vec<&'static str> {
     let of = |media: &&'static str| match *media {
         media::SVG => ".svg",
         media::PNG => ".png",
@@ -127,7 +129,9 @@ impl<'c> Called<'c> {
         let entry = LIST.iter().copied().find(|entry| entry.command() == names);
         let is_project = |word: &&OsString| word.to_str().is_some_and(|word| has_ending(word, &[".toml"]));
         let projects = arguments.iter().filter(is_project).map(PathBuf::from).filter(|path| path.is_file()).collect();
-        Some(Self { name: format!("{} {names}", super::NAME), whole, command, entry, begin, language, projects })
+        let words = arguments.iter().skip(begin).map_while(|word| word.to_str());
+        let first = words.take_while(|word| !word.starts_with('-')).map(str::to_owned).collect();
+        Some(Self { name: format!("{} {names}", super::NAME), whole, command, entry, begin, language, projects, first })
     }
 
     /// Returns the parts of a call behind the command; `None` if it requests help or has an unknown option.
@@ -278,6 +282,10 @@ impl<'c> Called<'c> {
         let best = found.iter().map(|candidate| candidate.rank).min();
         let names = found.into_iter().filter(|candidate| Some(candidate.rank) == best).map(|candidate| candidate.name);
         let mut names: Vec<String> = names.collect();
+        // Several values of a key are no single one.
+        if names.iter().any(|name| name == "--vary") {
+            names.retain(|name| name == "--vary");
+        }
         // A code with a slip has no option of its own; the question names the nearest codes.
         if names.is_empty() && seems_code(word) {
             let is_code = |option: &&Arg| {

@@ -60,6 +60,29 @@ pub(crate) fn simulate(command: Command, language: Language) -> Command {
     command.mut_arg("signals", |signals| signals.requires("out")).after_help(listed)
 }
 
+/// Option that states values in place of a table.
+pub(crate) const VARY: &str = "vary";
+
+/// Columns that `--inputs` adds: those of the table, those of the project too.
+const INPUTS: [&str; 2] = ["table", "all"];
+
+/// Adds values in place of a table, and the form of the written answers.
+pub(crate) fn sweep(command: Command, language: Language) -> Command {
+    let values = text(VARY, values::key_values(language), help::sweep_vary(language)).action(ArgAction::Append);
+    let steps = text("steps", values::n(language), help::sweep_steps(language))
+        .value_parser(value_parser!(u64).range(1..=questions::list::new::SAMPLES_MOST));
+    let inputs = text("inputs", values::name(language), help::sweep_inputs(language))
+        .value_parser(PossibleValuesParser::new(INPUTS))
+        .requires("out");
+    command
+        .mut_arg("table", |table| table.required(false).required_unless_present(VARY).conflicts_with(VARY))
+        .mut_arg("out", |out| out.required(false).required_unless_present(VARY))
+        .arg(values)
+        .arg(steps.requires(VARY))
+        .arg(inputs)
+        .arg(flag("decimal-comma", help::sweep_decimal_comma(language)).requires("out"))
+}
+
 /// Adds the options of a picture.
 pub(crate) fn picture(command: Command, language: Language) -> Command {
     command.args([plot::THEME, plot::WIDTH, plot::HEIGHT].map(|argument| argument::of(&argument, language)))
@@ -108,11 +131,17 @@ pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
         // `time=3s` is a value, `time=0.8` a factor.
         "set" => changed()
             .is_some_and(|(key, value)| is_key(key) && !value.contains("..") && !(is_scale(key) && is_number(value))),
+        VARY => changed().is_some_and(|(key, value)| is_key(key) && is_of_several(value)),
         "inertia" => questions::read_quantity::<MomentOfInertia>(word, language).is_ok(),
         "listen" => word.parse::<SocketAddr>().is_ok() || word.parse::<IpAddr>().is_ok(),
         "port" => word.parse::<u16>().is_ok_and(|port| port >= PORT_LEAST),
         _ => false,
     }
+}
+
+/// Returns `true` if a text states several values: `0,10,20kg`, `0..10 kg`.
+pub(super) fn is_of_several(text: &str) -> bool {
+    text.contains("..") || text.contains([',', ';', ':']) && !text.starts_with(['[', '{', '"'])
 }
 
 /// Smallest number that is plainly a port: smaller ones belong to services of the system.

@@ -1,12 +1,16 @@
 //! Options for a word that is the value of none: a factor of the load, a key of the project with this quantity.
 
+use super::begun::template;
 use super::example::filled;
-use super::folder::{RECORDINGS, axes_of, has_ending, text_of};
+use super::folder::{RECORDINGS, axes_of, has_ending, projects_in, text_of};
 use super::meant::Called;
-use super::typed::typed;
-use crate::changed::keys;
+use super::own::VARY;
+use super::typed::{number_and_unit, typed};
+use super::unknown;
+use crate::changed::{keys, with_units};
 use clap::Arg;
-use project::{Hint, Written, key_at, nearest_name, written};
+use project::{Hint, Written, nearest_name, written};
+use questions::list::new::template_kinds;
 use questions::list::{Argument, Entry, LIST};
 use std::ffi::OsString;
 use std::path::Path;
@@ -16,14 +20,6 @@ const OTHER_COMMANDS: [(&str, &str); 3] = [("explain", "check"), ("plot", "figur
 
 /// Largest number of options that a refusal names.
 const PROPOSALS_MOST: usize = 4;
-
-/// Unit and key of a column whose range is stated as `payload=0..10kg`.
-struct RangeWord<'w> {
-    name: &'w str,
-    low: &'w str,
-    high: &'w str,
-    unit: &'w str,
-}
 
 /// Returns the factor that a word states as a percentage or with a sign of multiplication.
 fn factor(word: &str) -> Option<f64> {
@@ -39,63 +35,47 @@ fn factor(word: &str) -> Option<f64> {
 /// Percentage without a sign from which it is a share, below an increase.
 const SHARE_LEAST: f64 = 50.0;
 
-/// Splits a number from its unit.
-pub(super) fn number_and_unit(text: &str) -> (&str, &str) {
-    let is_number = |sign: char| sign.is_ascii_digit() || ".,+-".contains(sign);
-    let end = text.find(|sign| !is_number(sign)).unwrap_or(text.len());
-    let (number, unit) = text.split_at(end);
-    (number, unit.trim())
+/// Range of a key.
+struct ExampleRange {
+    path: String,
+    /// Unit, and the ends of the range.
+    unit: String,
+    low: String,
+    high: String,
 }
 
-impl<'w> RangeWord<'w> {
-    fn of(word: &'w str) -> Option<Self> {
-        let (name, values) = word.split_once('=')?;
-        let (low, high) = values.split_once("..").or_else(|| values.split_once(':'))?;
-        let ((low, unit_low), (high, unit)) = (number_and_unit(low.trim()), number_and_unit(high.trim()));
-        let is_range = !name.trim().is_empty() && low.parse::<f64>().is_ok() && high.parse::<f64>().is_ok();
-        (is_range && (unit_low.is_empty() || unit_low == unit)).then_some(Self { name: name.trim(), low, high, unit })
-    }
-
-    /// Returns the column of a table of rows.
-    fn column(&self, all: &[Written]) -> Option<String> {
-        let name = keys::with_brackets(self.name);
-        let value = format!("{} {}", self.high, self.unit);
-        let path = if key_at(&name).is_some() {
-            Some(name)
-        } else {
-            keys::named(all, "", &name, value.trim()).into_iter().next()
-        };
-        let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
-        Some(format!("{}{unit} = {}..{}", path?, self.low, self.high))
-    }
-}
-
-/// Returns the calls that write a table with columns, and evaluate it for a project.
-fn calls_of_columns(columns: &[String], project: Option<&str>) -> Vec<String> {
-    let keys = columns.iter().flat_map(|column| ["--key", column]);
-    let table = ["antrieb", "new", "sweep"].into_iter().chain(keys).chain(["--out", TABLE]);
-    let answer = project.map(|project| typed(["antrieb", "sweep", project, "--table", TABLE, "--out", ANSWERS]));
-    std::iter::once(typed(table)).chain(answer).collect()
-}
-
-/// Returns a column with a range about the first time, else the first quantity, of the motion of a project.
-fn example_column(all: &[Written]) -> String {
+/// Returns a range about the first time, else the first quantity, of the motion of a project.
+fn example_range(all: &[Written]) -> ExampleRange {
     let is_of_motion = |each: &&Written| each.path.contains("motion[");
-    let column = |each: &Written| {
+    let range = |each: &Written| {
         let (number, unit) = number_and_unit(each.value.as_deref()?);
         let number: f64 = number.parse().ok().filter(|number| *number > 0.0 && !unit.is_empty())?;
-        let [low, high] = [RANGE_LOW, RANGE_HIGH].map(|share| format!("{:.4}", share * number));
-        let [low, high] = [&low, &high].map(|text| text.trim_end_matches('0').trim_end_matches('.'));
-        Some(format!("{} [{unit}] = {low}..{high}", each.path))
+        let [low, high] = [RANGE_LOW, RANGE_HIGH].map(|share| {
+            let text = format!("{:.4}", share * number);
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        });
+        Some(ExampleRange { path: each.path.clone(), unit: unit.to_owned(), low, high })
     };
     let own = || all.iter().filter(is_of_motion);
-    let of_time = own().filter(|each| each.path.ends_with(".time")).find_map(column);
-    of_time.or_else(|| own().find_map(column)).unwrap_or_else(|| "motion[1].time [s] = 1..3".to_owned())
+    let of_time = own().filter(|each| each.path.ends_with(".time")).find_map(range);
+    let usual = ("motion[1].time", "s", "1", "3");
+    of_time.or_else(|| own().find_map(range)).unwrap_or_else(|| {
+        let (path, unit, low, high) = usual;
+        ExampleRange { path: path.into(), unit: unit.into(), low: low.into(), high: high.into() }
+    })
 }
 
 /// Shares of a stated value between which an example varies it.
 const RANGE_LOW: f64 = 0.8;
 const RANGE_HIGH: f64 = 1.25;
+
+/// Name of a new project in an example.
+const PROJECT: &str = "axis.toml";
+
+/// Returns `true` if an option of this name is the file to write, by its name or its ending.
+fn is_file(name: &str) -> bool {
+    ["o", "out", "output", "pdf", "png", "svg", "csv", "xlsx", "parquet", "ics"].contains(&name)
+}
 
 /// Names of the table of rows and of its answers in an example.
 const TABLE: &str = "tasks.csv";
@@ -119,9 +99,35 @@ impl Called<'_> {
         lacks && has_ending(word, &RECORDINGS)
     }
 
-    /// Returns the text of the first project of the call.
+    /// Returns the text of the first project of the call, or of the kind of a new one.
     pub(super) fn project_text(&self) -> Option<String> {
-        self.projects.first().and_then(|path| text_of(path))
+        match self.entry {
+            Some(entry) if entry.command == "new" => template(&self.first, self.language()),
+            _ => self.projects.first().and_then(|path| text_of(path)),
+        }
+    }
+
+    /// Returns `true` if a word is a project that the call names.
+    pub(super) fn is_project_of_call(&self, word: &str) -> bool {
+        self.projects.iter().any(|path| path == Path::new(word))
+    }
+
+    /// Returns the calls in place of one with a project too many, at a place: all of them side by side, and the same command
+    /// for each.
+    pub(super) fn calls_of_projects(&self, arguments: &[OsString], place: usize) -> Vec<String> {
+        let names: Vec<&str> = self.projects.iter().filter_map(|path| path.to_str()).collect();
+        let mut distinct = names.clone();
+        distinct.dedup();
+        let side_by_side = (distinct.len() > 1).then(|| typed(["antrieb", "size"].into_iter().chain(distinct)));
+        let without = |left: usize| -> Option<String> {
+            let rest: Vec<OsString> =
+                arguments.iter().enumerate().filter(|(at, _)| *at != left).map(|(_, word)| word.clone()).collect();
+            filled(&rest, self)
+        };
+        let first = arguments
+            .iter()
+            .position(|word| Some(word.as_os_str()) == self.projects.first().map(|path| path.as_os_str()));
+        side_by_side.into_iter().chain(without(place)).chain(first.and_then(without)).collect()
     }
 
     /// Returns the call of another command about the project, of which a word is the name of a check, a figure or a scenario.
@@ -168,6 +174,10 @@ impl Called<'_> {
     /// that is meant.
     pub(super) fn calls_instead_of(&self, word: &str, meant: Option<&str>, arguments: &[OsString]) -> Vec<String> {
         let texts: Vec<&str> = arguments.iter().filter_map(|word| word.to_str()).collect();
+        let others = self.calls_without_project(word, arguments);
+        if !others.is_empty() {
+            return others;
+        }
         let is_it = |text: &&str| text.split('=').next() == word.split('=').next();
         let Some(place) = texts.iter().position(is_it).filter(|_| texts.len() == arguments.len()) else {
             return Vec::new();
@@ -182,21 +192,31 @@ impl Called<'_> {
         };
         let is_number = value.replace(',', ".").parse::<f64>().is_ok();
         let scaled = if crate::changed::SCALED.contains(&name.as_str()) { name.as_str() } else { "load" };
-        let named = || {
+        let named = || -> Vec<[String; 2]> {
             let all = self.project_text().and_then(|text| written(&text)).unwrap_or_default();
-            keys::named(&all, "", &name, value)
+            let change = |path: &String, value: &str| ["--set".to_owned(), format!("{path}={value}")];
+            let with_units = with_units(&all, ("", &name), value);
+            if !with_units.is_empty() {
+                return with_units.iter().map(|(path, value)| change(path, value)).collect();
+            }
+            let paths = keys::named(&all, "", &name, value);
+            paths.iter().filter(|path| keys::takes(path, value)).map(|path| change(path, value)).collect()
         };
         let options: Vec<[String; 2]> = match meant {
+            _ if is_file(&name) && !self.has(&name) => {
+                let files = self.entry.into_iter().flat_map(Entry::files).map(|file| file.option);
+                let named = files.filter_map(|file| Some([format!("--{file}"), self.file_name(file)?]));
+                let named: Vec<[String; 2]> = named.collect();
+                // A command without files writes to standard output.
+                if named.is_empty() { vec![[String::new(), String::new()]] } else { named }
+            }
             _ if value.is_empty() => meant.map(|meant| [meant.to_owned(), String::new()]).into_iter().collect(),
             _ if is_number && self.has("scale") && (meant == Some("--scale") || scaled == name) => {
                 vec![["--scale".to_owned(), format!("{scaled}={value}")]]
             }
+            _ if self.has("set") && !named().is_empty() => named().into_iter().take(PROPOSALS_MOST).collect(),
             Some(meant) if meant != "--scale" && meant != "--set" || value.contains('=') => {
                 vec![[meant.to_owned(), value.to_owned()]]
-            }
-            _ if self.has("set") => {
-                let paths = named().into_iter().take(PROPOSALS_MOST);
-                paths.map(|path| ["--set".to_owned(), format!("{path}={value}")]).collect()
             }
             _ => Vec::new(),
         };
@@ -210,25 +230,61 @@ impl Called<'_> {
         options.iter().filter_map(call).collect()
     }
 
-    /// Returns the calls that write a table of the ranges of a call and evaluate it; empty unless all of its words
-    /// without an option are ranges of keys of its project.
-    pub(super) fn calls_of_ranges(&self, words: &[&str]) -> Vec<String> {
-        if self.entry.is_none_or(|entry| entry.command != "sweep") {
+    /// Returns the calls in place of one that states a value of a key and no project: with a project of the folder, else those
+    /// that create a project with the key and evaluate it.
+    fn calls_without_project(&self, word: &str, arguments: &[OsString]) -> Vec<String> {
+        let is_position = self.command.get_positionals().any(|position| position.get_id() == "project");
+        let is_stated = self.first.iter().any(|word| has_ending(word, &[".toml"]) || word == "-");
+        if !is_position || is_stated || !self.has("set") {
             return Vec::new();
         }
-        let (Some(project), Some(text)) = (self.projects.first().and_then(|path| path.to_str()), self.project_text())
-        else {
-            return Vec::new();
+        let with = |project: &str, command: &str| {
+            let mut words: Vec<&str> = vec![super::NAME, command, project];
+            words.extend(arguments.iter().skip(self.begin).filter_map(|word| word.to_str()));
+            let words: Vec<OsString> = words.into_iter().map(OsString::from).collect();
+            let (meant, is_changed) = unknown::with_meaning(words, &super::build(self.language()), self.language());
+            is_changed.then(|| filled(&meant, self)).flatten()
         };
-        let all = written(&text).unwrap_or_default();
-        let columns: Vec<String> = words.iter().filter_map(|word| RangeWord::of(word)?.column(&all)).collect();
-        if columns.is_empty() { Vec::new() } else { calls_of_columns(&columns, Some(project)) }
+        let own = projects_in(Path::new(""));
+        let own: Vec<&str> = own.iter().filter_map(|path| path.to_str()).collect();
+        let command = self.entry.map_or("size", |entry| entry.command);
+        if !own.is_empty() {
+            return own.into_iter().take(PROPOSALS_MOST).filter_map(|project| with(project, command)).collect();
+        }
+        let name = word.trim_start_matches('-').split('=').next().unwrap_or_default().replace('-', "_");
+        let has_key = |kind: &&str| {
+            let all =
+                template(&[(*kind).to_owned()], self.language()).and_then(|text| written(&text)).unwrap_or_default();
+            all.iter().any(|each| each.value.is_some() && each.path.ends_with(&format!(".{name}")))
+        };
+        let kinds = template_kinds().filter(has_key).take(PROPOSALS_MOST);
+        let new = kinds.filter_map(|kind| with(kind, "new")).map(|call| format!("{call} --out {PROJECT}"));
+        let mut calls: Vec<String> = new.collect();
+        if !calls.is_empty() {
+            calls.push(typed([super::NAME, command, PROJECT]));
+        }
+        calls
+    }
+
+    fn example_range(&self) -> ExampleRange {
+        example_range(&self.project_text().and_then(|text| written(&text)).unwrap_or_default())
+    }
+
+    /// Returns the call with a range of one key of the project in place of a table.
+    pub(super) fn with_example_range(&self, arguments: &[OsString]) -> Option<String> {
+        let ExampleRange { path, unit, low, high } = self.example_range();
+        let more = [format!("--{VARY}"), format!("{path}={low}..{high} {unit}")];
+        let whole: Vec<OsString> = arguments.iter().cloned().chain(more.map(OsString::from)).collect();
+        filled(&whole, self)
     }
 
     /// Returns the calls that write a table with a range of one key of the project and evaluate it.
-    pub(super) fn calls_of_example_range(&self) -> Vec<String> {
-        let all = self.project_text().and_then(|text| written(&text)).unwrap_or_default();
+    pub(super) fn calls_of_example_table(&self) -> Vec<String> {
+        let ExampleRange { path, unit, low, high } = self.example_range();
+        let column = format!("{path} [{unit}] = {low}..{high}");
         let project = self.projects.first().and_then(|path| path.to_str());
-        calls_of_columns(&[example_column(&all)], project)
+        let answer = project.map(|project| typed(["antrieb", "sweep", project, "--table", TABLE, "--out", ANSWERS]));
+        let table = typed(["antrieb", "new", "sweep", "--key", &column, "--out", TABLE]);
+        std::iter::once(table).chain(answer).collect()
     }
 }

@@ -1,8 +1,11 @@
 //! Words of a call in place of others: options by their own names, the best actuator in place of its project.
 
-use super::folder::best_of_project;
+use super::folder::{best_codes, best_of_project};
 use super::meant::{self, Called, Part, Understood};
+use super::solid;
 use super::spoken::{seems_code, twin_options};
+use super::typed::typed;
+use super::unknown;
 use clap::{Arg, Command};
 use quantities::Language;
 use questions::list::ArgumentKind;
@@ -10,15 +13,71 @@ use std::ffi::OsString;
 use std::path::Path;
 use words::terminal;
 
-/// Returns a call as it is meant, with a remark on a code that it does not state.
+/// Returns a call as it is meant, with remarks on what it does not state; `is_begun` says that its command was added.
 pub(crate) fn understood(
     arguments: Vec<OsString>,
+    is_begun: bool,
     whole: &Command,
     language: Language,
 ) -> (Understood, Option<String>) {
     let arguments = with_own_options(arguments, whole, language);
+    let (arguments, is_changed) = unknown::with_meaning(arguments, whole, language);
+    let (arguments, is_otherwise) = solid::with_own_words(arguments, whole, language);
     let (arguments, remark) = with_best_code(arguments, whole, language);
-    (meant::understood(arguments, whole, language), remark)
+    let (arguments, compared) = with_compared_codes(arguments, whole, language);
+    let understood = meant::understood(arguments, whole, language);
+    let is_whole = (is_begun || is_changed || is_otherwise) && understood.stray.is_none();
+    let call = is_whole.then(|| {
+        let words = understood.arguments.iter().skip(1).filter_map(|word| word.to_str());
+        terminal::call_understood(&typed(std::iter::once(super::NAME).chain(words)), language)
+    });
+    let remarks: Vec<String> = [call, remark, compared].into_iter().flatten().collect();
+    (understood, (!remarks.is_empty()).then(|| remarks.join("\n")))
+}
+
+/// Returns a comparison with the best actuators of the project behind the only code that it states, or in place of codes, and
+/// a remark on them.
+fn with_compared_codes(
+    mut arguments: Vec<OsString>,
+    whole: &Command,
+    language: Language,
+) -> (Vec<OsString>, Option<String>) {
+    let more = || {
+        let called = Called::of(&arguments, whole, language)?;
+        // A record states what the call does; a call with options is complete.
+        let is_plain = !super::json_of(&arguments) && arguments.iter().all(|word| word != "--code");
+        called.entry.filter(|entry| entry.command == "compare" && is_plain)?;
+        let texts: Vec<&str> = arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
+        let project = called.projects.first()?.to_str()?;
+        let codes: Vec<String> = called.parts(&texts)?.iter().filter_map(|part| code_of(part, language)).collect();
+        more_codes(project, &codes, language)
+    };
+    let Some(more) = more() else { return (arguments, None) };
+    for code in &more {
+        arguments.extend(["--code".into(), code.into()]);
+    }
+    (arguments, Some(terminal::compared_with_the_best(&more.join(", "), language)))
+}
+
+/// Smallest number of actuators that are compared.
+const COMPARED_LEAST: usize = 2;
+
+/// Returns the best codes of a project that a comparison of some codes lacks; `None` if it lacks none, or there are too few.
+pub(super) fn more_codes(project: &str, codes: &[String], language: Language) -> Option<Vec<String>> {
+    let due = COMPARED_LEAST.checked_sub(codes.len()).filter(|due| *due > 0)?;
+    let best = best_codes(project, COMPARED_LEAST + codes.len(), language);
+    let more: Vec<String> = best.into_iter().filter(|code| !codes.contains(code)).take(due).collect();
+    (more.len() == due).then_some(more)
+}
+
+/// Returns the code that a part of a call states.
+pub(super) fn code_of(part: &Part<'_>, language: Language) -> Option<String> {
+    let word = match part {
+        Part::Bare(_, word) if seems_code(word) => word,
+        Part::Option(option, Some(value)) if option.get_long() == Some("code") => value,
+        _ => return None,
+    };
+    Some(questions::read_code(word, language).map_or_else(|_| (*word).to_owned(), |read| read.parsed.code.to_string()))
 }
 
 /// Returns a call about one actuator with the best one of a project that stands in place of its code, and a remark on it.

@@ -30,7 +30,7 @@ fn plain_option(word: &str) -> Option<String> {
 }
 
 /// Returns a command as the program names it.
-fn command_named(word: &str) -> Option<&'static str> {
+pub(super) fn command_named(word: &str) -> Option<&'static str> {
     let word = word.to_lowercase();
     let own = LIST.iter().map(|entry| entry.command().split(' ').next().unwrap_or_default());
     own.chain(["serve", "drive", "help", "man", "completions"])
@@ -100,7 +100,7 @@ mod tests {
     fn call(text: &str) -> Vec<String> {
         let words = std::iter::once("antrieb").chain(text.split(' ')).map(OsString::from).collect();
         let whole = build(Language::En);
-        let (understood, _) = understood(with_own_words(words), &whole, Language::En);
+        let (understood, _) = understood(with_own_words(words), false, &whole, Language::En);
         understood.arguments.into_iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect()
     }
 

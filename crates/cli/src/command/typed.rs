@@ -1,4 +1,4 @@
-//! Words of a call as they are typed into a shell.
+//! Words of a call as they are typed: those of a shell, numbers with their units.
 
 /// Returns the words of a call as they are typed: those with spaces or signs of a shell between quotes.
 pub(crate) fn typed<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
@@ -12,4 +12,12 @@ pub(crate) fn typed<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
         }
     };
     words.into_iter().map(quoted).collect::<Vec<_>>().join(" ")
+}
+
+/// Splits a number from its unit.
+pub(crate) fn number_and_unit(text: &str) -> (&str, &str) {
+    let is_number = |sign: char| sign.is_ascii_digit() || ".,+-".contains(sign);
+    let end = text.find(|sign| !is_number(sign)).unwrap_or(text.len());
+    let (number, unit) = text.split_at(end);
+    (number, unit.trim())
 }

@@ -65,13 +65,9 @@ pub(crate) fn refused(
         .flatten();
     let is_table_due = error.kind() == ErrorKind::MissingRequiredArgument
         && context(error, ContextKind::InvalidArg).is_some_and(|names| names.contains("--table"));
-    let with_table = is_table_due
-        .then(|| Called::of(arguments, command, language).map(|called| called.calls_of_example_range()))
-        .flatten()
-        .filter(|calls| calls.len() > 1);
-    if let Some(calls) = with_table {
-        return said((&usage_of(error), None), &[UsageHint::Calls(calls)], String::new(), (as_json, language));
-    }
+    let with_range =
+        is_table_due.then(|| Called::of(arguments, command, language)?.with_example_range(arguments)).flatten();
+    let call = with_range.or(call);
     // In a folder without a project, the first call creates one.
     let calls = call.map(|call| missing_project(&usage_of(error), &call).into_iter().chain([call]).collect());
     let hints: Vec<UsageHint> = match (hint, calls) {

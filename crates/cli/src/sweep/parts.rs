@@ -1,6 +1,6 @@
 //! Finished parts of the output, kept next to it until it is complete, so that an interrupted call continues.
 
-use super::run::SweepRun;
+use super::run::{RunMark, SweepRun};
 use super::table::Table;
 use crate::fault::path_text;
 use disk::PartsTrouble;
@@ -13,7 +13,7 @@ use std::io::{BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use sweep_io::{Answers, BatchSweep, Batches, Format, NoBatch};
+use sweep_io::{Answers, BatchSweep, Batches, Constants, Format, NoBatch};
 use words::{SaveTrouble, file_trouble, save_trouble, sweeps};
 
 /// Largest number of rows of a part.
@@ -28,7 +28,10 @@ pub(super) struct SweepParts {
     parts: disk::Parts,
     /// Number of parts of an earlier call.
     kept: u64,
-    begun_anew: bool,
+    /// Remark on the parts of another run that are discarded.
+    discarded: Option<String>,
+    /// Mark of this run.
+    mark: RunMark,
     /// Number of rows of a part; its answers are held in memory.
     rows: usize,
     language: Language,
@@ -48,19 +51,37 @@ fn refused(folder: &Path, trouble: PartsTrouble, language: Language) -> Unanswer
 }
 
 impl SweepParts {
-    /// Opens the parts next to the output. Those of the same run are kept, those of another run removed.
-    pub(super) fn of(run: &SweepRun<'_>, out: &Path, mark: &str, rows: usize) -> Result<Self, Unanswered> {
+    /// Opens the parts next to the output. Those of the same run are kept; those of another run are removed only on request.
+    ///
+    /// # Errors
+    /// Errors of the folder; parts of another run without the request to discard them.
+    pub(super) fn of(
+        run: &SweepRun<'_>,
+        out: &Path,
+        mark: RunMark,
+        rows: usize,
+        discards: bool,
+    ) -> Result<Self, Unanswered> {
         let mut name = out.file_name().map(OsString::from).unwrap_or_default();
         name.push(".parts");
         let folder = out.with_file_name(name);
         let language = run.table.language;
         let parts = disk::Parts::open(&folder).map_err(|trouble| refused(&folder, trouble, language))?;
-        let is_same = parts.mark() == mark;
-        let begun_anew = !is_same && !parts.mark().is_empty();
-        let mut found = Self { folder, parts, kept: 0, begun_anew, rows, language };
-        if !is_same && let Err(trouble) = found.parts.begin(mark) {
-            let why = found.failed(trouble);
-            return Err(found.ended(why));
+        let written = mark.written();
+        let is_same = parts.mark() == written;
+        let mut found = Self { folder, parts, kept: 0, discarded: None, mark, rows, language };
+        if !is_same {
+            let others = found.count()?;
+            let inputs = found.mark.differences(found.parts.mark(), language);
+            if others > 0 && !discards {
+                let message = sweeps::other_run(others, &path_text(&found.folder), &inputs, language);
+                return Err(Unanswered::option("force", (message, Some(sweeps::other_run_hint(language).to_owned()))));
+            }
+            found.discarded = (others > 0).then(|| sweeps::begun_anew(others, &inputs, language));
+            if let Err(trouble) = found.parts.begin(&written) {
+                let why = found.failed(trouble);
+                return Err(found.ended(why));
+            }
         }
         while found.parts.holds(found.kept).map_err(|trouble| found.failed(trouble))? {
             found.kept += 1;
@@ -68,10 +89,19 @@ impl SweepParts {
         Ok(found)
     }
 
+    /// Returns the number of finished parts, of whatever run.
+    fn count(&self) -> Result<usize, Unanswered> {
+        let mut count = 0;
+        while self.parts.has(count).map_err(|trouble| self.failed(trouble))? {
+            count += 1;
+        }
+        Ok(usize::try_from(count).unwrap_or(usize::MAX))
+    }
+
     /// Returns a remark on the use of earlier parts; `rows` is the number of rows of the table.
     pub(super) fn remark(&self, rows: u64) -> String {
-        if self.begun_anew {
-            return format!("{}\n", sweeps::begun_anew(self.language));
+        if let Some(discarded) = &self.discarded {
+            return format!("{discarded}\n");
         }
         let kept = rows.min(self.kept * self.rows as u64);
         let parts = usize::try_from(self.kept).unwrap_or(usize::MAX);
@@ -148,7 +178,7 @@ impl SweepParts {
     pub(super) fn verified(self, run: &SweepRun<'_>) -> Result<Self, Unanswered> {
         let verified = run.mark().and_then(|mark| {
             let is_marked = self.parts.is_marked().map_err(|trouble| self.failed(trouble))?;
-            Ok(is_marked && mark == self.parts.mark())
+            Ok(is_marked && mark == self.mark)
         });
         match verified {
             Ok(true) => Ok(self),
@@ -160,7 +190,7 @@ impl SweepParts {
     /// Joins all parts to one file and counts the answers.
     pub(super) fn join(
         &self,
-        format: Format,
+        (format, constants): (Format, &Constants),
         sweep: &BatchSweep,
         rows: u64,
         file: &mut File,
@@ -168,15 +198,15 @@ impl SweepParts {
     ) -> Result<(), Unanswered> {
         let failed = |why: String| self.unread(&why);
         let unread = |why: NoBatch| self.unread(&why.text(self.language));
-        let mut answers =
-            Answers::begin(BufWriter::with_capacity(1 << 18, file), format, sweep.schema()).map_err(failed)?;
-        let lines = (VALUES_READ / sweep.schema().fields().len().max(1)).clamp(1, PART);
+        let schema = constants.schema(&sweep.schema());
+        let lines = (VALUES_READ / schema.fields().len().max(1)).clamp(1, PART);
+        let mut answers = Answers::begin(BufWriter::with_capacity(1 << 18, file), format, schema).map_err(failed)?;
         for index in 0..rows.div_ceil(self.rows as u64) {
             let part = self.parts.part(index).map_err(|trouble| self.failed(trouble))?;
             let mut batches = Batches::open(part, 0, lines, self.language).map_err(unread)?;
             while let Some(batch) = batches.next(self.language).map_err(unread)? {
                 sweep_io::count(&batch, tally);
-                answers.add(&batch).map_err(failed)?;
+                answers.add(&constants.in_each_row(&batch).map_err(failed)?).map_err(failed)?;
             }
         }
         let mut out = answers.end().map_err(failed)?;

@@ -1,33 +1,61 @@
-//! The table of a sweep as a file.
+//! The table of a sweep: a file, or values that the call states.
 
+use crate::command::own::VARY;
 use crate::fault::path_text;
 use quantities::Language;
 use questions::list::Unanswered;
 use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 use sweep_io::{BatchHead, BatchSweep, Batches, NoBatch};
 use words::{file_trouble, sweeps};
 
-/// A table in a file.
+/// TableRows of a table.
+pub(super) enum TableRows<'c> {
+    /// File.
+    File(&'c Path),
+    /// Text in CSV, made of the values that the call states.
+    Stated(String),
+}
+
+/// A table.
 pub(super) struct Table<'c> {
-    pub(super) path: &'c Path,
+    pub(super) rows: TableRows<'c>,
     pub(super) language: Language,
 }
 
 impl Table<'_> {
-    /// Returns a message about the table.
-    pub(super) fn refused(&self, why: &str) -> Unanswered {
-        Unanswered::message(sweeps::unreadable(&path_text(self.path), &why, self.language))
+    /// Returns the name of the table for messages.
+    fn name(&self) -> String {
+        match &self.rows {
+            TableRows::File(path) => path_text(path),
+            TableRows::Stated(_) => format!("--{VARY}"),
+        }
     }
 
-    /// Opens the file.
-    pub(super) fn file(&self) -> Result<File, Unanswered> {
-        File::open(self.path).map_err(|error| self.refused(&file_trouble(&error, self.language)))
+    /// Returns a message about the table.
+    pub(super) fn refused(&self, why: &str) -> Unanswered {
+        Unanswered::message(sweeps::unreadable(&self.name(), &why, self.language))
+    }
+
+    fn file(&self, path: &Path) -> Result<File, Unanswered> {
+        File::open(path).map_err(|error| self.refused(&file_trouble(&error, self.language)))
+    }
+
+    /// Opens the bytes of the table.
+    pub(super) fn source(&self) -> Result<Box<dyn Read + '_>, Unanswered> {
+        Ok(match &self.rows {
+            TableRows::File(path) => Box::new(self.file(path)?),
+            TableRows::Stated(text) => Box::new(text.as_bytes()),
+        })
     }
 
     /// Opens the table at a row, so many at a time.
     pub(super) fn open(&self, skipped: u64, rows: usize) -> Result<Batches, Unanswered> {
-        let opened = Batches::open(self.file()?, skipped, rows, self.language);
+        let opened = match &self.rows {
+            TableRows::File(path) => Batches::open(self.file(path)?, skipped, rows, self.language),
+            TableRows::Stated(text) => Batches::of_text(text.clone(), skipped, rows, self.language),
+        };
         opened.map_err(|why| self.refused(&why.text(self.language)))
     }
 
@@ -59,7 +87,7 @@ impl Table<'_> {
                 Err(NoBatch::Table(why)) => break Some(self.refused(&why)),
             }
         };
-        match (head.ready(&path_text(self.path), Box::new(project_files)), unread) {
+        match (head.ready(&self.name(), Box::new(project_files)), unread) {
             (Ok(sweep), None) => Ok((sweep, rows)),
             (ready, unread) => Err(Unanswered::combined(ready.err().into_iter().chain(unread).collect())),
         }

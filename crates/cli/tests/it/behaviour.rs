@@ -170,7 +170,7 @@ fn the_inertia_of_bodies_and_what_refuses_it() {
         (&["tube outer=5mm inner=5mm length=1mm mass=1kg"], 1, 22),
         (&["sphere diameter=5mm"], 1, 1),
         (&["sphere diameter=5mm mass=1kg density=1kg/m^3"], 1, 38),
-        (&["kugel diameter=5mm mass=1kg"], 1, 1),
+        (&["ball diameter=5mm mass=1kg"], 1, 1),
         (&[""], 1, 1),
         (&["point mass=1kg", " "], 2, 2),
     ] {

@@ -19,5 +19,6 @@ mod sigrok;
 mod spoken;
 mod sweep;
 mod sweep_parts;
+mod vary;
 mod vocabulary;
 mod words;

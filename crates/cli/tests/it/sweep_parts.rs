@@ -102,35 +102,68 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Rows before the interruption never answer another recording, table, project or request than those behind it.
+/// Returns every file of the parts with its bytes.
+fn held(bench: &Bench) -> Vec<(String, Vec<u8>)> {
+    let folder = bench.here().join("best.csv.parts");
+    names(&folder).into_iter().map(|name| (name.clone(), fs::read(folder.join(name)).unwrap())).collect()
+}
+
+/// Rows before the interruption never answer another recording, table, project or request than those behind it: such a call is
+/// refused with what differs, and the parts stay for the run that they belong to.
 #[test]
 fn a_run_that_continues_is_the_same_run() {
     type Change<'c> = &'c dyn Fn(&Bench);
-    let changes: [(&str, Change<'_>); 4] = [
-        ("recording", &|bench| drop(put(bench.here(), "turn.csv", &turn(60.0)))),
-        ("table", &|bench| drop(put(bench.here(), "tasks.csv", &table(0.7)))),
-        ("project", &|bench| drop(put(bench.here(), "axis.toml", &RECORDED.replace("5 N m", "6 N m")))),
-        ("request", &|_| {}),
+    let nothing: Change<'_> = &|_| {};
+    let changes: [(&str, Change<'_>, &[&str]); 9] = [
+        ("recordings", &|bench| drop(put(bench.here(), "turn.csv", &turn(60.0))), &[]),
+        ("table", &|bench| drop(put(bench.here(), "tasks.csv", &table(0.7))), &[]),
+        ("project", &|bench| drop(put(bench.here(), "axis.toml", &RECORDED.replace("5 N m", "6 N m"))), &[]),
+        ("project", nothing, &["--set", "load.friction_torque=6 N m"]),
+        ("--lang", nothing, &["--lang", "de"]),
+        ("--front", nothing, &["--front"]),
+        ("--check", nothing, &["--check", "thermal"]),
+        ("--inputs", nothing, &["--inputs", "table"]),
+        ("--memory", nothing, &["--memory", "300 MiB"]),
     ];
-    for (name, change) in changes {
-        let more: &[&str] = if name == "request" { &["--lang", "de"] } else { &[] };
+    for (name, change, more) in changes {
         let bench = Bench::new();
         bench.interrupted();
+        let before = held(&bench);
         change(&bench);
         let found = bench.run(more);
-        assert!(found.code < 2, "{name}: {}", found.err);
-        let said = ["belong to another project", "gehören zu einem anderen Projekt"];
+        assert_eq!(found.code, 2, "{name}: {}", found.err);
+        let said = ["different: ", "abweichend: "].map(|word| format!("{word}{name}\n"));
         assert!(said.iter().any(|said| found.err.contains(said)), "{name}: {}", found.err);
-        let answered = fs::read(bench.here().join("best.csv")).unwrap();
+        assert!(found.err.contains("--force"), "{name}: {}", found.err);
+        assert!(held(&bench) == before && !bench.here().join("best.csv").exists(), "{name}");
         let anew = bench.run(&[more, &["--force"]].concat());
-        assert!(anew.code < 2 && fs::read(bench.here().join("best.csv")).unwrap() == answered, "{name}");
+        let said = ["discarded", "verworfen"];
+        assert!(anew.code < 2 && said.iter().any(|said| anew.err.contains(said)), "{name}: {}", anew.err);
+        if name == "recordings" {
+            let answered = fs::read(bench.here().join("best.csv")).unwrap();
+            let again = bench.run(&[more, &["--force"]].concat());
+            assert!(again.code < 2 && fs::read(bench.here().join("best.csv")).unwrap() == answered, "{name}");
+        }
         assert_eq!(bench.names(), ["axis.toml", "best.csv", "tasks.csv", "turn.csv"], "{name}");
     }
-    // Nothing changed: the parts are taken.
+    // Nothing changed: the parts are taken, also behind a refused call.
     let bench = Bench::new();
     bench.interrupted();
+    assert_eq!(bench.run(&["--front"]).code, 2);
     let found = bench.run(&[]);
     assert!(found.code < 2 && found.err.contains("of an interrupted run"), "{}", found.err);
+}
+
+/// Products of a catalogue file belong to the run.
+#[test]
+fn a_catalogue_file_belongs_to_the_run() {
+    let bench = Bench::new();
+    let stock = run(&["new", "catalogue"]);
+    assert_eq!(stock.code, 0, "{}", stock.err);
+    let file = put(bench.here(), "stock.toml", &stock.out);
+    bench.interrupted();
+    let found = bench.run(&["--catalogue", &file]);
+    assert!(found.code == 2 && found.err.contains("different: catalogue\n"), "{}", found.err);
 }
 
 /// A recording that the table names belongs to the run like one of the project.
@@ -144,7 +177,9 @@ fn a_recording_named_in_a_cell_belongs_to_the_run() {
     bench.interrupted();
     put(bench.here(), "turn.csv", &turn(10.0));
     let found = bench.run(&[]);
-    assert!(found.code < 2 && found.err.contains("belong to another project"), "{}", found.err);
+    assert!(found.code == 2 && found.err.contains("different: recordings\n"), "{}", found.err);
+    let found = bench.run(&["--force"]);
+    assert!(found.code < 2 && found.err.contains("discarded"), "{}", found.err);
     // Nor is it written.
     let call = bench.call(&["--force"]);
     let mut call: Vec<&str> = call.iter().map(String::as_str).collect();

@@ -810,7 +810,7 @@ class SweepRow(Record):
     error: str | None = None
     """Why the row is not judged."""
     labels: dict[str, str] | None = None
-    """Cells of the columns that are no keys, such as `id`, by their headings."""
+    """Cells of the columns that are no keys, such as `id`, by their headings; for values that the call states those of the keys."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)

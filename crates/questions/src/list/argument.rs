@@ -190,6 +190,13 @@ impl Argument {
         matches!(self.kind, ArgumentKind::Word(_)) && self.checked(value).is_ok()
     }
 
+    /// Returns the word of the argument that a text is, or is a title of.
+    #[must_use]
+    pub fn word(&self, value: &str) -> Option<&'static str> {
+        let found = self.checked(value).ok()?;
+        self.words().into_iter().find(|word| *word == found)
+    }
+
     /// Returns `true` if the values have a form of their own: they are no file and no flag.
     #[must_use]
     pub const fn kind_is_known(&self) -> bool {

@@ -6,6 +6,7 @@ use super::{
 };
 use crate::catalogue_template::{CatalogueFormat, catalogue_template};
 pub use crate::incoming::IncomingFile;
+use crate::reading::Unread;
 pub use crate::recorded_template::{begins_with_motion, recorded};
 use crate::sizing_use::Refusal;
 pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
@@ -130,6 +131,22 @@ pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> 
     }
     let of = if args.example { example } else { template };
     Ok(of(&kind, file, inquiry.language).ok_or(Refusal::NoData)?)
+}
+
+/// Checks the keys and values of a new project.
+///
+/// # Errors
+/// Every fault, with its place in the text.
+pub fn checked(text: &str, language: Language) -> Result<(), Unanswered> {
+    let found = match project::read(text) {
+        Ok(read) => read.report.into_faults(),
+        Err(faults) => faults,
+    };
+    if found.is_empty() {
+        return Ok(());
+    }
+    let faults = found.into_iter().map(project::Diagnostic::into_other).collect();
+    Err(Unanswered::unread(Unread::Faults(faults), USUAL_NAME, text, language))
 }
 
 /// Returns the catalogue file for a file name, whose ending is that of the format.

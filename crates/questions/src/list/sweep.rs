@@ -97,18 +97,53 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
     let text = source.text(language)?;
     let projects = source.projects(inquiry.catalogue, inquiry.progress, language);
     let name = args.table.clone().unwrap_or_default();
-    let (mut lines, shelf) = match (opened(source, &name, language), Shelf::of(source, projects.as_deref(), language)) {
+    let (lines, shelf) = match (opened(source, &name, language), Shelf::of(source, projects.as_deref(), language)) {
         (Ok(lines), Ok(shelf)) => (lines, shelf),
         (lines, shelf) => {
             let why = projects.err().into_iter().chain(lines.err()).chain(shelf.err());
             return Err(Unanswered::combined(why.collect()));
         }
     };
-    let headings: Vec<&str> = lines.headings().iter().map(String::as_str).collect();
+    let head = |keys: &[&str], options| Head::read(text, projects, keys, options);
+    evaluated(inquiry, &args, (&name, lines), (head, Box::new(shelf)), false)
+}
+
+/// Returns the answers of a table in CSV that the call states, each with the cells of its row; `files` opens the recordings.
+///
+/// # Errors
+/// Faults of the project and of the table; a table that is too long.
+pub fn of_rows(
+    inquiry: &Inquiry<'_>,
+    rows: (&str, &str),
+    files: Box<dyn Files + Send + Sync>,
+) -> Result<SweepSummary, Unanswered> {
+    let args = Args::read(&inquiry.given)?;
+    let language = inquiry.language;
+    let source = inquiry.source()?;
+    let text = source.text(language)?;
+    let projects = source.projects(inquiry.catalogue, inquiry.progress, language);
+    let (name, rows) = rows;
+    let lines = Lines::open(Cursor::new(rows.as_bytes().to_vec()));
+    let lines = lines.map_err(|broken| refused(name, broken.text(language)))?;
+    let head = |keys: &[&str], options| Head::read(text, projects, keys, options);
+    evaluated(inquiry, &args, (name, lines), (head, files), true)
+}
+
+/// Returns the answers of a table; `has_inputs` adds the cells of its keys to them.
+fn evaluated(
+    inquiry: &Inquiry<'_>,
+    args: &Args,
+    (name, mut lines): (&str, Lines<Cursor<Vec<u8>>>),
+    (head, files): (impl FnOnce(&[&str], Options) -> Head, Box<dyn Files + Send + Sync>),
+    has_inputs: bool,
+) -> Result<SweepSummary, Unanswered> {
+    let language = inquiry.language;
+    let headings = lines.headings().to_vec();
+    let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let places = TableColumns::of(&headings);
     let keys: Vec<&str> = places.keys.iter().filter_map(|place| headings.get(*place).copied()).collect();
     let options = args.options(inquiry.catalogue, lines.has_decimal_commas(), language)?;
-    let mut head = Head::read(text, projects, &keys, options);
+    let mut head = head(&keys, options);
     places.faults(&[], language).for_each(|fault| head.refuse(fault));
     let mut columns: Columns = vec![Vec::new(); headings.len()];
     let mut rows = 0;
@@ -128,11 +163,11 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
                 head.refuse_line(fault, rows);
                 rows += 1;
             }
-            Err(unread @ Broken::Unread(_)) => return Err(refused(&name, unread.text(language))),
+            Err(unread @ Broken::Unread(_)) => return Err(refused(name, unread.text(language))),
         }
     }
     head.refuse_empty(rows);
-    let ready = head.ready(&name, Box::new(shelf));
+    let ready = head.ready(name, files);
     if rows > ROWS_MOST as u64 {
         let too_many = Unanswered::message(sweeps::too_many_rows(&rows, &ROWS_MOST, language));
         return Err(Unanswered::combined(ready.err().into_iter().chain([too_many]).collect()));
@@ -154,7 +189,9 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<SweepSummary, Unanswered> {
     let labels = |row: usize| -> BTreeMap<String, String> {
         let cell = |place: usize| columns.get(place)?.get(row)?.as_deref();
         let of = |(place, name): &(usize, String)| Some((name.clone(), cell(*place)?.to_owned()));
-        places.carried.iter().filter_map(of).collect()
+        let inputs = places.keys.iter().filter(|_| has_inputs);
+        let inputs = inputs.filter_map(|place| Some((*place, (*headings.get(*place)?).to_owned())));
+        places.carried.iter().cloned().chain(inputs).filter_map(|each| of(&each)).collect()
     };
     let rows = answers.iter().enumerate().flat_map(|(row, answer)| {
         let labels = labels(row);

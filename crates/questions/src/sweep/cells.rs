@@ -223,7 +223,8 @@ impl Column {
         matches!(&self.holds, Holds::Key(heading) if heading.path.ends_with(".file"))
     }
 
-    fn is_number(&self) -> bool {
+    /// Returns `true` if the cells are numbers.
+    pub(super) fn is_number(&self) -> bool {
         match &self.holds {
             Holds::Code => false,
             Holds::Key(heading) => heading.is_number() || matches!(heading.key.kind, Kind::Integer(..)),

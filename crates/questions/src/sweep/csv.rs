@@ -199,7 +199,11 @@ fn unbracketed(cell: &str) -> &str {
 /// Formats a field (RFC 4180): in quotation marks if it contains a comma, a quotation mark or a line break.
 #[must_use]
 pub fn quoted(field: &str) -> Cow<'_, str> {
-    if field.contains([',', '"', '\n', '\r']) {
+    quoted_between(field, ',')
+}
+
+fn quoted_between(field: &str, separator: char) -> Cow<'_, str> {
+    if field.contains([separator, '"', '\n', '\r']) {
         Cow::Owned(format!("\"{}\"", field.replace('"', "\"\"")))
     } else {
         Cow::Borrowed(field)
@@ -209,7 +213,13 @@ pub fn quoted(field: &str) -> Cow<'_, str> {
 /// Formats a cell for a line; line breaks become spaces.
 #[must_use]
 pub fn written(cell: &str) -> Cow<'_, str> {
-    let cell = quoted(cell);
+    written_between(cell, ',')
+}
+
+/// Formats a cell for a line with a sign between its cells; line breaks become spaces.
+#[must_use]
+pub fn written_between(cell: &str, separator: char) -> Cow<'_, str> {
+    let cell = quoted_between(cell, separator);
     if cell.contains(['\n', '\r']) { Cow::Owned(cell.replace(['\n', '\r'], " ")) } else { cell }
 }
 

@@ -168,6 +168,12 @@ impl Head {
         }
     }
 
+    /// Returns `true` if the cells below a heading are numbers.
+    #[must_use]
+    pub fn is_of_numbers(&self, place: usize) -> bool {
+        self.columns.get(place).and_then(Option::as_ref).is_some_and(Column::is_number)
+    }
+
     /// Adds a fault of the headings.
     pub fn refuse(&mut self, fault: CellFault) {
         self.is_misread = true;

@@ -74,7 +74,7 @@ pub struct SweepRow {
     pub tightest: Option<Id<CheckId>>,
     /// Why the row is not judged.
     pub error: Option<String>,
-    /// Cells of the columns that are no keys, such as `id`, by their headings.
+    /// Cells of the columns that are no keys, such as `id`, by their headings; for values that the call states those of the keys.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub labels: BTreeMap<String, String>,
 }

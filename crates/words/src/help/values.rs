@@ -15,6 +15,7 @@ texts! {
     command = "COMMAND" | "BEFEHL";
     date = "DATE" | "DATUM";
     drive = "DRIVE" | "SERVOREGLER";
+    key_values = "KEY=VALUES" | "SCHLÜSSEL=WERTE";
     key_value = "KEY=VALUE" | "SCHLÜSSEL=WERT";
     what_factor = "WHAT=FACTOR" | "WAS=FAKTOR";
     figure = "FIGURE" | "BILD";

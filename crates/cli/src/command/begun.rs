@@ -1,0 +1,96 @@
+//! Calls that begin with something else than a command: the kind of a new project, a project, an ordering code.
+
+use super::folder::has_ending;
+use super::spoken::{command_named, seems_code};
+use quantities::Language;
+use questions::list::{ArgumentKind, new};
+use std::ffi::OsString;
+use std::path::Path;
+use words::spoken::language_of;
+
+/// Largest number of words in the name of a kind.
+const KIND_MOST: usize = 3;
+
+/// Name of a file without its ending, beside no project.
+const USUAL_STEM: &str = "antrieb";
+
+/// Subcommands of `code`.
+const OF_CODE: [&str; 3] = ["parse", "list", "complete"];
+
+/// Returns the kind of a new file at the beginning of some words, and the number of words that name it.
+pub(super) fn kind(words: &[&str]) -> Option<(String, usize)> {
+    let argument = new::Args::ARGUMENTS.iter().find(|argument| matches!(argument.kind, ArgumentKind::Word(_)))?;
+    (1..=words.len().min(KIND_MOST)).rev().find_map(|count| {
+        let title = words.get(..count)?.join(" ");
+        Some((argument.word(&title)?.to_owned(), count))
+    })
+}
+
+/// Returns a call with the command that it lacks, and `true` if one was added: `lift mass=80kg` makes a project, a project is
+/// sized, a code has its data sheet; `code CHA-20A` completes the code, `code CHA-20A-100-H-C1024` explains it.
+pub(crate) fn with_command(mut arguments: Vec<OsString>, language: Language) -> (Vec<OsString>, bool) {
+    let mut place = 1;
+    while let Some(word) = arguments.get(place).and_then(|word| word.to_str()) {
+        match word {
+            "--" => return (arguments, false),
+            "--lang" => place += 2,
+            _ if word.starts_with('-') || language_of(word).is_some() && command_named(word).is_none() => place += 1,
+            _ => break,
+        }
+    }
+    let words: Vec<&str> = arguments.iter().skip(place).map_while(|word| word.to_str()).collect();
+    let Some((first, behind)) = words.split_first() else { return (arguments, false) };
+    let (at, added) = match command_named(first) {
+        Some("code") => match behind.first() {
+            Some(word) if !OF_CODE.contains(word) => (place + 1, of_code(behind, language)),
+            _ => (place, None),
+        },
+        Some(_) => (place, None),
+        None => (place, of_first(&words, language)),
+    };
+    let Some(added) = added else { return (arguments, false) };
+    arguments.insert(at, added.into());
+    (arguments, true)
+}
+
+/// Returns the command for words that begin a call.
+fn of_first(words: &[&str], language: Language) -> Option<&'static str> {
+    let first = words.first()?;
+    if has_ending(first, &[".toml"]) && Path::new(first).is_file() {
+        return Some("size");
+    }
+    if seems_code(first) && questions::read_code(first, language).is_ok() {
+        return Some("data");
+    }
+    kind(words).map(|_| "new")
+}
+
+/// Returns the subcommand of `code` for a code, a pattern of codes or the beginning of one.
+fn of_code(words: &[&str], language: Language) -> Option<&'static str> {
+    let bare: Vec<&str> = words.iter().copied().take_while(|word| !word.starts_with('-')).collect();
+    let first = bare.first()?;
+    if first.contains(['?', '*', '…']) {
+        return Some("list");
+    }
+    let is_whole =
+        questions::read_code(&bare.join(" "), language).is_ok() || questions::read_code(first, language).is_ok();
+    let series = first.to_uppercase().starts_with("CHA");
+    match is_whole {
+        true => Some("parse"),
+        false => series.then_some("complete"),
+    }
+}
+
+/// Returns the text of a new project of the kind at the beginning of some words.
+pub(super) fn template(words: &[String], language: Language) -> Option<String> {
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let (kind, _) = kind(&words)?;
+    new::template(&kind, new::USUAL_NAME, language).map(|template| template.text)
+}
+
+/// Returns the name of a file beside the first project of some words, with another ending; else one named like the project of
+/// an example.
+pub(super) fn file_beside(projects: &[std::path::PathBuf], ending: &str) -> String {
+    let stem = projects.first().map(|path| path.with_extension("").to_string_lossy().into_owned());
+    format!("{}{ending}", stem.unwrap_or_else(|| USUAL_STEM.to_owned()))
+}

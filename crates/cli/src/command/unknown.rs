@@ -1,0 +1,175 @@
+//! Options that a command does not have, as what they plainly mean: a key of the project, the ending of a file, a value of
+//! another option.
+
+use super::begun::file_beside;
+use super::meant::Called;
+use super::own::{VARY, is_of_several};
+use super::spoken::twin_options;
+use crate::changed::{SCALED, keys, prefix};
+use clap::Command;
+use project::{Written, distance_of_stations, written};
+use quantities::Language;
+use questions::list::{ArgumentKind, OutputFile};
+use std::ffi::OsString;
+use words::spoken;
+
+/// Largest number of words behind a number that may be its unit.
+const UNIT_MOST: usize = 3;
+
+/// Words in place of an option, and the number of further words of the call that they contain.
+type Meaning = (Vec<String>, usize);
+
+/// Returns a call with each unknown option by what it plainly means, and `true` if there was one.
+pub(super) fn with_meaning(arguments: Vec<OsString>, whole: &Command, language: Language) -> (Vec<OsString>, bool) {
+    let unchanged = |arguments| (arguments, false);
+    let texts: Option<Vec<&str>> = arguments.iter().map(|word| word.to_str()).collect();
+    let (Some(texts), Some(called)) = (texts, Called::of(&arguments, whole, language)) else {
+        return unchanged(arguments);
+    };
+    let unknown = Unknown { called: &called, texts: &texts };
+    let mut meant: Vec<OsString> = arguments.iter().take(called.begin).cloned().collect();
+    let (mut place, mut is_changed) = (called.begin, false);
+    while let Some(word) = texts.get(place) {
+        if *word == "--" {
+            break;
+        }
+        let skipped = match unknown.meaning(place, word) {
+            Some((words, further)) => {
+                is_changed = true;
+                meant.extend(words.into_iter().map(OsString::from));
+                1 + further
+            }
+            None => {
+                let is_with_value = unknown.takes_value(word);
+                meant.extend(arguments.iter().skip(place).take(1 + usize::from(is_with_value)).cloned());
+                1 + usize::from(is_with_value)
+            }
+        };
+        place += skipped;
+    }
+    meant.extend(arguments.iter().skip(place).cloned());
+    (meant, is_changed)
+}
+
+/// The unknown options of a call.
+struct Unknown<'c> {
+    called: &'c Called<'c>,
+    texts: &'c [&'c str],
+}
+
+/// Returns the name of an option, without the value behind a sign of equality.
+fn name_of(word: &str) -> Option<&str> {
+    let name = word.split('=').next().unwrap_or_default();
+    match name {
+        "-o" => Some("out"),
+        _ => name.strip_prefix("--").filter(|name| !name.is_empty()),
+    }
+}
+
+impl Unknown<'_> {
+    fn is_known(&self, name: &str) -> bool {
+        self.called.has(name) || twin_options(name).iter().any(|meant| self.called.has(meant))
+    }
+
+    /// Returns `true` if a word is an option whose value is the next word.
+    fn takes_value(&self, word: &str) -> bool {
+        let option = name_of(word)
+            .filter(|_| !word.contains('='))
+            .and_then(|name| self.called.options().find(|option| option.get_long() == Some(name)));
+        option.is_some_and(|option| option.get_action().takes_values())
+    }
+
+    fn is_given(&self, name: &str) -> bool {
+        self.texts.iter().any(|word| name_of(word) == Some(name))
+    }
+
+    /// Returns the meaning of the word at a place; `None` for a word that is no unknown option, or has no plain meaning.
+    fn meaning(&self, place: usize, word: &str) -> Option<Meaning> {
+        let name = name_of(word).filter(|name| !self.is_known(name))?;
+        let stated = word.split_once('=').map(|(_, value)| value);
+        let next = || self.texts.get(place + 1).copied().filter(|next| !next.starts_with("--") && *next != "-o");
+        let (value, further) = match stated {
+            Some(value) => (Some(value), 0),
+            None => (next(), usize::from(next().is_some())),
+        };
+        self.as_file(name, value, further)
+            .or_else(|| self.as_key(place, name, stated))
+            .or_else(|| stated.is_none().then(|| self.as_value(name)).flatten())
+    }
+
+    /// Returns an option for a file by the ending that it names, or that the file of `--out` has.
+    fn as_file(&self, name: &str, value: Option<&str>, further: usize) -> Option<Meaning> {
+        let mut files = self.called.entry?.files();
+        let has = |file: &&OutputFile, ending: &str| super::meant::endings(file).contains(&ending);
+        if name == "out" {
+            let value = value?;
+            let ending = value.rfind('.').and_then(|at| value.get(at..))?.to_lowercase();
+            let file = files.find(|file| has(file, &ending)).filter(|file| !self.is_given(file.option))?;
+            return Some((vec![format!("--{}", file.option), value.to_owned()], further));
+        }
+        let ending = format!(".{}", name.to_lowercase());
+        let file = files.find(|file| has(file, &ending)).filter(|file| !self.is_given(file.option))?;
+        let own = value.filter(|value| value.to_lowercase().ends_with(&ending) || *value == "-");
+        let (value, further) = match own {
+            Some(value) => (value.to_owned(), further),
+            None => (file_beside(&self.called.projects, &ending), 0),
+        };
+        Some((vec![format!("--{}", file.option), value], further))
+    }
+
+    /// Returns the change of a key of the project, if the name is that of one key and the value one of its values.
+    fn as_key(&self, place: usize, name: &str, stated: Option<&str>) -> Option<Meaning> {
+        let varies = self.called.has(VARY);
+        if !self.called.has("set") && !varies {
+            return None;
+        }
+        let text = self.called.project_text()?;
+        let all = written(&text)?;
+        let axis = self.texts.iter().position(|word| *word == "--axis").and_then(|at| self.texts.get(at + 1));
+        let prefix = prefix(&text, axis.map(|name| (*name).to_owned()).as_ref()).unwrap_or_default();
+        let key = keys::with_brackets(&name.replace('-', "_"));
+        if let Some(value) = stated {
+            return Some((self.change(&all, &prefix, &key, value)?, 0));
+        }
+        // A number and its unit may be several words: `--mass 80 kg`.
+        let is_word = |word: &&&str| !word.starts_with("--") && **word != "-o";
+        let behind: Vec<&str> =
+            self.texts.iter().skip(place + 1).take_while(is_word).take(UNIT_MOST).copied().collect();
+        let several = (1..=behind.len()).rev().find_map(|count| {
+            let value = behind.get(..count)?.join(" ");
+            Some((self.change(&all, &prefix, &key, &value)?, count))
+        });
+        several.or_else(|| Some((self.change(&all, &prefix, &key, "true")?, 0)))
+    }
+
+    /// Returns the option that changes one key.
+    fn change(&self, all: &[Written], prefix: &str, key: &str, value: &str) -> Option<Vec<String>> {
+        let is_factor = value.replace(',', ".").parse::<f64>().is_ok() && SCALED.contains(&key);
+        if self.called.has(VARY) && is_of_several(value) {
+            return Some(vec![format!("--{VARY}"), format!("{key}={value}")]);
+        }
+        if self.called.has("set") && distance_of_stations(key, value).is_some() {
+            return Some(vec!["--set".to_owned(), format!("{key}={value}")]);
+        }
+        let found = keys::named(all, prefix, key, value);
+        let path = match &found[..] {
+            [path] => path.clone(),
+            [] if project::key_at(key).is_some() => format!("{prefix}{key}"),
+            _ => return None,
+        };
+        let is_taken = self.called.has("set") && !is_factor && keys::takes(&path, value);
+        is_taken.then(|| vec!["--set".to_owned(), format!("{path}={value}")])
+    }
+
+    /// Returns an option whose value the name is: `--emergency-stop` is `--scenario emergency_stop`.
+    fn as_value(&self, name: &str) -> Option<Meaning> {
+        let of_words =
+            self.called.entry?.arguments.iter().filter(|argument| matches!(argument.kind, ArgumentKind::Word(_)));
+        let mut found = of_words.filter_map(|argument| {
+            let word = argument.word(name).or_else(|| argument.word(spoken::value(name)?))?;
+            (self.called.has(argument.name) && !self.is_given(argument.name)).then_some((argument.name, word))
+        });
+        let (option, word) = found.next().filter(|_| found.next().is_none())?;
+        Some((vec![format!("--{option}"), word.to_owned()], 0))
+    }
+}

@@ -1,0 +1,65 @@
+//! Answers of the rows that a call states, on the terminal.
+
+use crate::answer::{CommandAnswer, written};
+use crate::call::Call;
+use crate::command::own::VARY;
+use crate::table::{Align, TextTable};
+use quantities::Language;
+use questions::CheckId;
+use questions::list::{Inquiry, Unanswered, sweep};
+use questions::sweep::{SweepRow, SweepSummary};
+use questions::texts::percent;
+use words::{check_title, sweeps, terms};
+
+/// Largest number of rows that are shown; --json and a file have all of them.
+const ROWS_MOST: usize = 200;
+
+/// Evaluates the rows of a table in CSV and shows their answers.
+pub(super) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>, rows: &str) -> Result<CommandAnswer, Unanswered> {
+    let Some(files) = call.project_files() else { return Ok(CommandAnswer::none()) };
+    let language = call.language;
+    let name = format!("--{}", VARY);
+    let summary = sweep::of_rows(inquiry, (&name, rows), Box::new(files))?;
+    let fits = summary.fitting > 0;
+    if call.as_json {
+        return Ok(CommandAnswer::data(written(&summary)).fits(fits));
+    }
+    let headings: Vec<&str> = rows.lines().next().unwrap_or_default().split(',').collect();
+    let text = format!("{}\n{}", table(&summary, &headings, language), super::shown(&summary, language));
+    Ok(CommandAnswer::data(text).fits(fits))
+}
+
+/// Returns a table of the answers: the values of each row, its actuator, and the check that governs it.
+fn table(summary: &SweepSummary, headings: &[&str], language: Language) -> String {
+    let own = headings.iter().map(|heading| ((*heading).to_owned(), Align::Right));
+    let of_answer = [
+        (terms::fits(language).to_owned(), Align::Right),
+        (terms::ordering_code(language).to_owned(), Align::Left),
+        (terms::utilisation_short(language).to_owned(), Align::Right),
+        (terms::tightest_check(language).to_owned(), Align::Left),
+    ];
+    let mut table = TextTable::new(own.chain(of_answer));
+    for row in summary.answers.iter().take(ROWS_MOST) {
+        let own = headings.iter().map(|heading| row.labels.get(*heading).cloned().unwrap_or_default());
+        table.row(own.chain(answer(row, language)).collect::<Vec<_>>());
+    }
+    let mut text = table.render();
+    if summary.answers.len() > ROWS_MOST {
+        text.push_str(&format!("{}\n", sweeps::shown_rows(&ROWS_MOST, &summary.answers.len(), language)));
+    }
+    text
+}
+
+/// Returns the cells of an answer: number of fitting codes, the best one, and its governing check or the reason.
+fn answer(row: &SweepRow, language: Language) -> [String; 4] {
+    let count = [row.fit, row.fit_if_estimate].into_iter().flatten().sum::<u32>();
+    let title = row.tightest.as_ref().map(|check: &answers::Id<CheckId>| check_title(check.0, language));
+    let fits = if row.fit.is_some() { count.to_string() } else { String::new() };
+    let none = || if count == 0 && row.error.is_none() { "–".to_owned() } else { String::new() };
+    [
+        fits,
+        row.code.clone().unwrap_or_else(none),
+        row.utilisation.as_ref().map(|share| percent(Some(share.0), language)).unwrap_or_default(),
+        row.error.clone().or(title).unwrap_or_default(),
+    ]
+}
