@@ -32,14 +32,22 @@ pub(crate) fn a_fault_stands_at_its_field(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     stage.example("belt", "en")?;
     let before = tab.text("#standing")?;
+    // The bar keeps its height, whatever it says.
+    let height = || tab.eval("document.querySelector('#verdict').offsetHeight");
+    let high = height()?;
     stage.change("#f-mechanism-belt-mass", "sixty")?;
+    expect(height()? == high, || format!("the verdict was {high} px high"))?;
     tab.until("document.querySelector('#f-mechanism-belt-mass').getAttribute('aria-invalid') === 'true'")?;
     tab.says("#f-mechanism-belt-mass-x", "sixty")?;
     tab.there("#demands.old")?;
     let kept = tab.text("#verdict")?;
     expect(kept.contains(before.trim()), || format!("the last result is gone: {kept}"))?;
+    stage.change("#f-mechanism-belt-mass", "6000 kg")?;
+    expect(height()? == high, || format!("the verdict was {high} px high"))?;
     stage.change("#f-mechanism-belt-mass", "60 kg")?;
-    tab.until("!document.querySelector('#demands.old') && !document.querySelector('[aria-invalid]')")
+    tab.until("!document.querySelector('#demands.old') && !document.querySelector('[aria-invalid]')")?;
+    // The row of values follows, also where the field is left at once.
+    tab.until("!document.querySelector('#instant-values').hasAttribute('data-old')")
 }
 
 pub(crate) fn undo_and_redo(stage: &OpenPage<'_>) -> Worded {

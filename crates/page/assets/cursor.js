@@ -144,12 +144,13 @@ const digitsOf = (most) => (most > 0 ? Math.min(6, Math.max(0, 3 - Math.floor(Ma
 // pixel can show, so that nothing is read from it: until the values are there, those of before are shown as old.
 let whole = null, fine = null, seen = -1, waits = null, running = null;
 let answers = 0;
-document.addEventListener('htmx:before:request', () => { clearTimeout(waits); running?.abort(); });
+// A request that is not sent after all has no answer: what it put off is resumed.
+document.addEventListener('htmx:before:request', () => { clearTimeout(waits); running?.abort(); soon(); });
 document.addEventListener('htmx:after:swap', () => { answers += 1; });
 const isCurrent = () => seen === answers && whole !== null;
 function soon() {
   clearTimeout(waits);
-  if (seen !== answers) waits = setTimeout(fetched, 300);
+  if (seen !== answers) waits = setTimeout(() => { if ($('.htmx-request')) soon(); else fetched(); }, 300);
 }
 // Of the pictures of the pane, those over time; in another language or size they are the same.
 export function asked(view) {

@@ -204,7 +204,7 @@ function draft() {
   if (!found || (isSame && !found.typed?.length) || (!isSame && found.base !== text().defaultValue && found.base !== '')) return;
   const kind = first || performance.getEntriesByType('navigation')[0]?.type;
   if (kind === 'reload' || kind === 'back_forward') { restore(found); tell(said('restored')); return; }
-  const chosen = (then) => () => { place.replaceChildren(); then(); };
+  const chosen = (then) => () => { place.replaceChildren(); $('#standing')?.focus({ preventScroll: true }); then(); };
   place.replaceChildren(`${said('draft')} ${fileName()}, ${instant(found.at)} `,
     button(said('restore'), chosen(() => restore(found))), ' ', button(said('discard'), chosen(() => localStorage.removeItem(key))));
 }
@@ -243,9 +243,15 @@ function unsaved() {
     };
     const file = of.startsWith('/') ? each.file : of;
     row.append(button([name, file === 'axis.toml' && name ? '' : file].filter(Boolean).join(' – '), go), ` ${instant(each.at)} `,
-      button(said('discard'), () => { localStorage.removeItem(each.key); unsaved(); }));
+      button(said('discard'), () => { localStorage.removeItem(each.key); unsaved(); ($('#unsaved:not([hidden]) button') ?? $('.tile'))?.focus(); }));
     return row;
   });
+  // An axis that was brought along has no address of its own: reloading it leads here, and on to it.
+  const reloaded = performance.getEntriesByType('navigation')[0]?.type === 'reload' && history.state?.axis;
+  if (reloaded && location.search === '') {
+    const place = drafts().findIndex((each) => each.key === `${DRAFT}/${history.state.axis}`);
+    if (place >= 0) { rows[place].querySelector('button').click(); return; }
+  }
   const [list, more] = place.querySelectorAll('ul');
   list.replaceChildren(...rows.slice(0, UNSAVED_SHOWN));
   more.replaceChildren(...rows.slice(UNSAVED_SHOWN));
@@ -480,6 +486,7 @@ export function back() {
   const sources = [...unsent];
   unsent.clear();
   for (const id of sources) document.getElementById(id)?.dispatchEvent(new Event('change', { bubbles: true }));
+  if (savesAgain) idle().then(save);
 }
 export const away = () => { if (!isAway()) gone({}); };
 document.addEventListener('htmx:error', gone);
@@ -546,8 +553,12 @@ export function choose(accept, then) {
 }
 // The name of a file in a header, which holds ASCII only.
 export const named = (reply) => { const name = reply.headers.get('x-file'); return name === null ? undefined : decodeURIComponent(name); };
+let savesAgain = false;
+const idle = () => new Promise((then) => { const look = setInterval(() => { if (!$('.htmx-request')) { clearInterval(look); then(); } }, 100); });
 export async function save() {
   const reply = await send('/save');
+  // It is saved when antrieb answers again, with what was typed until then.
+  savesAgain = !reply;
   if (!reply) return;
   const words = await reply.text();
   if (reply.ok) {
@@ -656,7 +667,12 @@ addEventListener('beforeunload', (event) => { if (last !== null && last !== save
 document.addEventListener('click', (event) => {
   const button = event.target.closest?.('#language, #theme');
   if (!button) return;
-  for (const [name, value] of Object.entries(JSON.parse(button.getAttribute('hx-vals')))) { const field = $(`#state [name=${name}]`); if (field) field.value = value; }
+  const values = Object.entries(JSON.parse(button.getAttribute('hx-vals')));
+  for (const [name, value] of values) { const field = $(`#state [name=${name}]`); if (field) field.value = value; }
+  // Reloading keeps the language.
+  const address = new URL(location.href);
+  for (const [name, value] of values) if (address.searchParams.has(name)) address.searchParams.set(name, value);
+  try { history.replaceState(history.state, '', address); } catch { /* a page opened as a file keeps its address */ }
   if (button.id === 'theme') try { localStorage.setItem(THEME, $('#state [name=theme]').value); } catch { /* a browser that keeps nothing */ }
 }, true);
 // The theme of the last visit, else that of the machine.
@@ -698,3 +714,5 @@ isNamed = true;
 if (last !== null) buttons();
 unsaved();
 themed();
+// The verdict is what a page with an axis is about.
+if (document.activeElement === document.body) $('#standing')?.focus({ preventScroll: true });

@@ -3,6 +3,7 @@
 use crate::checks::{sides, verdict_class};
 use crate::formula;
 use crate::markup::drawer;
+use crate::shown::class;
 use answers::Node;
 use maud::{Markup, html};
 use quantities::{Language, format_significant};
@@ -74,7 +75,7 @@ pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
                 } }
                 tbody {
                     tr { th scope="row" { (capitalised(terms::verdict(l))) } td {} @for each in &found.candidates {
-                        td class=(if each.fits() { "pass" } else { "fail" }) {
+                        td class=(class(each)) {
                             (questions::texts::verdict_of(each, l))
                             @for objection in answer::objections(each, l) { br; (objection) }
                         }

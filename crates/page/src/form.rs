@@ -550,7 +550,9 @@ impl RowContent<'_> {
                 // Of a key that its table requires, no value is none of the choices.
                 @if value.is_empty() || !key_at(path).is_some_and(|key| key.required) { option value="" selected[value.is_empty()] { (page::not_stated(l)) } }
                 @if unknown { option value=(value) selected { (value) } }
-                @for word in words { option value=(word) selected[*word == value] { (shown(word)) } }
+                // A law with two names is offered once, by the name that the file has.
+                @let is_other_name = |word: &str| key == "law" && word != value && SegmentLaw::of_id(word).is_some_and(|law| law.id() != word);
+                @for word in words.iter().filter(|word| !is_other_name(word)) { option value=(word) selected[*word == value] { (shown(word)) } }
             }
         }
     }

@@ -74,11 +74,11 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     let held = state.hold(shell, progress);
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
     let Some(nearest) = looked_at_alone(&state, project, progress) else { return html! {} };
-    let (reached, unsought) = match catalogue_reserve(project, progress) {
-        Ok(Some(reached)) => (reached, None),
+    let ((reached, unsought), is_whole) = match catalogue_reserve(project, progress) {
+        Ok(Some(reached)) => ((reached, None), true),
         // A cycle too long for a search in the whole catalogue: the actuators with the smallest excess.
-        Ok(None) => of_nearest(project, call.field(THOROUGH).is_some(), progress),
-        Err(_) => (Vec::new(), None),
+        Ok(None) => (of_nearest(project, call.field(THOROUGH).is_some(), progress), false),
+        Err(_) => ((Vec::new(), None), false),
     };
     let gearings = gearing_proposals(project, progress).unwrap_or_default();
     let reads = |text: &str| {
@@ -117,7 +117,7 @@ pub(crate) fn cards(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -> 
     html! {
         @if first.is_empty() {
             h3 { (capitalised(terminal::no_actuator_fits(l))) }
-            p { (page::no_remedy_found(l)) }
+            p { @if is_whole { (page::no_remedy_found(l)) } @else { (page::no_remedy_yet(&NEAREST, l)) } }
             p { (capitalised(terminal::nearest_miss(l))) ": " strong.code { (nearest.id) } ", " (reason(&nearest, l)) }
         } @else {
             h3 { (page::what_would_fit(l)) }
@@ -237,9 +237,11 @@ fn by_reserve(
             AxisChange::CycleTime => {
                 let duration = project.axis.motion.duration();
                 let seconds = |si: f64| format!("{} {}", number(si), SECOND.symbol_in(l));
-                let factor = reach.value / duration.si();
+                // The times of the file keep few digits, and the card says what they give.
+                let factor = rounded_up(reach.value / duration.si());
+                let reached = duration.si() * factor;
                 let is_reached =
-                    |project: &AxisProject| (project.axis.motion.duration().si() / reach.value - 1.0).abs() < 1e-6;
+                    |project: &AxisProject| (project.axis.motion.duration().si() / reached - 1.0).abs() < 1e-6;
                 let change = slower(project, (text, prefix), factor).filter(|change| {
                     let changed = change.applied(text, prefix).and_then(|text| reads(&text));
                     changed.is_some_and(|project| is_reached(&project))
@@ -247,7 +249,7 @@ fn by_reserve(
                 Remedy {
                     title: page::longer_cycle(l).to_owned(),
                     before: seconds(duration.si()),
-                    after: seconds(reach.value),
+                    after: seconds(reached),
                     extent: Some(page::every_time_longer(&number(factor), l)),
                     factor: folded(factor),
                     change,
@@ -262,6 +264,13 @@ fn by_reserve(
 /// Returns a factor or its reciprocal, whichever is larger.
 fn folded(factor: f64) -> f64 {
     factor.max(1.0 / factor)
+}
+
+/// Returns a factor with four significant digits that is not smaller.
+fn rounded_up(factor: f64) -> f64 {
+    let place = 10_f64.powf(3.0 - factor.log10().floor());
+    // A factor of four digits stays in spite of its rounding error.
+    (factor * place - 1e-6).ceil() / place
 }
 
 /// Returns the change with which the whole motion is slower by a factor. Where times of it are assumed, as the ramps of a

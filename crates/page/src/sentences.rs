@@ -20,6 +20,11 @@ const TABLES: [(&str, ColumnWords); 3] = [
     ("recorded_ratio", incoming::ratio_of_column),
 ];
 
+/// Returns `true` if a sentence states a table of a recording in the project: where its columns can be chosen, they are.
+pub(crate) fn states_a_table(text: &str) -> bool {
+    TABLES.iter().any(|(key, _)| text.contains(&format!("{key} = {{ ")))
+}
+
 /// Returns a sentence with the tables of a recording, `columns = { torque = "none" }`, in the words of the page.
 fn tables_in_words(text: &str, language: Language) -> String {
     let role = |key: &str| ColumnRole::ALL.into_iter().find(|role| role_key(*role) == key.trim());

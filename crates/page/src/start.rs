@@ -319,7 +319,10 @@ fn row_of(begin: &Begin, row: &[&str], stated: Option<&dyn Fn(&str) -> String>, 
     };
     html! {
         div.row {
-            label for=(crate::markup::id(path)) { (label) }
+            label for=(crate::markup::id(path)) {
+                (label)
+                @for symbol in row.iter().filter_map(|path| crate::sketch::symbol_of(path)) { " " i { (crate::chapters::symbol(symbol)) } }
+            }
             span.quantity {
                 @for (number, path) in row.iter().enumerate() {
                     @let id = crate::markup::id(path);

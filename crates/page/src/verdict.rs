@@ -56,7 +56,7 @@ fn line(candidate: &Candidate<'_>, assumed: usize, language: Language) -> Markup
         p id="standing" role="status" aria-live="polite" tabindex="-1" { strong.code { (candidate.id) } ": " (standing_text(candidate, l)) }
         @if let Some(tightest) = candidate.governing() {
             button.count type="button" id="tightest" data-goto={ "#check-" (tightest.id.id()) } hx-post="/work" hx-vals=(shown) {
-                span.word { (page::tightest(l)) " " } (check_title(tightest.id, l)) " " strong { (percent(tightest.utilisation, l)) " %" }
+                span.word { (page::tightest(l)) " " } span.name { (check_title(tightest.id, l)) } " " strong { (percent(tightest.utilisation, l)) " %" }
             }
         }
         span.counts role="group" aria-label=(capitalised(terms::checks(l))) {

@@ -235,6 +235,9 @@ texts! {
     no_remedy_found =
         "No single change was found: not of the cycle time, of payload or masses, of a ratio up to 16 times larger or smaller, nor with an intermediate stage, a counterweight or up to eight equal actuators. Change several values."
         | "Keine einzelne Änderung gefunden: weder der Zykluszeit, der Nutzlast oder der Massen, einer Übersetzung bis zum 16-Fachen nach oben oder unten noch mit einer Zwischenstufe, einem Gegengewicht oder bis zu acht gleichen Antrieben. Mehrere Angaben ändern.";
+    no_remedy_yet(actuators) =
+        "The cycle is long, so only the {actuators} nearest kinds of actuator were tried, and not every change of them; no single change was found among these. Others may exist: a slower motion, a smaller load, another diameter or ratio."
+        | "Der Zyklus ist lang; deshalb wurden nur die {actuators} nächstliegenden Antriebsarten und nicht jede Änderung versucht. Darunter fand sich keine einzelne Änderung. Andere sind möglich: eine langsamere Bewegung, eine kleinere Last, ein anderer Durchmesser oder eine andere Übersetzung.";
     remedies_about =
         "Each change alone is sufficient; ↶ reverts it."
         | "Jede Änderung genügt für sich; ↶ macht sie rückgängig.";

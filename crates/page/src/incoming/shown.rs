@@ -4,7 +4,7 @@ use super::choices::{Choices, NO_ROLE, OTHER_WINDOW, TorqueUse, role_id};
 use super::examination::{Examination, Request, SegmentPlace};
 use crate::markup::{drawer, label_of};
 use crate::recorded::rows;
-use crate::sentences::worded;
+use crate::sentences::{states_a_table, worded};
 use figures::{Size, Style};
 use maud::{Markup, PreEscaped, html};
 use motion_words::{acceleration, alone, quality_rows};
@@ -36,7 +36,10 @@ pub(super) fn preview(request: &Request, found: &Examination) -> Markup {
                 div.fault role="alert" id="incoming-faults" {
                     p { strong { (incoming::unusable(l)) } }
                     @if found.unreadable.is_empty() { p { (incoming::no_table(&file.name(), l)) } }
-                    ul { @for (message, hint) in &found.unreadable { li { (worded(message, hint.as_deref(), l)) } } }
+                    ul { @for (message, hint) in &found.unreadable {
+                        @let hint = hint.as_deref().map(|hint| if states_a_table(hint) { incoming::choose_below(l) } else { hint });
+                        li { (worded(message, hint, l)) }
+                    } }
                 }
             }
             @if let Some(examined) = &found.examined {
