@@ -33,9 +33,9 @@ pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch, Unread}
 pub use examination::{EvenRows, HeldSignal, Stamps};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};
+pub use outliers::{Outliers, SignalKind, jumps};
 pub use piece::{Piece, Runs, State};
 pub use placed::{Interval, Placed};
-pub use outliers::{Outliers, SignalKind};
 pub use points::{EndState, Ends, Points, PointsFault, Spline};
 pub use quality::ColumnQuality;
 pub use recorded::{HeldValues, Recorded, Samples, TimeStamps, Treatment};

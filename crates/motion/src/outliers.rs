@@ -1,4 +1,4 @@
-//! Single values of a recorded column far beside those around them.
+//! Single values of a recorded column far beside those around them, and jumps of a position.
 
 use numeric::quantile;
 
@@ -75,6 +75,54 @@ impl Outliers {
     }
 }
 
+/// Smallest jump relative to the change from row to row that 99 % of the other rows have. A choice.
+const JUMP_OF_USUAL: f64 = 10.0;
+
+/// Smallest jump relative to the range of the position. A choice.
+const JUMP_OF_RANGE: f64 = 0.02;
+
+/// Largest interval of a jump relative to the median one: over a gap of the recording a position may change by much.
+const JUMP_GAP: f64 = 1.5;
+
+/// Returns the places at which a position jumps from one row to the next, each as the index of the row behind it with the
+/// change.
+///
+/// |y_k − y_(k−1)| > max(10 q_99, 0.02 (y_max − y_min))
+///
+/// # Symbols
+/// q_99 change from row to row that 99 % of the changes do not exceed, the largest left out; y_min, y_max range of the values
+/// # Source
+/// docs/theory/recorded-motion.md
+/// # Valid
+/// rows at the usual interval; the factors are choices
+#[must_use]
+pub fn jumps(time_s: &[f64], values: &[f64]) -> Vec<(usize, f64)> {
+    let change = |pair: &[f64]| pair.last().zip(pair.first()).map_or(0.0, |(to, from)| to - from);
+    let ways: Vec<f64> = values.windows(2).map(change).collect();
+    let gaps: Vec<f64> = time_s.windows(2).map(change).collect();
+    // Steps of a position with few digits are the usual changes.
+    let mut sizes: Vec<f64> = ways.iter().map(|way| way.abs()).filter(|way| *way > 0.0).collect();
+    if let Some(largest) = (0..sizes.len()).max_by(|a, b| {
+        let size = |place: &usize| sizes.get(*place).copied().unwrap_or_default();
+        size(a).total_cmp(&size(b))
+    }) {
+        let _ = sizes.swap_remove(largest);
+    }
+    let usual = quantile(&mut sizes, 0.99);
+    let gap = quantile(&mut gaps.clone(), 0.5);
+    let [low, high] = values
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(*value), high.max(*value)]);
+    let least = (JUMP_OF_USUAL * usual).max(JUMP_OF_RANGE * (high - low));
+    let is_jump =
+        |place: usize, way: f64| way.abs() > least && gaps.get(place).is_some_and(|own| *own < JUMP_GAP * gap);
+    ways.into_iter()
+        .enumerate()
+        .filter(|(place, way)| is_jump(*place, *way))
+        .map(|(place, way)| (place + 1, way))
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::indexing_slicing, clippy::unwrap_used, reason = "a test fails loudly")]
@@ -95,6 +143,24 @@ mod tests {
             let found = Outliers::of(&values, kind);
             assert_eq!(found, Some(Outliers { first: 120, farthest: 300, count: 2 }));
         }
+    }
+
+    #[test]
+    fn a_position_that_is_set_anew_jumps_and_a_motion_does_not() {
+        let time: Vec<f64> = (0..500_u32).map(|k| 0.001 * f64::from(k)).collect();
+        let swing: Vec<f64> = swing().iter().map(|value| 40.0 * value).collect();
+        assert_eq!(jumps(&time, &swing), []);
+        let set: Vec<f64> =
+            swing.iter().enumerate().map(|(k, value)| if k < 200 { *value } else { value + 90.0 }).collect();
+        assert!(matches!(jumps(&time, &set).as_slice(), [(200, way)] if (way - 90.0).abs() < 2.0));
+        // One step in a record at rest, and a change over a gap of the recording.
+        let step: Vec<f64> = (0..500_u32).map(|k| if k < 300 { 0.0 } else { 720.0 }).collect();
+        assert_eq!(jumps(&time, &step), [(300, 720.0)]);
+        let with_gap: Vec<f64> = time.iter().map(|t| if *t < 0.3 { *t } else { t + 1.0 }).collect();
+        assert_eq!(jumps(&with_gap, &step), []);
+        // Samples of an indexing motion with a few steps each.
+        let indexed: Vec<f64> = (0..500_u32).map(|k| f64::from(k / 50) * 30.0).collect();
+        assert_eq!(jumps(&time, &indexed), []);
     }
 
     #[test]

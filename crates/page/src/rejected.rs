@@ -101,10 +101,7 @@ pub(crate) fn changes(call: &Call<'_>, shell: &dyn Shell, progress: &Progress) -
     let Some(project) = held.projects.get(state.axis).filter(|project| is_short(project)) else { return html! {} };
     let version = call.field("version").unwrap_or_default();
     let named = call.field(NAMES).unwrap_or_default();
-    let ids = named
-        .lines()
-        .take(BLOCK)
-        .filter_map(|name| product_id(name, l));
+    let ids = named.lines().take(BLOCK).filter_map(|name| product_id(name, l));
     let of = |id: &ProductId| {
         let candidate = check(project, id).ok()?;
         let mut parts: Vec<String> = candidate.objections.iter().map(|each| without(&candidate, each, l)).collect();

@@ -2,7 +2,7 @@
 
 use crate::progress::Progress;
 use axis::{AxisFault, AxisProject, Files, Grant, read_recording};
-use motion::{ColumnQuality, MadeUp, Outliers, Recorded, RecordedFault, Samples, SignalKind, Treatment};
+use motion::{ColumnQuality, MadeUp, Outliers, Recorded, RecordedFault, Samples, SignalKind, Treatment, jumps};
 use quantities::{Measure, MomentOfInertia, Time, Torque, parse_as};
 use recording::{Along, Content, Layout, Preview, Recording, Role, Series};
 use std::io::{Cursor, Read};
@@ -136,6 +136,8 @@ pub struct ExaminedRecording {
     pub quality: Vec<(Role, Along, ColumnQuality)>,
     /// Single values of recorded columns far beside those around them.
     pub outliers: Vec<ColumnOutliers>,
+    /// First jump of the position from one row to the next: direction, instant \[s\] and change in SI.
+    pub jump: Option<(Along, f64, f64)>,
 }
 
 impl ExaminedRecording {
@@ -178,10 +180,16 @@ impl ExaminedRecording {
             let (time_s, value) = (*recording.time_s.get(found.farthest)?, *values.get(found.farthest)?);
             Some(ColumnOutliers { role, along: *along, count: found.count, time_s, value })
         });
-        let outliers = outliers.collect();
+        let outliers: Vec<ColumnOutliers> = outliers.collect();
+        let jump = recording.course.position.as_ref().and_then(|Series { along, values }| {
+            let (row, change) = jumps(&recording.time_s, values).into_iter().next()?;
+            // A single value jumps there and back.
+            let is_outlier = outliers.iter().any(|found| found.role == Role::Position);
+            Some((*along, *recording.time_s.get(row)?, change)).filter(|_| !is_outlier)
+        });
         let intervals_s = intervals(&recording.time_s);
         let recorded = Recorded::new(samples.clone(), Treatment::default())?;
-        Ok(Self { recording, samples, recorded, intervals_s, quality, outliers })
+        Ok(Self { recording, samples, recorded, intervals_s, quality, outliers, jump })
     }
 
     /// Returns the largest acceleration with a window of smoothing [rad/s²], or [m/s²] along a line, of a single move or of a

@@ -46,6 +46,9 @@ texts! {
         | "{column}: ein Wert weit neben den Werten davor und danach, {value} bei {time}. Ist er ein Fehler der Aufzeichnung, seine Zeile löschen: Eine Spitze entscheidet über den Antrieb.",
         "{column}: {count} values far beside those before and behind, the farthest {value} at {time}. If they are faults of the recording, delete their rows: a peak decides about the actuator."
         | "{column}: {count} Werte weit neben den Werten davor und danach, der äußerste {value} bei {time}. Sind sie Fehler der Aufzeichnung, ihre Zeilen löschen: Eine Spitze entscheidet über den Antrieb.";
+    jump(change, time) =
+        "The position jumps by {change} at {time}, from one row to the next: it was set anew, or rows are missing. Use the part before or behind it."
+        | "Die Position springt bei {time} von einer Zeile zur nächsten um {change}: Sie wurde neu gesetzt, oder Zeilen fehlen. Den Teil davor oder dahinter verwenden.";
     choose_below = "choose column and unit in the table below" | "Spalte und Einheit unten in der Tabelle wählen";
     column_number(number) = "column {number}" | "Spalte {number}";
     unit_of(column) = "unit of {column}" | "Einheit von {column}";

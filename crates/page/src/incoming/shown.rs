@@ -55,6 +55,7 @@ pub(super) fn preview(request: &Request, found: &Examination) -> Markup {
                 h3 { (incoming::found(l)) }
                 dl.facts id="incoming-found" { @for (name, value) in quality_rows(examined, l) { dt { (name) } dd { (value) } } }
                 @for outliers in &examined.outliers { p.advice { (motion_words::outliers(outliers, l)) } }
+                @if let Some((along, time_s, change)) = examined.jump { p.advice { (motion_words::jump(along, time_s, change, l)) } }
                 (treatment(choices, found, l))
             }
             @if SegmentPlace::of(state).segments > 0 { (place(choices, l)) }

@@ -354,3 +354,43 @@ fn a_recording_along_a_line_asks_for_its_mechanism() {
     let html = preview(&folder, &[("text", ""), ("name", "run.csv"), ("torque", "whole")], turning.as_bytes());
     assert!(is_usable(&html) && !html.contains("incoming-mechanism"), "{html}");
 }
+
+/// Single wild values, a position that was set anew and the ends of the recording are said before it is used.
+#[test]
+fn what_is_odd_about_a_recording_is_said() {
+    let plain = swing(400, 2.0, "t [s],q [deg],M [N m]", 0.01);
+    let with = |row: usize, change: &dyn Fn(f64, f64) -> (f64, f64)| {
+        let lines = plain.lines().enumerate().map(|(place, line)| {
+            let mut cells = line.split(',');
+            match (place, cells.next(), cells.next(), cells.next()) {
+                (place, Some(t), Some(q), Some(m)) if place > 0 => {
+                    let (q, m) = (q.parse().unwrap(), m.parse().unwrap());
+                    let (q, m) = if place >= row { change(q, m) } else { (q, m) };
+                    format!("{t},{q},{m}\n")
+                }
+                _ => format!("{line}\n"),
+            }
+        });
+        lines.collect::<String>()
+    };
+    let shown =
+        |file: &str| preview(&InMemory::default(), &[("name", "run.csv"), ("torque", "whole")], file.as_bytes());
+    let said = ["far beside", "jumps by", "Beginning and end, position"];
+    let found = |html: &str| said.map(|text| html.contains(text));
+    assert_eq!(found(&shown(&plain)), [false, false, true]);
+    let spiked: String = plain
+        .lines()
+        .enumerate()
+        .map(
+            |(place, line)| {
+                if place == 150 { format!("{},99\n", line.rsplit_once(',').unwrap().0) } else { format!("{line}\n") }
+            },
+        )
+        .collect();
+    let html = shown(&spiked);
+    assert_eq!(found(&html), [true, false, true]);
+    assert!(html.contains("99.00 Nm at 298.000 s"), "{html}");
+    let set = shown(&with(200, &|q, m| (q + 720.0, m)));
+    assert_eq!(found(&set), [false, true, true]);
+    assert!(set.contains("720"), "{set}");
+}

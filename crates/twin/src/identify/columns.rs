@@ -3,8 +3,7 @@
 
 use super::Observed;
 use super::doubts::{Column, Doubt, Misread};
-use motion::{Outliers, SignalKind};
-use numeric::quantile;
+use motion::{Outliers, SignalKind, jumps};
 use std::f64::consts::TAU;
 
 /// Returns the doubts that columns raise before any equation, each with the value of its sentence.
@@ -31,9 +30,6 @@ pub(super) fn doubts(run: &Observed) -> Vec<Doubt> {
 
 /// Smallest distance moved each way over a constant value, relative to the range of the motion. A choice.
 const MOVED: f64 = 0.1;
-
-/// Smallest jump relative to the change from row to row that 99 % of the rows have, and to the range. A choice.
-const JUMP: [f64; 2] = [10.0, 0.02];
 
 /// Largest part of the variance of a column that another does not explain if it has the same values. A choice: four digits of
 /// both leave 10⁻⁷, the friction of the motor leaves 10⁻³ of a current behind a torque.
@@ -177,22 +173,12 @@ fn outlier(column: Column, values: &[f64], time: &[f64]) -> Option<Doubt> {
 
 /// Returns the doubt of a position that jumps by no whole number of revolutions from row to row, with the instant.
 fn jump(run: &Observed) -> Option<Doubt> {
-    let ways: Vec<f64> = run.position_rad.windows(2).map(|pair| if let [a, b] = pair { b - a } else { 0.0 }).collect();
-    let gaps: Vec<f64> = run.time_s.windows(2).map(|pair| if let [a, b] = pair { b - a } else { 0.0 }).collect();
-    // Steps of a position with few digits are the usual changes.
-    let mut sizes: Vec<f64> = ways.iter().map(|way| way.abs()).filter(|way| *way > 0.0).collect();
-    let usual = quantile(&mut sizes, 0.99);
-    let gap = quantile(&mut gaps.clone(), 0.5);
-    let [low, high] = ends(&run.position_rad);
-    let [of_usual, of_range] = JUMP;
-    let least = (of_usual * usual).max(of_range * (high - low));
-    let is_jump = |(place, way): &(usize, &f64)| {
-        let turns = (*way / TAU).round();
-        let is_whole = turns != 0.0 && (*way - turns * TAU).abs() < 0.1 * TAU;
-        way.abs() > least && !is_whole && gaps.get(*place).is_some_and(|own| *own < 1.5 * gap)
+    let is_of_turns = |way: f64| {
+        let turns = (way / TAU).round();
+        turns != 0.0 && (way - turns * TAU).abs() < 0.1 * TAU
     };
-    let (place, _) = ways.iter().enumerate().find(is_jump)?;
-    Some(Doubt::new(Column::Position, Misread::Jump, run.time_s.get(place + 1).copied().unwrap_or_default()))
+    let (row, _) = jumps(&run.time_s, &run.position_rad).into_iter().find(|(_, way)| !is_of_turns(*way))?;
+    Some(Doubt::new(Column::Position, Misread::Jump, run.time_s.get(row).copied().unwrap_or_default()))
 }
 
 /// Returns the doubts of both columns of a pair in which one is a multiple of the other, with that factor.

@@ -51,6 +51,12 @@ pub(super) fn outliers(found: &ColumnOutliers, language: Language) -> String {
     incoming::outliers(found.count, &words::capitalised(&role_text(found.role, l)), &value, &time, l)
 }
 
+/// Returns the sentence about a jump of the position.
+pub(super) fn jump(along: Along, time_s: f64, change: f64, language: Language) -> String {
+    let l = language;
+    incoming::jump(&figure(change, unit(ColumnRole::Position, along), 4, l), &figure(time_s, &SECOND, 6, l), l)
+}
+
 /// Returns the unit in which a column is shown.
 const fn unit(role: ColumnRole, along: Along) -> &'static Unit {
     match (role, along) {
