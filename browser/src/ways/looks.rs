@@ -7,7 +7,9 @@ use crate::tab::{Worded, expect, key};
 pub(crate) fn widths(stage: &OpenPage<'_>) -> Worded {
     let tab = &stage.tab;
     for language in ["en", "de"] {
-        for (width, height, scale) in [(375, 800, 1.0), (1024, 768, 1.0), (1280, 800, 1.0), (1920, 1080, 1.0), (640, 400, 2.0)] {
+        for (width, height, scale) in
+            [(375, 800, 1.0), (1024, 768, 1.0), (1280, 800, 1.0), (1920, 1080, 1.0), (640, 400, 2.0)]
+        {
             let what = |page: &str| format!("{page}, {language}, {width} px at {scale}");
             tab.sized(width, height, scale)?;
             stage.start(language)?;
@@ -18,7 +20,9 @@ pub(crate) fn widths(stage: &OpenPage<'_>) -> Worded {
             let beyond = tab.eval(
                 "document.querySelector('#checks table').getBoundingClientRect().right - document.querySelector('#fits').getBoundingClientRect().right",
             )?;
-            expect(beyond.as_f64().is_some_and(|beyond| beyond <= 0.5), || format!("{}: checks {beyond} px beyond", what("main")))?;
+            expect(beyond.as_f64().is_some_and(|beyond| beyond <= 0.5), || {
+                format!("{}: checks {beyond} px beyond", what("main"))
+            })?;
             tab.click("#check-peak_torque button.plain")?;
             tab.there("#detail .formula")?;
             stage.no_sideways_scroll(&what("detail"))?;

@@ -31,7 +31,19 @@ pub(crate) fn asset(name: &str) -> Reply {
     }
     let Some((_, text)) = ASSETS.iter().find(|(of, _)| *of == name) else { return Reply::text(404, "") };
     let media = if name.ends_with(".css") { "text/css; charset=utf-8" } else { "text/javascript; charset=utf-8" };
-    Reply::of(200, media, *text)
+    Reply::of(200, media, without_comments(name, text))
+}
+
+/// Returns a style or script of the page without its lines of comments, which are for those who read the source.
+fn without_comments(name: &str, text: &str) -> String {
+    if name.ends_with(".min.js") {
+        return text.to_owned();
+    }
+    let is_comment = |line: &str| {
+        let line = line.trim();
+        if name.ends_with(".css") { line.starts_with("/*") && line.find("*/") == Some(line.len() - 2) } else { line.starts_with("//") }
+    };
+    text.lines().filter(|line| !is_comment(line)).flat_map(|line| [line, "\n"]).collect()
 }
 
 #[cfg(test)]
@@ -54,6 +66,19 @@ mod tests {
             let ending = name.rsplit_once('.').map_or(name, |(_, ending)| ending);
             assert_eq!((asset(name).status, asset(name).media), (200, format!("font/{ending}").as_str()));
             assert!(style.contains(&format!("url(\"{name}\")")), "{name}");
+        }
+    }
+
+    /// Only whole lines of comments are left out.
+    #[test]
+    fn comments_stay_in_the_source() {
+        let script = "// A.\nconst a = 'x'; // B\n  // C.\nb('//');\n";
+        assert_eq!(without_comments("a.js", script), "const a = 'x'; // B\nb('//');\n");
+        let style = "/* A. */\na { b: c; } /* B */\n/* C. */ d { e: f; } /* G */\n";
+        assert_eq!(without_comments("a.css", style), "a { b: c; } /* B */\n/* C. */ d { e: f; } /* G */\n");
+        for (name, text) in ASSETS {
+            let (sent, written) = (asset(name).body.len(), text.len());
+            assert!(sent <= written && 2 * sent > written, "{name}");
         }
     }
 

@@ -207,6 +207,7 @@ pub(crate) fn view(
                 View::Simulation if !crate::IS_WHOLE => {}
                 View::Simulation => (crate::simulated::view(state, project, candidate, progress)),
                 View::ErrorBudget => {
+                    (crate::budget::table(candidate, l))
                     (tolerances::place(state, project, candidate, shell))
                     (overlay::across("torsion", state.view.id(), l))
                     (drawn("torsion", &none, &none))

@@ -11,6 +11,7 @@ mod arithmetic;
 mod assets;
 mod assumed;
 mod axes;
+mod budget;
 mod by_path;
 mod call;
 mod chapters;

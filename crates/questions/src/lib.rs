@@ -5,6 +5,7 @@
 //! clock, the environment or the terminal.
 
 pub mod answer;
+mod budget;
 mod candidate;
 mod catalogue_reserve;
 mod catalogue_template;
@@ -52,6 +53,7 @@ mod wiring;
 
 // Reading: projects, codes, quantities; progress and cancellation; the actuator of an answer.
 pub use axis::Catalogue;
+pub use budget::{AngularError, AngularErrors, angular_errors};
 pub use chapters::read_quantity;
 pub use closed::{OpenCycle, closed, is_open_cycle};
 pub use codes::{CodeRefusal, read_code};

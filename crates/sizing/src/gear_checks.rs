@@ -221,8 +221,7 @@ pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
         }
     };
     check.grade = Some(budget.grade());
-    let (root_sum_square, missing) = (budget.root_sum_square(), budget.missing.len());
-    check.notes.push(Note::Budget(Box::new(Budget { root_sum_square, deviation, missing })));
+    check.notes.push(Note::Budget(Box::new(Budget { errors: budget, deviation })));
     Ok(check)
 }
 

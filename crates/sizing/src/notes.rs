@@ -1,7 +1,7 @@
 //! Remarks on the result of a check.
 
 use crate::check::Amount;
-use actuator::Protection;
+use actuator::{ErrorBudget, Protection};
 use mechanism::Rope;
 use quantities::{
     Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Frequency, Length, Power,
@@ -245,15 +245,13 @@ pub struct ResonanceSpeeds {
     pub free: Option<[(AngularVelocity, AngularVelocity); 3]>,
 }
 
-/// Sum of the angular errors in other forms than in its check.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Angular errors behind the sum of their check.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Budget {
-    /// Root of the sum of squares.
-    pub root_sum_square: Angle,
+    /// Contributions, known and unknown.
+    pub errors: ErrorBudget,
     /// Worst case at the lever arm.
     pub deviation: Option<Length>,
-    /// Number of unknown contributions.
-    pub missing: usize,
 }
 
 impl Note {

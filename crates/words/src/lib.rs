@@ -5,6 +5,7 @@
 //! Nothing is computed here and nothing read.
 
 mod actuator_keys;
+mod angular_errors;
 mod assumptions;
 mod axis_faults;
 mod bodies;
@@ -64,11 +65,13 @@ pub mod terms;
 mod texts;
 mod toml_syntax;
 mod twin_keys;
+mod unmet;
 pub mod upkeep;
 mod usage;
 pub mod views;
 pub mod wiring;
 
+pub use angular_errors::error_kind_text;
 pub use assumptions::assumption_text;
 pub use axis_faults::battery_fault;
 pub use bodies::shape_title;
@@ -104,13 +107,14 @@ pub use results::{
     Counts, Provisos, advice_word, check_missing, check_title, condition_text, conditions_text, counts_text,
     curve_title, degree_of_protection, equation_text, evidence_text, figure_term, grade_about, grade_word, minutes,
     missing_data_text, part_title, proviso_text, ranking_rule, row_name, row_sign, source_text, standing_text,
-    symbol_term, title_of_check, unmet_text, verdict_count, verdict_word, without_limit,
+    symbol_term, title_of_check, verdict_count, verdict_word, without_limit,
 };
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;
 pub use stage::{ratios_text, stage_by_its_keys};
 pub use step_terms::{step_term, step_terms};
 pub use texts::{Text, Word};
+pub use unmet::unmet_text;
 pub use usage::{Usage, UsageHint, usage_hint, usage_text};
 
 use quantities::Language;

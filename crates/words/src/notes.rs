@@ -363,13 +363,13 @@ pub fn note_text(note: &Note, language: Language) -> String {
             )
         }
         Note::Budget(budget) => {
-            let Budget { root_sum_square, deviation, missing } = &**budget;
-            let root = with_unit(root_sum_square.si(), &ARCMINUTE, 3, language);
+            let Budget { errors, deviation } = &**budget;
+            let root = with_unit(errors.root_sum_square().si(), &ARCMINUTE, 3, language);
             let at_lever = deviation.map_or_else(String::new, |deviation| {
                 let deviation = with_unit(deviation.si(), &MILLIMETRE, 3, language);
                 said!(language => ", {deviation} at the lever arm" | ", {deviation} am Hebelarm")
             });
-            let open = match missing {
+            let open = match errors.missing.len() {
                 0 => String::new(),
                 1 => said!(language => "; one contribution is not known" | "; ein Beitrag ist nicht bekannt"),
                 count => {

@@ -123,6 +123,12 @@ texts! {
     what_would_let_it_in = "What would make it fit" | "Notwendige Änderung";
     close = "Close" | "Schließen";
     tools = "Tools" | "Werkzeuge";
+    angular_errors = "Angular errors at the output" | "Winkelfehler am Abtrieb";
+    angular_error = "Error" | "Fehler";
+    share_of_the_sum = "Share" | "Anteil";
+    error_not_known = "not known, counted as zero" | "nicht bekannt, als null gezählt";
+    sum_of_errors = "Sum, all in the same direction" | "Summe, alle in derselben Richtung";
+    root_of_errors = "Root sum square, independent" | "Wurzel aus der Quadratsumme, unabhängig";
     tool_of_codes_only(name) =
         "{name} is a product of a catalogue file. Of it only what the checks need is known; this page is about ordering codes of the built-in series."
         | "{name} ist ein Produkt einer Katalogdatei. Von ihm ist nur bekannt, was die Nachweise benötigen; diese Seite gilt für Bestellbezeichnungen der eingebauten Baureihe.";

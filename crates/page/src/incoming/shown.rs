@@ -46,7 +46,7 @@ pub(super) fn preview(request: &Request, found: &Examination) -> Markup {
                 @let drawing = figures::recording(file.name(), examined, l);
                 @let height = WIDTH * drawing.size_mm.1 / drawing.size_mm.0;
                 @let style = Style::new(Size::pixels(WIDTH, height)).theme(state.theme).language(l).id("incoming-curve");
-                figure.plot id="incoming-figure" { (PreEscaped(drawing.render(&style).into_svg())) }
+                figure.plot id="incoming-figure" tabindex="0" role="region" aria-label=(incoming::title(&file.name(), l)) { (PreEscaped(drawing.render(&style).into_svg())) }
             }
             @if let Some(preview) = &choices.preview { (columns(preview, choices, found, l)) }
             @if choices.has_torque() { (torque(request, l)) }
