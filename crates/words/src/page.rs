@@ -162,7 +162,7 @@ texts! {
     measured_elsewhere(what) =
         "Values marked “{what}” are entered and evaluated under “Measured values”."
         | "Mit „{what}“ gekennzeichnete Werte werden unter „Gemessene Werte“ eingegeben und ausgewertet.";
-    folder = "Working folder" | "Arbeitsordner";
+    folder = "Working folder, latest changes first" | "Arbeitsordner, zuletzt Geändertes zuerst";
     saved(name) = "Saved: {name}" | "Gespeichert: {name}";
     changed_on_disk(name) =
         "{name} has been changed on disk since it was opened and was not overwritten. Open it again, or save under another name."
