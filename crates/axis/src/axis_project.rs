@@ -16,10 +16,11 @@ use crate::tolerance;
 use crate::twin::{self, TwinInput};
 use configurator::{Product, Requirements};
 use order_code::{Option1, Option2};
-use project::sections::{AxisSection, StageSection};
+use project::sections::{AxisSection, Fields as _, StageSection, StatedField};
 use project::{Diagnostic, Fault, ReadProject, SegmentLaw, Tolerance};
 use quantities::Time;
 use sizing::Axis;
+use std::ops::Range as Span;
 use std::sync::Arc;
 
 /// One axis of a project, complete: load and motion, requirements, and the defaults that were used.
@@ -61,6 +62,14 @@ impl AxisProject {
     #[must_use]
     pub fn is_of_several(&self) -> bool {
         !self.root.head().path.is_empty()
+    }
+
+    /// Returns the place in the file of a stated value of the simulation or of its measured values, by its key.
+    #[must_use]
+    pub fn place_in_twin(&self, key: &str) -> Option<Span<usize>> {
+        let twin = self.root.parts.twin.get()?;
+        let measured = twin.measured.get().and_then(|measured| measured.field(key));
+        twin.field(key).or(measured).filter(|field| field.is_given()).map(StatedField::span)
     }
 
     /// Returns the catalogue with which the axis was read, with the user's curves.

@@ -6,7 +6,7 @@ use plot::{FaceChart, FacePin, Tone};
 use quantities::Language;
 use questions::list::wiring::{Connector, SignalGroup};
 use std::f64::consts::TAU;
-use words::{cell_text, wiring};
+use words::{cell_text, typeset, wiring};
 
 /// Returns the number of pins on each ring, from the outside: a schematic arrangement, since the figures of the manual
 /// are lost.
@@ -90,9 +90,9 @@ pub fn mating_face(code: &OrderCode, connector: &Connector, texts: PinTexts, lan
             None => drawn,
         });
     }
-    let description = wiring::face_described(&connector.poles, &connector.thread, &sentences.join(", "), language);
+    let description = wiring::face_described(&connector.poles, &typeset(connector.thread), &sentences.join(", "), language);
     let note = wiring::schematic(language);
-    let of = format!("{}, {code} ({})", wiring::role_name(connector.role, language), connector.kind.corrected);
+    let of = format!("{}, {code} ({})", wiring::role_name(connector.role, language), typeset(connector.kind.corrected));
     let size = if texts == PinTexts::Full { (135.0, 85.0) } else { (81.0, 60.0) };
     let chart = chart.note(note);
     let named = (note.to_owned(), description);

@@ -8,7 +8,6 @@ use crate::file_lines::in_words;
 use crate::markup::label_of;
 use project::key_at;
 use quantities::Language;
-use std::borrow::Cow;
 use words::{page, row_sign};
 
 /// Elements whose content is a quotation or no text.
@@ -85,41 +84,9 @@ fn attributes(tag: &str, language: Language, out: &mut String) {
     out.push_str(rest);
 }
 
-/// Returns a text with the signs of typesetting: `200 x 200` with the sign of multiplication, `0 ... 40` with an ellipsis, `-20`
-/// with a minus sign.
-fn signs(text: &str) -> Cow<'_, str> {
-    let is_digit = |sign: Option<char>| sign.is_some_and(|sign| sign.is_ascii_digit());
-    if !(text.contains(" x ") || text.contains("...") || text.contains('-')) {
-        return Cow::Borrowed(text);
-    }
-    let mut set = String::with_capacity(text.len() + 8);
-    let mut rest = text;
-    while let Some(at) = rest.find([' ', '.', '-']) {
-        let (before, behind) = rest.split_at(at);
-        set.push_str(before);
-        let last = set.chars().next_back();
-        let (sign, taken) = if behind.starts_with(" x ") && is_digit(last) {
-            (" × ", 3)
-        } else if behind.starts_with("...") {
-            ("…", 3)
-        } else if behind.starts_with('-')
-            && last.is_none_or(|last| matches!(last, ' ' | '('))
-            && is_digit(behind.chars().nth(1))
-        {
-            ("−", 1)
-        } else {
-            (behind.get(..1).unwrap_or_default(), 1)
-        };
-        set.push_str(sign);
-        rest = behind.get(taken..).unwrap_or_default();
-    }
-    set.push_str(rest);
-    Cow::Owned(set)
-}
-
 /// Writes a text with its symbols and keys set.
 fn words_of(text: &str, form: Form, language: Language, out: &mut String) {
-    let text = signs(text);
+    let text = words::typeset(text);
     let text = &*in_words(&text, language);
     if !text.contains(['_', '.', '[']) {
         out.push_str(text);

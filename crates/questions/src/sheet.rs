@@ -4,7 +4,7 @@ use catalogue::{Cell, Footnote, Value};
 use configurator::{Uncovered, sheet_cells, uncovered};
 use order_code::{Field, OrderCode};
 use quantities::{Language, format_significant};
-use words::{cell_text, decimal, terminal};
+use words::{cell_text, decimal, terminal, typeset};
 
 /// A remark on a value or a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -161,7 +161,7 @@ pub fn uncovered_mark(what: Uncovered) -> &'static str {
 #[must_use]
 pub fn sheet_value_text(row: &SheetRow, language: Language) -> String {
     let cell = row.cell;
-    let value = decimal(cell_text(cell, language), language);
+    let value = typeset(&decimal(cell_text(cell, language), language)).into_owned();
     if row.of_standard_only {
         return terminal::value_of_the_standard(&value, language);
     }
@@ -172,7 +172,7 @@ pub fn sheet_value_text(row: &SheetRow, language: Language) -> String {
     if cell.corrected == cell.printed {
         return value;
     }
-    let printed = decimal(cell.printed, language);
+    let printed = typeset(&decimal(cell.printed, language)).into_owned();
     terminal::value_and_print(&value, &printed, language)
 }
 

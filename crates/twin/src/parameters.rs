@@ -172,13 +172,14 @@ model! {
     /// Breakaway torque over the running torque at zero speed \[1\]: I_NLS is defined as the current that starts the
     /// motor.
     breakaway_ratio: Ratio = 1.0, Assumed;
-    /// Share of the kinematic error with one period per turn of the wave generator. A guess.
+    /// Relative amplitude of the kinematic error with one period per turn of the wave generator; the four amplitudes are
+    /// scaled together to the transmission accuracy. A guess.
     kinematic_share_1: Ratio = 0.15, Assumed;
-    /// Share with two periods per turn of the wave generator: the main line.
+    /// Relative amplitude with two periods per turn of the wave generator: the main line.
     kinematic_share_2: Ratio = 0.5, Assumed;
-    /// Share with four periods per turn of the wave generator. A guess.
+    /// Relative amplitude with four periods per turn of the wave generator. A guess.
     kinematic_share_4: Ratio = 0.1, Assumed;
-    /// Share with one period per turn of the output. A guess.
+    /// Relative amplitude with one period per turn of the output. A guess.
     kinematic_share_out: Ratio = 0.25, Assumed;
     /// Time constant of the KTY in the winding. A guess.
     sensor_lag: Time = 10.0, Assumed;
@@ -277,6 +278,17 @@ impl Parameters {
             (model.chopper_off.value, model.chopper_on.value) = (off.si() / supply.most_v, on.si() / supply.most_v);
         }
         Self { actuator: actuator.clone(), model, load: MeasuredLoad::default() }
+    }
+
+    /// Returns the keys of the first pair of which the lower value is above the upper one.
+    pub(crate) fn reversed(&self) -> Option<(&'static str, &'static str)> {
+        let Model { chopper_off, chopper_on, .. } = &self.model;
+        let [first, second] = [&self.actuator.gear.torque_1, &self.actuator.gear.torque_2].map(|torque| torque.known());
+        let pairs = [
+            ("chopper_off", Some(chopper_off.value), "chopper_on", Some(chopper_on.value)),
+            ("gear_torque_1", first.map(|known| known.value.si()), "gear_torque_2", second.map(|known| known.value.si())),
+        ];
+        pairs.into_iter().find_map(|(lower, low, upper, high)| (low? > high?).then_some((lower, upper)))
     }
 
     /// Returns all parameters in the fixed order of the exported file.

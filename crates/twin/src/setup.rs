@@ -195,6 +195,13 @@ pub enum Fault {
     },
     /// A value, by its key, is not finite or out of range.
     OutOfRange(&'static str),
+    /// A value is above the one that limits it, both by their keys: one may be stated and the other a default.
+    Above {
+        /// The value that is too large.
+        lower: &'static str,
+        /// The value that limits it.
+        upper: &'static str,
+    },
 }
 
 impl From<Missing> for Fault {

@@ -145,10 +145,8 @@ impl<'a> Twin<'a> {
         if most_v < least_v {
             return Err(Fault::OutOfRange("supply"));
         }
-        // One of both may be stated and the other a default.
-        let model = &setup.parameters.model;
-        if model.chopper_off.value > model.chopper_on.value {
-            return Err(Fault::OutOfRange("chopper_off"));
+        if let Some((lower, upper)) = setup.parameters.reversed() {
+            return Err(Fault::Above { lower, upper });
         }
         if matches!(setup.mechanism.kind, mechanism::MechanismKind::Joint(_)) {
             return Err(Fault::RecordedTorque);

@@ -171,11 +171,11 @@ pub(crate) const fn actuator_key_text(key: ActuatorValueName, language: Language
             "τ_w, thermische Zeitkonstante der Wicklung",
         ),
         ActuatorValueName::ambient_min => (
-            "lowest permitted ambient temperature in operation",
+            "lowest permissible ambient temperature in operation",
             "niedrigste zulässige Umgebungstemperatur im Betrieb",
         ),
         ActuatorValueName::ambient_max => (
-            "highest permitted ambient temperature in operation",
+            "highest permissible ambient temperature in operation",
             "höchste zulässige Umgebungstemperatur im Betrieb",
         ),
         ActuatorValueName::short_time_curve => (

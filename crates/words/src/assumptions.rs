@@ -20,7 +20,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
                 figure(noise.duration_s, &SECOND, language),
             );
             return said!(language =>
-                "the axis is taken as at rest (motion.standstill) where the recorded speed is only noise, up to {speed}, {time} in total: no friction there"
+                "standstill is assumed (motion.standstill) where the recorded speed is noise only, up to {speed}, {time} in total: no friction acts there"
                 | "Stillstand angesetzt (motion.standstill), solange die aufgezeichnete Drehzahl im Rauschen liegt, bis {speed}, insgesamt {time}: dort keine Reibung"
             );
         }
@@ -41,7 +41,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             ("no friction torque given: 0 Nm assumed", "kein Reibmoment angegeben: 0 Nm angenommen")
         }
         Assumption::Default(KeyDefault::AmbientWithinRange) => (
-            "no ambient temperature given: heating computed for the highest permitted (CHA: 40 °C), cold gear friction for 30 °C; colder starts are not covered",
+            "no ambient temperature given: heating computed for the highest permissible one (CHA: 40 °C), cold gear friction for 30 °C; colder starts are not covered",
             "keine Umgebungstemperatur angegeben: Erwärmung für die höchste zulässige (CHA: 40 °C) gerechnet, Reibung des kalten Getriebes für 30 °C; kältere Starts sind nicht abgedeckt",
         ),
         Assumption::ConditionsWithinRange => (
@@ -228,7 +228,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "Drehzahl und Beschleunigung sind ungeglättete Differenzenquotienten der aufgezeichneten Position: deren Rauschen erhöht das berechnete Moment",
         ),
         Assumption::RecordedModulo => (
-            "the recorded position starts again after one revolution (modulo axis): the axis is taken to turn on, the jumps of 360° are removed",
+            "the recorded position starts again after one revolution (modulo axis): continuous rotation is assumed, the jumps of 360° are removed",
             "die aufgezeichnete Position beginnt nach einer Umdrehung von vorn (Moduloachse): die Achse dreht weiter, die Sprünge um 360° sind herausgerechnet",
         ),
         Assumption::FlangeLoadsConstant => (
@@ -265,7 +265,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         ),
         Assumption::NoPayloadInDwell => (
             "no payload given for a dwell that follows a move with one: nothing is carried in it; if the payload stays, state it in the dwell too (motion.payload)",
-            "für eine Pause nach einer Bewegung mit Nutzlast ist keine angegeben: in ihr wird nichts getragen; bleibt die Nutzlast, ist sie auch in der Pause anzugeben (motion.payload)",
+            "für eine Rast nach einer Bewegung mit Nutzlast ist keine angegeben: in ihr wird nichts getragen; bleibt die Nutzlast, ist sie auch in der Rast anzugeben (motion.payload)",
         ),
         Assumption::PayloadInertiaWeightless => (
             "the additional moment of inertia of a segment (payload_inertia) adds no weight to the flange loads",
@@ -324,7 +324,7 @@ fn alternating_text(alternating: &Alternating, language: Language) -> String {
     let digit = 10_f64.powi(speed.log10().floor() as i32 - 1);
     let key = format_significant((speed / digit).ceil() * digit, 2, Language::En);
     said!(language =>
-        "{share} % of the recorded speeds, up to {below}, have another sign than the samples before and behind them: they count as motion with friction to and fro; if the axis is at rest there, state standstill = \"{key} 1/min\""
+        "{share} % of the recorded speeds, up to {below}, have another sign than the samples before and after them: they count as motion with friction of alternating direction; if the axis is at rest there, state standstill = \"{key} 1/min\""
         | "{share} % der aufgezeichneten Drehzahlen, bis {below}, haben ein anderes Vorzeichen als die Werte davor und dahinter: sie zählen als Bewegung mit wechselnder Reibung; steht die Achse dort, standstill = \"{key} 1/min\" angeben"
     )
 }
@@ -361,12 +361,12 @@ fn motionless_text(segment: usize, hidden_rad_s: f64, language: Language) -> Str
     if hidden_rad_s > 0.0 {
         let speed = figure(hidden_rad_s, &REVOLUTION_PER_MINUTE, language);
         return said!(language =>
-            "motion[{segment}]: the stated standstill is above the largest recorded speed, {speed}: the whole recording is taken as rest, and the torque at rest alone is judged"
+            "motion[{segment}]: the stated standstill is above the largest recorded speed, {speed}: the whole recording counts as standstill, and only the torque at standstill is evaluated"
             | "motion[{segment}]: die angegebene Grenze des Stillstands liegt über der größten aufgezeichneten Drehzahl, {speed}: die ganze Aufzeichnung gilt als Stillstand, bewertet wird nur das Drehmoment im Stillstand"
         );
     }
     said!(language =>
-        "motion[{segment}]: the axis does not move in this segment: the torque at rest alone is judged"
+        "motion[{segment}]: the axis does not move in this segment: only the torque at standstill is evaluated"
         | "motion[{segment}]: die Achse bewegt sich in diesem Abschnitt nicht: bewertet wird nur das Drehmoment im Stillstand"
     )
 }
@@ -392,7 +392,7 @@ fn overrun_text(overrun: &Overrun, language: Language) -> String {
     let change = if overrun.travel_m_per_rad.is_some() { "Geschwindigkeitsänderung" } else { "Drehzahländerung" };
     said!(language =>
         "segment {segment} covers {stated}, its change of speed alone takes {plain} at the stated acceleration: the axis makes up for the difference with a movement to and fro; distance = \"{key}\" is the plain change of speed"
-        | "Abschnitt {segment} ist {stated} lang, seine {change} allein braucht mit der angegebenen Beschleunigung {plain}: die Achse gleicht den Unterschied durch eine Hin- und Herbewegung aus; distance = \"{key}\" ergibt die einfache {change}"
+        | "Abschnitt {segment} ist {stated} lang, seine {change} allein erfordert mit der angegebenen Beschleunigung {plain}: die Achse gleicht den Unterschied durch eine Hin- und Herbewegung aus; distance = \"{key}\" ergibt die einfache {change}"
     )
 }
 
@@ -429,7 +429,7 @@ fn spurious_text(made_up: &MadeUp, torque_nm: f64, language: Language) -> String
             let remedy = match smoothing_s {
                 Some(_) => smoothing_text(smoothing_s, made_up.column, language),
                 None => {
-                    said!(language => "updates at even intervals are needed" | "nötig sind gleichmäßige Aktualisierungen")
+                    said!(language => "updates at equal intervals are required" | "erforderlich sind Aktualisierungen in gleichem Abstand")
                 }
             };
             said!(language =>
@@ -454,15 +454,15 @@ fn smoothing_text(smoothing_s: Option<f64>, column: SteppedColumn, language: Lan
             // A line of the project file has a decimal point.
             let window = format_significant(MILLISECOND.from_si(window), 4, Language::En);
             said!(language =>
-                "smoothing = \"{window} ms\" reduces them to a twentieth of it"
+                "smoothing = \"{window} ms\" reduces them to a twentieth"
                 | "smoothing = \"{window} ms\" senkt sie auf ein Zwanzigstel davon"
             )
         }
         (None, SteppedColumn::Position) => said!(language =>
-            "a recorded speed or more digits are needed"
-            | "nötig sind eine aufgezeichnete Drehzahl oder mehr Stellen"
+            "a recorded speed or more digits are required"
+            | "erforderlich sind eine aufgezeichnete Drehzahl oder mehr Stellen"
         ),
-        (None, SteppedColumn::Speed) => said!(language => "more digits are needed" | "nötig sind mehr Stellen"),
+        (None, SteppedColumn::Speed) => said!(language => "more digits are required" | "erforderlich sind mehr Stellen"),
     }
 }
 

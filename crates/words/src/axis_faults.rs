@@ -87,11 +87,11 @@ fn axis_fault_text(fault: &AxisFault, language: Language) -> String {
         ),
         AxisFault::ProductNamedAsCode { id } => said!(language =>
             "{id} is an ordering code of the built-in series, whose data come from its manual"
-            | "{id} ist eine Bestellbezeichnung der enthaltenen Baureihe, deren Daten aus ihrer Anleitung stammen"
+            | "{id} ist eine Bestellbezeichnung der mitgelieferten Baureihe, deren Daten aus ihrer Anleitung stammen"
         ),
         AxisFault::NothingOffered => said!(language =>
             "without the built-in series and without catalogue files no actuator is offered"
-            | "ohne die enthaltene Baureihe und ohne Katalogdateien steht kein Antrieb zur Auswahl"
+            | "ohne die mitgelieferte Baureihe und ohne Katalogdateien steht kein Antrieb zur Auswahl"
         ),
     }
 }

@@ -42,8 +42,8 @@ pub(super) fn fault(error: &BodyError, language: Language) -> String {
     match error {
         BodyError::DimensionOutOfRange { field, value } => positive(field, value.si(), &MILLIMETRE, *field == "inner"),
         BodyError::DimensionMissing { field } => said!(language =>
-            "`{field}` is missing: a mass from `density` and a body across the axis need it"
-            | "es fehlt `{field}`: eine Masse aus `density` und ein Körper quer zur Achse brauchen es"
+            "`{field}` is missing: required for a mass from `density` and for a body across the axis"
+            | "es fehlt `{field}`: erforderlich für eine Masse aus `density` und für einen Körper quer zur Achse"
         ),
         BodyError::InnerNotBelowOuter { .. } => said!(language =>
             "`inner` must be smaller than `outer`"

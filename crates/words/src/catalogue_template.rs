@@ -42,7 +42,7 @@ texts! {
         | "Getriebedaten des Antriebs, sonst die Leistungstabelle der Getriebebaureihe; Steifigkeit in drei Bereichen, Genauigkeiten am Abtrieb";
     bearing = "Output bearing" | "Abtriebslager";
     bearing_place =
-        "Table of the output bearing: load ratings, pitch diameter, permitted loads; the offset is measured from the flange"
+        "Table of the output bearing: load ratings, pitch diameter, permissible loads; the offset is measured from the flange"
         | "Tabelle des Abtriebslagers: Tragzahlen, Teilkreisdurchmesser, zulässige Lasten; der Abstand gilt vom Flansch";
     brake = "Holding brake" | "Haltebremse";
     brake_place =
@@ -61,6 +61,6 @@ texts! {
         "a format is chosen for a catalogue file only" | "ein Format wird nur für eine Katalogdatei gewählt";
     other_ending(ending) =
         "the file ends with .{ending}" | "die Datei endet mit .{ending}";
-    kind = "stock list or data sheets of any manufacturer, to be judged beside the built-in series"
-        | "Lagerliste oder Datenblätter beliebiger Hersteller, neben der enthaltenen Baureihe nachgewiesen";
+    kind = "stock list or data sheets of any manufacturer, to be evaluated together with the built-in series"
+        | "Lagerliste oder Datenblätter beliebiger Hersteller, zusammen mit der mitgelieferten Baureihe bewertet";
 }

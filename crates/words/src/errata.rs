@@ -20,7 +20,7 @@ pub fn marked(value: String, errata: &[&str]) -> String {
 pub fn erratum_kind(kind: ErratumKind, language: Language) -> &'static str {
     let (en, de) = match kind {
         ErratumKind::Recovery => ("recovered text", "wiederhergestellter Text"),
-        ErratumKind::PrintError => ("print error", "Druckfehler"),
+        ErratumKind::PrintError => ("printing error", "Druckfehler"),
         ErratumKind::Contradiction => ("contradiction", "Widerspruch"),
         ErratumKind::Rounding => ("rounding", "Rundung"),
         ErratumKind::Edition => ("different edition", "andere Ausgabe"),
@@ -33,7 +33,7 @@ pub fn erratum_kind(kind: ErratumKind, language: Language) -> &'static str {
 pub fn erratum_status(corrected: bool, language: Language) -> &'static str {
     match (corrected, language) {
         (true, Language::En) => "corrected",
-        (true, Language::De) => "korrigiert",
+        (true, Language::De) => "berichtigt",
         (false, Language::En) => "flagged",
         (false, Language::De) => "offen",
     }

@@ -82,7 +82,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("16 turns draw the pins together by 160 mm", "16 Umdrehungen ziehen die Bolzen um 160 mm zusammen"),
     // four-bar
     (
-        "A four-bar linkage that swings a gate to and fro while the crank goes round.",
+        "A four-bar linkage that swings a gate to and fro while the crank rotates.",
         "Ein Gelenkviereck, das eine Klappe hin und her schwenkt, während die Kurbel umläuft.",
     ),
     ("\"four-bar linkage\"", "\"Gelenkviereck\""),
@@ -92,7 +92,7 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("rocker and gate about the pivot", "Schwinge und Klappe um den Drehpunkt"),
     ("the linkage stands upright", "das Gelenkviereck steht senkrecht"),
     // conveyor
-    ("A conveyor that moves on by one pitch and waits.", "Ein Förderer, der um eine Teilung weitertaktet und wartet."),
+    ("A conveyor that indexes by one pitch and dwells.", "Ein Förderer, der um eine Teilung weitertaktet und wartet."),
     ("\"conveyor\"", "\"Förderer\""),
     ("belt and goods", "Band und Fördergut"),
     ("all rollers, referred to the driving one", "alle Rollen, auf die Antriebsrolle bezogen"),
@@ -248,15 +248,15 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("of the belt", "des Riemens"),
     ("in every segment; against the positive direction", "in jedem Abschnitt; entgegen der positiven Richtung"),
     (
-        "A conveyor that moves on by one pitch and waits. What is not stated is assumed, and listed with the answer.",
+        "A conveyor that indexes by one pitch and dwells. What is not stated is assumed, and listed with the answer.",
         "Ein Förderband, das um eine Teilung weiterrückt und wartet. Was nicht angegeben ist, wird angenommen und mit dem Ergebnis aufgeführt.",
     ),
-    ("of the driving roller", "der Antriebswalze"),
-    ("rollers, referred to the driving one", "Walzen, auf die treibende bezogen"),
+    ("of the driving roller", "der Antriebsrolle"),
+    ("rollers, referred to the driving one", "Rollen, auf die treibende bezogen"),
     ("of the belt on its bed", "des Bands auf dem Gleitbett"),
     ("of the drive", "des Antriebsstrangs"),
     (
-        "A four-bar linkage whose crank goes round and swings a rocker. What is not stated is assumed, and listed with the answer.",
+        "A four-bar linkage whose rotating crank swings a rocker. What is not stated is assumed, and listed with the answer.",
         "Ein Gelenkviereck, dessen Kurbel umläuft und eine Schwinge bewegt. Was nicht angegeben ist, wird angenommen und mit dem Ergebnis aufgeführt.",
     ),
     ("between the fixed pivots", "zwischen den Gestelldrehpunkten"),
@@ -330,8 +330,8 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("outwards is upwards; otherwise horizontal", "auswärts ist aufwärts; sonst waagerecht"),
     ("against the slide on its way outwards", "gegen den Schlitten auf dem Weg nach außen"),
     (
-        "A round table, to and fro. What is not stated is assumed, and listed with the answer.",
-        "Ein Rundtisch, hin und zurück. Was nicht angegeben ist, wird angenommen und mit dem Ergebnis aufgeführt.",
+        "A turntable, to and fro. What is not stated is assumed, and listed with the answer.",
+        "Ein Drehtisch, hin und zurück. Was nicht angegeben ist, wird angenommen und mit dem Ergebnis aufgeführt.",
     ),
     ("seals and cable drag", "Dichtungen und Kabelzug"),
     ("further bodies: a table each", "weitere Körper: je eine Tabelle"),

@@ -268,8 +268,8 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
             said!(language => "unknown unit \"{written}\"" | "unbekannte Einheit „{written}“")
         }
         Fault::NoTolerance => said!(language =>
-            "no tolerance here: the window of a recording is read once"
-            | "hier keine Toleranz: das Fenster einer Aufzeichnung wird einmal gelesen"
+            "no tolerance permitted here: the window of a recording is read only once"
+            | "Toleranz hier nicht zulässig: das Fenster einer Aufzeichnung wird nur einmal gelesen"
         ),
         Fault::RatioAndRatios => said!(language =>
             "`stage.ratio` states one ratio, `stage.ratios` several to choose from: use only one of the two keys"
@@ -350,8 +350,8 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
         Fault::WebTooShort { length_m, ramps_m } => {
             let [length, ramps] = [length_m, ramps_m].map(|metres| format_significant(*metres, 4, language));
             said!(language =>
-                "the roll has {length} m of web; {ramps} m pass while it accelerates and brakes"
-                | "der Wickel hat {length} m Bahn; beim Beschleunigen und Bremsen laufen {ramps} m durch"
+                "the roll has {length} m of web; accelerating and braking take up {ramps} m"
+                | "der Wickel hat {length} m Bahn; Beschleunigen und Bremsen erfordern {ramps} m"
             )
         }
         Fault::RodTooShort => said!(language =>

@@ -23,8 +23,8 @@ texts! {
         "Value of a key for this call, in place of that of the file, such as mechanism.belt.mass=20kg"
         | "Wert eines Schlüssels für diesen Aufruf, anstelle dessen der Datei, etwa mechanism.belt.mass=20kg";
     catalogue_file =
-        "Catalogue file in TOML or CSV, whose products are judged beside the built-in series"
-        | "Katalogdatei in TOML oder CSV, deren Produkte neben der enthaltenen Baureihe nachgewiesen werden";
+        "Catalogue file in TOML or CSV, whose products are evaluated together with the built-in series"
+        | "Katalogdatei in TOML oder CSV, deren Produkte zusammen mit der mitgelieferten Baureihe bewertet werden";
     scale =
         "Factor for this call: load=1.15 (masses and moments of inertia with payloads), payload=2, time=0.8 or distance=2"
         | "Faktor für diesen Aufruf: load=1,15 (Massen und Trägheitsmomente mit Nutzlasten), payload=2, time=0,8 oder distance=2";
@@ -255,7 +255,7 @@ texts! {
         "Propose cells with other units or shifted decimal marks that resolve findings; writes nothing"
         | "Zellen mit anderen Einheiten oder verschobenem Komma vorschlagen, die Befunde auflösen; schreibt nichts";
     catalogue_check_exit =
-        "Exit status: 0 no finding, 1 implausible values, 2 faults of a file"
+        "Exit code: 0 no finding, 1 implausible values, 2 faults of a file"
         | "Rückgabewert: 0 kein Befund, 1 unplausible Werte, 2 Fehler einer Datei";
     catalogue_format = "csv (default) or json" | "csv (Vorgabe) oder json";
     antrieb =

@@ -10,7 +10,7 @@ texts! {
     doubts = "signals that contradict their columns" | "Signale im Widerspruch zu ihren Spalten";
     no_lines =
         "No lines for the project: the estimates are not valid until the signals are corrected."
-        | "Keine Zeilen für das Projekt: Die Schätzwerte gelten erst, wenn die Signale korrigiert sind.";
+        | "Keine Zeilen für das Projekt: Die Schätzwerte gelten erst, wenn die Signale berichtigt sind.";
     method(windows, length) =
         "Estimated from {windows} windows of {length} ms in motion; position and motor speed are weighted and integrated, not differentiated."
         | "Geschätzt aus {windows} Fenstern von {length} ms in Bewegung; Position und Motordrehzahl werden gewichtet und integriert, nicht differenziert.";
@@ -18,7 +18,7 @@ texts! {
         "The intervals hold for the scale of torque_nm as it is: values 5 % too large make inertia, friction, weight, external torque and torque constant 5 % too large. Current and rotor show a wrong scale only from about 20 % on."
         | "Die Intervalle setzen den Maßstab von torque_nm voraus: um 5 % zu große Werte machen Massenträgheitsmoment, Reibung, Gewichtsmoment, äußeres Moment und Drehmomentkonstante um 5 % zu groß. Strom und Rotor zeigen einen falschen Maßstab erst ab etwa 20 %.";
     payloads_off(share, half) =
-        "The run shows {share} (± {half}) times the payloads and process torques that the moves of the project add: they are stated wrong, or torque_nm has another scale. The estimates take them as stated."
+        "The run shows {share} (± {half}) times the payloads and process torques that the moves of the project add: they are stated incorrectly, or torque_nm has another scale. The estimates take them as stated."
         | "Der Lauf zeigt das {share}-Fache (± {half}) der Nutzlasten und Prozessmomente, die die Bewegungen des Projekts hinzufügen: sie sind falsch angegeben, oder torque_nm hat einen anderen Maßstab. Die Schätzung übernimmt sie wie angegeben.";
     assumed_rotor(inertia, spread) =
         "Assumed: rotor and wave generator have {inertia} kgm² at the output (table, less the share of the flange), standard deviation {spread} %."
@@ -66,12 +66,12 @@ texts! {
         "An offset of torque_nm would appear as external torque. The run excludes one of more than {most} Nm if current_q_a has none, and the interval of the external torque includes it; offsets of both that cancel each other do not show."
         | "Ein Versatz von torque_nm erschiene als äußeres Moment. Mehr als {most} Nm schließt der Lauf aus, wenn current_q_a keinen Versatz hat, und das Intervall des äußeren Moments enthält ihn; Versätze beider, die sich aufheben, zeigen sich nicht.";
     zero_of_torque(torque, current) =
-        "torque_nm has an offset of {torque} Nm, it seems: the external torque deviates from that of the project by as much, and current_q_a, {current} A beside it, does not contain it. If the project is right, subtract the offset from torque_nm. The motor parameters take it into account; no line states the external torque."
+        "torque_nm apparently has an offset of {torque} Nm: the external torque deviates from that of the project by as much, and current_q_a, {current} A beside it, does not contain it. If the project is right, subtract the offset from torque_nm. The motor parameters take it into account; no line states the external torque."
         | "torque_nm hat offenbar einen Versatz von {torque} Nm: um so viel weicht das äußere Moment vom Projekt ab, und current_q_a enthält ihn nicht ({current} A daneben). Stimmt das Projekt, den Versatz von torque_nm abziehen. Die Motorparameter berücksichtigen ihn; keine Zeile gibt das äußere Moment an.";
     about(value) = "about {value}" | "etwa {value}";
     factor_of_convention(factor) = "(exact factor of this convention: {factor})" | "(genauer Faktor dieser Konvention: {factor})";
     unit_row(line, units) =
-        "line {line} holds other units than the columns: {units}; convert the values and delete the line"
+        "line {line} contains other units than the columns: {units}; convert the values and delete the line"
         | "Zeile {line} enthält andere Einheiten als die der Spalten: {units}; Werte umrechnen und die Zeile löschen";
     unit_with_factor(heading, unit, factor) = "{heading} in {unit}, values times {factor}" | "{heading} in {unit}, Werte mal {factor}";
     too_many_rows(rows, most, seconds) =
@@ -95,7 +95,7 @@ texts! {
     heading_with_factor(heading, written, factor) =
         "{heading} for {written}, its values times {factor}" | "{heading} statt {written}, die Werte mal {factor}";
     headings_below(line, before) =
-        "; line {line} holds headings of a run: delete lines 1 to {before}, or begin each with #"
+        "; line {line} contains headings of a run: delete lines 1 to {before}, or begin each with #"
         | "; Zeile {line} enthält Überschriften eines Laufs: Zeilen 1 bis {before} löschen oder jede mit # beginnen";
     time_of_day(line, written) =
         "line {line}: {written} in time_s is a date or a time of day: write seconds as numbers, in every row"
@@ -181,27 +181,27 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "das {value}-Fache der Drehzahl aus der Position: entgegengesetzte Zählrichtung (der Motor dreht entgegengesetzt zum Abtrieb); Vorzeichen umkehren",
         ),
         (Column::Position, Misread::Degrees) => (
-            "degrees, it seems, {value} times the radians of the other signals or of the project: multiply positions and speeds in degrees by π/180",
+            "apparently degrees, {value} times the radians of the other signals or of the project: multiply positions and speeds in degrees by π/180",
             "offenbar Grad, das {value}-Fache der Radiant anderer Signale oder des Projekts: Positionen und Drehzahlen in Grad mit π/180 multiplizieren",
         ),
         (_, Misread::Degrees) => (
-            "{value} times the speed of the position: degrees per second, it seems; multiply by π/180",
+            "{value} times the speed of the position: apparently degrees per second; multiply by π/180",
             "das {value}-Fache der Drehzahl aus der Position: offenbar Grad je Sekunde; mit π/180 multiplizieren",
         ),
         (_, Misread::Turns) => (
-            "{value} times the position of the project's motion: revolutions, it seems; multiply by 2π",
+            "{value} times the position of the project's motion: apparently revolutions; multiply by 2π",
             "das {value}-Fache der Position in der Bewegung des Projekts: offenbar Umdrehungen; mit 2π multiplizieren",
         ),
         (_, Misread::PerMinute) => (
-            "{value} times the speed of the position: revolutions per minute, it seems; multiply by 2π/60",
+            "{value} times the speed of the position: apparently revolutions per minute; multiply by 2π/60",
             "das {value}-Fache der Drehzahl aus der Position: offenbar Umdrehungen je Minute; mit 2π/60 multiplizieren",
         ),
         (Column::Torque, Misread::MotorShaft) => (
-            "{value} times what project or table give: the torque of the motor shaft, it seems; the column is the torque through the gear at the output: multiply torque_nm by i",
+            "{value} times what project or table give: apparently the torque of the motor shaft; the column is the torque through the gear at the output: multiply torque_nm by i",
             "das {value}-Fache dessen, was Projekt oder Tabelle ergeben: offenbar das Moment der Motorwelle; die Spalte ist das Moment durch das Getriebe am Abtrieb: torque_nm mit i multiplizieren",
         ),
         (Column::Position, Misread::MotorShaft) => (
-            "{value} times the position of the project's motion: the angle of the motor shaft, it seems; divide by i",
+            "{value} times the position of the project's motion: apparently the angle of the motor shaft; divide by i",
             "das {value}-Fache der Position in der Bewegung des Projekts: offenbar der Winkel der Motorwelle; durch i teilen",
         ),
         (_, Misread::MotorShaft) => (
@@ -209,19 +209,19 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "das {value}-Fache der Drehzahl aus der Position: nicht durch i geteilt; durch i teilen, bei negativem Wert durch −i",
         ),
         (_, Misread::MotorShaftPerMinute) => (
-            "{value} times the speed of the position: revolutions per minute of the motor shaft, it seems; multiply by 2π/60 and divide by i, where it is negative by −i",
+            "{value} times the speed of the position: apparently revolutions per minute of the motor shaft; multiply by 2π/60 and divide by i, where it is negative by −i",
             "das {value}-Fache der Drehzahl aus der Position: offenbar Umdrehungen je Minute der Motorwelle; mit 2π/60 multiplizieren und durch i teilen, bei negativem Wert durch −i",
         ),
         (_, Misread::Milliseconds) => (
-            "{value} times the speed of the position: the time is in milliseconds, it seems; divide time_s by 1000",
+            "{value} times the speed of the position: apparently the time is in milliseconds; divide time_s by 1000",
             "das {value}-Fache der Drehzahl aus der Position: die Zeit steht offenbar in Millisekunden; time_s durch 1000 teilen",
         ),
         (_, Misread::Minutes) => (
-            "{value} times the speed of the position: the time is in minutes, it seems; multiply time_s by 60",
+            "{value} times the speed of the position: apparently the time is in minutes; multiply time_s by 60",
             "das {value}-Fache der Drehzahl aus der Position: die Zeit steht offenbar in Minuten; time_s mit 60 multiplizieren",
         ),
         (_, Misread::Magnitude) => (
-            "never negative, though the other signals require both signs: absolute values, it seems; record the signal with its sign",
+            "never negative, though the other signals require both signs: apparently absolute values; record the signal with its sign",
             "nie negativ, obwohl die anderen Signale beide Vorzeichen verlangen: offenbar Beträge; das Signal mit Vorzeichen aufzeichnen",
         ),
         (_, Misread::Frozen) => (
@@ -233,7 +233,7 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "derselbe Verlauf wie in einer anderen Spalte, das {value}-Fache ihrer Werte: eines der beiden Signale ist aus dem anderen berechnet oder steht in der falschen Spalte; jedes Signal selbst aufzeichnen",
         ),
         (_, Misread::Outlier) => (
-            "single values far beside those before and behind, the first at {value} s: faults of the recording; delete these rows",
+            "single values far from those before and after, the first at {value} s: recording errors; delete these rows",
             "einzelne Werte weit neben den Werten davor und danach, der erste bei {value} s: Fehler der Aufzeichnung; diese Zeilen löschen",
         ),
         (_, Misread::Jump) => (
@@ -241,51 +241,51 @@ pub fn doubt(column: Column, misread: Misread, value: &str, language: Language) 
             "springt bei {value} s von einer Zeile zur nächsten: die Position wurde neu gesetzt, oder Zeilen fehlen; den Lauf davor oder danach verwenden",
         ),
         (_, Misread::Rms) => (
-            "the torque constant is {value} times that of the table, more than motor and gear can give: rms values, it seems; the column is the peak value of a phase, √2 times as large",
+            "the torque constant is {value} times that of the table, more than motor and gear can give: apparently rms values; the column is the peak value of a phase, √2 times as large",
             "die Drehmomentkonstante ist das {value}-Fache der Tabelle, mehr als Motor und Getriebe geben: offenbar Effektivwerte; die Spalte ist der Scheitelwert eines Strangs, √2-mal so groß",
         ),
         (_, Misread::PowerInvariant) => (
-            "the torque constant is {value} times that of the table: i_q of a power-invariant transformation, it seems; multiply by √(2/3)",
+            "the torque constant is {value} times that of the table: apparently i_q of a power-invariant transformation; multiply by √(2/3)",
             "die Drehmomentkonstante ist das {value}-Fache der Tabelle: offenbar i_q einer leistungsinvarianten Transformation; mit √(2/3) multiplizieren",
         ),
         (_, Misread::PeakTwice) => (
-            "the torque constant is {value} times that of the table: √2 times the peak value of a phase, it seems; divide by √2",
+            "the torque constant is {value} times that of the table: apparently √2 times the peak value of a phase; divide by √2",
             "die Drehmomentkonstante ist das {value}-Fache der Tabelle: offenbar das √2-Fache des Scheitelwerts eines Strangs; durch √2 teilen",
         ),
         (_, Misread::NewtonCentimetres) => (
-            "{value} times what current, payloads and project give: N cm, it seems; divide torque_nm by 100",
+            "{value} times what current, payloads and project give: apparently N cm; divide torque_nm by 100",
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar N cm; torque_nm durch 100 teilen",
         ),
         (_, Misread::NewtonMillimetres) => (
-            "{value} times what current, payloads and project give: N mm (mN m), it seems; divide torque_nm by 1000",
+            "{value} times what current, payloads and project give: apparently N mm (mN m); divide torque_nm by 1000",
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar N mm (mN m); torque_nm durch 1000 teilen",
         ),
         (_, Misread::KilonewtonMetres) => (
-            "{value} times what current, payloads and project give: kN m, it seems; multiply torque_nm by 1000",
+            "{value} times what current, payloads and project give: apparently kN m; multiply torque_nm by 1000",
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar kN m; torque_nm mit 1000 multiplizieren",
         ),
         (_, Misread::PoundForceFeet) => (
-            "{value} times what current, payloads and project give: lbf ft, it seems; multiply torque_nm by 1.3558",
+            "{value} times what current, payloads and project give: apparently lbf ft; multiply torque_nm by 1.3558",
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar lbf ft; torque_nm mit 1,3558 multiplizieren",
         ),
         (_, Misread::PoundForceInches) => (
-            "{value} times what current, payloads and project give: lbf in, it seems; multiply torque_nm by 0.11298",
+            "{value} times what current, payloads and project give: apparently lbf in; multiply torque_nm by 0.11298",
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar lbf in; torque_nm mit 0,11298 multiplizieren",
         ),
         (_, Misread::OunceForceInches) => (
-            "{value} times what current, payloads and project give: ozf in, it seems; multiply torque_nm by 0.0070616",
+            "{value} times what current, payloads and project give: apparently ozf in; multiply torque_nm by 0.0070616",
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar ozf in; torque_nm mit 0,0070616 multiplizieren",
         ),
         (_, Misread::KilogramForceMetres) => (
-            "{value} times what current, payloads and project give: kgf m or a tenth of N m, it seems; multiply torque_nm by 9.80665, or by 10",
+            "{value} times what current, payloads and project give: apparently kgf m or a tenth of N m; multiply torque_nm by 9.80665, or by 10",
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar kgf m oder ein Zehntel von N m; torque_nm mit 9,80665 oder mit 10 multiplizieren",
         ),
         (_, Misread::KilogramForceCentimetres) => (
-            "{value} times what current, payloads and project give: kgf cm or ten times N m, it seems; multiply torque_nm by 0.0980665, or by 0.1",
+            "{value} times what current, payloads and project give: apparently kgf cm or ten times N m; multiply torque_nm by 0.0980665, or by 0.1",
             "das {value}-Fache dessen, was Strom, Nutzlasten und Projekt ergeben: offenbar kgf cm oder das Zehnfache von N m; torque_nm mit 0,0980665 oder mit 0,1 multiplizieren",
         ),
         (_, Misread::Milliamperes) => (
-            "the torque constant is {value} times that of the table: milliamperes, it seems; divide current_q_a by 1000",
+            "the torque constant is {value} times that of the table: apparently milliamperes; divide current_q_a by 1000",
             "die Drehmomentkonstante ist das {value}-Fache der Tabelle: offenbar Milliampere; current_q_a durch 1000 teilen",
         ),
         (_, Misread::PayloadMissing) => (

@@ -80,7 +80,7 @@ texts! {
     acceleration_about =
         "Largest acceleration for each width of the smoothing window:" | "Größte Beschleunigung je Breite des Glättungsfensters:";
     no_smoothing = "none" | "keine";
-    removes_steps = "proposed: reduces the effect of the steps to a twentieth" | "Vorschlag: verringert den Einfluss der Schritte auf ein Zwanzigstel";
+    removes_steps = "proposed: reduces the effect of the steps to a twentieth" | "Vorschlag: verringert den Einfluss der Quantisierungsschritte auf ein Zwanzigstel";
     other_window = "other width" | "andere Breite";
     peak_later =
         "The peak torque follows with the answer about the torque and a load." | "Das Spitzendrehmoment folgt mit der Angabe zum Drehmoment und einer Last.";
@@ -105,8 +105,8 @@ texts! {
         | "Das aufgezeichnete Drehmoment ersetzt die Last des Projekts. Entfernt: {list}. Rückgängig stellt sie wieder her.";
     place = "Motion of the axis" | "Bewegung der Achse";
     replaces = "replaces the motion" | "ersetzt die Bewegung";
-    is_added_behind = "is added behind the motion" | "wird an die Bewegung angehängt";
-    runs_once = "Single move: the axis is not required to end as it begins" | "Einzelfahrt: Die Achse muss nicht so enden, wie sie beginnt";
+    is_added_behind = "is appended to the motion" | "wird an die Bewegung angehängt";
+    runs_once = "Single move: the axis is not required to end as it begins" | "Einmalige Bewegung: Die Achse muss nicht so enden, wie sie beginnt";
     load_later = "Optional: it can also be stated later." | "Optional: Die Angabe kann auch später folgen.";
     load_missing = "The load is missing: choose its mechanism" | "Die Last fehlt: die Mechanik wählen";
     line_missing =
@@ -118,9 +118,9 @@ texts! {
     state_mechanism = "State the mechanism first." | "Zuerst die Mechanik angeben.";
     still_open = "Still open in the project afterwards" | "Danach im Projekt noch offen";
     unusable = "The file cannot be used like this" | "So lässt sich die Datei nicht verwenden";
-    no_table(name) = "{name} holds no table of numbers." | "{name} enthält keine Tabelle mit Zahlen.";
+    no_table(name) = "{name} contains no table of numbers." | "{name} enthält keine Tabelle mit Zahlen.";
     text_is_faulty =
-        "The text of the project is no valid TOML; the recording can be used after that is mended."
+        "The text of the project is not valid TOML; the recording can be used once it has been corrected."
         | "Der Text des Projekts ist kein gültiges TOML; danach lässt sich die Aufzeichnung verwenden.";
     use_it = "Use it" | "Verwenden";
     answer_first = "Answer the question about the torque first." | "Zuerst die Frage zum Drehmoment beantworten.";

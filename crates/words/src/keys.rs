@@ -40,8 +40,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         About::ActuatorValue(key) => return actuator_key_text(key, language),
         About::Actuator(ActuatorName::name) => ("name of the actuator", "Name des Antriebs"),
         About::Root(RootName::catalogue) => (
-            "products of other manufacturers, judged beside the built-in series",
-            "Produkte anderer Hersteller, neben der enthaltenen Baureihe nachgewiesen",
+            "products of other manufacturers, evaluated together with the built-in series",
+            "Produkte anderer Hersteller, zusammen mit der mitgelieferten Baureihe bewertet",
         ),
         About::Catalogue(CatalogueName::files) => (
             "catalogue files in TOML or CSV, relative to the project",
@@ -49,10 +49,10 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Catalogue(CatalogueName::cha) => (
             "false: the built-in series is not offered",
-            "false: die enthaltene Baureihe steht nicht zur Auswahl",
+            "false: die mitgelieferte Baureihe steht nicht zur Auswahl",
         ),
         About::CatalogueFile(CatalogueFileName::catalogue) => (
-            "statements that hold for all products of the file",
+            "statements that apply to all products of the file",
             "Angaben, die für alle Produkte der Datei gelten",
         ),
         About::CatalogueFile(CatalogueFileName::actuator) => (
@@ -139,8 +139,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "T_L, Reibmoment am Abtrieb; wirkt jeder Bewegung entgegen; null, wenn keine Reibung angegeben ist",
         ),
         About::Friction(FrictionName::viscous_friction) => (
-            "friction at the output proportional to the speed",
-            "drehzahlproportionale Reibung am Abtrieb",
+            "viscous friction at the output, proportional to the speed",
+            "viskose Reibung am Abtrieb, proportional zur Drehzahl",
         ),
         About::Friction(FrictionName::external_torque) => (
             "constant torque at the output against the positive direction; does not change sign with the motion",

@@ -97,7 +97,7 @@ pub use notes::note_text;
 pub use plain::without_keys;
 pub use print::{
     cell_text, decimal, document_note, document_short, document_title, erratum_readings, own_and_foreign, short,
-    table_note, table_title, term_remark, word_meaning,
+    table_note, table_title, term_remark, typeset, word_meaning,
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
 pub use project_page::project_page;

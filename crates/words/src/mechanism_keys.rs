@@ -94,7 +94,7 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
             "pitch diameter of the driving pulley or pinion",
             "Wirkdurchmesser der Antriebsscheibe oder des Ritzels",
         ),
-        MechanismName::Conveyor(ConveyorName::roller_diameter) => ("diameter of the driving roller", "Durchmesser der Antriebswalze"),
+        MechanismName::Conveyor(ConveyorName::roller_diameter) => ("diameter of the driving roller", "Durchmesser der Antriebsrolle"),
         MechanismName::SliderCrank(SliderCrankName::crank) => ("crank radius", "Kurbelradius"),
         MechanismName::SliderCrank(SliderCrankName::rod) => ("rod length, longer than the crank", "Pleuellänge, größer als der Kurbelradius"),
         MechanismName::Table(TableName::points) => (

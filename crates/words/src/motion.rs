@@ -374,7 +374,7 @@ pub(crate) fn web_of_winder(web_m_s: Option<f64>, diameters_m: [f64; 2], languag
             let [at_start, at_core] = diameters_m.map(speed);
             said!(language =>
                 "the diameter changes with every turn, n = v/(π D): speed = \"{at_start} 1/min\" at the start diameter {start}, \"{at_core} 1/min\" at the core {core}; at a constant line speed over the whole roll: law = \"web\""
-                | "der Durchmesser ändert sich mit jeder Umdrehung, n = v/(π D): speed = \"{at_start} 1/min\" am Anfangsdurchmesser {start}, \"{at_core} 1/min\" am Kern {core}; bei konstanter Bahngeschwindigkeit über den ganzen Wickel: law = \"web\""
+                | "der Durchmesser ändert sich mit jeder Umdrehung, n = v/(π D): speed = \"{at_start} 1/min\" am Anfangsdurchmesser {start}, \"{at_core} 1/min\" an der Hülse {core}; bei konstanter Bahngeschwindigkeit über den ganzen Wickel: law = \"web\""
             )
         }
         None => {
@@ -382,7 +382,7 @@ pub(crate) fn web_of_winder(web_m_s: Option<f64>, diameters_m: [f64; 2], languag
             let [at_start, at_core] = diameters_m.map(wound);
             said!(language =>
                 "the diameter changes with every turn: state turns of the roll in rev; one turn winds {at_start} m at the start diameter {start}, {at_core} m at the core {core}"
-                | "der Durchmesser ändert sich mit jeder Umdrehung: Umdrehungen der Rolle in rev angeben; eine Umdrehung wickelt {at_start} m am Anfangsdurchmesser {start}, {at_core} m am Kern {core}"
+                | "der Durchmesser ändert sich mit jeder Umdrehung: Umdrehungen des Wickels in rev angeben; eine Umdrehung wickelt {at_start} m am Anfangsdurchmesser {start}, {at_core} m an der Hülse {core}"
             )
         }
     }

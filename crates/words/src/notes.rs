@@ -58,7 +58,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             | "für die angegebene Aufstellhöhe nicht gemindert; die Minderung gehört zum Nachweis Aufstellhöhe"
         ),
         Note::DeratesThisCheckOnly => said!(language =>
-            "the derating applies to the continuous torque in this check; continuous torque, winding temperature and overload I²t on their own are judged without it, and so is the twin"
+            "the derating applies to the continuous torque in this check; continuous torque, winding temperature and overload I²t on their own are evaluated without it, as is the twin"
             | "die Minderung gilt für das Dauerdrehmoment in diesem Nachweis; die Nachweise Dauerdrehmoment, Wicklungstemperatur und Überlast I²t und der Zwilling rechnen ohne sie"
         ),
         Note::Protection { required, printed } => said!(language =>
@@ -318,8 +318,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
             )
         }
         Note::NoSpeedHeld => said!(language =>
-            "the cycle holds no speed constant: passing a resonance is permitted"
-            | "der Zyklus hält keine Drehzahl konstant; das Durchfahren einer Resonanz ist zulässig"
+            "no speed of the cycle is constant: passing through a resonance is permitted"
+            | "der Zyklus enthält keine konstante Drehzahl; das Durchfahren einer Resonanz ist zulässig"
         ),
         Note::ResonanceSpeeds(speeds) => {
             let ResonanceSpeeds { blocked, free } = &**speeds;

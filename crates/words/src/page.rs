@@ -17,7 +17,7 @@ texts! {
         | "Wählen Sie die nächstliegende Anwendung; wenige Angaben führen zu einem ersten Ergebnis, alles lässt sich später ändern.";
     or_an_example = "or start with an example" | "oder mit einem Beispiel beginnen";
     what_this_is =
-        "antrieb sizes servo actuators: it judges every actuator of the catalogue for a load and a motion, and derives each figure from its source."
+        "antrieb sizes servo actuators: it evaluates every actuator of the catalogue for a load and a motion, and derives each figure from its source."
         | "antrieb legt Servoantriebe aus: Für eine Last und eine Bewegung wird jeder Antrieb des Katalogs bewertet und jede Zahl aus ihrer Quelle hergeleitet.";
     or_a_file = "or open a project file" | "oder eine Projektdatei öffnen";
     first_answer = "First result" | "Erstes Ergebnis";
@@ -72,7 +72,7 @@ texts! {
     text_of_the_file = "File (TOML)" | "Datei (TOML)";
     text_about =
         "The same file as used by the command line and all other interfaces; changes made here appear on the page and vice versa."
-        | "Dieselbe Datei, die auch Kommandozeile und alle anderen Schnittstellen verwenden; Änderungen hier erscheinen auf der Seite und umgekehrt.";
+        | "Dieselbe Datei, die auch Befehlszeile und alle anderen Schnittstellen verwenden; Änderungen hier erscheinen auf der Seite und umgekehrt.";
     further(count) = "1 further entry" | "1 weitere Angabe", "{count} further entries" | "{count} weitere Angaben";
     mechanism = "Mechanism" | "Mechanik";
     what_it_is = "Type" | "Art";
@@ -308,7 +308,7 @@ texts! {
         | "Von oben nach unten Position, Geschwindigkeit und Beschleunigung über der Zeit";
     trapezoid_with_pause = "trapezoid with pause" | "Trapez mit Pause";
     move_up(name) = "Move {name} up" | "{name} nach oben";
-    once_more(name) = "Duplicate {name}" | "{name} verdoppeln";
+    once_more(name) = "Duplicate {name}" | "{name} duplizieren";
     recognised(name) = "{name} (recognised)" | "{name} (erkannt)";
     no_column = "no column" | "keine Spalte";
     unit_of(name) = "Unit of {name}" | "Einheit von {name}";
@@ -353,10 +353,10 @@ texts! {
     sort_by(column) = "Sort by {column}" | "Nach {column} ordnen";
     load_hangs = "load not held" | "Last nicht gehalten";
     arithmetic_number_missing =
-        "a number is missing behind an operator" | "hinter einem Rechenzeichen fehlt eine Zahl";
+        "a number is missing after an operator" | "hinter einem Rechenzeichen fehlt eine Zahl";
     arithmetic_parenthesis = "a parenthesis has no counterpart" | "eine Klammer hat kein Gegenstück";
     arithmetic_unit_inside(unit) =
-        "write the unit once, behind the whole expression: 2*5 {unit}" | "die Einheit einmal hinter den ganzen Ausdruck schreiben: 2*5 {unit}";
+        "write the unit once, after the whole expression: 2*5 {unit}" | "die Einheit einmal hinter den ganzen Ausdruck schreiben: 2*5 {unit}";
     arithmetic_separators =
         "write numbers without separators between the digits and with a decimal point: 1000.5"
         | "Zahlen ohne Trennzeichen zwischen den Ziffern und mit Dezimalkomma schreiben: 1000,5";
@@ -367,7 +367,7 @@ texts! {
         "the expression is longer or deeper than a field allows (200 characters, 20 parentheses)"
         | "der Ausdruck ist länger oder tiefer, als ein Feld zulässt (200 Zeichen, 20 Klammern)";
     arithmetic_no_unit =
-        "there is no unit behind the expression" | "hinter dem Ausdruck steht keine Einheit";
+        "there is no unit after the expression" | "hinter dem Ausdruck steht keine Einheit";
     asked_values =
         "State what defines the machine; arithmetic such as 2*0.3 is computed. Everything else is assumed, and listed with the result."
         | "Angeben, was die Maschine bestimmt; Rechnungen wie 2*0,3 werden ausgewertet. Alles Weitere wird angenommen und mit dem Ergebnis aufgeführt.";

@@ -126,10 +126,10 @@ pub const fn plausibility_reason(rule: PlausibilityRuleId, language: Language) -
         ),
         PlausibilityRuleId::BackEmf | PlausibilityRuleId::BackEmfAtOutputSpeed => (
             "at maximum speed the peak of the induced voltage is near the DC link voltage: above it the motor needs field weakening; usual causes: V per 1000 min⁻¹ and V s/rad confused, output and motor speed confused",
-            "bei maximaler Drehzahl liegt der Scheitelwert der induzierten Spannung nahe der Zwischenkreisspannung: darüber braucht der Motor Feldschwächung; übliche Ursachen: V je 1000 min⁻¹ und V s/rad verwechselt, Abtriebs- und Motordrehzahl verwechselt",
+            "bei maximaler Drehzahl liegt der Scheitelwert der induzierten Spannung nahe der Zwischenkreisspannung: darüber erfordert der Motor Feldschwächung; übliche Ursachen: V je 1000 min⁻¹ und V s/rad verwechselt, Abtriebs- und Motordrehzahl verwechselt",
         ),
         PlausibilityRuleId::CopperLoss => (
-            "the copper loss of I_0 is what a body of this mass gives off: 0.03 m² of surface per kg^(2/3), 10 W/(m² K) in still air and up to ten times as much through plate or coolant, 10 K to 100 K",
+            "a body of this mass dissipates the copper loss of I_0: 0.03 m² of surface per kg^(2/3), 10 W/(m² K) in still air and up to ten times as much through plate or coolant, 10 K to 100 K",
             "die Kupferverluste von I_0 gibt ein Körper dieser Masse ab: 0,03 m² Oberfläche je kg^(2/3), 10 W/(m² K) in ruhender Luft und bis zum Zehnfachen über Platte oder Kühlmittel, 10 K bis 100 K",
         ),
         PlausibilityRuleId::NoLoadCurrent => (
@@ -148,7 +148,7 @@ pub const fn plausibility_reason(rule: PlausibilityRuleId, language: Language) -
             "das wiederholte Spitzendrehmoment übersteigt das Kollisionsdrehmoment des Getriebes nicht",
         ),
         PlausibilityRuleId::MeanTorqueOfGear => (
-            "the permitted mean torque does not exceed the momentary peak torque of the gear",
+            "the permissible mean torque does not exceed the momentary peak torque of the gear",
             "das zulässige mittlere Drehmoment übersteigt das Kollisionsdrehmoment des Getriebes nicht",
         ),
         PlausibilityRuleId::RatedTorqueOfGear => (
@@ -168,11 +168,11 @@ pub const fn plausibility_reason(rule: PlausibilityRuleId, language: Language) -
             "dynamische und statische Tragzahl eines Abtriebslagers liegen in einer Größenordnung; übliche Ursache: N und kN verwechselt",
         ),
         PlausibilityRuleId::TiltingMoment => (
-            "the permitted tilting moment is a part of load rating times pitch diameter; usual cause: mm and m, N and kN confused",
+            "the permissible tilting moment is a part of load rating times pitch diameter; usual cause: mm and m, N and kN confused",
             "das zulässige Kippmoment ist ein Teil von Tragzahl mal Teilkreisdurchmesser; übliche Ursache: mm und m, N und kN verwechselt",
         ),
         PlausibilityRuleId::BrakeTorque => (
-            "the torque of the holding brake holds at the output; usual cause: stated at the motor",
+            "the torque of the holding brake applies at the output; usual cause: stated at the motor",
             "das Drehmoment der Haltebremse gilt am Abtrieb; übliche Ursache: am Motor angegeben",
         ),
         PlausibilityRuleId::HollowShaft => {

@@ -3,6 +3,7 @@
 use crate::pick;
 use catalogue::{Cell, Erratum, Footnote, ManualTable, ProductWord, SourceDocument, Term};
 use quantities::Language;
+use std::borrow::Cow;
 
 /// Returns the title of a printed table.
 #[must_use]
@@ -20,6 +21,39 @@ pub const fn table_note(note: &Footnote, language: Language) -> &'static str {
 #[must_use]
 pub fn cell_text(cell: &Cell, language: Language) -> &'static str {
     pick(language, cell.corrected_en(), cell.corrected)
+}
+
+/// Returns a text of the manual with the signs of typesetting: `200 x 200` with the sign of multiplication, `0 ... 40` with an
+/// ellipsis, `-20` with a minus sign.
+#[must_use]
+pub fn typeset(text: &str) -> Cow<'_, str> {
+    let is_digit = |sign: Option<char>| sign.is_some_and(|sign| sign.is_ascii_digit());
+    if !(text.contains(" x ") || text.contains("...") || text.contains('-')) {
+        return Cow::Borrowed(text);
+    }
+    let mut set = String::with_capacity(text.len() + 8);
+    let mut rest = text;
+    while let Some(at) = rest.find([' ', '.', '-']) {
+        let (before, behind) = rest.split_at(at);
+        set.push_str(before);
+        let last = set.chars().next_back();
+        let (sign, taken) = if behind.starts_with(" x ") && is_digit(last) {
+            (" × ", 3)
+        } else if behind.starts_with("...") {
+            ("…", 3)
+        } else if behind.starts_with('-')
+            && last.is_none_or(|last| matches!(last, ' ' | '('))
+            && is_digit(behind.chars().nth(1))
+        {
+            ("−", 1)
+        } else {
+            (behind.get(..1).unwrap_or_default(), 1)
+        };
+        set.push_str(sign);
+        rest = behind.get(taken..).unwrap_or_default();
+    }
+    set.push_str(rest);
+    Cow::Owned(set)
 }
 
 /// Returns the recovered text of an erratum, if any, then the printed and the correct text.
@@ -84,4 +118,21 @@ pub fn decimal(text: &str, language: Language) -> String {
     let numeric = text.chars().all(|c| c.is_ascii_digit() || " ,.<>≤≥±%-".contains(c));
     let mark = language.decimal_mark();
     if numeric { text.chars().map(|sign| if sign == ',' { mark } else { sign }).collect() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_of_the_manual_have_the_signs_of_typesetting() {
+        for (text, expected) in [
+            ("200 x 200 x 6", "200 × 200 × 6"),
+            ("1 x KTY 84-130 / M17 x 1", "1 × KTY 84-130 / M17 × 1"),
+            ("-20 ... 60 (-5)", "−20 … 60 (−5)"),
+            ("CHA-14A-100, part 2-6, - and an x here", "CHA-14A-100, part 2-6, - and an x here"),
+        ] {
+            assert_eq!(typeset(text), expected);
+        }
+    }
 }

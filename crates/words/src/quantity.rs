@@ -104,7 +104,7 @@ pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String
         )),
         QuantityError::WrongQuantity { expected, .. } => Some(units(*expected, language)),
         QuantityError::FlywheelEffect { found, .. } => Some(said!(language =>
-            "write \"GD^2 {found}\" behind the number if it is GD²: then it is divided by 4"
+            "write \"GD^2 {found}\" after the number if it is GD²: then it is divided by 4"
             | "„GD^2 {found}“ hinter die Zahl schreiben, wenn sie GD² angibt: dann wird sie durch 4 geteilt"
         )),
         QuantityError::ToleranceNegative { .. } => None,

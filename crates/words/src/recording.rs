@@ -126,7 +126,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::HeadingOfUnits { columns } => heading_of_units(columns, language),
         Fault::TimesDiffer { at, column, numbers: [first, second] } => (
             said!(language =>
-                "{}: the columns {first} and {second} are both named {} and hold different times"
+                "{}: the columns {first} and {second} are both named {} and contain different times"
                 | "{}: die Spalten {first} und {second} heißen beide {} und enthalten verschiedene Zeiten", place(*at, language), q(column)
             ),
             Some(said!(language =>
@@ -282,7 +282,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 None => {
                     let (valid, key) = (valid_units(*role, language), role_key(*role));
                     said!(language =>
-                        "{valid}; whatever the file says, units = {{ {key} = \"…\" }} states it in the project"
+                        "{valid}; regardless of the file, units = {{ {key} = \"…\" }} states it in the project"
                         | "{valid}; unabhängig von der Datei gibt units = {{ {key} = \"…\" }} sie im Projekt an"
                     )
                 }

@@ -19,11 +19,11 @@ texts! {
         "mating coupling for {connector} {kind}" | "Kabelkupplung für {connector} {kind}";
     cable_of(role) = "cable of the {role}" | "Leitung, {role}";
     cable_to_choose(cable, goal, lengths) = "{cable}; for {goal}; length {lengths}" | "{cable}; für {goal}; Länge {lengths}";
-    length_code(letters) = "{letters} by the drive manufacturer" | "{letters} nach Angabe des Reglerherstellers";
+    length_code(letters) = "{letters} by the drive manufacturer" | "{letters} nach Angabe des Herstellers des Servoreglers";
     number_in_doubt =
         "number in doubt, ask before ordering"
         | "Nummer zweifelhaft, vor der Bestellung nachfragen";
-    number_corrected = "with a print error corrected" | "mit berichtigtem Druckfehler";
+    number_corrected = "with a printing error corrected" | "mit berichtigtem Druckfehler";
     by_choice = "as required" | "wahlweise";
     transmits(torque) = "transmits {torque}" | "überträgt {torque}";
     no_such_erratum(text) =

@@ -274,7 +274,7 @@ texts! {
         | "Nichts zu bestellen: der Antrieb ist nicht geeignet.";
     segments_of_a_single_move =
         "Segments of a single move that does not return to its start. Rms values and heating assume that such moves follow each other directly."
-        | "Abschnitte einer einzelnen Bewegung, die nicht zum Anfang zurückkehrt. Effektivwerte und Erwärmung nehmen an, dass solche Bewegungen unmittelbar aufeinander folgen.";
+        | "Abschnitte einer einmaligen Bewegung, die nicht zum Anfang zurückkehrt. Effektivwerte und Erwärmung nehmen an, dass solche Bewegungen unmittelbar aufeinander folgen.";
     v_does_not_fit_text =
         "At least one limit is exceeded or one requirement not met."
         | "Mindestens ein Grenzwert ist überschritten oder eine Anforderung nicht erfüllt.";

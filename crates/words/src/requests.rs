@@ -6,7 +6,7 @@ texts! {
     title = "antrieb over HTTP" | "antrieb über HTTP";
     about =
         "The use cases of the command line. A response is identical, byte for byte, to the output of the same command with --json when it reads the project from standard input; if there is no answer, the response has status 422 and lists all faults."
-        | "Die Anwendungsfälle der Kommandozeile. Eine Antwort stimmt Byte für Byte mit der Ausgabe desselben Befehls mit --json überein, wenn dieser das Projekt von der Standardeingabe liest; ist keine Antwort möglich, hat sie den Status 422 und nennt alle Fehler.";
+        | "Die Anwendungsfälle der Befehlszeile. Eine Antwort stimmt Byte für Byte mit der Ausgabe desselben Befehls mit --json überein, wenn dieser das Projekt von der Standardeingabe liest; ist keine Antwort möglich, hat sie den Status 422 und nennt alle Fehler.";
     answered = "the answer" | "die Antwort";
     not_answered = "reasons why there is no answer" | "Gründe, warum keine Antwort möglich ist";
     project_body = "the text of a project file (TOML)" | "der Text einer Projektdatei (TOML)";

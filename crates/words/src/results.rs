@@ -74,7 +74,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::Thermal => ("winding temperature", "Wicklungstemperatur"),
         CheckId::OverloadI2t => ("overload I²t", "Überlast I²t"),
         CheckId::GearMeanInputSpeed => ("mean input speed", "mittlere Eingangsdrehzahl"),
-        CheckId::CollisionTorque => ("collision torque", "Kollisionsmoment"),
+        CheckId::CollisionTorque => ("collision torque", "Kollisionsdrehmoment"),
         CheckId::ResonanceSpeed => ("resonance speed", "Resonanzdrehzahl"),
         CheckId::ErrorBudget => ("error budget", "Fehlersumme"),
         CheckId::BrakeHolding => ("brake, holding torque", "Haltemoment der Bremse"),

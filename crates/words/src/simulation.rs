@@ -86,7 +86,7 @@ texts! {
     resonance_blocked = "resonance with locked rotor" | "Resonanz bei blockiertem Rotor";
     resonance_free = "resonance with free rotor" | "Resonanz bei freiem Rotor";
     stop_time = "stopping time" | "Anhaltezeit";
-    stop_angle = "stopping distance" | "Anhalteweg";
+    stop_angle = "stopping angle" | "Anhaltewinkel";
     brake_rest = "brake closed at standstill" | "Bremse im Stillstand geschlossen";
     brake_moving = "brake closed in motion" | "Bremse in Bewegung geschlossen";
     data_ratio = "reduction ratio" | "Untersetzung";
@@ -163,6 +163,9 @@ texts! {
         "with these gains the {name} is unstable: reduce {key}; the limit of stability is at {limit} % of it"
         | "mit diesen Reglerparametern schwingt die {name} auf: {key} verringern; die Stabilitätsgrenze liegt bei {limit} % davon";
     refused_range(key) = "{key} is out of range" | "{key} liegt außerhalb seines Bereichs";
+    refused_above(lower, upper) =
+        "{lower} is above {upper}: state both"
+        | "{lower} ist größer als {upper}: beide angeben";
     too_many_steps(steps, most) =
         "{steps} steps exceed the limit of {most}" | "{steps} Schritte überschreiten die Grenze von {most}";
     too_many_steps_besides(steps, besides, most) =
@@ -183,7 +186,7 @@ texts! {
     refused_every(period) =
         "the interval between two rows must be at least {period} µs, one period of the current controller"
         | "der Abstand zweier Zeilen muss mindestens {period} µs betragen, eine Periode der Stromregelung";
-    too_many_rows(rows, most) = "{rows} rows of the trace exceed the limit of {most}: state a longer --every" | "{rows} Zeilen des Verlaufs überschreiten die Grenze von {most}: ein längeres --every angeben";
+    too_many_rows(rows, most) = "{rows} rows of the trace exceed the limit of {most}: state a longer --every" | "{rows} Zeilen des Verlaufs überschreiten die Grenze von {most}: ein größeres --every angeben";
     trace = "trace of the simulation" | "Verlauf der Simulation";
     trace_about = "one row per instant; values at the output unless the name contains motor" | "eine Zeile je Zeitpunkt; Werte am Abtrieb, sofern der Name nicht motor enthält";
     picture_of_a_run = "this picture shows a simulation run: use `antrieb simulate`" | "dieses Bild zeigt einen Simulationslauf: `antrieb simulate` verwenden";
@@ -247,7 +250,7 @@ texts! {
     measured = "actual value in the drive" | "Istwert im Servoregler";
     of_the_motor = "motor / ratio" | "Motor/Untersetzung";
     peak_of_a_phase = "peak of a phase" | "Scheitelwert eines Strangs";
-    sensor = "winding temperature sensor" | "Wicklungsfühler";
+    sensor = "winding temperature sensor" | "Temperatursensor der Wicklung";
     voltage = "voltage" | "Spannung";
     dc_link = "DC link" | "Zwischenkreis";
     dc_link_high = "DC link at the highest mains" | "Zwischenkreis bei höchster Netzspannung";
@@ -326,7 +329,7 @@ pub fn event_title(event: EventKind, language: Language) -> String {
         }
         EventKind::Demagnetisation => ("demagnetisation current reached", "Entmagnetisierungsstrom erreicht"),
         EventKind::CollisionTorque => {
-            ("collision torque of the gear exceeded", "Kollisionsmoment des Getriebes überschritten")
+            ("collision torque of the gear exceeded", "Kollisionsdrehmoment des Getriebes überschritten")
         }
         EventKind::Overspeed => ("speed too high", "Drehzahl zu hoch"),
         EventKind::Diverged => ("the run diverges and is stopped", "der Lauf divergiert und wird abgebrochen"),
@@ -341,7 +344,7 @@ pub fn failure_title(failure: Option<Failure>, language: Language) -> String {
         Some(Failure::Track) => ("no signal from one track or winding", "kein Signal einer Spur oder Wicklung"),
         Some(Failure::Amplitude) => ("signals at a quarter of their level", "Signale mit einem Viertel ihres Pegels"),
         Some(Failure::Cable) => ("signal loss", "Signalverlust"),
-        Some(Failure::Check) => ("words received with a wrong bit", "Telegramme mit einem falschen Bit"),
+        Some(Failure::Check) => ("words received with a wrong bit", "Datenwörter mit einem falschen Bit"),
         Some(Failure::ErrorBit) => ("the encoder reports an error", "der Geber meldet einen Fehler"),
         Some(Failure::DataLine) => ("the data line stays low", "die Datenleitung bleibt auf niedrigem Pegel"),
         None => ("turns lost due to empty battery", "Umdrehungen durch leere Batterie verloren"),
@@ -359,9 +362,9 @@ pub fn finding_title(finding: Finding, language: Language) -> String {
             "gezählter Winkel weicht von den Kommutierungssignalen ab",
         ),
         Finding::Sector => ("all commutation signals equal", "Kommutierungssignale alle gleich"),
-        Finding::Start => ("word without start bit", "Telegramm ohne Startbit"),
-        Finding::Check => ("word with wrong checksum", "Telegramm mit falscher Prüfsumme"),
-        Finding::ErrorBit => ("error bit of the word", "Fehlerbit des Telegramms"),
+        Finding::Start => ("word without start bit", "Datenwort ohne Startbit"),
+        Finding::Check => ("word with wrong checksum", "Datenwort mit falscher Prüfsumme"),
+        Finding::ErrorBit => ("error bit of the word", "Fehlerbit des Datenworts"),
         Finding::Difference => {
             ("absolute position deviates from the counted one", "absolute Position weicht von der gezählten ab")
         }
@@ -419,5 +422,6 @@ pub fn simulation_fault(fault: &Fault, language: Language) -> String {
             }
         }
         Fault::OutOfRange(key) => crate::simulation::refused_range(key, language),
+        Fault::Above { lower, upper } => crate::simulation::refused_above(lower, upper, language),
     }
 }

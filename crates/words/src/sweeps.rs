@@ -70,7 +70,7 @@ texts! {
         | "der Dateiname der Ergebnisse muss auf .csv, .csv.gz oder .parquet enden";
     parquet_elsewhere =
         "a Parquet table is read by `antrieb sweep` of the command line and in Python only"
-        | "eine Parquet-Tabelle lesen nur `antrieb sweep` auf der Kommandozeile und Python";
+        | "eine Parquet-Tabelle lesen nur `antrieb sweep` auf der Befehlszeile und Python";
     unreadable(file, why) = "{file}: not readable as a table: {why}" | "{file}: als Tabelle nicht lesbar: {why}";
     rest_unchecked(faults) =
         "{faults}; the rest of the table was not checked"

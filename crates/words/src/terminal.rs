@@ -181,8 +181,8 @@ texts! {
         "{title}: this check does not apply to this axis and actuator"
         | "{title}: dieser Nachweis entfällt bei dieser Achse mit diesem Antrieb";
     nothing_to_sample =
-        "the project has no tolerances, so nothing is sampled"
-        | "das Projekt hat keine Toleranzen, also wird nichts gezogen";
+        "the project has no tolerances: there are no samples"
+        | "das Projekt hat keine Toleranzen: es gibt keine Stichproben";
     state_a_tolerance =
         "leave it out, or state one, such as mass = \"30 kg ± 5 %\""
         | "weglassen, oder eine angeben, etwa mass = '30 kg ± 5 %'";
@@ -233,7 +233,7 @@ texts! {
         "1 erratum"
         | "1 Druckfehler",
         "{count} errata: {corrected} corrected, {flagged} flagged"
-        | "{count} Druckfehler: {corrected} korrigiert, {flagged} offen";
+        | "{count} Druckfehler: {corrected} berichtigt, {flagged} offen";
     value_and_used(value, used) = "{value} (checks: {used})" | "{value} (Nachweise: {used})";
     used_by_checks(used, corrected) =
         "{used} in checks, {corrected} elsewhere"

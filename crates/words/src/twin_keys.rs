@@ -62,10 +62,10 @@ pub(crate) const fn replaced_key_text(name: ReplacedName, language: Language) ->
         ReplacedName::flange_inertia_share => ("share of the actuator inertia rotating with the flange", "mit dem Flansch umlaufender Anteil des eigenen Massenträgheitsmoments"),
         ReplacedName::gear_damping_ratio => ("damping ratio of the gear", "Dämpfungsgrad des Getriebes"),
         ReplacedName::breakaway_ratio => ("ratio of breakaway torque to running torque at zero speed", "Verhältnis von Losbrechmoment zu Laufmoment bei Drehzahl null"),
-        ReplacedName::kinematic_share_1 => ("share of the kinematic error once per turn of the wave generator", "Anteil des kinematischen Fehlers einmal je Umdrehung des Wave Generators"),
-        ReplacedName::kinematic_share_2 => ("share twice per turn of the wave generator", "Anteil zweimal je Umdrehung des Wave Generators"),
-        ReplacedName::kinematic_share_4 => ("share four times per turn of the wave generator", "Anteil viermal je Umdrehung des Wave Generators"),
-        ReplacedName::kinematic_share_out => ("share once per turn of the output", "Anteil einmal je Umdrehung des Abtriebs"),
+        ReplacedName::kinematic_share_1 => ("relative amplitude of the kinematic error once per turn of the wave generator; the four amplitudes are scaled together to the transmission accuracy", "relative Amplitude des kinematischen Fehlers, einmal je Umdrehung des Wave Generators; die vier Amplituden werden gemeinsam auf die Übertragungsgenauigkeit skaliert"),
+        ReplacedName::kinematic_share_2 => ("relative amplitude twice per turn of the wave generator", "relative Amplitude, zweimal je Umdrehung des Wave Generators"),
+        ReplacedName::kinematic_share_4 => ("relative amplitude four times per turn of the wave generator", "relative Amplitude, viermal je Umdrehung des Wave Generators"),
+        ReplacedName::kinematic_share_out => ("relative amplitude once per turn of the output", "relative Amplitude, einmal je Umdrehung des Abtriebs"),
         ReplacedName::sensor_lag => ("time constant of the KTY in the winding", "Zeitkonstante des KTY in der Wicklung"),
         ReplacedName::ptc_lag => ("time constant of the PTC in the winding", "Zeitkonstante des PTC in der Wicklung"),
         ReplacedName::ptc_response_temperature => ("response temperature of the PTC", "Ansprechtemperatur des PTC"),
@@ -80,7 +80,7 @@ pub(crate) const fn replaced_key_text(name: ReplacedName, language: Language) ->
         ReplacedName::load_coulomb => ("Coulomb friction of the load", "Coulomb-Reibung der Last"),
         ReplacedName::load_viscous => ("viscous friction of the load", "viskose Reibung der Last"),
         ReplacedName::load_gravity => ("gravity torque of the load at its largest lever arm", "Gewichtsmoment der Last am größten Hebelarm"),
-        ReplacedName::load_gravity_angle => ("angle of the centre of mass above the horizontal at position 0", "Winkel des Schwerpunkts über der Waagerechten in Position 0"),
+        ReplacedName::load_gravity_angle => ("angle of the centre of mass above the horizontal at position zero", "Winkel des Schwerpunkts über der Waagerechten in Nullposition"),
         ReplacedName::load_external => ("external torque of the load", "äußeres Moment der Last"),
     };
     pick(language, en, de)

@@ -28,7 +28,7 @@ pub fn date_text(date: NaiveDate) -> String {
 #[must_use]
 pub fn task_title(task: Task, language: Language) -> String {
     let (en, de) = match task {
-        Task::StorageEnd => ("permitted storage ends", "zulässige Lagerung endet"),
+        Task::StorageEnd => ("permissible storage ends", "zulässige Lagerung endet"),
         Task::Cleaning => ("clean housing and mounting plate", "Gehäuse und Montageplatte reinigen"),
         Task::Cables => ("inspect cables and cable carrier", "Leitungen und Energiekette kontrollieren"),
         Task::ProtectiveEarth => ("inspect the protective earth", "Schutzleiter kontrollieren"),

@@ -15,7 +15,7 @@ texts! {
     peak_about =
         "A higher peak shortens the segment, a lower one lengthens it; what is stated of time, speed and acceleration follows"
         | "Eine höhere Spitze verkürzt den Abschnitt, eine niedrigere verlängert ihn; die angegebenen Werte von Zeit, Geschwindigkeit und Beschleunigung folgen";
-    way_back_follows = "Let the way back follow" | "Rückweg angleichen";
+    way_back_follows = "Adjust the return move" | "Rückweg angleichen";
     single_move = "Make it a single move" | "Als einmalige Bewegung";
     law = "Law" | "Gesetz";
     distance = "Distance" | "Weg";
@@ -37,7 +37,7 @@ texts! {
     next_steps = "Next steps" | "Nächste Schritte";
     is_stated = "stated" | "angegeben";
     is_open = "still open" | "noch offen";
-    then_actuators = "Then the actuators that fit stand here, each with its checks." | "Danach stehen hier die geeigneten Antriebe mit ihren Nachweisen.";
+    then_actuators = "The suitable actuators then appear here, each with its checks." | "Danach stehen hier die geeigneten Antriebe mit ihren Nachweisen.";
     load_not_sought(samples) =
         "A smaller load was not searched: each trial computes the load at {samples} instants again."
         | "Eine kleinere Last wurde nicht gesucht: Jeder Versuch berechnet die Last an {samples} Zeitpunkten neu.";

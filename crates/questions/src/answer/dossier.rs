@@ -22,7 +22,7 @@ use sizing::{Check, Reserve};
 use std::sync::Arc;
 use words::{
     Counts, capitalised, check_missing, describe_token, document_note, document_title, records, short, source_text,
-    terms, title_of_check, unpadded, wiring,
+    terms, title_of_check, typeset, unpadded, wiring,
 };
 
 /// Collects all results for an axis and the chosen actuator.
@@ -214,7 +214,7 @@ fn connected(
     for connector in &found.connectors {
         let Some(number) = connector.mating else { continue };
         let name = wiring::role_name(connector.role, language);
-        let text = capitalised(&records::mating_coupling_of(&name, &connector.kind.corrected, language));
+        let text = capitalised(&records::mating_coupling_of(&name, &typeset(connector.kind.corrected), language));
         add("1".into(), number.corrected.to_owned(), text, Some(source(number)));
     }
     if found.cables.is_empty() {

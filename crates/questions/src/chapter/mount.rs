@@ -5,7 +5,8 @@ use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue
 use provenance::Grade;
 use quantities::{Language, format_number};
 use words::{
-    ERRATUM_MARK, capitalised, grade_word, marked, mounting, row_sign, step_title, terminal, terms, verdict_word,
+    ERRATUM_MARK, capitalised, grade_word, marked, mounting, row_sign, step_title, terminal, terms, typeset,
+    verdict_word,
 };
 
 /// Returns the mounting of a code.
@@ -91,7 +92,7 @@ fn fits(chapter: &mut Chapter, pilots: &[Pilot], language: Language) {
 fn values<'v>(chapter: &mut Chapter, values: impl Iterator<Item = &'v MountValue>, language: Language) {
     let shown = |each: &MountValue| match &each.value {
         TableCell::Number(number) => marked(plain(Some(*number), language), &each.errata),
-        TableCell::Text(text) => marked(text.clone(), &each.errata),
+        TableCell::Text(text) => marked(typeset(text).into_owned(), &each.errata),
         _ => mounting::not_printed(language).to_owned(),
     };
     grid(

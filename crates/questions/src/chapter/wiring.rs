@@ -6,7 +6,7 @@ use answers::{
 };
 use quantities::{Language, format_number, format_significant};
 use std::fmt::Write as _;
-use words::{ERRATUM_MARK, capitalised, evidence_text, marked, terminal, terms, verdict_word, wiring};
+use words::{ERRATUM_MARK, capitalised, evidence_text, marked, terminal, terms, typeset, verdict_word, wiring};
 
 /// Returns the wiring of a code, with the drawings of its mating faces if the face can show them.
 #[must_use]
@@ -57,7 +57,7 @@ fn connected(chapter: &mut Chapter, connector: &Connector, record: &Wiring, lang
     let [kind, pins] = connector.tables;
     let table = terminal::table(language);
     let name = capitalised(wiring::role_name(*connector.role, language));
-    chapter.section(format!("{name}: {}{exit} ({table} {kind}, {table} {pins})", connector.kind));
+    chapter.section(format!("{name}: {}{exit} ({table} {kind}, {table} {pins})", typeset(connector.kind)));
     let mating = [
         connector.material_number.map(|number| wiring::mating_coupling(&number, language)),
         connector.outer_diameter.map(|value| wiring::outer_diameter(&value, language)),

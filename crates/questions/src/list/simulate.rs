@@ -17,9 +17,9 @@ use configurator::ProductId;
 use feedback::Failure;
 use quantities::unit::HOUR;
 use quantities::{Language, Length, Measure, Time, format_significant};
-use twin::{CURRENT_RATE_HZ, Operation, Reaction, Scenario};
+use twin::{CURRENT_RATE_HZ, Fault, Operation, Reaction, Scenario};
 pub use twin::{Part, ScenarioId};
-use words::{help, help::values, simulation};
+use words::{Worded, help, help::values, simulation};
 
 arguments! {
     /// Arguments of `simulate`: axis, actuator, scenario.
@@ -210,9 +210,51 @@ impl Args {
         simulate(project, self.code.as_ref(), wanted, StepLimit::of(inquiry.refuses_long), inquiry.progress).map_err(
             |why| match why {
                 NotRun::Refused(refusal) => refusal.into(),
+                NotRun::Fault(fault) => self.unanswered(&fault, project, inquiry),
                 other => Unanswered::message(said(&other, inquiry.language)),
             },
         )
+    }
+
+    /// Returns the refusal of the twin, at the value of the file that causes it.
+    fn unanswered(&self, fault: &Fault, project: &AxisProject, inquiry: &Inquiry<'_>) -> Unanswered {
+        let message = simulation::simulation_fault(fault, inquiry.language);
+        // Among several files it is not known which one contains the axis.
+        let [source] = inquiry.sources.as_slice() else { return Unanswered::message(message) };
+        let (id, keys) = self.cause(fault);
+        let place = keys.iter().find_map(|key| project.place_in_twin(key));
+        let Some(span) = place else { return Unanswered::message(message) };
+        let text = project::with_newlines(&project::decoded(&source.bytes).0).into_owned();
+        let faults = vec![Worded::at(&text, span, id, message, None)];
+        Unanswered::Text { name: source.name.clone(), text, faults }
+    }
+
+    /// Returns the identifier of a refusal, and the keys of `[twin]` whose values may cause it: those that the call does not
+    /// state.
+    fn cause(&self, fault: &Fault) -> (&'static str, Vec<String>) {
+        let scenario = self.scenario.is_none().then(|| "scenario".to_owned());
+        let at = self.at.is_none().then(|| "at".to_owned());
+        match fault {
+            Fault::AfterTheEnd { .. } => ("scenario_after_the_end", Vec::from_iter(at)),
+            Fault::NotAtRest => ("scenario_in_motion", at.into_iter().chain(scenario).collect()),
+            Fault::AtRest => ("scenario_at_rest", at.into_iter().chain(scenario).collect()),
+            Fault::NoBrake => ("scenario_without_brake", Vec::from_iter(scenario)),
+            Fault::NoBattery => ("scenario_without_battery", Vec::from_iter(scenario)),
+            Fault::NoEncoder => ("scenario_without_encoder", Vec::from_iter(scenario)),
+            Fault::NotOfThisEncoder { .. } => {
+                let failure = self.failure.is_none().then(|| "failure".to_owned());
+                ("failure_of_another_encoder", failure.into_iter().chain(scenario).collect())
+            }
+            Fault::Unstable { of, .. } => ("gain_unstable", vec![format!("{}_gain", of.id())]),
+            Fault::OutOfRange(key) => ("out_of_range", vec![(*key).to_owned()]),
+            Fault::NotOfThisLoad(key) => ("without_effect", vec![(*key).to_owned()]),
+            Fault::Above { lower, upper } => ("wrong_order", vec![(*lower).to_owned(), (*upper).to_owned()]),
+            Fault::Missing(_)
+            | Fault::RecordedTorque
+            | Fault::NoInertia
+            | Fault::NoOutputEncoder
+            | Fault::StepTooLong { .. } => ("not_simulated", Vec::new()),
+        }
     }
 }
 

@@ -70,6 +70,37 @@ fn what_cannot_run_is_refused_with_its_reason() {
     assert!(refused(&wrong, &[CODE]).contains("emergency"));
 }
 
+/// A refusal names the value of the file that causes it with its line; a value of the call has no line.
+#[test]
+fn a_refusal_stands_at_the_value_that_causes_it() {
+    let place = |lines: &str, pairs: &[(&str, &str)]| {
+        let text = format!("{TABLE}\n[twin]\n{lines}\n");
+        let refused = simulated(&text, &[&[CODE], pairs].concat()).unwrap_err();
+        let Unanswered::Text { faults, text, .. } = refused else { return None };
+        let [fault] = faults.as_slice() else { panic!("{faults:?}") };
+        assert_eq!(text.lines().nth(fault.line - 1).map(str::len), text[..fault.span.end].lines().last().map(str::len));
+        Some((fault.id, text[fault.span.clone()].to_owned()))
+    };
+    let at = |id, written: &str| Some((id, written.to_owned()));
+    for (lines, id, written) in [
+        ("scenario = \"emergency_stop\"\nat = \"9 s\"", "scenario_after_the_end", "\"9 s\""),
+        ("scenario = \"collision\"\nat = \"1 s\"", "scenario_at_rest", "\"1 s\""),
+        ("scenario = \"brake_stuck\"", "scenario_without_brake", "\"brake_stuck\""),
+        ("scenario = \"battery_loss\"", "scenario_without_battery", "\"battery_loss\""),
+        ("scenario = \"encoder_failure\"\nfailure = \"error_bit\"", "failure_of_another_encoder", "\"error_bit\""),
+        ("current_gain = \"900 V/A\"", "gain_unstable", "\"900 V/A\""),
+        ("[twin.measured]\nchopper_off = 1.9", "wrong_order", "1.9"),
+        ("[twin.measured]\nchopper_on = 1.01", "wrong_order", "1.01"),
+        ("[twin.measured]\ngear_torque_1 = \"5000 N m\"", "wrong_order", "\"5000 N m\""),
+        ("[twin.measured]\ngear_torque_2 = \"0.1 N m\"", "wrong_order", "\"0.1 N m\""),
+    ] {
+        assert_eq!(place(lines, &[]), at(id, written), "{lines}");
+    }
+    assert_eq!(place("cycles = 2", &[("scenario", "brake_stuck")]), None);
+    let late = "scenario = \"emergency_stop\"\nat = \"0.1 s\"";
+    assert_eq!(place(late, &[("at", "9 s")]), None);
+}
+
 /// Ten days of two shifts: temperatures of the settled cycle, energies in proportion; what does not fit is refused.
 #[test]
 fn days_of_operation_are_summed_up() {

@@ -4,7 +4,7 @@ use super::ends::Ends;
 use super::shown::{Formatter, tied};
 use answers::{Dossier, Number, SegmentLoad};
 use serde::Serialize;
-use words::{capitalised, marked};
+use words::{capitalised, marked, typeset};
 
 /// The cycle on the actuator.
 #[derive(Serialize)]
@@ -101,17 +101,12 @@ pub(super) fn operation(dossier: &Dossier, shown: &Formatter) -> Option<CycleDat
 pub(super) fn data_sheet(dossier: &Dossier) -> DataSheet {
     let row = |line: &answers::DataLine| DataRow {
         symbol: line.symbol,
-        name: tied(&set(&capitalised(&line.name))),
-        value: tied(&marked(with_unit(&set(&line.value), line.unit.as_str()), line.errata)),
+        name: tied(&typeset(&capitalised(&line.name))),
+        value: tied(&marked(with_unit(&typeset(&line.value), line.unit.as_str()), line.errata)),
         table: line.table,
     };
     let lines = &dossier.data_sheet;
     DataSheet { rows: lines.iter().map(row).collect(), has_doubts: lines.iter().any(|line| !line.errata.is_empty()) }
-}
-
-/// A printed text with the signs of typesetting: an ellipsis for three points, a sign of multiplication for the letter x.
-fn set(text: &str) -> String {
-    text.replace("...", "…").replace(" x ", " × ")
 }
 
 /// A printed value with its unit: `16·10³ Nm/rad`, `24 V ±10 %`.
@@ -135,7 +130,5 @@ mod tests {
         assert_eq!(with_unit("24 ±10 %", "V"), "24 V ±10 %");
         assert_eq!(with_unit("±0,1", "arcmin"), "±0,1 arcmin");
         assert_eq!(with_unit("IP65", ""), "IP65");
-        assert_eq!(set("0 ... 40"), "0 … 40");
-        assert_eq!(set("1 x KTY 84-130"), "1 × KTY 84-130");
     }
 }

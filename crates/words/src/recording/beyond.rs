@@ -142,8 +142,8 @@ pub(super) fn beyond(limit: Limit, found: u64, most: u64, language: Language) ->
             let most = mebibytes(most);
             (
                 said!(language =>
-                    "more than {most} in a row are comments, empty lines or the rest of an overlong line"
-                    | "mehr als {most} am Stück sind Kommentare, leere Zeilen oder der Rest einer überlangen Zeile"
+                    "more than {most} in succession are comments, empty lines or the rest of an overlong line"
+                    | "mehr als {most} in Folge sind Kommentare, leere Zeilen oder der Rest einer überlangen Zeile"
                 ),
                 Some(said!(language =>
                     "is this a CSV file with one sample per line?"

@@ -23,7 +23,7 @@ pub(super) fn counter(before: Stamp, time: Stamp, language: Language) -> Option<
     let bits = [8, 16, 32].into_iter().find(|bits| starts_again(*bits))?;
     let range = stamp(Stamp { value: 2.0_f64.powi(bits), unit: before.unit }, language);
     Some(said!(language =>
-        "a counter of {bits} bits that starts again, it seems: add {range} to the times from there on, again at each further start, or export times that do not start again"
+        "apparently a counter of {bits} bits that restarts: add {range} to the times from there on, again at each further restart, or export continuous times"
         | "offenbar ein Zähler mit {bits} Bit, der neu beginnt: ab hier {range} zu den Zeiten addieren, bei jedem weiteren Neubeginn wieder, oder fortlaufende Zeiten exportieren"
     ))
 }
@@ -50,7 +50,7 @@ mod tests {
                         assert!(
                             step <= phase
                                 || text.is_some_and(|text| {
-                                    text.starts_with(&format!("a counter of {wide} bits"))
+                                    text.starts_with(&format!("apparently a counter of {wide} bits"))
                                         && text.contains(&format!("{range} ms"))
                                 }),
                             "{wide} {low} {step} {phase}"

@@ -51,7 +51,7 @@ pub(super) fn foreign(format: Foreign, language: Language) -> (String, String) {
         ),
         Foreign::Pdf => (
             said!(language => "a PDF" | "ein PDF"),
-            said!(language => "a table of numbers is needed" | "nötig ist eine Tabelle aus Zahlen"),
+            said!(language => "a table of numbers is required" | "erforderlich ist eine Tabelle aus Zahlen"),
         ),
         Foreign::Packed => (
             said!(language => "packed with bzip2, xz or 7-Zip" | "mit bzip2, xz oder 7-Zip gepackt"),
@@ -69,7 +69,7 @@ pub(super) fn foreign(format: Foreign, language: Language) -> (String, String) {
             said!(language => "export the columns as CSV or Parquet" | "die Spalten als CSV oder Parquet ausgeben"),
         ),
         Foreign::Markup => (
-            said!(language => "XML or HTML, whatever its name" | "XML oder HTML, gleich wie die Datei heißt"),
+            said!(language => "XML or HTML, regardless of its name" | "XML oder HTML, unabhängig vom Dateinamen"),
             said!(language => "export the table as CSV" | "die Tabelle als CSV ausgeben"),
         ),
         Foreign::Orc => (

@@ -77,8 +77,8 @@ pub(super) fn toml_text(text: &str) -> String {
 pub(super) fn heading_missing(columns: usize, language: Language) -> (String, Option<String>) {
     (
         said!(language =>
-            "the file has no heading: its first line holds {columns} numbers, and nothing says what they are"
-            | "die Datei hat keine Kopfzeile: in der ersten Zeile stehen {columns} Zahlen, ihre Bedeutung steht nirgends"
+            "the file has no heading: its first line contains {columns} numbers whose meaning is not stated"
+            | "die Datei hat keine Kopfzeile: in der ersten Zeile stehen {columns} Zahlen, deren Bedeutung nicht angegeben ist"
         ),
         Some(said!(language =>
             "write one, for example time [s];q [deg], or state the numbers of the columns and their units in the project: columns = {{ time = \"#1\", position = \"#2\" }} and units = {{ time = \"s\", position = \"deg\" }}"
@@ -103,7 +103,7 @@ pub(super) fn heading_of_units(
     let (numbers, units) = (numbers.join(", "), units.join(", "));
     (
         said!(language =>
-            "the first line of the file holds units, no names of columns"
+            "the first line of the file contains units, no names of columns"
             | "in der ersten Zeile der Datei stehen Einheiten, keine Namen der Spalten"
         ),
         Some(said!(language =>

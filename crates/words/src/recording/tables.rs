@@ -17,7 +17,7 @@ pub fn table_text(found: &Fault, language: Language) -> String {
             let (found, most) = (found.div_ceil(1 << 20), most.div_ceil(1 << 20));
             said!(language =>
                 "a part of the table needs {found} MiB of memory, at most {most} MiB are taken; smaller row groups or fewer columns help"
-                | "ein Teil der Tabelle braucht {found} MiB Speicher, verwendet werden höchstens {most} MiB; kleinere Zeilengruppen oder weniger Spalten helfen"
+                | "ein Teil der Tabelle erfordert {found} MiB Speicher, verwendet werden höchstens {most} MiB; kleinere Zeilengruppen oder weniger Spalten helfen"
             )
         }
         Fault::Foreign { format } => {
