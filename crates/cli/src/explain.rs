@@ -13,7 +13,7 @@ use questions::list::{Cost, Inquiry, Unanswered, explain};
 use questions::texts::{margin_share, node_amount, trust, verdict_text};
 use questions::{Candidate, Check};
 use std::fmt::Write as _;
-use words::{check_missing, note_text, percent_text, symbol_shown, terminal, title_of_check};
+use words::{check_missing, erratum_line, note_text, percent_text, symbol_shown, terminal, title_of_check};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
 pub(crate) fn explain(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
@@ -75,7 +75,7 @@ fn tree(node: &Node, indent: &str, out: &mut String, language: Language) {
             out.push_str(&paragraph(&format!("{indent}  = "), text));
         }
         for erratum in &node.errata {
-            out.push_str(&paragraph(&format!("{indent}  ! {}: ", erratum.id), &erratum.evidence));
+            out.push_str(&paragraph(&format!("{indent}  ! "), &erratum_line(&erratum.id, language)));
         }
     }
     for operand in &node.operands {

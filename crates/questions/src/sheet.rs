@@ -3,8 +3,8 @@
 use catalogue::{Cell, Footnote, Value};
 use configurator::{Uncovered, sheet_cells, uncovered};
 use order_code::{Field, OrderCode};
-use quantities::{Language, format_significant};
-use words::{cell_text, decimal, terminal, typeset};
+use quantities::Language;
+use words::{cell_text, decimal, terminal, typeset, unpadded};
 
 /// A remark on a value or a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,7 +166,7 @@ pub fn sheet_value_text(row: &SheetRow, language: Language) -> String {
         return terminal::value_of_the_standard(&value, language);
     }
     let value = match cell.checks_use.and_then(Value::number) {
-        Some(used) => terminal::value_and_used(&value, &format_significant(used, 6, language), language),
+        Some(used) => terminal::value_and_used(&value, &unpadded(used, 6, language), language),
         None => value,
     };
     if cell.corrected == cell.printed {

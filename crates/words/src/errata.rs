@@ -2,7 +2,7 @@
 
 use super::condition_text;
 use crate::texts::said;
-use crate::{pick, row_name};
+use crate::{capitalised, evidence_text, pick, row_name};
 use catalogue::{Erratum, ErratumKind};
 use quantities::Language;
 
@@ -62,6 +62,12 @@ pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     }
     parts.retain(|part| !part.is_empty());
     parts.join(", ")
+}
+
+/// Returns the place of an erratum in words, and its evidence.
+#[must_use]
+pub fn erratum_line(id: &str, language: Language) -> String {
+    format!("{}: {}", capitalised(&erratum_place_of(id, language)), evidence_text(id, language))
 }
 
 /// Returns the place of an erratum in words: the table, and the cell or a description; empty for an unknown id.

@@ -148,11 +148,11 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Losses(LossesName::efficiency) => (
             "efficiency while the actuator drives the load",
-            "Wirkungsgrad, wenn der Antrieb die Last treibt",
+            "Wirkungsgrad bei treibendem Antrieb",
         ),
         About::Losses(LossesName::efficiency_back) => (
             "efficiency while the load drives the actuator",
-            "Wirkungsgrad, wenn die Last den Antrieb treibt",
+            "Wirkungsgrad bei treibender Last",
         ),
         About::Slide(SlideName::mass) => ("moved mass", "bewegte Masse"),
         About::Slide(SlideName::inertia) => (
@@ -180,10 +180,10 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "several ratios from which the best is selected",
             "mehrere Übersetzungen, aus denen die beste ausgewählt wird",
         ),
-        About::Stage(StageName::efficiency) => ("efficiency while the actuator drives", "Wirkungsgrad, wenn der Antrieb treibt"),
+        About::Stage(StageName::efficiency) => ("efficiency while the actuator drives", "Wirkungsgrad bei treibendem Antrieb"),
         About::Stage(StageName::efficiency_back) => (
             "efficiency while the mechanism drives",
-            "Wirkungsgrad, wenn die Mechanik treibt",
+            "Wirkungsgrad bei treibender Mechanik",
         ),
         About::Stage(StageName::inertia_driving) => (
             "J_1, moment of inertia of the parts rotating with the actuator",
@@ -204,8 +204,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Body(BodyName::shape) => ("shape of the body", "Form des Körpers"),
         About::Body(BodyName::diameter) => (
-            "diameter of cylinder, disc, cone (base) or sphere",
-            "Durchmesser von Zylinder, Scheibe, Kegel (unten) oder Kugel",
+            "diameter of a round body: cylinder, disc, cone (base) or sphere",
+            "Durchmesser eines runden Körpers: Zylinder, Scheibe, Kegel (unten) oder Kugel",
         ),
         About::Body(BodyName::length) => ("length along the body's own axis", "Länge in Richtung der eigenen Achse"),
         About::Body(BodyName::outer) => ("outer diameter of a tube", "Außendurchmesser eines Rohrs"),
@@ -223,8 +223,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Höhe von Quader oder Kegel in Richtung der Drehachse",
         ),
         About::Body(BodyName::axis) => (
-            "orientation of cylinder, disc or tube to the axis of rotation; default: parallel",
-            "Ausrichtung von Zylinder, Scheibe oder Rohr zur Drehachse; ohne Angabe parallel",
+            "orientation of a round body to the axis of rotation: cylinder, disc or tube; default: parallel",
+            "Ausrichtung eines runden Körpers zur Drehachse: Zylinder, Scheibe oder Rohr; ohne Angabe parallel",
         ),
         About::Body(BodyName::mass) => ("mass of one body; or density", "Masse eines Körpers; oder density"),
         About::Body(BodyName::density) => ("density; or mass", "Dichte; oder mass"),
@@ -383,8 +383,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Lasten aus der Mechanik: zu den angegebenen addiert, durch die eines Abschnitts ersetzt oder nicht berücksichtigt; neben angegebenen Lasten erforderlich, ohne solche wirken sie",
         ),
         About::Bearing(BearingName::overhang) => (
-            "L, distance of the centre of mass, or of the centre of pulley, pinion or crank pin, from the flange face",
-            "L, Abstand des Schwerpunkts oder der Mitte von Scheibe, Ritzel oder Kurbelzapfen von der Flanschfläche",
+            "L, distance of the centre of mass or of the wheel centre from the flange face; wheel: pulley, pinion or crank pin",
+            "L, Abstand des Schwerpunkts oder der Radmitte von der Flanschfläche; Rad: Scheibe, Ritzel oder Kurbelzapfen",
         ),
         About::Bearing(BearingName::payload_overhang) => (
             "distance of the payload of a segment from the flange face",
@@ -407,8 +407,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Schrägungswinkel der Verzahnung; ohne Angabe Geradverzahnung",
         ),
         About::Bearing(BearingName::wheel_mass) => (
-            "mass of pulley, pinion or crank on the flange; default: massless",
-            "Masse von Scheibe, Ritzel oder Kurbel am Flansch; ohne Angabe masselos",
+            "mass of the wheel on the flange: pulley, pinion or crank; default: massless",
+            "Masse des Rads am Flansch: Scheibe, Ritzel oder Kurbel; ohne Angabe masselos",
         ),
         About::Bearing(BearingName::axis_tilt) => (
             "tilt of the rotation axis from the vertical, for the weight of the wheel",
@@ -509,8 +509,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "zulässige Summe aller Winkelfehler am Abtrieb, mit Zwischenstufe an der Mechanik",
         ),
         About::Requirements(RequirementsName::lever_arm) => (
-            "distance from the axis at which the deviation is evaluated",
-            "Abstand von der Drehachse, in dem die Abweichung bewertet wird",
+            "lever arm: distance from the axis at which the deviation is evaluated",
+            "Hebelarm: Abstand von der Drehachse, in dem die Abweichung bewertet wird",
         ),
         About::Requirements(RequirementsName::deviation_max) => (
             "permissible deviation at the lever arm, or along the line of a linear mechanism",
@@ -542,7 +542,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Requirements(RequirementsName::regeneration_power_max) => (
             "mean power that the supply or the braking resistor can absorb",
-            "mittlere Leistung, die Netz oder Bremswiderstand aufnehmen können",
+            "von Netz oder Bremswiderstand aufnehmbare mittlere Leistung",
         ),
         About::Requirements(RequirementsName::operation_per_day) => (
             "operation per day, for the encoder battery",
@@ -564,7 +564,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Requirements(RequirementsName::position_loop) => (
             "encoder through which the position loop is closed; output requires option EC; default: the motor encoder",
-            "Geber, über den der Lageregelkreis geschlossen wird; output erfordert Option EC; ohne Angabe der Motorgeber",
+            "Geber des Lageregelkreises; output erfordert Option EC; ohne Angabe der Motorgeber",
         ),
         About::Requirements(RequirementsName::dc_link_rise) => (
             "permissible rise of the DC link voltage for sizing a capacitor bank",

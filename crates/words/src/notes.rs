@@ -1,6 +1,7 @@
 //! Remarks on the checks.
 
 use super::results::{evidence_text, with_unit};
+use crate::erratum_place_of;
 use crate::texts::said;
 use mechanism::Rope;
 use quantities::unit::{
@@ -382,8 +383,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
             )
         }
         Note::Erratum(id) => {
-            let evidence = evidence_text(id, language);
-            said!(language => "erratum {id}: {evidence}" | "Druckfehler {id}: {evidence}")
+            let (place, evidence) = (erratum_place_of(id, language), evidence_text(id, language));
+            said!(language => "erratum, {place}: {evidence}" | "Druckfehler, {place}: {evidence}")
         }
     }
 }

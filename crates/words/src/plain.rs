@@ -132,7 +132,7 @@ fn label(key: &str, language: Language) -> Option<String> {
         bare.iter().find_map(|table| input_label(&format!("{table}.{key}")))
     })?;
     let label = short_label(&schema_text(known, language));
-    let mut parts = label.split(", ");
+    let mut parts = label.split(", ").flat_map(|part| part.split(": "));
     let head = parts.next().unwrap_or(&label);
     // A symbol at the head goes behind its term: `T_L, friction torque`.
     let is_symbol = !head.contains(' ') && (head.contains('_') || head.chars().count() == 1);
@@ -164,8 +164,41 @@ mod tests {
         assert_eq!(de("ein Jahr (--inspect), zwei (--hours-per-day) oder mehr"), "ein Jahr, zwei oder mehr");
         assert_eq!(de("Neigung (inclination): waagerecht (arm_mass)"), "Neigung: waagerecht");
         assert_eq!(de("nicht angegeben: bearing.belt_tension"), "nicht angegeben: statische Trumkraft des Riemens F_v");
+        assert_eq!(de("nicht angegeben: bearing.wheel_mass"), "nicht angegeben: Masse des Rads am Flansch");
+        let assumed = crate::terminal::best_of_the_ranking(&"CODE", Language::De);
+        assert_eq!(de(&assumed), "kein Antrieb angegeben: der beste der Rangfolge, CODE");
         let time = de("Projekt motion[3].time");
         assert!(time.ends_with("(Abschnitt 3)") && !time.contains("motion"), "{time}");
+    }
+
+    /// A sentence names a key by its label: two keys of a table with one label would be one thing for the reader.
+    #[test]
+    fn keys_of_a_table_have_different_labels() {
+        fn walk(path: &str, keys: &[project::Key], language: Language, found: &mut Vec<String>) {
+            let path_of = |key: &project::Key| {
+                if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) }
+            };
+            let labels: Vec<(String, String)> =
+                keys.iter().filter_map(|key| Some((path_of(key), label(&path_of(key), language)?))).collect();
+            for (place, (one, text)) in labels.iter().enumerate() {
+                let twin = labels.iter().skip(place + 1).find(|(_, other)| other == text);
+                found.extend(twin.map(|(other, _)| format!("{one}, {other}: {text}")));
+            }
+            for key in keys {
+                let mut inside = |keys: &[project::Key]| walk(&path_of(key), keys, language, found);
+                match key.kind {
+                    project::Kind::Table(inner) => inside(inner),
+                    project::Kind::OneOrMany(one, several) => [one, several].into_iter().for_each(inside),
+                    project::Kind::Variants(of) => inside(of.keys),
+                    _ => {}
+                }
+            }
+        }
+        for language in [Language::En, Language::De] {
+            let mut found = Vec::new();
+            walk("", project::KEYS, language, &mut found);
+            assert!(found.is_empty(), "{language:?}: {found:#?}");
+        }
     }
 
     #[test]

@@ -161,8 +161,8 @@ texts! {
         "{what} cannot be scaled in this project: it has no such values, or states them as bodies or as a recording"
         | "{what} lässt sich in diesem Projekt nicht skalieren: es hat keine solchen Angaben oder nennt sie als Körper oder Aufzeichnung";
     best_of_the_ranking(id) =
-        "no actuator is stated (--code, or [actuator] in the project): the best of the ranking, {id}"
-        | "kein Antrieb ist angegeben (--code, oder [actuator] im Projekt): der beste der Rangfolge, {id}";
+        "no actuator is stated (--code): the best of the ranking, {id}"
+        | "kein Antrieb angegeben (--code): der beste der Rangfolge, {id}";
     compared_with_the_best(ids) =
         "compared with the best of the ranking: {ids}" | "verglichen mit den besten der Rangfolge: {ids}";
     no_own_actuator =

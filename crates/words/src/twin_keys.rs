@@ -9,7 +9,7 @@ use quantities::Language;
 pub(crate) const fn twin_key_text(name: TwinName, language: Language) -> &'static str {
     let (en, de) = match name {
         TwinName::scenario => ("scenario of the simulation", "Szenario der Simulation"),
-        TwinName::at => ("time at which the scenario occurs", "Zeitpunkt, zu dem das Szenario eintritt"),
+        TwinName::at => ("time at which the scenario occurs", "Zeitpunkt des Szenarios"),
         TwinName::reaction => ("stop reaction of the drive", "Stillsetzreaktion des Servoreglers"),
         TwinName::failure => ("type of encoder failure; default: signal loss", "Art des Geberausfalls; ohne Angabe Signalverlust"),
         TwinName::cycles => ("number of cycles simulated", "Anzahl der simulierten Zyklen"),
@@ -26,7 +26,7 @@ pub(crate) const fn twin_key_text(name: TwinName, language: Language) -> &'stati
         TwinName::speed_filter => ("time constant of the speed actual value filter", "Zeitkonstante des Drehzahlistwertfilters"),
         TwinName::current_gain => ("K_p of the current loop per phase", "K_p der Stromregelung je Strang"),
         TwinName::current_time => ("integral-action time of the current loop", "Nachstellzeit der Stromregelung"),
-        TwinName::following_error_max => ("following error at which the drive stops", "Schleppfehler, bei dem der Servoregler abschaltet"),
+        TwinName::following_error_max => ("following error at which the drive stops", "Abschaltgrenze des Schleppfehlers"),
         TwinName::measured => ("measured values instead of the values of tables and model", "Messwerte anstelle der Werte aus Tabellen und Modell"),
     };
     pick(language, en, de)
@@ -62,10 +62,10 @@ pub(crate) const fn replaced_key_text(name: ReplacedName, language: Language) ->
         ReplacedName::flange_inertia_share => ("share of the actuator inertia rotating with the flange", "mit dem Flansch umlaufender Anteil des eigenen Massenträgheitsmoments"),
         ReplacedName::gear_damping_ratio => ("damping ratio of the gear", "Dämpfungsgrad des Getriebes"),
         ReplacedName::breakaway_ratio => ("ratio of breakaway torque to running torque at zero speed", "Verhältnis von Losbrechmoment zu Laufmoment bei Drehzahl null"),
-        ReplacedName::kinematic_share_1 => ("relative amplitude of the kinematic error once per turn of the wave generator; the four amplitudes are scaled together to the transmission accuracy", "relative Amplitude des kinematischen Fehlers, einmal je Umdrehung des Wave Generators; die vier Amplituden werden gemeinsam auf die Übertragungsgenauigkeit skaliert"),
-        ReplacedName::kinematic_share_2 => ("relative amplitude twice per turn of the wave generator", "relative Amplitude, zweimal je Umdrehung des Wave Generators"),
-        ReplacedName::kinematic_share_4 => ("relative amplitude four times per turn of the wave generator", "relative Amplitude, viermal je Umdrehung des Wave Generators"),
-        ReplacedName::kinematic_share_out => ("relative amplitude once per turn of the output", "relative Amplitude, einmal je Umdrehung des Abtriebs"),
+        ReplacedName::kinematic_share_1 => ("relative amplitude of the kinematic error once per turn of the wave generator; the four amplitudes are scaled together to the transmission accuracy", "relative Amplitude des kinematischen Fehlers einmal je Umdrehung des Wave Generators; die vier Amplituden werden gemeinsam auf die Übertragungsgenauigkeit skaliert"),
+        ReplacedName::kinematic_share_2 => ("relative amplitude twice per turn of the wave generator", "relative Amplitude zweimal je Umdrehung des Wave Generators"),
+        ReplacedName::kinematic_share_4 => ("relative amplitude four times per turn of the wave generator", "relative Amplitude viermal je Umdrehung des Wave Generators"),
+        ReplacedName::kinematic_share_out => ("relative amplitude once per turn of the output", "relative Amplitude einmal je Umdrehung des Abtriebs"),
         ReplacedName::sensor_lag => ("time constant of the KTY in the winding", "Zeitkonstante des KTY in der Wicklung"),
         ReplacedName::ptc_lag => ("time constant of the PTC in the winding", "Zeitkonstante des PTC in der Wicklung"),
         ReplacedName::ptc_response_temperature => ("response temperature of the PTC", "Ansprechtemperatur des PTC"),

@@ -5,7 +5,7 @@ use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue
 use provenance::Grade;
 use quantities::{Language, format_number};
 use words::{
-    ERRATUM_MARK, capitalised, grade_word, marked, mounting, row_sign, step_title, terminal, terms, typeset,
+    ERRATUM_MARK, capitalised, erratum_line, grade_word, marked, mounting, row_sign, step_title, terminal, terms, typeset,
     verdict_word,
 };
 
@@ -28,7 +28,7 @@ pub fn mount(record: &Mount, language: Language) -> Chapter {
     chapter.section(capitalised(terms::remarks(language)));
     let erratum = |erratum: &CitedErratum| {
         let mark = if marks(record).any(|id| *id == erratum.id) { format!("{ERRATUM_MARK} ") } else { String::new() };
-        format!("{mark}{}: {}", erratum.id, erratum.evidence)
+        format!("{mark}{}", erratum_line(&erratum.id, language))
     };
     chapter.points(record.notes.iter().cloned().chain(record.errata.iter().map(erratum)).collect());
     for facts in record.facts.chunk_by(|one, other| one.step == other.step) {

@@ -3,7 +3,7 @@
 use answers::{Chapter, CitedErratum, Column, Fact, Hazard, Id, Number};
 use catalogue::SignalWord;
 use quantities::{Language, Unit, format_significant};
-use words::{ERRATUM_MARK, capitalised, erratum_place_of, signal_word};
+use words::{ERRATUM_MARK, erratum_line, signal_word};
 
 /// Creates a hazard or a rule with its signal word.
 pub(super) fn hazard(signal: Option<Id<SignalWord>>, text: &str, source: String, language: Language) -> Hazard {
@@ -23,17 +23,12 @@ pub(super) fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
 /// Returns errata with their evidence, each behind the mark of the values that it concerns.
 #[must_use]
 pub fn marked_errata(errata: &[CitedErratum], language: Language) -> Vec<String> {
-    errata.iter().map(|each| format!("{ERRATUM_MARK} {}", erratum_line(each, language))).collect()
-}
-
-/// Returns the place of an erratum in words, and its evidence.
-fn erratum_line(erratum: &CitedErratum, language: Language) -> String {
-    format!("{}: {}", capitalised(&erratum_place_of(&erratum.id, language)), erratum.evidence)
+    errata.iter().map(|each| format!("{ERRATUM_MARK} {}", erratum_line(&each.id, language))).collect()
 }
 
 /// Returns notes, and errata with their evidence.
 pub(super) fn remarks(notes: &[String], errata: &[CitedErratum], language: Language) -> Vec<String> {
-    let erratum = |erratum: &CitedErratum| erratum_line(erratum, language);
+    let erratum = |erratum: &CitedErratum| erratum_line(&erratum.id, language);
     notes.iter().cloned().chain(errata.iter().map(erratum)).collect()
 }
 

@@ -6,7 +6,7 @@ use answers::{
 };
 use quantities::{Language, format_number, format_significant};
 use std::fmt::Write as _;
-use words::{ERRATUM_MARK, capitalised, evidence_text, marked, terminal, terms, typeset, verdict_word, wiring};
+use words::{ERRATUM_MARK, capitalised, erratum_line, marked, terminal, terms, typeset, verdict_word, wiring};
 
 /// Returns the wiring of a code, with the drawings of its mating faces if the face can show them.
 #[must_use]
@@ -34,7 +34,7 @@ pub fn wiring(record: &Wiring, drawings: Vec<Picture>, language: Language) -> Ch
     let marks: Vec<&str> = pins.chain(record.cables.iter().flat_map(|cable| &cable.errata)).copied().collect();
     let erratum = |id: &&'static str| {
         let mark = if marks.contains(id) { format!("{ERRATUM_MARK} ") } else { String::new() };
-        format!("{mark}{id}: {}", evidence_text(id, language))
+        format!("{mark}{}", erratum_line(id, language))
     };
     remarks.extend(record.errata.iter().map(erratum));
     chapter.points(remarks);

@@ -5,7 +5,7 @@ use super::shown::{Formatter, tied};
 use answers::{CheckId, Dossier, Fit, Rejection};
 use serde::Serialize;
 use words::terminal::speed_beyond_the_curve;
-use words::{capitalised, marked};
+use words::{capitalised, erratum_place_of, marked};
 
 /// Number of fitting actuators, and of those with the smallest excess, in the short form.
 const FEW: usize = 5;
@@ -21,7 +21,7 @@ pub(super) struct Alternatives {
     rule: String,
     ranking: Vec<Fitting>,
     /// Errata of the masses of the ranking.
-    mass_errata: Vec<&'static str>,
+    mass_errata: Vec<String>,
     nearest: Vec<Miss>,
     reasons: Vec<Reason>,
 }
@@ -96,10 +96,11 @@ impl Alternatives {
         let ranking: Vec<Fitting> = ranking.collect();
         let shown_codes = |code: &str| ranking.iter().any(|row| row.code == code);
         let listed = sizing.ranking.iter().map(|each| &each.of.candidate).filter(|each| shown_codes(each.called()));
-        let mut mass_errata: Vec<&'static str> = Vec::new();
+        let mut mass_errata: Vec<String> = Vec::new();
         for id in listed.flat_map(|candidate| &candidate.mass_errata) {
-            if !mass_errata.contains(id) {
-                mass_errata.push(id);
+            let place = erratum_place_of(id, shown.0);
+            if !mass_errata.contains(&place) {
+                mass_errata.push(place);
             }
         }
         let reasons = dossier.rejections.iter().map(|group| Reason {

@@ -11,7 +11,7 @@ use super::shown::{Formatter, tied};
 use crate::{AxisContent, Diagram, DiagramPlace};
 use answers::{Check, Dossier, Fit, Item, Number, ScrewJoint, Tolerance, Verdict};
 use serde::Serialize;
-use words::{capitalised, marked, proviso_text};
+use words::{capitalised, erratum_place_of, marked, proviso_text};
 
 /// Data of the chapters of one axis, for the template.
 #[derive(Serialize)]
@@ -132,7 +132,7 @@ struct Influence {
 
 #[derive(Serialize)]
 struct Erratum {
-    id: String,
+    place: String,
     text: String,
     check: String,
 }
@@ -153,7 +153,7 @@ impl AxisData {
         let titles = Titles::collect(dossier);
         let checks = Checks::build(dossier, shown);
         let erratum = |each: &answers::ErratumUsed| Erratum {
-            id: each.erratum.id.clone(),
+            place: tied(&capitalised(&erratum_place_of(&each.erratum.id, shown.0))),
             text: tied(&each.erratum.evidence),
             check: capitalised(&each.check),
         };

@@ -4,7 +4,7 @@ use crate::form::{FieldKind, FormField};
 use answers::{CommissionEntry, CommissionList, Commissioning, Fact};
 use quantities::{Language, Unit};
 use serde::Serialize;
-use words::{ERRATUM_MARK, capitalised, commission, grade_word, signal_word as word, terms};
+use words::{ERRATUM_MARK, capitalised, commission, erratum_line, grade_word, signal_word as word, terms};
 
 /// Data that the template of the checklists uses.
 #[derive(Serialize)]
@@ -93,7 +93,7 @@ impl CheckListDocument {
                     entries: list.entries.iter().enumerate().map(|each| line(list, each)).collect(),
                 })
                 .collect(),
-            errata: errata(sheet),
+            errata: errata(sheet, language),
         }
     }
 
@@ -121,11 +121,11 @@ impl CheckListDocument {
 }
 
 /// Returns the errata of the values that the lists show, with their evidence.
-fn errata(sheet: &Commissioning) -> Vec<String> {
+fn errata(sheet: &Commissioning, language: Language) -> Vec<String> {
     let of_lists: Vec<&str> =
         sheet.lists.iter().flat_map(|list| &list.entries).flat_map(|entry| &entry.errata).copied().collect();
     let shown = sheet.errata.iter().filter(|each| of_lists.contains(&each.id.as_str()));
-    shown.map(|each| format!("{ERRATUM_MARK} {}: {}", each.id, each.evidence)).collect()
+    shown.map(|each| format!("{ERRATUM_MARK} {}", erratum_line(&each.id, language))).collect()
 }
 
 /// Returns the name of a field, such as `before_power-3-resistance_ll-measured`. The position, counted from 1,
