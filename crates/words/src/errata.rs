@@ -52,7 +52,11 @@ pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     match erratum.cell() {
         Some(cell) => {
             parts.push(row_name(cell.place.symbol, language));
-            parts.extend([cell.place.drive, cell.feedback].map(str::to_owned));
+            parts.push(cell.place.drive.to_owned());
+            // Some drives are named with their feedback.
+            if !cell.place.drive.ends_with(&format!("-{}", cell.feedback)) {
+                parts.push(cell.feedback.to_owned());
+            }
             if !cell.place.ratio.is_empty() {
                 parts.push(format!("i = {}", cell.place.ratio));
             }

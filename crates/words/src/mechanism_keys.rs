@@ -41,12 +41,12 @@ pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> 
 pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) -> &'static str {
     let (en, de) = match name {
         MechanismName::Turntable(TurntableName::body) => (
-            "solid bodies, one table each; or bodies",
-            "Vollkörper, je eine Tabelle; oder bodies",
+            "solid bodies as tables; or bodies",
+            "Vollkörper als Tabellen; oder bodies",
         ),
         MechanismName::Turntable(TurntableName::bodies) => (
-            "solid bodies, one line each as for antrieb inertia",
-            "Vollkörper, je eine Zeile wie bei antrieb inertia",
+            "solid bodies as texts, one each as for antrieb inertia",
+            "Vollkörper als Texte, je einer wie bei antrieb inertia",
         ),
         MechanismName::Turntable(TurntableName::axis_tilt) => (
             "tilt of the rotation axis from the vertical; default: vertical",

@@ -424,7 +424,7 @@ fn a_bad_recording_is_refused_with_its_lines() {
     check(
         &format!("{RECORDED}from = \"0 s ± 1 s\"\n"),
         Some("t [s],q [deg],n [1/min]\n0,0,0\n1,1,0\n2,0,0\n"),
-        &["no tolerance here"],
+        &["no tolerance permitted here"],
     );
 }
 

@@ -44,7 +44,7 @@ class Load(LoadOrMechanism):
         """Args:
             inertia: J_L, moment of inertia of the load at the output. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
         """
         self._begin(
@@ -114,14 +114,14 @@ class Body(Section):
     ) -> None:
         """Args:
             shape: Shape of the body.
-            diameter: Diameter of cylinder, disc, cone (base) or sphere. Length such as `"50 mm"`, above zero.
+            diameter: Diameter of a round body: cylinder, disc, cone (base) or sphere. Length such as `"50 mm"`, above zero.
             length: Length along the body's own axis. Length such as `"50 mm"`, above zero.
             outer: Outer diameter of a tube. Length such as `"80 mm"`, above zero.
             inner: Inner diameter of a tube. Length such as `"60 mm"`, zero or more.
             a: First side of a box, across the axis of rotation. Length such as `"50 mm"`, above zero.
             b: Second side of a box, across the axis of rotation. Length such as `"50 mm"`, above zero.
             height: Height of box or cone along the axis of rotation. Length such as `"50 mm"`, above zero.
-            axis: Orientation of cylinder, disc or tube to the axis of rotation; default: parallel.
+            axis: Orientation of a round body to the axis of rotation: cylinder, disc or tube; default: parallel.
             mass: Mass of one body; or density. Mass such as `"3.2 kg"`, above zero.
             density: Density; or mass. Density such as `"7850 kg/m^3"`, above zero.
             distance: Distance of the centre of mass from the axis of rotation; default: zero. Length such as `"50 mm"`, zero or more.
@@ -199,7 +199,7 @@ class Turntable(Mechanism):
             angle: Another name of `start_angle`.
             payload_distance: Distance of the payload of a segment from the axis. Length such as `"50 mm"`, zero or more.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -289,7 +289,7 @@ class Arm(Mechanism):
             start_angle: Position at the beginning of the motion; default: zero, listed as assumed. Angle such as `"90 deg"`.
             angle: Another name of `start_angle`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -376,7 +376,7 @@ class Screw(Mechanism):
             friction_coefficient: Friction coefficient of the guide; default 0. 0 to 10.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -461,7 +461,7 @@ class Belt(Mechanism):
             friction_coefficient: Friction coefficient of the guide; default 0. 0 to 10.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -542,7 +542,7 @@ class Conveyor(Mechanism):
             friction_coefficient: Friction coefficient of the guide; default 0. 0 to 10.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -625,7 +625,7 @@ class SliderCrank(Mechanism):
             angle: Another name of `start_angle`.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -718,7 +718,7 @@ class TableMechanism(Mechanism):
             start_angle: Position at the beginning of the motion; default: zero, listed as assumed. Angle such as `"90 deg"`.
             angle: Another name of `start_angle`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -802,7 +802,7 @@ class Hoist(Mechanism):
             counterweight: Counterweight; moves with the load and reduces it by its weight; on a hoist with as many falls as the load. Mass such as `"3.2 kg"`, zero or more.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -892,7 +892,7 @@ class Winder(Mechanism):
             tension: Web tension, also at standstill. Force such as `"120 N"`, zero or more.
             inertia: Moment of inertia of core and shaft, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -978,7 +978,7 @@ class ScissorLift(Mechanism):
             inertia: Moment of inertia of screw and coupling, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -1098,7 +1098,7 @@ class FourBar(Mechanism):
             start_angle: Position at the beginning of the motion; default: zero, listed as assumed. Angle such as `"90 deg"`.
             angle: Another name of `start_angle`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
-            viscous_friction: Friction at the output proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
+            viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
             efficiency: Efficiency while the actuator drives the load; default 1, listed as assumed. 0.01 to 1.
             efficiency_back: Efficiency while the load drives the actuator; default 1, listed as assumed. 0 to 1.
@@ -1955,13 +1955,13 @@ class Bearing(Section):
             load_factor: F_w, load factor of table 74.2; without it, the life of the output bearing is not checked. 1 to 3.
             operating_condition: Operating condition of table 76.3; without it, the static safety is shown but not checked.
             mechanism: Loads resulting from the mechanism: added to the stated ones, replaced by those of a segment, or ignored; required beside stated loads, default without these: added.
-            overhang: L, distance of the centre of mass, or of the centre of pulley, pinion or crank pin, from the flange face. Length such as `"50 mm"`.
+            overhang: L, distance of the centre of mass or of the wheel centre from the flange face; wheel: pulley, pinion or crank pin. Length such as `"50 mm"`.
             payload_overhang: Distance of the payload of a segment from the flange face. Length such as `"50 mm"`.
             flange_share: Share of the mechanism forces acting on the flange; other bearings carry the rest; required for a screw, otherwise default 1, listed as assumed. 0 to 1.
             belt_tension: F_v, static tension of each belt span. Force such as `"500 N"`, zero or more.
             pressure_angle: Pressure angle of pinion and rack in the normal section. Angle such as `"20 deg"`, above zero.
             helix_angle: Helix angle of the teeth; default: spur teeth, listed as assumed. Angle such as `"15 deg"`, zero or more.
-            wheel_mass: Mass of pulley, pinion or crank on the flange; default: massless, listed as assumed. Mass such as `"1.2 kg"`, zero or more.
+            wheel_mass: Mass of the wheel on the flange: pulley, pinion or crank; default: massless, listed as assumed. Mass such as `"1.2 kg"`, zero or more.
             axis_tilt: Tilt of the rotation axis from the vertical, for the weight of the wheel. Angle such as `"90 deg"`.
         """
         self._begin(
@@ -2276,8 +2276,8 @@ class Actuator(Section):
             brake_closing_time: T_c, closing time of the brake. Time such as `"40 ms"`, above zero.
             brake_opening_time: T_o, opening time of the brake. Time such as `"60 ms"`, above zero.
             winding_time_constant: Τ_w, thermal time constant of the winding. Time such as `"60 s"`, above zero.
-            ambient_min: Lowest permitted ambient temperature in operation. Temperature such as `"40 °C"`.
-            ambient_max: Highest permitted ambient temperature in operation. Temperature such as `"40 °C"`.
+            ambient_min: Lowest permissible ambient temperature in operation. Temperature such as `"40 °C"`.
+            ambient_max: Highest permissible ambient temperature in operation. Temperature such as `"40 °C"`.
             short_time_curve: Corner points of the short-time curve, from standstill.
             continuous_curve: Corner points of the continuous-duty curve, from standstill.
         """
@@ -2348,7 +2348,7 @@ class Actuator(Section):
 
 
 class CatalogueFiles(Section):
-    """Products of other manufacturers, judged beside the built-in series."""
+    """Products of other manufacturers, evaluated together with the built-in series."""
 
     __slots__ = ()
     _TABLE = "catalogue"
@@ -2554,10 +2554,10 @@ class Measured(Section):
             flange_inertia_share: Share of the actuator inertia rotating with the flange. 0 to 0.9.
             gear_damping_ratio: Damping ratio of the gear. 0 to 1.
             breakaway_ratio: Ratio of breakaway torque to running torque at zero speed. 1 to 10.
-            kinematic_share_1: Share of the kinematic error once per turn of the wave generator. 0 to 1.
-            kinematic_share_2: Share twice per turn of the wave generator. 0 to 1.
-            kinematic_share_4: Share four times per turn of the wave generator. 0 to 1.
-            kinematic_share_out: Share once per turn of the output. 0 to 1.
+            kinematic_share_1: Relative amplitude of the kinematic error once per turn of the wave generator; the four amplitudes are scaled together to the transmission accuracy. 0 to 1.
+            kinematic_share_2: Relative amplitude twice per turn of the wave generator. 0 to 1.
+            kinematic_share_4: Relative amplitude four times per turn of the wave generator. 0 to 1.
+            kinematic_share_out: Relative amplitude once per turn of the output. 0 to 1.
             sensor_lag: Time constant of the KTY in the winding. Time such as `"0.1 s"`, zero or more.
             ptc_lag: Time constant of the PTC in the winding. Time such as `"0.1 s"`, zero or more.
             ptc_response_temperature: Response temperature of the PTC. Temperature such as `"40 °C"`, above zero.
@@ -2572,7 +2572,7 @@ class Measured(Section):
             load_coulomb: Coulomb friction of the load. Torque such as `"5 N m"`, zero or more.
             load_viscous: Viscous friction of the load. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             load_gravity: Gravity torque of the load at its largest lever arm. Torque such as `"5 N m"`, zero or more.
-            load_gravity_angle: Angle of the centre of mass above the horizontal at position 0. Angle such as `"90 deg"`.
+            load_gravity_angle: Angle of the centre of mass above the horizontal at position zero. Angle such as `"90 deg"`.
             load_external: External torque of the load. Torque such as `"5 N m"`.
         """
         self._begin(
@@ -3044,7 +3044,7 @@ class Axis(BaseAxis):
             actuator: An actuator not contained in the catalogue.
             twin: Settings of the simulation.
             curve: Measured or digitised torque-speed curves; they take precedence over those of the catalogue.
-            catalogue: Products of other manufacturers, judged beside the built-in series.
+            catalogue: Products of other manufacturers, evaluated together with the built-in series.
             feedback: Permitted motor encoders; default: any.
             brake: Holding brake; true: required, false: excluded; default: either.
             hollow_shaft_min: Minimum hollow shaft bore diameter. Length such as `"18 mm"`, zero or more.
@@ -3073,7 +3073,7 @@ class Axis(BaseAxis):
             natural_frequency_min: Minimum first natural frequency with locked motor. Frequency such as `"25 Hz"`, above zero.
             tilt_angle_max: Permissible tilt of the flange under the tilting moment. Angle such as `"2 arcmin"`, above zero.
             angle_error_max: Permissible sum of all angular errors at the output, with a stage at the mechanism. Angle such as `"2 arcmin"`, above zero.
-            lever_arm: Distance from the axis at which the deviation is evaluated. Length such as `"500 mm"`, above zero.
+            lever_arm: Lever arm: distance from the axis at which the deviation is evaluated. Length such as `"500 mm"`, above zero.
             deviation_max: Permissible deviation at the lever arm, or along the line of a linear mechanism. Length such as `"0.2 mm"`, above zero.
             resolution_max: Largest permissible position step at the output. Angle such as `"5 arcsec"`, above zero.
             absolute: True: the position must be absolute over the whole travel.

@@ -130,7 +130,7 @@ fn the_torque_of_m8_is_marked_in_the_text() {
     let asked = MountInputs::default();
     let found = answer::mount(&mount(&code, &asked).unwrap(), &asked, None, Language::De);
     let text = format!("{:?}", questions::chapter::mount(&found, Language::De));
-    assert!(text.contains("42 †") && text.contains("† T79.1-M8-torque: "), "{text}");
+    assert!(text.contains("42 †") && text.contains("† Tabelle 79.1, Anzugsdrehmoment"), "{text}");
 }
 
 /// Errata of a wiring concern the winding, the feedback and the size of its code.

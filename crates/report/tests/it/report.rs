@@ -108,8 +108,10 @@ fn every_sample_says_all_that_its_records_say(sample: Sample, content: &Content)
             }
         }
         for erratum in &dossier.errata {
-            says(&brief, &erratum.erratum.id);
+            // By its place: the reader of a document does not know the ids of the data.
+            says(&brief, &words::erratum_place_of(&erratum.erratum.id, content.language));
             says(&brief, &erratum.erratum.evidence);
+            assert!(!brief.contains(&letters(&erratum.erratum.id)), "{name}: {}", erratum.erratum.id);
         }
         for item in &dossier.bill_of_material {
             says(&brief, &item.code);
