@@ -56,7 +56,7 @@ class Load(LoadOrMechanism):
 
 
 class Body(Section):
-    """Solid bodies, one table each; or bodies."""
+    """Solid bodies as tables; or bodies."""
 
     __slots__ = ()
     _TABLE = "mechanism.turntable.body"
@@ -192,8 +192,8 @@ class Turntable(Mechanism):
         efficiency_back: float | None = None,
     ) -> None:
         """Args:
-            body: Solid bodies, one table each; or bodies.
-            bodies: Solid bodies, one line each as for antrieb inertia.
+            body: Solid bodies as tables; or bodies.
+            bodies: Solid bodies as texts, one each as for antrieb inertia.
             axis_tilt: Tilt of the rotation axis from the vertical; default: vertical, listed as assumed. Angle such as `"90 deg"`.
             start_angle: Position at the beginning of the motion; default: zero. Angle such as `"90 deg"`.
             angle: Another name of `start_angle`.
