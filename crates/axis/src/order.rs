@@ -64,8 +64,10 @@ pub(crate) fn check_actuator(values: &ActuatorValues, report: &mut AxisReport<'_
 }
 
 fn check_orders(section: &dyn Fields, orders: &[KeyOrder], report: &mut AxisReport<'_>) {
+    let fields = section.fields();
+    let field = |name: &str| fields.iter().find(|field| field.name() == name);
     for (lower, upper) in orders {
-        let [Some(low), Some(high)] = [lower, upper].map(|name| section.field(name)) else { continue };
+        let [Some(low), Some(high)] = [lower, upper].map(|name| field(name)) else { continue };
         if let (Some(least), Some(most)) = (low.si(), high.si())
             && least > most
         {

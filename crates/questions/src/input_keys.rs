@@ -21,8 +21,6 @@ struct Known {
     within: Within,
     /// `None` if the role is already the key.
     key: Option<Key>,
-    /// The key is stated in the file.
-    is_stated: bool,
 }
 
 impl<'p> InputKeys<'p> {
@@ -46,42 +44,42 @@ impl<'p> InputKeys<'p> {
             self.rename(source, limit, within);
         });
         for step in &mut check.workings {
-            let is_stated = self.rename(&mut step.source, Some(step.si), within);
-            if !is_stated && let Source::Project { key } = &step.source {
+            if self.rename(&mut step.source, Some(step.si), within)
+                && let Source::Project { key } = &step.source
+                && !self.project.states(key)
+            {
                 step.source = Source::NotStated { key: Arc::from(&**key) };
                 step.grade = Grade::Assumed;
             }
         }
     }
 
-    /// Replaces a name of the engine by the keys of the file; returns `true` if one of them is stated.
+    /// Replaces a name of the engine by the keys of the file; returns `true` if it was one.
     fn rename(&mut self, source: &mut Source, si: Option<f64>, within: Within) -> bool {
-        let Source::Project { key } = source else { return true };
+        let Source::Project { key } = source else { return false };
         let fits = |known: &&Known| known.within == within && known.si.is_none_or(|known| known == si);
         // Most names of the engine are the same few texts at the same address.
         let is_same = |known: &&Known| std::ptr::eq(&*known.role, &**key) && fits(known);
         let is_equal = |known: &&Known| known.role == *key && fits(known);
         let known = self.known.iter();
         let stated = match known.clone().find(is_same).or_else(|| known.clone().find(is_equal)) {
-            Some(known) => (known.key.clone(), known.is_stated),
-            None if is_final(key) => return true,
+            Some(known) => known.key.clone(),
+            None if is_final(key) => return false,
             None => {
                 // Only loads on the flange are distinguished by their value.
                 let by_value = key.starts_with("bearing.");
                 let stated = self.project.stated_at(key, si.filter(|_| by_value), within).map(Key::from);
-                let is_stated = self.project.states(stated.as_deref().unwrap_or(key));
                 if self.known.len() < KNOWN_MOST {
                     let si = by_value.then_some(si);
-                    self.known.push(Known { role: key.clone(), si, within, key: stated.clone(), is_stated });
+                    self.known.push(Known { role: key.clone(), si, within, key: stated.clone() });
                 }
-                (stated, is_stated)
+                stated
             }
         };
-        let (stated, is_stated) = stated;
         if let Some(stated) = stated {
             *key = stated;
         }
-        is_stated
+        true
     }
 }
 

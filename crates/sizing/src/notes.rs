@@ -7,7 +7,6 @@ use quantities::{
     Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Frequency, Length, Power,
     ThermodynamicTemperature, Time, Torque,
 };
-use smallvec::SmallVec;
 use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -273,7 +272,7 @@ enum Held {
     /// One remark with values of a candidate, the most common case.
     One(Note),
     /// Several remarks with values of a candidate.
-    Found(Arc<SmallVec<[Note; 4]>>),
+    Found(Arc<[Note]>),
 }
 
 impl Notes {
@@ -287,13 +286,9 @@ impl Notes {
 
     /// Adds a remark.
     pub(crate) fn push(&mut self, note: Note) {
-        if let Held::Found(notes) = &mut self.0 {
-            Arc::make_mut(notes).push(note);
-            return;
-        }
         self.0 = match &self[..] {
             [] => Held::One(note),
-            reported => Held::Found(Arc::new(reported.iter().cloned().chain(std::iter::once(note)).collect())),
+            reported => Held::Found(reported.iter().cloned().chain(std::iter::once(note)).collect()),
         };
     }
 
@@ -323,7 +318,7 @@ impl From<Note> for Notes {
 
 impl<const N: usize> From<[Note; N]> for Notes {
     fn from(notes: [Note; N]) -> Self {
-        Self(Held::Found(Arc::new(SmallVec::from_iter(notes))))
+        Self(Held::Found(Arc::new(notes)))
     }
 }
 
