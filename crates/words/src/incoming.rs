@@ -42,9 +42,9 @@ texts! {
     ends_of(column) = "Beginning and end, {column}" | "Anfang und Ende, {column}";
     from_to(from, to) = "{from}, {to}" | "{from}; {to}";
     outliers(count, column, value, time) =
-        "{column}: one value far beside those before and behind, {value} at {time}. If it is a fault of the recording, delete its row: a peak decides about the actuator."
+        "{column}: one value far from those before and after, {value} at {time}. If it is a recording error, delete its row: a single peak determines the actuator."
         | "{column}: ein Wert weit neben den Werten davor und danach, {value} bei {time}. Ist er ein Fehler der Aufzeichnung, seine Zeile löschen: Eine Spitze entscheidet über den Antrieb.",
-        "{column}: {count} values far beside those before and behind, the farthest {value} at {time}. If they are faults of the recording, delete their rows: a peak decides about the actuator."
+        "{column}: {count} values far from those before and after, the farthest {value} at {time}. If they are recording errors, delete their rows: a single peak determines the actuator."
         | "{column}: {count} Werte weit neben den Werten davor und danach, der äußerste {value} bei {time}. Sind sie Fehler der Aufzeichnung, ihre Zeilen löschen: Eine Spitze entscheidet über den Antrieb.";
     jump(change, time) =
         "The position jumps by {change} at {time}, from one row to the next: it was set anew, or rows are missing. Use the part before or behind it."
