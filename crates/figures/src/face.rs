@@ -90,7 +90,8 @@ pub fn mating_face(code: &OrderCode, connector: &Connector, texts: PinTexts, lan
             None => drawn,
         });
     }
-    let description = wiring::face_described(&connector.poles, &typeset(connector.thread), &sentences.join(", "), language);
+    let description =
+        wiring::face_described(&connector.poles, &typeset(connector.thread), &sentences.join(", "), language);
     let note = wiring::schematic(language);
     let of = format!("{}, {code} ({})", wiring::role_name(connector.role, language), typeset(connector.kind.corrected));
     let size = if texts == PinTexts::Full { (135.0, 85.0) } else { (81.0, 60.0) };

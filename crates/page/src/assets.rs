@@ -41,7 +41,11 @@ fn without_comments(name: &str, text: &str) -> String {
     }
     let is_comment = |line: &str| {
         let line = line.trim();
-        if name.ends_with(".css") { line.starts_with("/*") && line.find("*/") == Some(line.len() - 2) } else { line.starts_with("//") }
+        if name.ends_with(".css") {
+            line.starts_with("/*") && line.find("*/") == Some(line.len() - 2)
+        } else {
+            line.starts_with("//")
+        }
     };
     text.lines().filter(|line| !is_comment(line)).flat_map(|line| [line, "\n"]).collect()
 }

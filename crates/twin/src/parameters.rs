@@ -286,7 +286,12 @@ impl Parameters {
         let [first, second] = [&self.actuator.gear.torque_1, &self.actuator.gear.torque_2].map(|torque| torque.known());
         let pairs = [
             ("chopper_off", Some(chopper_off.value), "chopper_on", Some(chopper_on.value)),
-            ("gear_torque_1", first.map(|known| known.value.si()), "gear_torque_2", second.map(|known| known.value.si())),
+            (
+                "gear_torque_1",
+                first.map(|known| known.value.si()),
+                "gear_torque_2",
+                second.map(|known| known.value.si()),
+            ),
         ];
         pairs.into_iter().find_map(|(lower, low, upper, high)| (low? > high?).then_some((lower, upper)))
     }

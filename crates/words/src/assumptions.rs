@@ -462,7 +462,9 @@ fn smoothing_text(smoothing_s: Option<f64>, column: SteppedColumn, language: Lan
             "a recorded speed or more digits are required"
             | "erforderlich sind eine aufgezeichnete Drehzahl oder mehr Stellen"
         ),
-        (None, SteppedColumn::Speed) => said!(language => "more digits are required" | "erforderlich sind mehr Stellen"),
+        (None, SteppedColumn::Speed) => {
+            said!(language => "more digits are required" | "erforderlich sind mehr Stellen")
+        }
     }
 }
 

@@ -81,9 +81,7 @@ pub use commissioned::{
     unjudged_text,
 };
 pub use derivation::{found_condition, found_text, symbol_shown};
-pub use errata::{
-    ERRATUM_MARK, erratum_kind, erratum_line, erratum_place, erratum_place_of, erratum_status, marked,
-};
+pub use errata::{ERRATUM_MARK, erratum_kind, erratum_line, erratum_place, erratum_place_of, erratum_status, marked};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{FaultWords, Worded, fault_text, hint_text, own_hint, worded};

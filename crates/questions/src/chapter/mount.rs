@@ -5,8 +5,8 @@ use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue
 use provenance::Grade;
 use quantities::{Language, format_number};
 use words::{
-    ERRATUM_MARK, capitalised, erratum_line, grade_word, marked, mounting, row_sign, step_title, terminal, terms, typeset,
-    verdict_word,
+    ERRATUM_MARK, capitalised, erratum_line, grade_word, marked, mounting, row_sign, step_title, terminal, terms,
+    typeset, verdict_word,
 };
 
 /// Returns the mounting of a code.
