@@ -78,9 +78,9 @@ texts! {
     deviation_too_large(deviation, most) =
         "a limit deviation of {deviation} mm is not a fit; at most {most} mm are accepted"
         | "ein Grenzabmaß von {deviation} mm ergibt keine Passung; zulässig sind höchstens {most} mm";
-    fit_is_named_otherwise(zone, pilot, fit, id) =
-        "{zone} on {pilot} is a {fit}, although the manual calls it a transition fit (erratum {id})"
-        | "{zone} auf {pilot} ist eine {fit}, obwohl die Anleitung sie Übergangspassung nennt (Druckfehler {id})";
+    fit_is_named_otherwise(zone, pilot, fit, place) =
+        "{zone} on {pilot} is a {fit}, although the manual calls it a transition fit (erratum, {place})"
+        | "{zone} auf {pilot} ist eine {fit}, obwohl die Anleitung sie Übergangspassung nennt (Druckfehler, {place})";
     tolerances_are_drawn(figure) =
         "tolerances a to d are defined in figure {figure}, which is not available; outer contour, screw length and thread engagement are also given in drawings only and not stated here"
         | "die Toleranzen a bis d sind in Abbildung {figure} festgelegt, die nicht vorliegt; auch Außenkontur, Schraubenlänge und Einschraubtiefe sind nur gezeichnet und hier nicht angegeben";

@@ -11,7 +11,7 @@ use quantities::unit::{KILOGRAM, MICROMETRE, MILLIMETRE, NEWTON, NEWTON_METRE, O
 use quantities::{Language, Measure, Unit};
 use sizing::{Direction, Verdict};
 use words::mounting::{self, fit_word, load_case_title, side_title};
-use words::{cell_text, describe_uncovered, source_text, symbol_term};
+use words::{cell_text, describe_uncovered, erratum_place_of, source_text, symbol_term};
 
 /// Erratum about the name of the recommended fit.
 const FIT_NAME: &str = "T77.1-fit-name";
@@ -79,7 +79,13 @@ fn notes(mount: &Mount, asked: &MountInputs, axis: Option<&str>, language: Langu
         _ => None,
     });
     if let Some((zone, pilot, kind)) = named_otherwise {
-        notes.push(mounting::fit_is_named_otherwise(&zone, &pilot, &fit_word(kind, language), &FIT_NAME, language));
+        notes.push(mounting::fit_is_named_otherwise(
+            &zone,
+            &pilot,
+            &fit_word(kind, language),
+            &erratum_place_of(FIT_NAME, language),
+            language,
+        ));
     }
     notes.push(mounting::tolerances_are_drawn(&TOLERANCES_DRAWN_IN, language));
     match axis {
