@@ -375,7 +375,7 @@ fn what_is_odd_about_a_recording_is_said() {
     };
     let shown =
         |file: &str| preview(&InMemory::default(), &[("name", "run.csv"), ("torque", "whole")], file.as_bytes());
-    let said = ["far beside", "jumps by", "Beginning and end, position"];
+    let said = ["far from those", "jumps by", "Beginning and end, position"];
     let found = |html: &str| said.map(|text| html.contains(text));
     assert_eq!(found(&shown(&plain)), [false, false, true]);
     let spiked: String = plain
