@@ -4,7 +4,9 @@ pub(crate) mod keys;
 
 use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
-use project::{Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written};
+use project::{
+    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, other_names, paced, stretch, truth, written,
+};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use std::borrow::Cow;
@@ -46,14 +48,18 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
     }
     let Some(prefix) = prefix(text, matches.try_get_one::<String>("axis").ok().flatten()) else { return Ok(None) };
     let (mut changed, mut faults) = (Changed { text: text.to_owned(), made: Vec::new() }, Vec::new());
+    // Only a new project has an example.
+    let is_new = matches.try_get_one::<bool>("example").ok().flatten().is_some();
     let steps = sets.iter().map(|change| ("set", change)).chain(scales.iter().map(|change| ("scale", change)));
     for (option, change) in steps {
         let made = match option {
-            "set" => set(&changed.text, change, &prefix, language).map_err(|fault| {
-                // The machine of the example turns on in one direction.
-                let is_plain = matches.try_get_one::<bool>(EXAMPLE).ok().flatten() == Some(&false);
-                of_stations(&changed.text, change, is_plain, language).unwrap_or(fault)
-            }),
+            "set" => match stations(&changed.text, change, &prefix) {
+                Some(made) => Ok(made),
+                None => {
+                    let to_and_fro = is_new.then(|| moves_alike(&changed.text, change, &sets)).flatten();
+                    to_and_fro.map_or_else(|| set(&changed.text, change, &prefix, language), Ok)
+                }
+            },
             _ => scale(&changed.text, change, &prefix, language),
         };
         match made {
@@ -175,20 +181,67 @@ fn with_point<'v>(path: &str, value: &'v str) -> Cow<'v, str> {
     }
 }
 
-/// Returns the fault of a number of stations, with the distance between them.
-fn of_stations(text: &str, change: &str, is_plain: bool, language: Language) -> Option<Fault> {
+/// Turns a table on by one station in each of its moves; `None` if the change is no number of stations, or nothing turns.
+fn stations(text: &str, change: &str, prefix: &str) -> Option<(String, String)> {
     let (key, value) = change.split_once('=')?;
     let distance = distance_of_stations(key.trim(), value.trim())?;
     let all = written(text)?;
-    let stated = all.iter().find(|each| each.path.ends_with(".distance") && each.value.is_some())?;
-    let option = typed(["--set", &format!("{}={distance}", stated.path)]);
-    let option = if is_plain { format!("--{EXAMPLE} {option}") } else { option };
-    let hint = usage_hint(&UsageHint::Calls(vec![option]), language);
-    Some((terminal::set_no_key(&seen(key.trim()), language), Some(hint)))
+    let is_move = |each: &&Written| each.path.starts_with(prefix) && each.path.ends_with(".distance");
+    let turns = |each: &&Written| each.value.as_deref().is_some_and(|value| keys::is_angle(value));
+    let (mut done, mut made) = (text.to_owned(), Vec::new());
+    for each in all.iter().filter(is_move).filter(turns) {
+        done = edit(&done, &each.path, Edit::Value(&distance)).ok()?;
+        made.push(format!("{} {} → {distance}", each.path, each.value.as_deref().unwrap_or_default()));
+    }
+    (!made.is_empty()).then(|| (done, made.join("; ")))
 }
 
-/// Flag of a new project that is that of a machine.
-const EXAMPLE: &str = "example";
+/// Sets a value of a new project in all its moves, there and back, if they state the same amount; `pause=1s` sets the dwells.
+/// `None` if the change names one key, or the moves differ.
+fn moves_alike(text: &str, change: &str, sets: &[String]) -> Option<(String, String)> {
+    let (key, value) = change.split_once('=').map(|(key, value)| (key.trim(), value.trim()))?;
+    let all = written(text)?;
+    let stated = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+    let is_dwell = |path: &str| {
+        let segment = path.rsplit_once('.').map(|(segment, _)| segment).filter(|segment| is_segment(segment));
+        segment.and_then(|segment| stated(&format!("{segment}.law"))) == Some("dwell")
+    };
+    let (name, of_dwells) = if words::spoken::is_pause(key) { ("time", true) } else { (key, false) };
+    let found = keys::named(&all, "", &keys::with_brackets(name), value);
+    let is_due =
+        |path: &&String| path.starts_with("motion[") && is_dwell(path) == of_dwells && keys::takes(path, value);
+    let due: Vec<&String> = found.iter().filter(is_due).collect();
+    let amount = |path: &str| stated(path).map(|value| value.trim_start_matches('-').to_owned());
+    let first = amount(due.first()?);
+    let is_alike = due.iter().all(|path| amount(path) == first);
+    if !is_alike || found.len() < 2 || value.starts_with('-') {
+        return None;
+    }
+    let (mut done, mut made) = (text.to_owned(), Vec::new());
+    for path in due {
+        let before = stated(path).unwrap_or("–");
+        let sign = if before.starts_with('-') { "-" } else { "" };
+        let value = format!("{sign}{}", with_point(path, value));
+        done = edit(&done, path, Edit::Value(&value)).ok()?;
+        made.push(format!("{path} {before} → {value}"));
+        // A move is stated by two of its values: the speed replaces the time of the template.
+        let time = path.rsplit_once('.').map(|(segment, _)| format!("{segment}.time")).unwrap_or_default();
+        let has_time = sets.iter().any(|set| set.split_once('=').is_some_and(|(key, _)| is_time(key.trim())));
+        let (Some(before), true) = (stated(&time), OF_SPEED.contains(&name) && !has_time) else { continue };
+        done = edit(&done, &time, Edit::Value("")).ok()?;
+        made.push(format!("{time} {before} → –"));
+    }
+    Some((done, made.join("; ")))
+}
+
+/// Keys of a move that a new project states in place of its time.
+const OF_SPEED: [&str; 2] = ["speed", "acceleration"];
+
+/// Returns `true` if a key is that of a time, by any of its names.
+fn is_time(key: &str) -> bool {
+    let last = key.rsplit('.').next().unwrap_or_default().to_lowercase();
+    last == "time" || other_names(&last).contains(&"time")
+}
 
 /// Returns the keys that the end of a path names, each with the number and the unit that it lacks: that of the stated value, else
 /// one of every quantity that the key may be.
@@ -218,6 +271,26 @@ pub(crate) fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &s
     found
 }
 
+/// Percentage without a sign from which it is a share, below an increase.
+const SHARE_LEAST: f64 = 50.0;
+
+/// Returns the factor that a percentage states: `+15%` and `15%` are 1.15, `80%` is 0.8.
+pub(crate) fn share(text: &str) -> Option<f64> {
+    let number = text.strip_suffix('%')?.trim();
+    let percent: f64 = number.replace(',', ".").parse().ok()?;
+    let is_change = number.starts_with(['+', '-']) || percent < SHARE_LEAST;
+    Some(if is_change { 100.0 + percent } else { percent } / 100.0)
+}
+
+/// Returns the factor that a word states as a percentage or with a sign of multiplication.
+pub(crate) fn factor(word: &str) -> Option<f64> {
+    if let Some(factor) = share(word) {
+        return Some(factor);
+    }
+    let number = word.strip_prefix(['x', '×', '*']).or_else(|| word.strip_suffix(['x', '×']))?;
+    number.replace(',', ".").parse().ok()
+}
+
 /// Scales load, payloads, times or distances.
 fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(String, String), Fault> {
     let (what, factor) = change.split_once('=').map_or((change, ""), |(what, factor)| (what.trim(), factor.trim()));
@@ -226,7 +299,8 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         let words: Vec<String> = SCALED.iter().map(|word| (*word).to_owned()).collect();
         return Err(bad(change, "scale", UsageHint::Words(project::Hint::ValidAre(words)), language));
     }
-    let number = factor.replace(',', ".").parse::<f64>().ok().filter(|number| (1e-3..=1e3).contains(number));
+    let number = share(factor).or_else(|| factor.replace(',', ".").parse().ok());
+    let number = number.filter(|number: &f64| (1e-3..=1e3).contains(number));
     let Some(number) = number else {
         return Err(bad(change, "scale", UsageHint::Range("0.001".to_owned(), "1000".to_owned()), language));
     };

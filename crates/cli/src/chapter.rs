@@ -142,15 +142,20 @@ pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
         Some(from) => recorded(call, (from, out), &name)?,
         None => new::found(inquiry, &name)?,
     };
-    if let Some(text) = call.changed(&template.text)? {
+    let mut talk = String::new();
+    if let Some((text, made)) = call.changed(&template.text)? {
         template.text = text;
+        // A statement that changes several keys says which.
+        let several = made.iter().filter(|made| made.contains("; "));
+        talk = several.map(|made| format!("{}\n", terminal::values_set(made, language))).collect();
     }
     let Some(out) = out else {
         let mut answer = CommandAnswer::data(template.text);
         if let Some((recording, _)) = template.recording {
             let kind = call.text("kind").unwrap_or_default();
-            answer.talk = format!("{}\n", terminal::recording_not_written(&recording, &kind, language));
+            talk += &format!("{}\n", terminal::recording_not_written(&recording, &kind, language));
         }
+        answer.talk = talk;
         return Ok(answer);
     };
     let beside = template.recording.map(|(name, text)| (out.with_file_name(name), text));
@@ -165,7 +170,7 @@ pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     call.saver(&[]).save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
-        return Ok(CommandAnswer::record(&FilesWritten { files: paths }));
+        return Ok(CommandAnswer { talk, ..CommandAnswer::record(&FilesWritten { files: paths }) });
     }
-    Ok(CommandAnswer::lines(&paths))
+    Ok(CommandAnswer { talk, ..CommandAnswer::lines(&paths) })
 }

@@ -147,6 +147,7 @@ texts! {
     load_factor(factor) = "all masses and inertias × {factor}" | "alle Massen und Trägheitsmomente × {factor}";
     cycle_time(time) = "cycle time {time} s" | "Zykluszeit {time} s";
     ambient(ambient) = "ambient temperature {ambient} °C" | "Umgebungstemperatur {ambient} °C";
+    values_set(values) = "set: {values}" | "gesetzt: {values}";
     call_understood(call) = "understood as: {call}" | "verstanden als: {call}";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
     set_form = "the form is --set KEY=VALUE, such as --set mechanism.belt.mass=20kg" | "die Form ist --set SCHLÜSSEL=WERT, etwa --set mechanism.belt.mass=20kg";

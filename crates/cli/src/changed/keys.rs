@@ -87,6 +87,11 @@ pub(crate) fn nearest(all: &[Written], key: &str, stated: &[&str]) -> Hint {
 /// Largest number of keys that are listed where none is near.
 const LISTED_MOST: usize = 12;
 
+/// Returns `true` if a value is an angle.
+pub(crate) fn is_angle(value: &str) -> bool {
+    parse(Dimension::Angle, value).is_ok()
+}
+
 fn has_name(path: &str, name: &str) -> bool {
     path.strip_suffix(name).is_some_and(|above| above.ends_with('.'))
 }

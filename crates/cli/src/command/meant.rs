@@ -528,6 +528,13 @@ impl<'c> Sorting<'c> {
             }
         }
         let (takers, twice) = called.takers(word, &self.given);
+        // The only value of a new project that a quantity can be.
+        if takers.is_empty()
+            && let Some(value) = called.only_value_of_new(word)
+        {
+            self.place_option(place, "--set", value);
+            return behind;
+        }
         match &takers[..] {
             [option] => self.place_option(place, &option.clone(), word.to_owned()),
             _ if self.stray.is_none() => {

@@ -1,6 +1,7 @@
 //! Options and help that only the command line has, in addition to the arguments and output files of a question.
 
 use super::argument::{self, flag, text};
+use crate::changed::share;
 use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
 use quantities::{Language, MomentOfInertia};
@@ -118,7 +119,7 @@ pub(crate) fn shapes(command: Command, language: Language) -> Command {
 pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
     let changed = || word.split_once('=').map(|(key, value)| (key.trim(), value.trim()));
     let is_scale = |key: &str| crate::changed::SCALED.contains(&key);
-    let is_number = |text: &str| text.replace(',', ".").parse::<f64>().is_ok();
+    let is_number = |text: &str| share(text).is_some() || text.replace(',', ".").parse::<f64>().is_ok();
     let is_key = |key: &str| {
         key.starts_with(|sign: char| sign.is_ascii_alphabetic())
             && key.chars().all(|sign| sign.is_ascii_alphanumeric() || "_.[]".contains(sign))

@@ -5,9 +5,10 @@ use super::example::filled;
 use super::folder::{RECORDINGS, axes_of, has_ending, projects_in, text_of};
 use super::meant::Called;
 use super::own::VARY;
+use super::spoken::option_meant;
 use super::typed::{number_and_unit, typed};
 use super::unknown;
-use crate::changed::{keys, with_units};
+use crate::changed::{factor, keys, with_units};
 use clap::Arg;
 use project::{Hint, Written, nearest_name, written};
 use questions::list::new::template_kinds;
@@ -20,20 +21,6 @@ const OTHER_COMMANDS: [(&str, &str); 3] = [("explain", "check"), ("plot", "figur
 
 /// Largest number of options that a refusal names.
 const PROPOSALS_MOST: usize = 4;
-
-/// Returns the factor that a word states as a percentage or with a sign of multiplication.
-fn factor(word: &str) -> Option<f64> {
-    if let Some(number) = word.strip_suffix('%') {
-        let percent: f64 = number.replace(',', ".").parse().ok()?;
-        let is_change = number.starts_with(['+', '-']) || percent < SHARE_LEAST;
-        return Some(if is_change { 100.0 + percent } else { percent } / 100.0);
-    }
-    let number = word.strip_prefix(['x', '×', '*']).or_else(|| word.strip_suffix(['x', '×']))?;
-    number.replace(',', ".").parse().ok()
-}
-
-/// Percentage without a sign from which it is a share, below an increase.
-const SHARE_LEAST: f64 = 50.0;
 
 /// Range of a key.
 struct ExampleRange {
@@ -160,6 +147,15 @@ impl Called<'_> {
         paths.into_iter().take(PROPOSALS_MOST).map(|path| ("--set".to_owned(), format!("{path}={word}"))).collect()
     }
 
+    /// Returns the change of the only key of a new project that may have a quantity as its value.
+    pub(super) fn only_value_of_new(&self, word: &str) -> Option<String> {
+        self.entry.filter(|entry| entry.command == "new")?;
+        let all = self.project_text().and_then(|text| written(&text))?;
+        let mut found = all.iter().filter(|each| each.value.is_some() && keys::is_quantity(&each.path, word));
+        let path = found.next().filter(|_| found.next().is_none()).map(|each| &each.path)?;
+        Some(format!("{path}={word}"))
+    }
+
     /// Returns the option with the most similar name.
     pub(super) fn near_option(&self, word: &str) -> Option<String> {
         let names: Vec<&str> = self.options().filter_map(Arg::get_long).collect();
@@ -214,7 +210,9 @@ impl Called<'_> {
             _ if is_number && self.has("scale") && (meant == Some("--scale") || scaled == name) => {
                 vec![["--scale".to_owned(), format!("{scaled}={value}")]]
             }
-            _ if self.has("set") && !named().is_empty() => named().into_iter().take(PROPOSALS_MOST).collect(),
+            _ if self.has("set") && option_meant(&name, self.command).is_none() && !named().is_empty() => {
+                named().into_iter().take(PROPOSALS_MOST).collect()
+            }
             Some(meant) if meant != "--scale" && meant != "--set" || value.contains('=') => {
                 vec![[meant.to_owned(), value.to_owned()]]
             }
@@ -227,7 +225,11 @@ impl Called<'_> {
             let whole: Vec<OsString> = head.iter().cloned().chain(option).chain(tail.iter().cloned()).collect();
             filled(&whole, self)
         };
-        options.iter().filter_map(call).collect()
+        let calls = options.iter().filter_map(call);
+        // Operation per day is that of some days.
+        let lacks_days =
+            |call: &String| call.contains("--hours-per-day ") && self.has("days") && !call.contains("--days");
+        calls.map(|call| if lacks_days(&call) { format!("{call} --days 1") } else { call }).collect()
     }
 
     /// Returns the calls in place of one that states a value of a key and no project: with a project of the folder, else those

@@ -75,16 +75,13 @@ fn whole_calls(hint: &str, arguments: &[OsString], language: Language) -> Option
     let options = hint.strip_prefix(&before)?;
     let words: Vec<&str> = arguments.iter().skip(1).map(|word| word.to_str()).collect::<Option<_>>()?;
     let call = |option: &str| {
-        let words_of_option = split(option);
-        let [flags @ .., name, value] = &words_of_option[..] else { return None };
+        let [name, value] = &split(option)[..] else { return None };
         let (key, _) = value.split_once('=')?;
         // The statement of the same key, else of the same value.
         let is_of_key = |word: &str| {
             let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_lowercase();
-            word.split_once('=').is_some_and(|(other, stated)| {
-                let is_replaced = !flags.is_empty() || value.ends_with(stated);
-                last(other.trim()) == last(key) || is_replaced
-            })
+            word.split_once('=')
+                .is_some_and(|(other, stated)| last(other.trim()) == last(key) || value.ends_with(stated))
         };
         let stated = |at: &usize| {
             let own = words.get(*at).and_then(|word| word.strip_prefix(&format!("{name}=")));
@@ -97,13 +94,7 @@ fn whole_calls(hint: &str, arguments: &[OsString], language: Language) -> Option
         let skipped = if words.get(at) == Some(&name.as_str()) { 2 } else { 1 };
         let head = words.iter().take(at).copied();
         let tail = words.iter().skip(at + skipped).copied();
-        Some(typed(
-            std::iter::once(super::NAME)
-                .chain(head)
-                .chain(flags.iter().map(String::as_str))
-                .chain([name.as_str(), value.as_str()])
-                .chain(tail),
-        ))
+        Some(typed(std::iter::once(super::NAME).chain(head).chain([name.as_str(), value.as_str()]).chain(tail)))
     };
     let calls: Vec<String> = options.lines().map(call).collect::<Option<_>>()?;
     Some(usage_hint(&UsageHint::Calls(calls), language))

@@ -4,8 +4,8 @@
 use super::begun::file_beside;
 use super::meant::Called;
 use super::own::{VARY, is_of_several};
-use super::spoken::twin_options;
-use crate::changed::{SCALED, keys, prefix};
+use super::spoken::{option_meant, seems_code, twin_options};
+use crate::changed::{SCALED, factor, keys, prefix};
 use clap::Command;
 use project::{Written, distance_of_stations, written};
 use quantities::Language;
@@ -85,16 +85,37 @@ impl Unknown<'_> {
 
     /// Returns the meaning of the word at a place; `None` for a word that is no unknown option, or has no plain meaning.
     fn meaning(&self, place: usize, word: &str) -> Option<Meaning> {
-        let name = name_of(word).filter(|name| !self.is_known(name))?;
+        let name = name_of(word)?;
+        if self.is_known(name) {
+            return self.as_own_file(place, name, word);
+        }
         let stated = word.split_once('=').map(|(_, value)| value);
         let next = || self.texts.get(place + 1).copied().filter(|next| !next.starts_with("--") && *next != "-o");
         let (value, further) = match stated {
             Some(value) => (Some(value), 0),
             None => (next(), usize::from(next().is_some())),
         };
-        self.as_file(name, value, further)
+        self.as_factor(name, value, further)
+            .or_else(|| self.as_file(name, value, further))
             .or_else(|| self.as_key(place, name, stated))
             .or_else(|| stated.is_none().then(|| self.as_value(name)).flatten())
+    }
+
+    /// Returns the factor of a quantity that a call may scale: `--load 1.15`, `--payload +10%`.
+    fn as_factor(&self, name: &str, value: Option<&str>, further: usize) -> Option<Meaning> {
+        let what = spoken::scaled(name).filter(|_| self.called.has("scale"))?;
+        let number = value.and_then(|value| factor(value).or_else(|| value.replace(',', ".").parse().ok()))?;
+        Some((vec!["--scale".to_owned(), format!("{what}={number}")], further))
+    }
+
+    /// Returns a known option for a file with a name for it, if it has none: that of the project, or of the code.
+    fn as_own_file(&self, place: usize, name: &str, word: &str) -> Option<Meaning> {
+        let file = self.called.entry?.files().find(|file| file.option == name)?;
+        let is_bare = !word.contains('=') && self.texts.get(place + 1).is_none_or(|next| next.starts_with("--"));
+        let ending = *super::meant::endings(file).first().filter(|_| is_bare)?;
+        let code = self.called.first.iter().find(|word| seems_code(word));
+        let own = code.filter(|_| self.called.projects.is_empty()).map(|code| format!("{code}{ending}"));
+        Some((vec![format!("--{name}"), own.unwrap_or_else(|| file_beside(&self.called.projects, ending))], 0))
     }
 
     /// Returns an option for a file by the ending that it names, or that the file of `--out` has.
@@ -120,7 +141,8 @@ impl Unknown<'_> {
     /// Returns the change of a key of the project, if the name is that of one key and the value one of its values.
     fn as_key(&self, place: usize, name: &str, stated: Option<&str>) -> Option<Meaning> {
         let varies = self.called.has(VARY);
-        if !self.called.has("set") && !varies {
+        // A word that stands for another option of the command is no key.
+        if !self.called.has("set") && !varies || option_meant(name, self.called.command).is_some() {
             return None;
         }
         let text = self.called.project_text()?;
@@ -154,6 +176,10 @@ impl Unknown<'_> {
         let found = keys::named(all, prefix, key, value);
         let path = match &found[..] {
             [path] => path.clone(),
+            // The refusal of an ambiguous key names each of them.
+            [_, _, ..] if self.called.has("set") && !is_factor && found.iter().all(|path| keys::takes(path, value)) => {
+                return Some(vec!["--set".to_owned(), format!("{key}={value}")]);
+            }
             [] if project::key_at(key).is_some() => format!("{prefix}{key}"),
             _ => return None,
         };
