@@ -305,7 +305,7 @@ fn a_project_of_a_recording_has_no_figures_of_a_template() {
     }
 }
 
-/// Of a product of a catalogue file the datum that lacks is named; it has neither an ordering code nor a manual.
+/// The datum that a product of a catalogue file lacks is named; it has neither an ordering code nor a manual.
 #[test]
 fn a_product_of_a_file_names_the_datum_that_it_lacks() {
     for (question, more, german) in [("curve", &[][..], "n_N"), ("torsion", &["--torque", "10 N m"], "K_1")] {
