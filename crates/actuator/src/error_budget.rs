@@ -60,7 +60,7 @@ pub struct Contribution {
 }
 
 /// Error budget with known and unknown contributions.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ErrorBudget {
     /// Contributions with known values.
     pub contributions: Vec<Contribution>,

@@ -110,7 +110,7 @@ impl Unmet {
         matches!(self, Self::NotKnown { .. } | Self::NotOffered(_))
     }
 
-    /// Returns `true` if it rejects a product. Data that a file of the user leaves open, and an offer that nobody states, are
+    /// Returns `true` if it rejects a product. Data that a file of the user leaves open, and an offer that no file states, are
     /// unknown and reject none; the manual is expected to state its data.
     #[must_use]
     pub const fn rejects(&self, product: &Product) -> bool {

@@ -118,8 +118,8 @@ fn axis_own_hint(fault: &AxisFault, language: Language) -> Option<String> {
         AxisFault::NoProducts => example_hint("[[actuator]]", language),
         AxisFault::NoPrice => example_hint("price_max = \"1500 EUR\"", language),
         AxisFault::UnknownMaker { makers, .. } => {
-            let makers = makers.join("; ");
-            Some(said!(language => "manufacturers of the catalogue: {makers}" | "Hersteller des Katalogs: {makers}"))
+            let names = makers.join("; ");
+            Some(said!(language => "manufacturers of the catalogue: {names}" | "Hersteller des Katalogs: {names}"))
         }
         AxisFault::NothingOffered => example_hint("files = [\"stock.toml\"]", language),
         AxisFault::ImpossibleWithin { why: None, .. }

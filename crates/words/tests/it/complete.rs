@@ -200,10 +200,7 @@ fn notes() {
         Note::RopeSlack(Box::new(sizing::RopeSlack { times: vec![(mechanism::Rope::Load, q(0.1), q(0.2)); 6] })),
         Note::ResonanceSpeeds(Box::new(ResonanceSpeeds { blocked: speeds, free: Some(speeds) })),
         Note::FreeRotor(q(10.0)),
-        Note::Budget(Box::new(Budget {
-            errors: actuator::ErrorBudget { contributions: Vec::new(), missing: vec![actuator::ErrorKind::Tilt] },
-            deviation: Some(q(1e-4)),
-        })),
+        Note::Budget(Box::new(Budget { errors: actuator::ErrorBudget::default(), deviation: Some(q(1e-4)) })),
         Note::Erratum(catalogue::errata().first().map_or("", |erratum| erratum.id)),
     ];
     for note in &all {
