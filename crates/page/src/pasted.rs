@@ -12,10 +12,10 @@ const COLUMNS: [&str; 5] = ["law", "distance", "time", "speed", "acceleration"];
 /// Other words of a heading, in lower case.
 const HEADINGS: [(&str, &[&str]); 5] = [
     ("law", &["motion law", "bewegungsgesetz", "gesetz"]),
-    ("distance", &["way", "travel", "stroke", "angle", "weg", "winkel", "strecke", "hub"]),
-    ("time", &["duration", "zeit", "dauer"]),
-    ("speed", &["velocity", "geschwindigkeit", "drehzahl"]),
-    ("acceleration", &["beschleunigung"]),
+    ("distance", &["way", "travel", "stroke", "angle", "weg", "winkel", "strecke", "hub", "s", "x", "φ", "phi"]),
+    ("time", &["duration", "zeit", "dauer", "t"]),
+    ("speed", &["velocity", "geschwindigkeit", "drehzahl", "v", "n", "ω"]),
+    ("acceleration", &["beschleunigung", "a", "α"]),
 ];
 
 /// Keys that decide a move, of which a new row states its own.
@@ -64,12 +64,11 @@ pub(crate) fn pasted(text: &str, cell: &Cell<'_>, clip: &str, language: Language
         .take(ROWS_MOST)
         .collect();
     let first = rows.first()?;
-    let headings: Option<Vec<PastedColumn>> = first.iter().map(|heading| of_heading(heading)).collect();
-    let (columns, rows, replaces) = match headings {
+    let (columns, rows, replaces) = match headings(first) {
         Some(columns) => (columns, rows.get(1..).unwrap_or_default(), true),
         None => {
             let columns = COLUMNS.into_iter().skip(cell.column);
-            (columns.map(|key| PastedColumn { key, unit: String::new() }).collect(), rows.as_slice(), false)
+            (columns.map(|key| Some(PastedColumn { key, unit: String::new() })).collect(), rows.as_slice(), false)
         }
     };
     if rows.is_empty() {
@@ -93,6 +92,12 @@ pub(crate) fn pasted(text: &str, cell: &Cell<'_>, clip: &str, language: Language
             out = edit(&out, &format!("{list}[1]"), Edit::Gone).ok()?;
         }
     }
+    // A new move has the law of those before it; where there is none, the law is open.
+    let move_law = (1..=count)
+        .rev()
+        .filter_map(|place| value(&format!("{list}[{place}].law")))
+        .find(|law| !matches!(*law, "dwell" | "recorded" | "points" | "manual" | "web"))
+        .unwrap_or("open");
     let (start, kept) = if replaces { (1, 0) } else { (cell.row.max(1), count) };
     for (place, row) in (start..).zip(rows) {
         let path = format!("{list}[{place}]");
@@ -100,18 +105,24 @@ pub(crate) fn pasted(text: &str, cell: &Cell<'_>, clip: &str, language: Language
         if is_new {
             out = edit(&out, &path, Edit::Table).ok()?;
         }
-        let has_law = columns.iter().zip(row).any(|(column, cell)| column.key == "law" && !cell.is_empty());
+        let cells: Vec<(&PastedColumn, &&str)> =
+            columns.iter().zip(row).filter_map(|(column, cell)| Some((column.as_ref()?, cell))).collect();
+        let has_law = cells.iter().any(|(column, cell)| column.key == "law" && !cell.is_empty());
         if has_law {
             for key in OF_A_MOVE {
                 out = edit(&out, &format!("{path}.{key}"), Edit::Value("")).ok()?;
             }
         } else if is_new {
-            let goes = columns.iter().zip(row).any(|(column, cell)| column.key == "distance" && goes(cell));
-            out = edit(&out, &format!("{path}.law"), Edit::Value(if goes { "trapezoid" } else { "dwell" })).ok()?;
+            let goes = cells.iter().any(|(column, cell)| column.key == "distance" && goes(cell));
+            out = edit(&out, &format!("{path}.law"), Edit::Value(if goes { move_law } else { "dwell" })).ok()?;
         }
         let rests = value_of(&out, &format!("{path}.law")).as_deref() == Some("dwell")
-            || columns.iter().zip(row).any(|(column, cell)| column.key == "law" && law(cell) == Some("dwell"));
-        for (column, cell) in columns.iter().zip(row) {
+            || cells.iter().any(|(column, cell)| column.key == "law" && law(cell) == Some("dwell"));
+        for (column, cell) in cells {
+            // A cell without a law leaves that of the row.
+            if column.key == "law" && cell.is_empty() {
+                continue;
+            }
             // A rest has no distance; a nought in its column states the same.
             if rests && column.key != "time" && column.key != "law" && !goes(cell) {
                 continue;
@@ -141,6 +152,20 @@ fn goes(cell: &str) -> bool {
 
 fn value_of(text: &str, path: &str) -> Option<String> {
     written(text)?.into_iter().find(|key| key.path == path)?.value
+}
+
+/// Returns the columns of a row of headings, `None` for a column that is no value of a segment; `None` for a row of values.
+///
+/// A row of headings has no number outside of its units, and names at least a distance, a time or a speed.
+fn headings(row: &[&str]) -> Option<Vec<Option<PastedColumn>>> {
+    let is_number = |cell: &&str| {
+        cell.split(['[', '(']).next().is_some_and(|name| name.contains(|sign: char| sign.is_ascii_digit()))
+    };
+    if row.iter().any(is_number) {
+        return None;
+    }
+    let columns: Vec<Option<PastedColumn>> = row.iter().map(|heading| of_heading(heading)).collect();
+    columns.iter().flatten().any(|column| column.key != "law").then_some(columns)
 }
 
 /// Returns the column of a heading such as `Weg [mm]` or `time`.
@@ -206,6 +231,26 @@ mod tests {
             assert!(is(&found, path, value), "{path} {value}: {found:?}");
         }
         assert!(!found.iter().any(|(at, _)| at.ends_with("payload") || at.starts_with("[4]")), "{found:?}");
+    }
+
+    /// The headings of the page itself, symbols with units, and a column of numbers; without a law the moves keep that of the
+    /// motion before.
+    #[test]
+    fn a_column_that_is_no_value_of_a_segment_is_passed_over() {
+        let open = TEXT.replace("\"trapezoid\"", "\"open\"");
+        for clip in [
+            "#\tLaw\tDistance [deg]\tTime [s]\n1\t\t150\t1,5\n2\tdwell\t\t0,5\n",
+            "s [deg]\tt [s]\n150\t1,5\n0\t0,5\n",
+            "Segment\tWeg [deg]\tZeit [s]\n1\t150\t1,5\n2\t0\t0,5\n",
+        ] {
+            let found = of(&open, (1, 1), clip);
+            for (path, value) in
+                [("[1].law", "open"), ("[1].distance", "150 deg"), ("[1].time", "1.5 s"), ("[2].law", "dwell")]
+            {
+                assert!(is(&found, path, value), "{clip}: {path} {value}: {found:?}");
+            }
+            assert!(is(&found, "[2].time", "0.5 s") && !found.iter().any(|(at, _)| at.starts_with("[3]")), "{found:?}");
+        }
     }
 
     #[test]

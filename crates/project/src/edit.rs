@@ -130,6 +130,7 @@ fn apply(root: &'static [Key], document: &mut DocumentMut, path: &str, change: E
     let key = key_of(root, path).ok_or(EditFault::Path)?;
     let (last, above) = steps.split_last().ok_or(EditFault::Path)?;
     let mut reported = false;
+    let comments = document.trailing().as_str().unwrap_or_default().to_owned();
     let make = match change {
         Edit::Table | Edit::Instead => Make::ForTable,
         Edit::Value(value) if !value.trim().is_empty() => Make::ForValue,
@@ -167,7 +168,57 @@ fn apply(root: &'static [Key], document: &mut DocumentMut, path: &str, change: E
         let mut place = 0;
         renumber(root, document.as_table_mut(), &mut place);
     }
+    if reported {
+        comments_before_the_last(document, &comments);
+    }
     Ok(true)
+}
+
+/// Keeps comments at the end of a file below the table to which they belong: a table that was made behind it follows them.
+/// In a plain project the switches of its last table are such comments.
+fn comments_before_the_last(document: &mut DocumentMut, comments: &str) {
+    /// Returns the last table by its position.
+    fn last(table: &mut Table) -> Option<&mut Table> {
+        fn position(item: &Item) -> Option<isize> {
+            let of = |table: &Table| {
+                let own = if table.is_implicit() { None } else { table.position() };
+                own.into_iter().chain(table.iter().filter_map(|(_, item)| position(item))).max()
+            };
+            match item {
+                Item::Table(table) => of(table),
+                Item::ArrayOfTables(tables) => tables.iter().filter_map(of).max(),
+                _ => None,
+            }
+        }
+        let own = if table.is_implicit() { None } else { table.position() };
+        let (name, below) = table
+            .iter()
+            .filter_map(|(name, item)| Some((name.to_owned(), position(item)?)))
+            .max_by_key(|(_, position)| *position)
+            .map_or((None, None), |(name, position)| (Some(name), Some(position)));
+        if below <= own {
+            return Some(table);
+        }
+        match table.get_mut(&name?)? {
+            Item::Table(inner) => last(inner),
+            Item::ArrayOfTables(tables) => {
+                let place = tables.len().checked_sub(1)?;
+                last(tables.get_mut(place)?)
+            }
+            _ => None,
+        }
+    }
+    if !comments.contains('#') {
+        return;
+    }
+    let Some(table) = last(document.as_table_mut()) else { return };
+    // A table of the file has a prefix, though it may be empty; one that was made has none.
+    if table.decor().prefix().is_some() {
+        return;
+    }
+    let end = if comments.ends_with('\n') { "" } else { "\n" };
+    table.decor_mut().set_prefix(format!("{comments}{end}\n"));
+    document.set_trailing("");
 }
 
 /// Tables that are created on the way to a place.
@@ -285,22 +336,15 @@ fn insert(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> 
     };
     match parent.get_mut(name) {
         None => {
-            let _ = parent.insert(name, Item::ArrayOfTables(ArrayOfTables::from_iter([spaced()])));
+            let _ = parent.insert(name, Item::ArrayOfTables(ArrayOfTables::from_iter([Table::new()])));
         }
         Some(Item::ArrayOfTables(tables)) => {
-            reorder(tables, |all| all.insert(place.min(all.len()), spaced()));
+            reorder(tables, |all| all.insert(place.min(all.len()), Table::new()));
         }
         Some(Item::Value(Value::Array(array))) => array.insert(place.min(array.len()), InlineTable::new()),
         Some(_) => return None,
     }
     Some(true)
-}
-
-/// Returns a table with an empty line above it.
-fn spaced() -> Table {
-    let mut table = Table::new();
-    table.decor_mut().set_prefix("\n");
-    table
 }
 
 fn take(parent: &mut dyn TableLike, (name, place): &Step<'_>) {

@@ -354,7 +354,8 @@ fn step(factor: f64) -> f64 {
     STEPS.iter().find(|(until, _)| factor < *until).map_or(1.1, |(_, step)| *step)
 }
 
-/// Returns both sides of the highest ambient temperature at which the actuator fits \[K\]; `None` if it fits at none.
+/// Returns both sides of the highest ambient temperature at which the actuator fits \[K\]; `None` if it fits at none, or
+/// at all of the range.
 fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<Option<(f64, f64)>, S> {
     let (low, high) = AMBIENT_RANGE;
     // From above: the highest fitting region.
@@ -367,9 +368,8 @@ fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<O
                 Some(above) => above,
                 None => (kelvin + AMBIENT_STEP, excess(kelvin + AMBIENT_STEP)?),
             };
-            // It fits at the end of the range, and may do so above it.
-            let end = (above.0, above.0 + 0.5 * TEMPERATURE_DIGIT);
-            return Ok(Some(if above.1 > 0.0 { border(excess, here, above, NARROW)? } else { end }));
+            // Where it fits at the end of the range too, no check that was made depends on the temperature.
+            return Ok(if above.1 > 0.0 { Some(border(excess, here, above, NARROW)?) } else { None });
         }
         above = Some(here);
         kelvin -= AMBIENT_STEP;

@@ -134,3 +134,23 @@ fn spans_are_those_of_the_values() {
     assert_eq!(&TEXT[inertia.span.clone()], "\"1.3 kg m^2\"");
     assert!(all.iter().any(|key| key.path == "motion[1]" && key.value.is_none()));
 }
+
+/// Comments behind the last table, switches of it in a plain project, stay behind it when a further table is made.
+#[test]
+fn a_new_table_follows_the_comments_of_the_last_one() {
+    let text = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n\n\
+        [requirements]                  # the site\n# supply = \"560 V\"\n# brake = true   # holds\n";
+    let with = edit(text, "twin.position_gain", Edit::Value("25 1/s")).unwrap();
+    assert!(with.starts_with(text), "{with}");
+    assert!(with.ends_with("\n\n[twin]\nposition_gain = \"25 1/s\"\n"), "{with}");
+    // The switch belongs to its table once it is on.
+    let on = with.replace("# brake = true", "brake = true");
+    assert_eq!(value(&on, "requirements.brake").as_deref(), Some("true"));
+    // A table that is made before others leaves the end of the file as it is.
+    let before = edit(text, "stage.kind", Edit::Value("gear")).unwrap();
+    assert!(before.ends_with("# brake = true   # holds\n"), "{before}");
+    let same = edit(text, "load.friction_torque", Edit::Value("1 N m")).unwrap();
+    assert!(same.ends_with("# brake = true   # holds\n"), "{same}");
+    let entry = edit(text, "motion[2]", Edit::Table);
+    assert!(entry.is_err() || entry.unwrap().ends_with("# brake = true   # holds\n"));
+}
