@@ -159,13 +159,14 @@ function aim(of, time, way) {
   const { fromTime, fromWay } = of.of;
   if (of.grip.dataset.panel) {
     // The time goes as the peak goes, against it.
-    const peak = Math.sign(of.of.way) * Math.max(byWay, Math.abs(way * of.of.way > 0 ? snapped(way, byWay) : 0));
+    const peak = way === of.of.way ? way : Math.sign(of.of.way) * Math.max(byWay, Math.abs(way * of.of.way > 0 ? snapped(way, byWay) : 0));
     const [long, share] = [of.of.until - fromTime, of.of.way / peak];
     return { pulled: [long * share, 1, long, 1].join(' '), time: fromTime + (of.of.time - fromTime) * share, way: peak };
   }
-  const long = Math.max(byTime, snapped(time - fromTime, byTime));
+  // What is not moved keeps its value, also where it is none of the steps.
+  const long = time === of.of.time ? time - fromTime : Math.max(byTime, snapped(time - fromTime, byTime));
   const stated = of.of.way - fromWay;
-  let far = of.goes ? snapped(way - fromWay, byWay) : stated;
+  let far = of.goes && way !== of.of.way ? snapped(way - fromWay, byWay) : stated;
   if (of.goes && far === 0) far = Math.sign(stated) * byWay;
   return { long, far, pulled: [long, far, of.of.time - fromTime, stated].join(' '), time: fromTime + long, way: fromWay + far };
 }
@@ -194,6 +195,8 @@ async function end(of) {
   ending = null;
   dispatchEvent(new Event('antrieb:pulled'));
   overlay();
+  // An end outside of the picture is hidden, and cannot have the focus.
+  if (document.activeElement === document.body) $('#standing')?.focus({ preventScroll: true });
 }
 document.addEventListener('pointerdown', (event) => {
   const grip = event.target.closest?.('.grip');
@@ -202,11 +205,17 @@ document.addEventListener('pointerdown', (event) => {
   grip.focus();
   grip.setPointerCapture(event.pointerId);
   pull = begin(grip);
+  pull.from = [event.clientX, event.clientY];
 });
+// A hand that pulls along one axis does not hold the other one to the pixel.
+const SLACK = 3;
 document.addEventListener('pointermove', (event) => {
   if (!pull) return;
-  const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(pull.svg.getScreenCTM().inverse());
-  const found = aim(pull, atX(pull.p, place.x), atY(pull.p, place.y));
+  const inverse = pull.svg.getScreenCTM().inverse();
+  const [from, to] = [pull.from, [event.clientX, event.clientY]].map(([x, y]) => new DOMPoint(x, y).matrixTransform(inverse));
+  const [sideways, upright] = [event.clientX - pull.from[0], event.clientY - pull.from[1]].map((far) => Math.abs(far) > SLACK);
+  const { time, way } = pull.of;
+  const found = aim(pull, sideways ? time + atX(pull.p, to.x) - atX(pull.p, from.x) : time, upright ? way + atY(pull.p, to.y) - atY(pull.p, from.y) : way);
   if (found.pulled === pull.last) return;
   pull.last = found.pulled;
   put(pull.grip, found.time, found.way);
