@@ -54,7 +54,7 @@ fn a_fault_of_a_number_says_what_to_write() {
         ("1.000", "de", "Dezimalkomma"),
         ("1.000,5", "de", "Dezimalkomma"),
         ("1,000.5", "de", "Dezimalkomma"),
-        ("5kg*2", "en", "write the unit once, behind the whole expression: 2*5 kg"),
+        ("5kg*2", "en", "write the unit once, after the whole expression: 2*5 kg"),
         ("5kg*2", "de", "die Einheit einmal"),
         ("1e-400", "en", "too small"),
         ("1e-400", "de", "zu klein"),
@@ -77,9 +77,9 @@ fn a_cell_of_a_segment_says_what_to_write() {
     };
     let html = of("distance = \"90 deg\"\ntime = \"5kg*2\"");
     let fault = html.split("id=\"f-motion-1--time-x\"").nth(1).unwrap().split("</div>").next().unwrap();
-    assert!(fault.contains("behind the whole expression: 2*5 s"), "{fault}");
+    assert!(fault.contains("after the whole expression: 2*5 s"), "{fault}");
     let list = html.split("id=\"faults\"").nth(1).unwrap().split("id=\"stopped\"").next().unwrap();
-    assert!(list.contains("behind the whole expression: 2*5 s"), "{list}");
+    assert!(list.contains("after the whole expression: 2*5 s"), "{list}");
     assert!(of("distance = \"1e9 deg\"\ntime = \"5 s\"").contains("2.78·10⁶ turns"));
     assert!(!of("distance = \"3600 deg\"\ntime = \"5 s\"").contains("long-way"));
 }
