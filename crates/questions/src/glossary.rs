@@ -7,31 +7,39 @@ use words::{glossary_symbols, symbol_shown, term_remark, word_meaning};
 /// Returns the glossary, or its entries for a symbol, an identifier or a word.
 ///
 /// The first of these comparisons with a result decides: the exact name, the name without regard to capitals, without
-/// regard to the spelling of a symbol (`tau_e`, `τ_e`, `τe`), a whole word of a name, a part of a text.
+/// regard to the spelling of a symbol (`tau_e`, `τ_e`, `τe`), a whole word of a name, a part of a text. A word without a
+/// term of its own comes with the terms of the tables whose names contain it.
 ///
 /// # Errors
 /// The nearest names if nothing is found.
 pub fn glossary(wanted: Option<&str>, language: Language) -> Result<Glossary, Vec<String>> {
     let all = whole(language);
     let Some(wanted) = wanted.map(str::trim).filter(|wanted| !wanted.is_empty()) else { return Ok(all) };
+    let small = wanted.to_lowercase();
+    // "CE" is a word of "CE marking", and a part of many others.
+    let is_word =
+        |name: &str| name.to_lowercase().split(|sign: char| !sign.is_alphanumeric()).any(|word| word == small);
+    let by_word = || chosen(&all, &|names, _| names.iter().any(|name| is_word(name)));
+    let with_terms = |found: Glossary| {
+        if found.words.is_empty() || !found.terms.is_empty() {
+            return found;
+        }
+        Glossary { terms: by_word().terms, ..found }
+    };
     let exact = chosen(&all, &|names, _| names.contains(&wanted));
     if !exact.is_empty() {
-        return Ok(exact);
+        return Ok(with_terms(exact));
     }
-    let small = wanted.to_lowercase();
     let by_name = chosen(&all, &|names, _| names.iter().any(|name| name.to_lowercase() == small));
     if !by_name.is_empty() {
-        return Ok(by_name);
+        return Ok(with_terms(by_name));
     }
     let spelled = folded(wanted);
     let by_spelling = chosen(&all, &|names, _| names.iter().any(|name| folded(name) == spelled));
     if !by_spelling.is_empty() {
         return Ok(by_spelling);
     }
-    // "CE" is a word of "CE marking", and a part of many others.
-    let is_word =
-        |name: &str| name.to_lowercase().split(|sign: char| !sign.is_alphanumeric()).any(|word| word == small);
-    let by_word = chosen(&all, &|names, _| names.iter().any(|name| is_word(name)));
+    let by_word = by_word();
     if !by_word.is_empty() {
         return Ok(by_word);
     }

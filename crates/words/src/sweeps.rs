@@ -111,8 +111,8 @@ texts! {
     vary_form(written) =
         "\"{written}\" is not a key with values" | "„{written}“ ist kein Schlüssel mit Werten";
     vary_form_hint =
-        "write payload=0,5,10kg or time=1..3s, \"time=1..8 s log\" for equal ratios"
-        | "payload=0;5;10kg oder time=1..3s schreiben, \"time=1..8 s log\" für gleiche Verhältnisse";
+        "write payload=0,5,10kg or time=1..3s, `time=1..8 s log` for equal ratios"
+        | "payload=0;5;10kg oder time=1..3s schreiben, `time=1..8 s log` für gleiche Verhältnisse";
     vary_unit(key) = "`{key}`: the values have no unit" | "`{key}`: die Werte haben keine Einheit";
     vary_commas(written) =
         "\"{written}\" is ambiguous: commas separate values or are decimal signs"
