@@ -187,7 +187,7 @@ fn stations(text: &str, change: &str, prefix: &str) -> Option<(String, String)> 
     let distance = distance_of_stations(key.trim(), value.trim())?;
     let all = written(text)?;
     let is_move = |each: &&Written| each.path.starts_with(prefix) && each.path.ends_with(".distance");
-    let turns = |each: &&Written| each.value.as_deref().is_some_and(|value| keys::is_angle(value));
+    let turns = |each: &&Written| each.value.as_deref().is_some_and(keys::is_angle);
     let (mut done, mut made) = (text.to_owned(), Vec::new());
     for each in all.iter().filter(is_move).filter(turns) {
         done = edit(&done, &each.path, Edit::Value(&distance)).ok()?;
