@@ -1,5 +1,5 @@
 use super::*;
-use crate::judge::{Scope, judge};
+use crate::judge::{Checked, Scope, judge};
 use crate::notes::Note;
 use crate::{Supply, SupplyFrom};
 use actuator::{Brake, Drivetrain, Feedback, FeedbackSide, Gear, ScrewJoint};
@@ -9,7 +9,6 @@ use provenance::{CellRef, Datum, Sourced};
 use quantities::{
     Angle, AngularAcceleration, AngularVelocity, ElectricPotential, Measure, MomentOfInertia, Time, Torque,
 };
-use std::sync::Arc;
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
@@ -65,7 +64,7 @@ fn axis(segments: &[SegmentSpec]) -> Axis {
     Axis::braked(load, Motion::new(segments, None, Closing::Speed).unwrap(), vec![pull; segments.len()], times)
 }
 
-fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Arc<Check> {
+fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Checked {
     judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == id).unwrap().clone()
 }
 

@@ -1,6 +1,5 @@
 use super::*;
-use crate::check::Check;
-use crate::judge::{Scope, judge};
+use crate::judge::{Checked, Scope, judge};
 use actuator::Parameters;
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
@@ -54,7 +53,7 @@ fn axis(pause: f64, drive: [Option<f64>; 3]) -> Axis {
     axis
 }
 
-fn check(axis: &Axis, actuator: &Parameters) -> Option<Arc<Check>> {
+fn check(axis: &Axis, actuator: &Parameters) -> Option<Checked> {
     judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == CheckId::DriveCurrent).cloned()
 }
 

@@ -1,11 +1,10 @@
 use super::*;
-use crate::judge::{Scope, judge};
+use crate::judge::{Checked, Scope, judge};
 use actuator::{Drivetrain, Environment, Parameters, Protection};
 use mechanism::Mechanism;
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
 use provenance::{CellRef, Grade, Source, Sourced};
 use quantities::{AngularVelocity, Length, MomentOfInertia, Ratio, Time, Torque};
-use std::sync::Arc;
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("13.2", "x", "");
@@ -38,7 +37,7 @@ fn axis(state: impl Fn(&mut crate::AxisRequirements)) -> Axis {
     axis
 }
 
-fn found(id: CheckId, actuator: &Parameters, state: impl Fn(&mut crate::AxisRequirements)) -> Option<Arc<Check>> {
+fn found(id: CheckId, actuator: &Parameters, state: impl Fn(&mut crate::AxisRequirements)) -> Option<Checked> {
     judge(&axis(state), actuator, Scope::All).checks.iter().find(|check| check.id == id).cloned()
 }
 

@@ -12,6 +12,7 @@ use crate::notes::Note;
 use actuator::{Drivetrain, OutputBearing, Parameters};
 use derivation::Workings;
 use numeric::at_least;
+use std::ops::Deref;
 use std::sync::{Arc, LazyLock};
 
 /// Result of judging one actuator for one axis: demand and checks.
@@ -21,8 +22,36 @@ pub struct Judgement {
     pub demand: Option<Demand>,
     /// Demand by the manual's equations, shown for comparison.
     pub manual: Option<ManualDemand>,
-    /// Results of the checks, in the order in which they are judged. One that holds for several actuators is shared.
-    pub checks: Vec<Arc<Check>>,
+    /// Results of the checks, in the order in which they are judged.
+    pub checks: Vec<Checked>,
+}
+
+/// Result of a check in a judgement. Most belong to one actuator and are stored in place: an allocation for each would take
+/// a third of the time of a ranking.
+#[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "the large variant is the common one")]
+pub enum Checked {
+    /// Result for one actuator.
+    Own(Check),
+    /// Result that holds for several actuators.
+    Shared(Arc<Check>),
+}
+
+impl Deref for Checked {
+    type Target = Check;
+
+    fn deref(&self) -> &Check {
+        match self {
+            Self::Own(check) => check,
+            Self::Shared(check) => check,
+        }
+    }
+}
+
+impl AsRef<Check> for Checked {
+    fn as_ref(&self) -> &Check {
+        self
+    }
 }
 
 /// Conditions under which an actuator fits though a check is beyond its limit; none for [`Fit::Fits`].
@@ -56,7 +85,7 @@ impl Judgement {
     /// Returns the conditions of a fitting actuator.
     #[must_use]
     pub fn proviso(&self) -> Proviso {
-        let beyond = || self.checks.iter().map(Arc::as_ref).filter(|check| check.is_inside_band());
+        let beyond = || self.checks.iter().map(Checked::as_ref).filter(|check| check.is_inside_band());
         Proviso {
             estimate: beyond().any(|check| !check.is_of_another_gear()),
             rating: beyond().any(Check::is_of_another_gear),
@@ -96,21 +125,21 @@ impl Judgement {
 /// Two checks may have the same utilisation, as those of the mean speed at the output and at the motor, up to the
 /// rounding of the machine; of these the last in the order of the checks is returned, on every machine.
 #[must_use]
-pub fn governing(checks: &[Arc<Check>]) -> Option<&Check> {
+pub fn governing(checks: &[Checked]) -> Option<&Check> {
     let largest = contenders(checks).map(Check::severity).max_by(f64::total_cmp)?;
     last_of_equal(contenders(checks).map(|check| (check.severity(), check)), largest)
 }
 
 /// Returns the checks among which the governing one is: those that fail; if none fails, those with a margin.
-fn contenders(checks: &[Arc<Check>]) -> impl Iterator<Item = &Check> {
+fn contenders(checks: &[Checked]) -> impl Iterator<Item = &Check> {
     let fails = any_fails(checks);
-    checks.iter().map(Arc::as_ref).filter(move |check| match fails {
+    checks.iter().map(Checked::as_ref).filter(move |check| match fails {
         true => check.verdict == Verdict::Fail,
         false => check.id.has_margin() && check.utilisation.is_some(),
     })
 }
 
-fn any_fails(checks: &[Arc<Check>]) -> bool {
+fn any_fails(checks: &[Checked]) -> bool {
     checks.iter().any(|check| check.verdict == Verdict::Fail)
 }
 
@@ -219,7 +248,7 @@ impl<'a> Judge<'a> {
             only_failing: false,
         };
 
-        let mut found: Vec<Arc<Check>> = Vec::with_capacity(checks.len());
+        let mut found: Vec<Checked> = Vec::with_capacity(checks.len());
         let mut is_rejected = false;
         for &id in checks {
             if depth == Depth::UntilRejected && is_rejected && id.stage() > Stage::First {
@@ -229,12 +258,12 @@ impl<'a> Judge<'a> {
                 continue;
             }
             let check = match shared.get(id) {
-                Some(known) => Arc::clone(known),
+                Some(known) => Checked::Shared(Arc::clone(known)),
                 None => {
                     case.only_failing = depth == Depth::Failing && is_rejected;
                     let Some(mut check) = answered(id, &case, explain) else { continue };
                     naming(&mut check, governing);
-                    shared.store(Arc::new(check))
+                    shared.store(check)
                 }
             };
             is_rejected |= check.verdict == Verdict::Fail;
@@ -296,13 +325,15 @@ impl Shared {
     }
 
     /// Keeps an answer if it holds for several actuators, and returns it.
-    fn store(&mut self, check: Arc<Check>) -> Arc<Check> {
-        if check.id.shared_by() != SharedBy::Nothing
-            && let Some(answer) = self.answers.get_mut(check.id as usize)
-        {
+    fn store(&mut self, check: Check) -> Checked {
+        if check.id.shared_by() == SharedBy::Nothing {
+            return Checked::Own(check);
+        }
+        let check = Arc::new(check);
+        if let Some(answer) = self.answers.get_mut(check.id as usize) {
             *answer = Some(Arc::clone(&check));
         }
-        check
+        Checked::Shared(check)
     }
 }
 
@@ -319,14 +350,14 @@ fn answered(id: CheckId, case: &Case<'_>, explain: bool) -> Option<Check> {
 
 /// Returns `true` if a scope leaves the regenerated energy out: in a ranking if the project does not limit it and it can be
 /// computed; among the deciding checks if by its bounds it is sure to pass with a utilisation below that of another check.
-fn is_energy_left_out(scope: Scope, case: &Case<'_>, found: &[Arc<Check>]) -> bool {
+fn is_energy_left_out(scope: Scope, case: &Case<'_>, found: &[Checked]) -> bool {
     match scope {
         Scope::All => false,
         Scope::Ranking => {
             !CheckId::Regeneration.can_fail(case.axis) && !energy::is_missing(case.actuator, case.currents)
         }
         Scope::Deciding => {
-            let has_share = |check: &&Arc<Check>| check.id.has_margin() && check.id.margin() != Margin::Range;
+            let has_share = |check: &&Checked| check.id.has_margin() && check.id.margin() != Margin::Range;
             let counted = found.iter().filter(|check| check.verdict == Verdict::Fail || has_share(check));
             let largest = counted.map(|check| check.severity()).fold(0.0, f64::max);
             energy::is_below(case.axis, case.actuator, case.currents, largest.min(1.0))

@@ -51,7 +51,7 @@ pub use course::{Course, Sample};
 pub use demand::{Demand, ManualDemand, MoveTorques, Moves};
 pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
-pub use judge::{Depth, Judge, Judgement, Naming, Proviso, Scope, governing, judge};
+pub use judge::{Checked, Depth, Judge, Judgement, Naming, Proviso, Scope, governing, judge};
 pub use list::Shaft;
 pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds, RopeSlack};
 pub use observer::{StepObserver, Unobserved, finished};

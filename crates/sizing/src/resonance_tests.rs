@@ -1,12 +1,11 @@
 use super::*;
-use crate::judge::{Scope, judge};
+use crate::judge::{Checked, Scope, judge};
 use actuator::{Drivetrain, Gear};
 use mechanism::{Mechanism, MechanismKind, SliderCrank};
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
 use provenance::{CellRef, Datum};
 use quantities::unit::REVOLUTION_PER_MINUTE as RPM;
 use quantities::{Angle, AngularVelocity, Length, Mass, MomentOfInertia, Time, Torque, TorsionalStiffness};
-use std::sync::Arc;
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
@@ -38,7 +37,7 @@ fn hold(speed: f64, time: f64) -> SegmentSpec {
     SegmentSpec::Move(Law::Constant, given)
 }
 
-fn check(axis: &Axis) -> Arc<Check> {
+fn check(axis: &Axis) -> Checked {
     let judged = judge(axis, &actuator(), Scope::All);
     judged.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().clone()
 }

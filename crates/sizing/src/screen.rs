@@ -16,7 +16,7 @@ use crate::bearing_checks::Borne;
 use crate::check::{Check, CheckId, Fit, Verdict};
 use crate::currents::Currents;
 use crate::electrics::Electrics;
-use crate::judge::{Depth, Judge, Judgement, Scope, judge, last_of_equal};
+use crate::judge::{Checked, Depth, Judge, Judgement, Scope, judge, last_of_equal};
 use crate::list::{Answer, Case, SharedBy};
 use crate::notes::Note;
 use crate::rank::{RankKey, Standing};
@@ -353,7 +353,7 @@ impl Row<'_> {
             let excluding = judgement
                 .checks
                 .iter()
-                .map(Arc::as_ref)
+                .map(Checked::as_ref)
                 .filter(excludes)
                 .max_by(|a, b| a.severity().total_cmp(&b.severity()));
             if excluding.is_some() != elsewhere {

@@ -1,9 +1,9 @@
 //! Loads on the flange out of project files: what is read, what is refused, and what the checks say.
 
-use crate::{Check, CheckId, Verdict, check, size};
+use crate::{CheckId, Verdict, check, size};
 use axis::AxisProject;
 use quantities::Language;
-use std::sync::Arc;
+use sizing::Checked;
 
 const ARM: &str = r#"format = 1
 [mechanism.arm]
@@ -45,12 +45,12 @@ fn messages(text: &str) -> Vec<String> {
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
-fn checks(project: &AxisProject) -> Vec<Arc<Check>> {
+fn checks(project: &AxisProject) -> Vec<Checked> {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn of(project: &AxisProject, id: CheckId) -> Arc<Check> {
+fn of(project: &AxisProject, id: CheckId) -> Checked {
     checks(project).into_iter().find(|check| check.id == id).unwrap()
 }
 

@@ -1,10 +1,10 @@
 //! A stage out of project files: its limits, what it changes, and the best of several ratios.
 
-use crate::{Check, CheckId, check, explain, size};
+use crate::{CheckId, check, explain, size};
 use axis::{AxisProject, RatioAnswer};
 use quantities::unit::{ARCMINUTE, DEGREE};
 use quantities::{Language, Measure};
-use std::sync::Arc;
+use sizing::Checked;
 
 const ARM: &str = r#"format = 1
 [mechanism.arm]
@@ -40,7 +40,7 @@ fn messages(stage: &str) -> Vec<String> {
     faults.into_iter().map(|fault| fault.message).collect()
 }
 
-fn checks(project: &AxisProject) -> Vec<Arc<Check>> {
+fn checks(project: &AxisProject) -> Vec<Checked> {
     let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }

@@ -1,7 +1,6 @@
 use super::*;
 use axis::NoFiles;
 use project::Counted;
-use std::sync::Arc;
 
 pub(super) const MOVE: &str = "format = 1\n[load]\ninertia = \"1 kg m^2\"\nfriction_torque = \"5 N m\"\n[[motion]]\n\
     law = \"trapezoid\"\ndistance = \"90 deg\"\ntime = \"0.5 s\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n";
@@ -53,7 +52,7 @@ fn sized(text: &str) -> Result<Best, String> {
         (None, None) => {
             let excluded = sizing.rejected().iter().find(|candidate| candidate.objections.is_empty());
             let of_the_place =
-                |check: &&Arc<sizing::Check>| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
+                |check: &&sizing::Checked| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
             let checks = excluded.iter().flat_map(|candidate| &candidate.judgement.checks).filter(of_the_place);
             let found = checks.max_by(|a, b| a.severity().total_cmp(&b.severity()));
             Best {

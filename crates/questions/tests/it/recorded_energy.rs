@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
 use axis::Files;
-use questions::{Check, CheckId, check};
+use questions::{CheckId, check};
+use sizing::{Check, Checked};
 use std::fmt::Write as _;
-use std::sync::Arc;
 
 struct Given(String);
 
@@ -28,7 +28,7 @@ fn recording(digits: usize) -> Given {
     Given(text)
 }
 
-fn regeneration(mechanism: &str, files: &Given, requirements: &str) -> Arc<Check> {
+fn regeneration(mechanism: &str, files: &Given, requirements: &str) -> Checked {
     let text = format!(
         "format = 1\n[axis]\nname = \"noise\"\n{mechanism}\n[[motion]]\nlaw = \"recorded\"\nfile = \"r.csv\"\n\
          units = {{ time = \"s\", position = \"rad\" }}\n[requirements]\nsupply = \"560 V\"\n{requirements}\n"

@@ -2,7 +2,6 @@
 
 use crate::physics::{of, read};
 use questions::{CheckId, Verdict, check, size};
-use std::sync::Arc;
 
 const CODE: &str = "CHA-25A-50-H-C1024";
 
@@ -101,9 +100,8 @@ fn sixteen_digits_of_a_limit_fit() {
     let speed = |each: &questions::Candidate<'_>| {
         each.judgement.checks.iter().find(|check| check.id == CheckId::PeakSpeed).cloned()
     };
-    let at_it = |check: &Arc<questions::Check>| {
-        check.limit.is_some_and(|limit| (limit.si - 1.963_495_408_493_620_7).abs() < 1e-9)
-    };
+    let at_it =
+        |check: &sizing::Checked| check.limit.is_some_and(|limit| (limit.si - 1.963_495_408_493_620_7).abs() < 1e-9);
     let all: Vec<_> = size(&project).candidates.iter().filter_map(speed).filter(at_it).collect();
     assert!(!all.is_empty() && all.iter().all(|check| check.verdict == Verdict::Pass), "{all:?}");
 }

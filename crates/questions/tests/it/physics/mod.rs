@@ -9,18 +9,18 @@ mod limits;
 mod rope;
 
 use axis::AxisProject;
-use questions::{Check, CheckId, check};
-use std::sync::Arc;
+use questions::{CheckId, check};
+use sizing::Checked;
 
 fn read(text: &str) -> AxisProject {
     questions::read(text).unwrap_or_else(|faults| panic!("{faults:?}\n{text}"))
 }
 
-fn checks(project: &AxisProject, code: &str) -> Vec<Arc<Check>> {
+fn checks(project: &AxisProject, code: &str) -> Vec<Checked> {
     let code = order_code::parse(code).unwrap().code;
     check(project, &code).unwrap().judgement.checks
 }
 
-fn of(project: &AxisProject, code: &str, id: CheckId) -> Arc<Check> {
+fn of(project: &AxisProject, code: &str, id: CheckId) -> Checked {
     checks(project, code).into_iter().find(|check| check.id == id).unwrap_or_else(|| panic!("{id:?} is not made"))
 }
