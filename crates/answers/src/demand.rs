@@ -51,7 +51,8 @@ pub struct MoveTorques {
 /// The demand; if the manual's equations describe the axis, their figures together with the exact integrals.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Demand {
-    /// `integral` if the manual's equations do not describe the axis: then the figures are those of the integrals, and
+    /// `integral` if the manual's equations do not describe the axis, also if a move brakes in another time than it
+    /// accelerates: then the figures are those of the integrals, and
     /// the three torques, `moves` and `integral` are omitted.
     pub mode: DemandMode,
     /// Figures of the demand.

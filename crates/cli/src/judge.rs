@@ -320,7 +320,7 @@ fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
     }
     let name = terminal::demand_on(&candidate.id, language);
     let _ = writeln!(out, "{name}");
-    if let Some(manual) = &candidate.judgement.manual {
+    if let Some(manual) = candidate.judgement.by_the_manual() {
         for (index, each) in manual.moves.iter().enumerate().take(5) {
             let which = if manual.moves.len() > 1 {
                 format!("{}: ", terminal::move_number(&(index + 1), language))
@@ -380,6 +380,16 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let long = candidate.id.to_string().chars().count() + standing.chars().count() + 2 > width();
     let between = if long { "\n  " } else { " " };
     let _ = writeln!(out, "{}:{between}{}", candidate.id, paint(&standing, colour));
+    for objection in &candidate.objections {
+        let head = match objection {
+            Objection::Unmet(unmet) if unmet.is_open() => terminal::requirement_not_checked(language),
+            _ => terms::requirement_not_met(language),
+        };
+        out.push_str(&labelled(head, &objection_text(candidate, objection, language)));
+    }
+    for open in &candidate.open_requirements {
+        out.push_str(&labelled(terminal::requirement_not_checked(language), &words::unmet_text(open, language)));
+    }
     out.push_str(&labelled(terminal::checks(language), &counts_text(candidate, language)));
     let keys: Vec<&str> = candidate.keys_to_state().into_iter().map(|(key, _)| key).collect();
     if !keys.is_empty() {
@@ -419,16 +429,6 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
         ]);
     }
     out.push_str(&table.render());
-    for objection in &candidate.objections {
-        let head = match objection {
-            Objection::Unmet(unmet) if unmet.is_open() => terminal::requirement_not_checked(language),
-            _ => terms::requirement_not_met(language),
-        };
-        out.push_str(&labelled(head, &objection_text(candidate, objection, language)));
-    }
-    for open in &candidate.open_requirements {
-        out.push_str(&labelled(terminal::requirement_not_checked(language), &words::unmet_text(open, language)));
-    }
     out.push_str(&remarks(candidate, "", language));
     out
 }

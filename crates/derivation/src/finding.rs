@@ -81,7 +81,7 @@ findings! {
     CurvesOverModel [];
     OverloadLag ["I" "I_0" "tau_w"];
     OverloadPermitted ["I" "I_0" "n_av"];
-    EnergyReturned "-int(min(1.5*R_LL*I^2 + k_TM*I*omega_mot, 0))" ["R_LL" "I" "k_TM"];
+    EnergyReturned "-int(min(1.5*R_LL*I^2 + k_TM*I*omega_mot, 0))" ["R_LL" "I" "k_TM" "q_d"];
     CubicMeanTorque "(int(abs(T_L)^3*abs(n))/int(abs(n)))^(1/3)" ["T_L" "n"];
     AxialForceMax "max(F_a)" ["F_a"];
     RadialForceMax "max(F_r)" ["F_r"];

@@ -105,7 +105,9 @@ impl Candidate<'_> {
             *of += 1;
         }
         let open = |objection: &&Objection| matches!(objection, Objection::Unmet(unmet) if unmet.is_open());
-        counts.requirements_open = self.open_requirements.len() + self.objections.iter().filter(open).count();
+        let objections_open = self.objections.iter().filter(open).count();
+        counts.requirements_open = self.open_requirements.len() + objections_open;
+        counts.requirements_not_met = self.objections.len() - objections_open;
         counts
     }
 

@@ -160,35 +160,26 @@ fn least_load(axis: &Axis) -> MomentOfInertia {
 }
 
 /// Checks T_Br ≥ S times gravity, process and external torque at every instant, without the help of friction: the drive
-/// may fail at any time. With a stated service life also the number of brakings; the check of torque or number with the
-/// higher utilisation is returned.
+/// may fail at any time.
 fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Outcome {
     let id = CheckId::BrakeHolding;
     let limit = brake.holding_torque.require("T_Br")?;
     let torque = axis.moments().holding_torque;
     let safety = axis.asked.holding_safety.unwrap_or(1.0);
     let model = Source::Model { name: "brake" };
-    let needed = Comparison::with(id, &NEWTON_METRE, torque.si() * safety, model.clone(), limit).answer(Verdict::Fail);
+    let mut check =
+        Comparison::with(id, &NEWTON_METRE, torque.si() * safety, model.clone(), limit).answer(Verdict::Fail);
+    find_holding_torque(axis, work);
+    if axis.asked.holding_safety.is_some() {
+        work.stated("S", &ONE, safety, "requirements.holding_safety");
+        work.formula("T_need", &NEWTON_METRE, torque.si() * safety, "S*T_hold", &model);
+        work.value("T_need");
+    } else {
+        work.value("T_hold");
+    }
+    work.given("T_Br", &NEWTON_METRE, limit);
+    work.limit("T_Br");
     let brakings = brakings(axis);
-    let mut check = match number_of_brakings(axis, brake, brakings.each_cycle) {
-        Some(number) if tighter(&number, &needed) => {
-            explain_brakings(axis, brake, brakings.each_cycle, work);
-            number
-        }
-        _ => {
-            find_holding_torque(axis, work);
-            if axis.asked.holding_safety.is_some() {
-                work.stated("S", &ONE, safety, "requirements.holding_safety");
-                work.formula("T_need", &NEWTON_METRE, torque.si() * safety, "S*T_hold", &model);
-                work.value("T_need");
-            } else {
-                work.value("T_hold");
-            }
-            work.given("T_Br", &NEWTON_METRE, limit);
-            work.limit("T_Br");
-            needed
-        }
-    };
     let notes = &mut check.notes;
     if hangs(axis) {
         notes.push(Note::HangingLoad);
@@ -213,34 +204,60 @@ fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
     Ok(check)
 }
 
-/// Returns `true` if the first of two checks has the higher utilisation.
-fn tighter(one: &Check, other: &Check) -> bool {
-    one.utilisation.unwrap_or(0.0) > other.utilisation.unwrap_or(0.0)
+/// Checks the applications of the brake over the stated service life ≤ N_brakings; `None` if the actuator has no brake or no
+/// dwell is held by it.
+///
+/// N_life = z t_life / t_0
+///
+/// # Symbols
+/// z applications in one cycle, t_life service life \[s\], t_0 cycle time \[s\]
+/// # Source
+/// docs/theory/brake.md
+pub(crate) fn applications(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
+    let Case { axis, actuator, .. } = *case;
+    let life = axis.asked.service_life?;
+    let each_cycle = brakings(axis).each_cycle;
+    let is_applied = matches!(Held::of(axis, actuator), Held::Braked | Held::LoadNotKnown) && each_cycle > 0.0;
+    is_applied.then(|| {
+        let limit = actuator.brake.brakings_max.require("N_brakings")?;
+        let count = each_cycle * life.si() / axis.moments().duration.si();
+        let most = limit.clone().map(quantities::Ratio::from_si);
+        explain_applications(axis, (each_cycle, count), work);
+        work.given_number("N_brakings", limit);
+        work.limit("N_brakings");
+        let model = Source::Model { name: "brake" };
+        Ok(Comparison::with(CheckId::BrakeApplications, &ONE, count, model, &most).answer(Verdict::Fail))
+    })
 }
 
-/// Checks the number of applications of the brake over the stated service life ≤ N_brakings.
-fn number_of_brakings(axis: &Axis, brake: &Brake, each_cycle: f64) -> Option<Check> {
-    let (life, limit) = axis.asked.service_life.zip(brake.brakings_max.known()).filter(|_| each_cycle > 0.0)?;
-    let count = each_cycle * life.si() / axis.moments().duration.si();
-    let most = limit.clone().map(quantities::Ratio::from_si);
-    let model = Source::Model { name: "brake" };
-    Some(Comparison::with(CheckId::BrakeHolding, &ONE, count, model, &most).answer(Verdict::Fail))
-}
-
-/// Records the derivation of the number of brakings, `N`.
-fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Workings) {
-    let (Some(life), Some(limit)) = (axis.asked.service_life, brake.brakings_max.known()) else { return };
+/// Records the derivation of the number of applications over the service life, `N_life`.
+fn explain_applications(axis: &Axis, (each_cycle, count): (f64, f64), work: &mut Workings) {
+    let Some(life) = axis.asked.service_life else { return };
     let (model, cycle) = (Source::Model { name: "brake" }, axis.moments().duration.si());
     work.found("z", &ONE, each_cycle, Finding::Brakings, &model, Grade::Computed);
     work.stated("t_life", &SECOND, life.si(), "requirements.service_life");
     work.figure("t_0", &SECOND, cycle, &workings::DEMAND, Grade::Computed);
-    work.formula("N_life", &ONE, each_cycle * life.si() / cycle, "z*t_life/t_0", &model);
+    work.formula("N_life", &ONE, count, "z*t_life/t_0", &model);
     work.value("N_life");
-    work.given_number("N_brakings", limit);
-    work.limit("N_brakings");
 }
 
-/// Checks a stop from the peak speed by the brake alone, under a driving load: its angle, and the number of stops.
+/// Checks the stated number of stops by the brake alone ≤ N_emergency; `None` if the actuator has no brake.
+pub(crate) fn stops(case: &Case<'_>, work: &mut Workings) -> Option<Outcome> {
+    let Case { axis, actuator, .. } = *case;
+    let count = axis.asked.emergency_stops?;
+    matches!(Held::of(axis, actuator), Held::Braked | Held::LoadNotKnown).then(|| {
+        let limit = actuator.brake.emergency_max.require("N_emergency")?;
+        let key = "requirements.emergency_stops";
+        let most = limit.clone().map(quantities::Ratio::from_si);
+        work.stated("N_stops", &ONE, count, key);
+        work.value("N_stops");
+        work.given_number("N_emergency", limit);
+        work.limit("N_emergency");
+        Ok(Comparison::with(CheckId::BrakeStops, &ONE, count, project(key), &most).answer(Verdict::Fail))
+    })
+}
+
+/// Checks the angle of a stop from the peak speed by the brake alone, under a driving load.
 fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Outcome {
     let id = CheckId::BrakeEmergency;
     let holding = brake.holding_torque.require("T_Br")?;
@@ -285,24 +302,9 @@ fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) 
             });
         }
     };
-    let mut by_number = false;
     let angle = axis.asked.stop_angle_max.map(Measure::si);
     let mut check = against_asked(id, &DEGREE, stop.angle.si(), angle, source);
-    if let (Some(count), Some(limit)) = (axis.asked.emergency_stops, permitted) {
-        let key = "requirements.emergency_stops";
-        let most = limit.clone().map(quantities::Ratio::from_si);
-        let number = Comparison::with(id, &ONE, count, project(key), &most).answer(Verdict::Fail);
-        // The check of angle or number with the higher utilisation is returned.
-        if check.verdict == Verdict::NotChecked || tighter(&number, &check) {
-            check = number;
-            work.stated("N_stops", &ONE, count, key);
-            work.value("N_stops");
-            work.given_number("N_emergency", limit);
-            work.limit("N_emergency");
-            by_number = true;
-        }
-    }
-    if work.is_on() && !by_number {
+    if work.is_on() {
         stop_angle(axis, (actuator, brake), load, stop.angle.si(), work);
         work.asked("phi_perm", &DEGREE, angle, id);
     }

@@ -172,8 +172,12 @@ impl Check {
     #[must_use]
     pub fn direction(&self) -> Direction {
         match (self.id.margin(), self.value, self.limit) {
-            (Margin::Range, Some(value), Some(limit)) if self.verdict == Verdict::Fail && value.si < limit.si => {
-                Direction::AtLeast
+            (Margin::Range, Some(value), Some(limit)) if self.verdict == Verdict::Fail => {
+                if value.si < limit.si {
+                    Direction::AtLeast
+                } else {
+                    Direction::AtMost
+                }
             }
             _ => self.id.direction(),
         }
@@ -232,7 +236,10 @@ impl Check {
     pub fn utilisation_band(&self) -> Option<[f64; 2]> {
         let (share, limit) = (self.utilisation?, self.limit?.si);
         let noted = |of: fn(&Note) -> Option<f64>| self.notes.iter().find_map(of);
-        let upper = noted(|note| if let Note::EstimatedUpTo(upper) = note { Some(upper.si) } else { None })?;
+        let upper = noted(|note| match note {
+            Note::EstimatedUpTo(upper) | Note::PermittedByCurve(upper) => Some(upper.si),
+            _ => None,
+        })?;
         // The utilisation of a temperature is that of its rise.
         let zero = noted(|note| if let Note::RiseAbove(zero) = note { Some(zero.si()) } else { None }).unwrap_or(0.0);
         let ratio = (limit - zero) / (upper - zero);

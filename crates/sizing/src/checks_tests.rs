@@ -119,7 +119,7 @@ fn brakings_are_counted() {
     assert!(each == 1.0 && (lasts / 2e7 - 1.0).abs() < 1e-12, "{lasts}");
     for (life, verdict) in [(1.99e7, Verdict::Pass), (2.01e7, Verdict::Fail)] {
         axis.asked.service_life = Some(Time::from_si(life));
-        let found = of(&axis);
+        let found = check(&axis, &actuator(), CheckId::BrakeApplications);
         assert_eq!(found.verdict, verdict);
         assert!((found.value.unwrap().si - life / 2.0).abs() < 1e-3 && found.limit.unwrap().si == 1e7);
     }

@@ -3,7 +3,7 @@
 mod of_curve;
 
 use crate::axis::Axis;
-use crate::check::{CheckId, Verdict};
+use crate::check::{Amount, Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, cite};
 use crate::electrics::Electrics;
 use crate::list::{Case, Outcome};
@@ -474,9 +474,9 @@ pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Outcome {
 /// Checks I_peak ≤ I_max.
 ///
 /// Both states are checked: a current that exceeds I_max with the cold gear only is advice, because the drive limits
-/// the current until the gear is warm. With a published short-time curve, the current of that curve, up to T_max and I_E, is
-/// permitted too: the stated I_max is not below it by the manufacturer's calculation. Of a curve or an I_max of the project
-/// the lower limit governs.
+/// the current until the gear is warm. With a published short-time curve, a current above I_max up to that of the curve, of
+/// T_max and of I_E is advice: both are statements of the manufacturer, and by the estimated friction they contradict each
+/// other. Above it the check fails. Of a curve or an I_max of the project the lower limit governs.
 pub(crate) fn peak_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
     current_check(case, (CheckId::PeakCurrent, "I_max", case.actuator.current_max.require("I_max")?), work)
 }
@@ -485,6 +485,33 @@ pub(crate) fn peak_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
 pub(crate) fn demagnetisation(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let limit = case.actuator.current_demagnetisation.require("I_E")?;
     current_check(case, (CheckId::Demagnetisation, "I_E", limit), work)
+}
+
+/// Checks I_peak ≤ I_max where no instant exceeds the current of the published short-time curve, `share` of which is used at
+/// most: above I_max the curve permits the torque, but a drive that is set to I_max does not deliver it.
+fn within_the_curve(
+    case: &Case<'_>,
+    currents: &Currents<'_>,
+    (limit, share): (&Sourced<ElectricCurrent>, f64),
+    work: &mut Workings,
+) -> Check {
+    let peak = currents.peak(case.axis);
+    let current = currents.extreme(&peak).abs();
+    currents.explain_peak(&peak, None, (case.axis, case.actuator), work);
+    work.value("I_peak");
+    work.given("I_max", &AMPERE, limit);
+    work.limit("I_max");
+    let mut notes = currents.notes.clone();
+    if !at_most(current, limit.value.si()) {
+        notes.push(Note::PermittedByCurve(Amount { si: current / share, unit: &AMPERE }));
+    }
+    Comparison {
+        at: Some(Time::from_si(peak.time_s)),
+        grade: currents.grade.worst(limit.grade),
+        notes,
+        ..Comparison::with(CheckId::PeakCurrent, &AMPERE, current, Source::Model { name: "current" }, limit)
+    }
+    .answer(Verdict::Advice)
 }
 
 fn current_check(
@@ -508,6 +535,9 @@ fn current_check(
     let over = Overcurrent::of(currents, printed, published, &both);
     let node = if curve.is_some() { axis.trace.largest(&over).1 } else { currents.peak(axis) };
     let (current, most) = (currents.extreme(&node).abs(), over.permitted(&node, currents.larger(&node)));
+    if curve.is_some() && at_most(current, most) {
+        return Ok(within_the_curve(case, currents, (limit, current / most), work));
+    }
     // An excess in the settled cycle does not disappear by warming up.
     let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm]));
     // Mostly the instant of the largest current decides; otherwise the others are evaluated.

@@ -1,20 +1,19 @@
-//! Checks of the DC link, of the drive, and of every instant of the cycle against the torque-speed plane.
+//! Checks of the DC link, and of every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, Edges, project};
-use crate::currents::Currents;
 use crate::list::{Case, Outcome};
 use crate::notes::Note;
 use crate::supply::Edge;
 use crate::workings;
 use actuator::{ContinuousLimit, Drivetrain, ShortTime, chopper_thresholds};
 use derivation::{Finding, Workings};
-use numeric::{AT_THE_LIMIT, First, at_most};
+use numeric::{First, at_most};
 use provenance::{Grade, Missing, Source};
-use quantities::unit::{AMPERE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
-use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque, Unit};
-use trace::{Extent, Node, Panel, Sought, Trace};
+use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
+use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque};
+use trace::{Extent, Node, Sought, Trace};
 
 /// Checks U_DC ≤ U_DCmax, the largest *stationary* voltage. Regenerated energy may raise the voltage above it for a
 /// short time while braking (glossary of the manual), and no source states by how much and how long: if the rise that
@@ -204,197 +203,3 @@ fn worst_instant(case: &Case<'_>, work: &mut Workings) -> Result<Option<Check>, 
     }
     Ok(Some(check))
 }
-
-/// Checks the motor current against the ratings of the drive of the machine: its peak, its effective value over the
-/// cycle, and the longest time above the continuous current. The check with the highest utilisation is returned.
-///
-/// max |I| ≤ I_D,max, √(∫I² dt / t_0) ≤ I_D, and |I| > I_D for no longer than t_D at a stretch
-///
-/// # Symbols
-/// I motor current \[A\], I_D continuous and I_D,max peak current of the drive \[A\], t_D time of its peak current \[s\], t_0 cycle
-/// time \[s\]
-/// # Source
-/// docs/theory/current.md
-/// # Valid
-/// All currents are rms values of a phase, as in the manual. The peak is evaluated with the gear at the ambient
-/// temperature and in the settled cycle, the others in the settled cycle; the cycle repeats. Within its continuous
-/// effective value the drive is assumed to recover between two overloads: its own overload integral is not modelled. An
-/// overload that begins and ends between two adjacent nodes of a curved panel is not counted.
-pub(crate) fn drive_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
-    let Case { axis, actuator, currents, .. } = *case;
-    let (id, source) = (CheckId::DriveCurrent, Source::Model { name: "current" });
-    let currents = currents.map_err(|missing| *missing)?;
-    let duration = axis.moments.duration.si();
-    let [peak, continuous] = [axis.asked.drive_current_peak, axis.asked.drive_current_continuous];
-    let peak = peak.map(|limit| {
-        let node = currents.peak(axis);
-        Driven { of: Of::Peak(node), value: currents.extreme(&node).abs(), limit: limit.si() }
-    });
-    let effective = continuous.map(|limit| {
-        let square = axis.trace.gram().square(currents.settled_weights()) / duration;
-        Driven { of: Of::Effective, value: square.sqrt(), limit: limit.si() }
-    });
-    let stretch = continuous.zip(axis.asked.drive_peak_time).map(|(level, limit)| Driven {
-        of: Of::Stretch(level.si()),
-        value: longest_above(axis, currents, level.si()),
-        limit: limit.si(),
-    });
-    let share = |driven: &Driven| driven.value / driven.limit;
-    let found = [peak, effective, stretch].into_iter().flatten().max_by(|a, b| share(a).total_cmp(&share(b)));
-    let Driven { of, value, limit } = found.ok_or(Missing { symbol: "drive.current_continuous" })?;
-    let (unit, key): (&'static Unit, _) = match of {
-        Of::Peak(_) => (&AMPERE, "drive.current_peak"),
-        Of::Effective => (&AMPERE, "drive.current_continuous"),
-        Of::Stretch(_) => (&SECOND, "drive.peak_time"),
-    };
-    let symbols = match of {
-        Of::Peak(node) => {
-            currents.explain_peak(&node, None, (axis, actuator), work);
-            ("I_peak", "I_D_max")
-        }
-        Of::Effective => {
-            work.figure("t_0", &SECOND, duration, &workings::DEMAND, Grade::Computed);
-            work.found("I_rms", unit, value, Finding::EffectiveCurrent, &source, currents.grade);
-            ("I_rms", "I_D")
-        }
-        Of::Stretch(level) => {
-            work.stated("I_D", &AMPERE, level, "drive.current_continuous");
-            work.found("t_over", unit, value, Finding::TimeAboveContinuous, &source, currents.grade);
-            ("t_over", "t_D")
-        }
-    };
-    work.value(symbols.0);
-    work.asked_by(symbols.1, unit, limit, key);
-    Ok(Comparison {
-        id,
-        unit,
-        value,
-        value_source: source,
-        at: if let Of::Peak(node) = of { Some(Time::from_si(node.time_s)) } else { None },
-        limit,
-        limit_source: &project(key),
-        grade: currents.grade,
-        errata: &[],
-        notes: currents.notes.clone(),
-    }
-    .between(Edges { limit, upper: limit, unit }))
-}
-
-/// A quantity that a drive limits.
-struct Driven {
-    of: Of,
-    value: f64,
-    limit: f64,
-}
-
-/// Kind of quantity: the peak at an instant, the effective value, or the time above a current \[A\].
-#[derive(Clone, Copy)]
-enum Of {
-    Peak(Node),
-    Effective,
-    Stretch(f64),
-}
-
-/// Consecutive parts of a cycle, and the times in them with a current above a level \[s\].
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Above {
-    duration: f64,
-    /// Time from the beginning.
-    first: f64,
-    /// Time to the end.
-    last: f64,
-    most: f64,
-}
-
-impl Above {
-    const fn part(duration: f64, is_above: bool) -> Self {
-        let above = if is_above { duration } else { 0.0 };
-        Self { duration, first: above, last: above, most: above }
-    }
-
-    /// Returns `true` if the current is above the level all the time.
-    fn all(&self) -> bool {
-        self.first >= self.duration
-    }
-
-    fn then(self, next: Self) -> Self {
-        Self {
-            duration: self.duration + next.duration,
-            first: if self.all() { self.duration + next.first } else { self.first },
-            last: if next.all() { self.last + next.duration } else { next.last },
-            most: self.most.max(next.most).max(self.last + next.first),
-        }
-    }
-
-    /// Repeats the parts `times` times.
-    fn repeated(self, times: f64) -> Self {
-        let duration = times * self.duration;
-        if self.all() {
-            Self::part(duration, true)
-        } else if times > 1.0 {
-            Self { duration, most: self.most.max(self.last + self.first), ..self }
-        } else {
-            self
-        }
-    }
-}
-
-/// Returns the longest time for which the current of the settled cycle is above a level \[s\]; the cycle repeats.
-fn longest_above(axis: &Axis, currents: &Currents<'_>, level: f64) -> f64 {
-    let mut cycle = Above::part(0.0, false);
-    for block in axis.trace.blocks() {
-        let (low, high) = block.extent.range(currents.settled_weights());
-        let mut once = Above::part(block.duration_s / block.times, false);
-        if !at_most(high.max(-low), level) {
-            once = Above::part(0.0, false);
-            axis.trace.panels(block, &mut |panel| once = once.then(above_within(&panel, currents, level)));
-        }
-        cycle = cycle.then(once.repeated(block.times));
-    }
-    if cycle.all() { cycle.duration } else { cycle.most.max(cycle.last + cycle.first) }
-}
-
-/// Returns the times above the level in a panel: between adjacent nodes, and where the current passes zero or the
-/// level.
-fn above_within(panel: &Panel<'_>, currents: &Currents<'_>, level: f64) -> Above {
-    let [start, ..] = panel.nodes else { return Above::part(0.0, false) };
-    let current = |share: f64| currents.at(&panel.at(share));
-    // A current that equals the level up to rounding is not above it, as in every comparison with a limit.
-    let over = |current: f64| {
-        let over = current.abs() - level;
-        if over.abs() <= AT_THE_LIMIT * level { 0.0 } else { over }
-    };
-    let mut found = Above::part(0.0, false);
-    let mut piece = |(from, a): (f64, f64), (to, b): (f64, f64)| {
-        let (over_a, over_b) = (over(a), over(b));
-        let mut add = |from: f64, to: f64, is_above| {
-            found = found.then(Above::part((to - from) * panel.duration_s, is_above));
-        };
-        if over_a * over_b < 0.0 {
-            let at = numeric::root(|share| current(share).abs() - level, (from, over_a), (to, over_b), CLOSE);
-            add(from, at, over_a > 0.0);
-            add(at, to, over_b > 0.0);
-        } else {
-            add(from, to, over_a > 0.0 || over_b > 0.0);
-        }
-    };
-    for (a, b) in panel.nodes.iter().zip(panel.nodes.iter().skip(1)) {
-        let [from, to] = [a, b].map(|node| (node.time_s - start.time_s) / panel.duration_s);
-        let [first, last] = [a, b].map(|node| currents.at(node));
-        if first * last < 0.0 {
-            let zero = numeric::root(current, (from, first), (to, last), CLOSE);
-            piece((from, first), (zero, 0.0));
-            piece((zero, 0.0), (to, last));
-        } else {
-            piece((from, first), (to, last));
-        }
-    }
-    found
-}
-
-/// Tolerance of the search for a zero, as a share of a panel.
-const CLOSE: f64 = 1e-12;
-
-#[cfg(test)]
-#[path = "electric_tests.rs"]
-mod tests;

@@ -14,7 +14,7 @@ use actuator::{Parameters, TerminalPower};
 use cells::CellPower;
 use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
-use quantities::unit::{JOULE, SECOND, WATT};
+use quantities::unit::{JOULE, NEWTON_METRE_PER_AMPERE, OHM, ONE, SECOND, WATT};
 use quantities::{Energy, Measure, Power, ThermodynamicTemperature};
 use ramps::Sweep;
 use std::collections::BTreeMap;
@@ -448,6 +448,15 @@ pub(crate) fn regeneration(case: &Case<'_>, work: &mut Workings) -> Outcome {
     if work.is_on() {
         let source = Source::Model { name: "energy" };
         let what = Finding::EnergyReturned;
+        let actuator = case.actuator;
+        work.known("R_LL", &OHM, &actuator.resistance_ll);
+        work.known("k_TM", &NEWTON_METRE_PER_AMPERE, &actuator.torque_constant_motor);
+        work.known("k_Tout", &NEWTON_METRE_PER_AMPERE, &actuator.torque_constant_out);
+        if let Some(ratio) = actuator.ratio.known() {
+            work.given_number("i", ratio);
+        }
+        let share = power.motor.passed(true);
+        work.formula("q_d", &ONE, share, "max(2*min(k_Tout/(i*k_TM), 1) - 1, 0)", &source);
         work.found("E_reg", &JOULE, balance.back, what, &source, grade);
         work.figure("t_0", &SECOND, axis.moments.duration.si(), &source, Grade::Computed);
         work.formula("P_reg", &WATT, mean, "E_reg/t_0", &source);

@@ -90,31 +90,41 @@ pub(crate) fn protection(axis: &Axis, actuator: &Drivetrain, work: &mut Workings
     })
 }
 
-/// Compares the stated relative humidity with the range for which the actuator's data hold: the end that is outside, else
-/// the highest.
+/// Compares the highest relative humidity of the place with the range for which the actuator's data hold.
 pub(crate) fn humidity(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
-    let (least, most) = ("requirements.humidity_min", "requirements.humidity_max");
-    let ends = [(axis.asked.humidity_max, most), (axis.asked.humidity_min, least)];
-    let mut ends = ends.into_iter().filter_map(|(end, key)| Some((end?, key)));
+    humidity_in_range(CheckId::Humidity, (axis.asked.humidity_max, "requirements.humidity_max"), actuator, work)
+}
+
+/// Compares the lowest relative humidity of the place with the range for which the actuator's data hold.
+pub(crate) fn humidity_min(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Outcome {
+    humidity_in_range(CheckId::HumidityMin, (axis.asked.humidity_min, "requirements.humidity_min"), actuator, work)
+}
+
+/// Compares a relative humidity with the nearer end of the permissible range.
+fn humidity_in_range(
+    id: CheckId,
+    (stated, key): (Option<f64>, &'static str),
+    actuator: &Drivetrain,
+    work: &mut Workings,
+) -> Outcome {
+    let stated = stated.ok_or(Missing { symbol: key })?;
     let range = actuator.environment.humidity.require("relative_humidity")?;
     let (low, high) = (range.value.0.si(), range.value.1.si());
-    let is_inside = |value: f64| at_least(value, low) && at_most(value, high);
-    let first = ends.clone().next().ok_or(Missing { symbol: most })?;
-    let outside = ends.find(|(value, _)| !is_inside(*value));
-    let (stated, key) = outside.unwrap_or(first);
-    let nearest = if at_least(stated, low) { high } else { low };
+    let is_inside = at_least(stated, low) && at_most(stated, high);
+    let is_of_the_low_end = if is_inside { id == CheckId::HumidityMin } else { stated < low };
+    let nearest = if is_of_the_low_end { low } else { high };
     work.stated("rH", &PERCENT, stated, key);
     work.value("rH");
     work.figure("rH_limit", &PERCENT, nearest, &range.source, range.grade);
     work.limit("rH_limit");
     Ok(Check {
-        verdict: if outside.is_some() { Verdict::Fail } else { Verdict::Pass },
+        verdict: if is_inside { Verdict::Pass } else { Verdict::Fail },
         value: Some(Amount { si: stated, unit: &PERCENT }),
         limit: Some(Amount { si: nearest, unit: &PERCENT }),
         grade: Some(range.grade),
         value_source: Some(project(key)),
         limit_source: Some(range.source.clone()),
-        ..unjudged(CheckId::Humidity)
+        ..unjudged(id)
     })
 }
 

@@ -94,17 +94,21 @@ fn each_limit_is_judged_on_both_sides() {
 }
 
 #[test]
-fn of_a_range_of_humidity_the_end_outside_is_shown() {
-    let of = |least: f64, most: f64| {
-        let check = found(CheckId::Humidity, &actuator(), |asked| {
-            (asked.humidity_min, asked.humidity_max) = (Some(least), Some(most));
+fn each_end_of_the_humidity_of_the_place_is_checked() {
+    let of = |id, humidity: f64| {
+        let check = found(id, &actuator(), |asked| match id {
+            CheckId::HumidityMin => asked.humidity_min = Some(humidity),
+            _ => asked.humidity_max = Some(humidity),
         });
         let check = check.unwrap();
         (check.verdict, check.value.unwrap().si, check.limit.unwrap().si, check.relation())
     };
-    assert_eq!(of(0.3, 0.7), (Verdict::Pass, 0.7, 0.8, Some("≤")));
-    assert_eq!(of(0.1, 0.7), (Verdict::Fail, 0.1, 0.2, Some("<")));
-    assert_eq!(of(0.3, 0.9), (Verdict::Fail, 0.9, 0.8, Some(">")));
+    assert_eq!(of(CheckId::Humidity, 0.7), (Verdict::Pass, 0.7, 0.8, Some("≤")));
+    assert_eq!(of(CheckId::Humidity, 0.9), (Verdict::Fail, 0.9, 0.8, Some(">")));
+    assert_eq!(of(CheckId::Humidity, 0.1), (Verdict::Fail, 0.1, 0.2, Some("<")));
+    assert_eq!(of(CheckId::HumidityMin, 0.1), (Verdict::Fail, 0.1, 0.2, Some("<")));
+    assert_eq!(of(CheckId::HumidityMin, 0.9), (Verdict::Fail, 0.9, 0.8, Some(">")));
+    assert_eq!(of(CheckId::HumidityMin, 0.3), (Verdict::Pass, 0.3, 0.2, Some("≥")));
 }
 
 #[test]

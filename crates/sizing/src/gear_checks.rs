@@ -18,7 +18,7 @@ use quantities::unit::{
     ARCMINUTE, ARCSECOND, HOUR, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, NEWTON_METRE_PER_RADIAN, ONE,
     REVOLUTION_PER_MINUTE, SECOND,
 };
-use quantities::{Angle, AngularVelocity, Length, Measure, Ratio, Torque};
+use quantities::{Angle, AngularVelocity, Length, Measure, Ratio, Time, Torque};
 
 /// Model of torsion, natural frequency, mean torque, collisions and life.
 const MODEL: Source = Source::Model { name: "gear" };
@@ -82,7 +82,7 @@ fn explain_input_speed(axis: &Axis, ratio: &Sourced<f64>, speed: f64, work: &mut
     work.formula("n_in", &REVOLUTION_PER_MINUTE, speed, "i*n_av", &MODEL);
 }
 
-/// Checks T_k ≤ T_M, and the number of collisions; only if a rating of the gear is published. Above the ratcheting
+/// Checks T_k ≤ T_M; only if a rating of the gear is published. Above the ratcheting
 /// torque of a cup-type gear of the same size it is against advice in any case.
 pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
@@ -111,118 +111,161 @@ pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Outcome {
             return Ok(check);
         }
     };
-    let otherwise = beyond(&limit.source);
-    let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), project(key), limit).answer(otherwise);
-    // At the peak speed a collision covers the largest number of turns of the wave generator.
-    let stands = axis.asked.collision_time.zip(actuator.ratio.known()).zip(gear.collision_cycles.known());
-    let permitted = stands.map(|((time, ratio), cycles)| {
-        actuator::collision_count_max(cycles.value, axis.moments().speed_peak, ratio.value, time)
-    });
-    let mut by_number = false;
-    if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
-        let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };
-        let number = Comparison::with(id, &ONE, count, project("requirements.collisions"), &most).answer(otherwise);
-        // The check of torque or number with the higher utilisation is returned.
-        if number.utilisation > check.utilisation {
-            check = number;
-            explain_collisions(axis, actuator, (count, permitted), work);
-            by_number = true;
-        }
-    }
-    if work.is_on() && !by_number {
-        work.stated("T_k", &NEWTON_METRE, torque.si(), key);
-        work.value("T_k");
-        work.given("T_M", &NEWTON_METRE, limit);
-        work.limit("T_M");
-    }
+    let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), project(key), limit).answer(beyond(&limit.source));
+    work.stated("T_k", &NEWTON_METRE, torque.si(), key);
+    work.value("T_k");
+    work.given("T_M", &NEWTON_METRE, limit);
+    work.limit("T_M");
+    let permitted = axis.asked.collision_time.and_then(|time| collisions_permitted(axis, actuator, time).ok());
     check.notes.extend(of_another_gear(&limit.source).iter().cloned());
     check.notes.extend(permitted.map(Note::CollisionsPermitted));
     check.notes.extend(note);
     Ok(check)
 }
 
-/// Records the derivation of the number of collisions, `N`, and of the permissible one, `N_k`.
-fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f64, f64), work: &mut Workings) {
-    let (Some(time), Some(ratio)) = (axis.asked.collision_time, actuator.ratio.known().filter(|_| work.is_on())) else {
-        return;
-    };
-    work.stated("N", &ONE, count, "requirements.collisions");
-    work.value("N");
-    let speed = axis.moments().speed_peak.si();
-    let what = Finding::PeakSpeed;
-    work.found("n", &REVOLUTION_PER_MINUTE, speed, what, &workings::DEMAND, Grade::Computed);
-    work.given_number("i", ratio);
-    work.stated("t_k", &SECOND, time.si(), "requirements.collision_time");
-    work.formula("N_k", &ONE, permitted, "min(10^4/(2*i*n*t_k/60), 10^4)", &MODEL);
-    work.limit("N_k");
+/// Returns the number of collisions that the gear bears: at the peak speed, at which one covers the largest number of turns of
+/// the wave generator.
+fn collisions_permitted(axis: &Axis, actuator: &Parameters, time: Time) -> Result<f64, Missing> {
+    let cycles = actuator.gear.collision_cycles.require("N_k")?.value;
+    let ratio = actuator.ratio.require("i")?.value;
+    Ok(actuator::collision_count_max(cycles, axis.moments().speed_peak, ratio, time))
 }
 
-/// Checks the sum of all angular errors at the output, and its deviation at the lever arm.
-pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
+/// Checks the stated number of collisions ≤ N_k, that of the stated duration which the gear bears.
+///
+/// N_k = min(10⁴/(2 i n t_k/60), 10⁴)
+///
+/// # Symbols
+/// n peak speed at the output [min⁻¹], i ratio, t_k duration of a collision \[s\]
+/// # Source
+/// docs/theory/gear.md; only with a published T_M, up to which N_k holds
+pub(crate) fn collision_number(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let Case { axis, actuator, .. } = *case;
-    let id = CheckId::ErrorBudget;
-    let moment = case.bearing.and_then(|borne| Some(borne.largest_moment().ok()?.value()));
-    let case = BudgetCase {
-        torque: axis.moments().load_peak,
-        tilting_moment: moment.map(Torque::from_si),
-        position_loop: if axis.asked.loop_at_output { PositionLoop::Output } else { PositionLoop::Motor },
+    let (id, key, of_time) = (CheckId::CollisionNumber, "requirements.collisions", "requirements.collision_time");
+    let count = axis.asked.collisions.ok_or(Missing { symbol: key })?;
+    let time = axis.asked.collision_time.ok_or(Missing { symbol: of_time })?;
+    let gear = &actuator.gear;
+    let (rating, cycles) = (gear.collision_torque_max.require("T_M")?, gear.collision_cycles.require("N_k")?);
+    let permitted = collisions_permitted(axis, actuator, time)?;
+    work.stated("N", &ONE, count, key);
+    work.value("N");
+    let speed = axis.moments().speed_peak.si();
+    work.found("n", &REVOLUTION_PER_MINUTE, speed, Finding::PeakSpeed, &workings::DEMAND, Grade::Computed);
+    if let Some(ratio) = actuator.ratio.known() {
+        work.given_number("i", ratio);
+    }
+    work.stated("t_k", &SECOND, time.si(), of_time);
+    work.formula("N_k", &ONE, permitted, "min(10^4/(2*i*n*t_k/60), 10^4)", &MODEL);
+    work.limit("N_k");
+    let most = Sourced {
+        value: Ratio::from_si(permitted),
+        source: MODEL,
+        grade: rating.grade.worst(cycles.grade),
+        errata: &[],
     };
-    if axis.asked.loop_at_output && matches!(actuator.feedback_out.accuracy, Datum::NotApplicable) {
-        return Err(Missing { symbol: "EC" });
-    }
-    let mut budget = actuator::error_budget(actuator, &case);
-    if budget.contributions.is_empty() {
-        return Err(Missing { symbol: "transmission_accuracy" });
-    }
-    if let Some(stage) = &axis.mechanism.stage {
-        stage::behind(stage, &mut budget, case.torque);
-    }
-    let worst = budget.worst_case();
-    if work.is_on() {
-        explain_budget(axis, actuator, (&case, &budget), work);
-        if let Some(stage) = &axis.mechanism.stage {
-            let has_torque = case.position_loop == PositionLoop::Motor && !budget.missing.contains(&ErrorKind::Torsion);
-            stage::explain_budget(axis, stage, (worst, has_torque), work);
-        }
-    }
-    let source = Source::Model { name: "error-budget" };
-    // Along the line of a mechanism the travel per angle takes the place of a lever arm.
-    let is_asked = axis.asked.deviation_max.is_some();
-    let of_the_line = axis.mechanism.travel_m_per_rad().filter(|_| is_asked);
-    let lever = match (axis.asked.lever_arm, of_the_line) {
-        (Some(lever), _) => {
-            if is_asked {
-                work.stated("r", &MILLIMETRE, lever.si(), "requirements.lever_arm");
-            }
-            Some(lever)
-        }
-        (None, Some(travel)) => {
-            let lever = travel * axis.mechanism.stage_ratio();
-            work.figure("r", &MILLIMETRE, lever, &Source::Model { name: "mechanisms" }, Grade::Computed);
-            Some(Length::from_si(lever))
-        }
-        (None, None) => None,
-    };
-    let deviation = lever.map(|lever| actuator::deviation_at(worst, lever));
-    let mut check = match (deviation, axis.asked.deviation_max) {
-        (Some(deviation), Some(permitted)) => {
-            let key = "requirements.deviation_max";
-            work.formula("s", &MILLIMETRE, deviation.si(), "phi_sum*pi/10800*r", &source);
-            work.value("s");
-            work.asked_by("s_max", &MILLIMETRE, permitted.si(), key);
-            let limit_source = Some(project(key));
-            Check { limit_source, ..against_asked(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), source) }
-        }
-        _ => {
-            let permitted = axis.asked.angle_error_max.map(Measure::si);
-            work.value("phi_sum");
-            work.asked("phi_sum_max", &ARCMINUTE, permitted, id);
-            against_asked(id, &ARCMINUTE, worst.si(), permitted, source)
-        }
-    };
-    check.grade = Some(budget.grade());
-    check.notes.push(Note::Budget(Box::new(Budget { errors: budget, deviation })));
+    let mut check = Comparison::with(id, &ONE, count, project(key), &most).answer(beyond(&rating.source));
+    check.notes.extend(of_another_gear(&rating.source).iter().cloned());
     Ok(check)
+}
+
+/// Angular errors of an actuator on an axis, at the mechanism.
+struct AngularErrors {
+    budget: ErrorBudget,
+    /// Sum of all errors.
+    worst: Angle,
+    /// Lever arm of the deviation: that of the project; along the line of a mechanism its travel per angle.
+    lever: Option<Length>,
+}
+
+impl AngularErrors {
+    /// Adds the errors, and records the derivation of their sum, `phi_sum`.
+    fn of(case: &Case<'_>, work: &mut Workings) -> Result<Self, Missing> {
+        let Case { axis, actuator, .. } = *case;
+        let moment = case.bearing.and_then(|borne| Some(borne.largest_moment().ok()?.value()));
+        let case = BudgetCase {
+            torque: axis.moments().load_peak,
+            tilting_moment: moment.map(Torque::from_si),
+            position_loop: if axis.asked.loop_at_output { PositionLoop::Output } else { PositionLoop::Motor },
+        };
+        if axis.asked.loop_at_output && matches!(actuator.feedback_out.accuracy, Datum::NotApplicable) {
+            return Err(Missing { symbol: "EC" });
+        }
+        let mut budget = actuator::error_budget(actuator, &case);
+        if budget.contributions.is_empty() {
+            return Err(Missing { symbol: "transmission_accuracy" });
+        }
+        if let Some(stage) = &axis.mechanism.stage {
+            stage::behind(stage, &mut budget, case.torque);
+        }
+        let worst = budget.worst_case();
+        if work.is_on() {
+            explain_budget(axis, actuator, (&case, &budget), work);
+            if let Some(stage) = &axis.mechanism.stage {
+                let has_torque =
+                    case.position_loop == PositionLoop::Motor && !budget.missing.contains(&ErrorKind::Torsion);
+                stage::explain_budget(axis, stage, (worst, has_torque), work);
+            }
+        }
+        let of_the_line = || {
+            let travel = axis.mechanism.travel_m_per_rad().filter(|_| axis.asked.deviation_max.is_some())?;
+            Some(Length::from_si(travel * axis.mechanism.stage_ratio()))
+        };
+        Ok(Self { budget, worst, lever: axis.asked.lever_arm.or_else(of_the_line) })
+    }
+
+    fn deviation(&self) -> Option<Length> {
+        self.lever.map(|lever| actuator::deviation_at(self.worst, lever))
+    }
+
+    /// Returns a check with the grade of the errors and the remark that lists them.
+    fn of_check(self, mut check: Check) -> Check {
+        check.grade = Some(self.budget.grade());
+        let deviation = self.deviation();
+        check.notes.push(Note::Budget(Box::new(Budget { errors: self.budget, deviation })));
+        check
+    }
+}
+
+const ERROR_BUDGET: Source = Source::Model { name: "error-budget" };
+
+/// Checks the sum of all angular errors at the mechanism.
+pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Outcome {
+    let id = CheckId::ErrorBudget;
+    let errors = AngularErrors::of(case, work)?;
+    let permitted = case.axis.asked.angle_error_max.map(Measure::si);
+    work.value("phi_sum");
+    work.asked("phi_sum_max", &ARCMINUTE, permitted, id);
+    let check = against_asked(id, &ARCMINUTE, errors.worst.si(), permitted, ERROR_BUDGET);
+    Ok(errors.of_check(check))
+}
+
+/// Checks the sum of all angular errors at the lever arm, or along the line of the mechanism, against the permissible
+/// deviation.
+///
+/// s = φ_sum r
+///
+/// # Symbols
+/// φ_sum sum of all angular errors \[rad\], r lever arm, or travel per angle of the mechanism \[m\]
+/// # Source
+/// docs/theory/error-budget.md
+/// # Errors
+/// When neither a lever arm is stated nor the mechanism moves along a line.
+pub(crate) fn deviation(case: &Case<'_>, work: &mut Workings) -> Outcome {
+    let (id, axis) = (CheckId::Deviation, case.axis);
+    let errors = AngularErrors::of(case, work)?;
+    let of_the_lever = Missing { symbol: "requirements.lever_arm" };
+    let (lever, deviation) = errors.lever.zip(errors.deviation()).ok_or(of_the_lever)?;
+    if axis.asked.lever_arm.is_some() {
+        work.stated("r", &MILLIMETRE, lever.si(), of_the_lever.symbol);
+    } else {
+        work.figure("r", &MILLIMETRE, lever.si(), &Source::Model { name: "mechanisms" }, Grade::Computed);
+    }
+    work.formula("s", &MILLIMETRE, deviation.si(), "phi_sum*pi/10800*r", &ERROR_BUDGET);
+    work.value("s");
+    let permitted = axis.asked.deviation_max.map(Measure::si);
+    work.asked("s_max", &MILLIMETRE, permitted, id);
+    let check = against_asked(id, &MILLIMETRE, deviation.si(), permitted, ERROR_BUDGET);
+    Ok(errors.of_check(check))
 }
 
 /// Records the derivation of the sum of all angular errors, `phi_sum`: an unknown error counts as zero, with a remark.

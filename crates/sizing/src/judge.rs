@@ -20,7 +20,7 @@ use std::sync::{Arc, LazyLock};
 pub struct Judgement {
     /// Demand by exact integrals, which the checks use. `None` if the own inertia is unknown.
     pub demand: Option<Demand>,
-    /// Demand by the manual's equations, shown for comparison.
+    /// Demand by the manual's equations; see [`Judgement::by_the_manual`].
     pub manual: Option<ManualDemand>,
     /// Results of the checks, in the order in which they are judged.
     pub checks: Vec<Checked>,
@@ -90,6 +90,13 @@ impl Judgement {
             estimate: beyond().any(|check| !check.is_of_another_gear()),
             rating: beyond().any(Check::is_of_another_gear),
         }
+    }
+
+    /// Returns the demand by the manual's equations if they describe the axis: eq. 69.2 takes the torque of the acceleration
+    /// for the braking, which is right for equal times only.
+    #[must_use]
+    pub fn by_the_manual(&self) -> Option<&ManualDemand> {
+        self.manual.as_ref().filter(|manual| !manual.braking_assumed)
     }
 
     /// Returns the governing check, see [`governing`].

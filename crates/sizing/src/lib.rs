@@ -15,6 +15,7 @@ mod comparison;
 mod course;
 mod currents;
 mod demand;
+mod drive_checks;
 mod electric_checks;
 mod electrics;
 mod energy;

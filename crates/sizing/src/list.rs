@@ -8,6 +8,7 @@ use crate::checks;
 use crate::comparison::not_checked;
 use crate::currents::{self, Currents};
 use crate::demand::{Demand, ManualDemand};
+use crate::drive_checks;
 use crate::electric_checks;
 use crate::electrics::Electrics;
 use crate::energy;
@@ -234,11 +235,15 @@ checks! {
     PeakCurrent: ListedCheck::new("peak_current", Drive, First, Actuator(currents::peak_current));
     /// Peak motor current against I_E.
     Demagnetisation: ListedCheck::new("demagnetisation", Drive, First, Actuator(currents::demagnetisation));
-    /// Motor current against the ratings of the drive of the machine.
-    DriveCurrent: ListedCheck::new("drive_current", Drive, Heat, Actuator(electric_checks::drive_current))
-        .only_with("drive.current_continuous", |Axis { asked, .. }| {
-            asked.drive_current_continuous.is_some() || asked.drive_current_peak.is_some()
-        });
+    /// Effective motor current against the continuous current of the drive of the machine.
+    DriveCurrent: ListedCheck::new("drive_current", Drive, Heat, Actuator(drive_checks::continuous))
+        .only_with("drive.current_continuous", |axis| axis.asked.drive_current_continuous.is_some());
+    /// Peak motor current against the peak current of the drive of the machine.
+    DriveCurrentPeak: ListedCheck::new("drive_current_peak", Drive, Heat, Actuator(drive_checks::peak))
+        .only_with("drive.current_peak", |axis| axis.asked.drive_current_peak.is_some());
+    /// Longest time above the continuous current of the drive against the time of its peak current.
+    DrivePeakTime: ListedCheck::new("drive_peak_time", Drive, Heat, Actuator(drive_checks::peak_time))
+        .only_with("drive.peak_time", |axis| axis.asked.drive_peak_time.is_some());
     /// Terminal voltage of the motor against the voltage available from the DC link.
     Voltage: ListedCheck::new("voltage", Energy, First, Actuator(currents::voltage))
         .only_with("requirements.supply", |axis| axis.supply.is_some());
@@ -292,12 +297,14 @@ checks! {
     Protection: ListedCheck::new("protection", Environment, First, OfDrivetrain(environment::protection))
         .margin(Margin::Class).mended_by(Mended::Neither)
         .only_with("requirements.protection", |axis| axis.asked.protection.is_some());
-    /// Relative humidity of the place against the permissible range.
+    /// Highest relative humidity of the place against the permissible range.
     Humidity: ListedCheck::new("humidity", Environment, First, OfDrivetrain(environment::humidity))
         .margin(Margin::Range).mended_by(Mended::Neither)
-        .only_with("requirements.humidity_max", |Axis { asked, .. }| {
-            asked.humidity_max.is_some() || asked.humidity_min.is_some()
-        });
+        .only_with("requirements.humidity_max", |axis| axis.asked.humidity_max.is_some());
+    /// Lowest relative humidity of the place against the permissible range.
+    HumidityMin: ListedCheck::new("humidity_min", Environment, First, OfDrivetrain(environment::humidity_min))
+        .at_least().margin(Margin::Range).mended_by(Mended::Neither)
+        .only_with("requirements.humidity_min", |axis| axis.asked.humidity_min.is_some());
     /// Vibration at the place against the resistance of the actuator.
     Vibration: ListedCheck::new("vibration", Environment, First, OfDrivetrain(environment::vibration))
         .margin(Margin::Class).mended_by(Mended::Neither)
@@ -322,20 +329,32 @@ checks! {
     /// Torque of a collision against T_M.
     CollisionTorque: ListedCheck::new("collision_torque", Gear, Further, Actuator(gear_checks::collision))
         .only_with("requirements.collision_torque", |axis| axis.asked.collision_torque.is_some());
+    /// Number of collisions against that which the gear bears.
+    CollisionNumber: ListedCheck::new("collision_number", Gear, Further, Actuator(gear_checks::collision_number))
+        .mended_by(Mended::Pace)
+        .only_with("requirements.collisions", |axis| axis.asked.collisions.is_some());
     /// Distance of the speeds held in the cycle from those at which the wave generator excites the load.
     ResonanceSpeed: ListedCheck::new("resonance_speed", Gear, Further, Actuator(resonance::resonance))
         .at_least().margin(Margin::Recommendation);
     /// Sum of all angular errors against the permissible one.
     ErrorBudget: ListedCheck::new("error_budget", Feedback, Further, Actuator(gear_checks::error_budget))
         .of_the_mechanism().of_the_feedback()
-        .limited_by("requirements.angle_error_max", |Axis { asked, .. }| {
-            asked.angle_error_max.is_some() || asked.deviation_max.is_some()
-        });
+        .limited_by("requirements.angle_error_max", |axis| axis.asked.angle_error_max.is_some());
+    /// Sum of all angular errors at the lever arm or along the line of the mechanism against the permissible deviation.
+    Deviation: ListedCheck::new("deviation", Feedback, Further, Actuator(gear_checks::deviation))
+        .of_the_feedback().only_with("requirements.deviation_max", |axis| axis.asked.deviation_max.is_some());
     /// Torque that holds the load against the holding torque of the brake.
     BrakeHolding: ListedCheck::new("brake_holding", Brake, Further, Concerned(brake_checks::holding));
-    /// Stop by the brake alone: its angle and number. A brake that does not stop the load fails without a limit.
+    /// Applications of the brake at standstill over the service life against their permissible number.
+    BrakeApplications: ListedCheck::new("brake_applications", Brake, Further, Concerned(brake_checks::applications))
+        .only_with("requirements.service_life", |axis| axis.asked.service_life.is_some());
+    /// Angle of a stop by the brake alone. A brake that does not stop the load fails without a limit.
     BrakeEmergency: ListedCheck::new("brake_emergency", Brake, Further, Concerned(brake_checks::emergency))
         .of_the_output().limited_by("requirements.stop_angle_max", |_| true);
+    /// Number of stops by the brake alone against the permissible one.
+    BrakeStops: ListedCheck::new("brake_stops", Brake, Further, Concerned(brake_checks::stops))
+        .mended_by(Mended::Neither)
+        .only_with("requirements.emergency_stops", |axis| axis.asked.emergency_stops.is_some());
     /// DC link voltage against U_DCmax.
     DcLink: ListedCheck::new("dc_link", Energy, First, OfDrivetrain(electric_checks::dc_link))
         .margin(Margin::Class).mended_by(Mended::Neither)

@@ -45,6 +45,9 @@ pub enum Note {
         /// Largest current of the curve, of T_max at most.
         current: ElectricCurrent,
     },
+    /// The current exceeds I_max of the table, but nowhere that of the manufacturer's short-time curve, which permits up to
+    /// this current.
+    PermittedByCurve(Amount),
     /// The limit is the lower edge of an estimate; this is the upper edge.
     EstimatedUpTo(Amount),
     /// The value lies between the edges of an estimate.

@@ -13,7 +13,7 @@ mod losses;
 
 use crate::axis::Axis;
 use crate::bearing_checks::Borne;
-use crate::check::{Check, CheckId, Fit, Verdict};
+use crate::check::{Check, CheckId, Fit, Part, Verdict};
 use crate::currents::Currents;
 use crate::electrics::Electrics;
 use crate::judge::{Checked, Depth, Judge, Judgement, Scope, judge, last_of_equal};
@@ -108,7 +108,7 @@ fn others(axis: &Axis) -> Vec<CheckId> {
     let no_brake = is_without_brake(axis);
     let no_loads = axis.bearing.as_ref().is_none_or(|duty| !duty.has_loads);
     let is_other = |id: &CheckId| {
-        let is_of_the_brake = matches!(id, CheckId::BrakeHolding | CheckId::BrakeEmergency);
+        let is_of_the_brake = id.part() == Part::Brake;
         let is_of_the_bearing = id.shared_by() == SharedBy::Bearing;
         !(bounds::COVERED.contains(id) || (is_of_the_brake && no_brake) || (is_of_the_bearing && no_loads))
     };

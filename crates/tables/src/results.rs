@@ -65,7 +65,7 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
             rows.push(cells);
         };
         let none = [Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty];
-        if let Some(manual) = &judgement.manual {
+        if let Some(manual) = judgement.by_the_manual() {
             let governing = manual.moves.get(manual.governing).map_or(none.clone(), |each| {
                 #[allow(clippy::cast_precision_loss, reason = "at most ten thousand moves")]
                 let number = Cell::number((manual.governing + 1) as f64);

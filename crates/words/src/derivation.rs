@@ -70,7 +70,6 @@ pub fn found_condition(what: Finding, language: Language) -> String {
         Finding::PeakSpeed
         | Finding::Travel
         | Finding::CopperLoss
-        | Finding::EnergyReturned
         | Finding::AngleTravelled
         | Finding::AccelerationRms
         | Finding::LoadRms
@@ -80,6 +79,10 @@ pub fn found_condition(what: Finding, language: Language) -> String {
         | Finding::RadialMeanOverCycle
         | Finding::AxialMeanOverCycle
         | Finding::MomentMeanOverCycle => ("over the cycle", "im Zyklus"),
+        Finding::EnergyReturned => (
+            "over the cycle, with I = q·T/k_Tout + σ·(I_s + K·|n|); q = q_d while the load drives the motor, otherwise 1",
+            "im Zyklus, mit I = q·T/k_Tout + σ·(I_s + K·|n|); q = q_d, solange die Last den Motor treibt, sonst 1",
+        ),
         Finding::RadialMean | Finding::AxialMean | Finding::RadialMomentMean | Finding::AxialMomentMean => {
             ("over the segments", "über die Abschnitte")
         }

@@ -179,6 +179,13 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 | "angenommen: die Kurzzeitkennlinie des Projekts erfordert bis zu {current} und widerspricht damit I_max; maßgebend ist die niedrigere Grenze"
             )
         }
+        Note::PermittedByCurve(upper) => {
+            let upper = with_unit(upper.si, upper.unit, 3, language);
+            said!(language =>
+                "above I_max of the table; the published short-time curve permits the torque, which by the estimated friction needs up to {upper}: a drive limited to I_max does not deliver it, ask the manufacturer for the permissible current"
+                | "über I_max der Tabelle; die veröffentlichte Kurzzeitkennlinie lässt das Drehmoment zu, das nach der geschätzten Reibung bis zu {upper} erfordert: ein auf I_max begrenzter Servoregler stellt es nicht, zulässigen Strom beim Hersteller erfragen"
+            )
+        }
         Note::EstimatedUpTo(upper) => {
             let is_temperature = upper.unit.symbol == DEGREE_CELSIUS.symbol;
             let upper = with_unit(upper.si, upper.unit, 3, language);

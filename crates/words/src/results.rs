@@ -6,7 +6,7 @@ use crate::{document_short, pick, terminal, terms};
 use actuator::CurveKind;
 use provenance::{CellRef, Grade, MANUAL, Source};
 use quantities::unit::MINUTE;
-use quantities::{Dimension, Language, Measure, Time, Unit, format_number, format_significant};
+use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
 use sizing::{Check, CheckId, Fit, Part, Verdict};
 
 /// Returns the title of a part of the actuator above its checks.
@@ -26,16 +26,10 @@ pub const fn part_title(part: Part, language: Language) -> &'static str {
     pick(language, en, de)
 }
 
-/// Returns the title of a check as made: that of the brake compares its torque or the number of its applications.
+/// Returns the title of a check that was made.
 #[must_use]
 pub fn title_of_check(check: &Check, language: Language) -> String {
-    let counts = check.value.is_some_and(|value| value.unit.dimension == Dimension::Ratio);
-    match check.id {
-        CheckId::BrakeHolding if counts => {
-            pick(language, "brake, number of applications", "Anzahl der Bremsungen").to_owned()
-        }
-        id => check_title(id, language),
-    }
+    check_title(check.id, language)
 }
 
 /// Returns the title of a check.
@@ -48,7 +42,11 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::ContinuousTorque => ("continuous torque", "Dauerdrehmoment"),
         CheckId::PeakCurrent => ("peak current", "Spitzenstrom"),
         CheckId::Demagnetisation => ("demagnetisation", "Entmagnetisierung"),
-        CheckId::DriveCurrent => ("drive current", "Strom des Servoreglers"),
+        CheckId::DriveCurrent => ("drive, continuous current", "Servoregler, Dauerstrom"),
+        CheckId::DriveCurrentPeak => ("drive, peak current", "Servoregler, Spitzenstrom"),
+        CheckId::DrivePeakTime => {
+            ("drive, time above the continuous current", "Servoregler, Dauer über dem Dauerstrom")
+        }
         CheckId::Voltage => ("terminal voltage", "Klemmenspannung"),
         CheckId::InertiaRatio => ("inertia ratio", "Trägheitsverhältnis"),
         CheckId::RopeTension => ("rope, unloading", "Seil, Entlastung"),
@@ -66,7 +64,8 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::Ambient => ("ambient temperature", "Umgebungstemperatur"),
         CheckId::Altitude => ("installation altitude", "Aufstellhöhe"),
         CheckId::Protection => ("degree of protection IP", "Schutzart IP"),
-        CheckId::Humidity => ("relative humidity", "relative Luftfeuchte"),
+        CheckId::Humidity => ("highest relative humidity", "höchste relative Luftfeuchte"),
+        CheckId::HumidityMin => ("lowest relative humidity", "niedrigste relative Luftfeuchte"),
         CheckId::Vibration => ("vibration", "Vibration"),
         CheckId::Shock => ("shock", "Schock"),
         CheckId::Mounting => ("mounting position", "Einbaulage"),
@@ -75,10 +74,14 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::OverloadI2t => ("overload I²t", "Überlast I²t"),
         CheckId::GearMeanInputSpeed => ("mean input speed", "mittlere Eingangsdrehzahl"),
         CheckId::CollisionTorque => ("collision torque", "Kollisionsdrehmoment"),
+        CheckId::CollisionNumber => ("number of collisions", "Anzahl der Kollisionen"),
         CheckId::ResonanceSpeed => ("resonance speed", "Resonanzdrehzahl"),
         CheckId::ErrorBudget => ("error budget", "Fehlersumme"),
+        CheckId::Deviation => ("deviation from errors", "Abweichung durch Fehler"),
         CheckId::BrakeHolding => ("brake, holding torque", "Haltemoment der Bremse"),
+        CheckId::BrakeApplications => ("brake, number of applications", "Anzahl der Bremsungen"),
         CheckId::BrakeEmergency => ("brake, emergency stop", "Not-Halt durch die Bremse"),
+        CheckId::BrakeStops => ("brake, number of emergency stops", "Anzahl der Not-Halte durch die Bremse"),
         CheckId::DcLink => ("DC link", "Zwischenkreis"),
         CheckId::Regeneration => ("regeneration", "Rückspeisung"),
         CheckId::FeedbackRange => ("absolute range", "Absolutbereich des Gebers"),
@@ -154,6 +157,8 @@ pub struct Counts {
     pub without_limit: usize,
     /// Requirements of the project for which a datum is missing.
     pub requirements_open: usize,
+    /// Requirements of the project that are not met, and violated rules of the series.
+    pub requirements_not_met: usize,
 }
 
 impl Counts {
@@ -233,7 +238,16 @@ pub fn standing_text(fit: Fit, provisos: &Provisos, unheld: bool, counts: &Count
                 }
             }
         }
-        (Fit::DoesNotFit, 0) => said!(language => "does not fit" | "nicht geeignet"),
+        (Fit::DoesNotFit, 0) => match counts.requirements_not_met {
+            0 => said!(language => "does not fit" | "nicht geeignet"),
+            1 => {
+                said!(language => "does not fit: 1 requirement not met" | "nicht geeignet: 1 Anforderung nicht erfüllt")
+            }
+            more => said!(language =>
+                "does not fit: {more} requirements not met"
+                | "nicht geeignet: {more} Anforderungen nicht erfüllt"
+            ),
+        },
         (Fit::DoesNotFit, 1) => said!(language =>
             "does not fit: 1 of {all} checks fails"
             | "nicht geeignet: 1 von {all} Nachweisen nicht erfüllt"

@@ -237,6 +237,11 @@ const TERMS: &[(&str, &str, &str)] = &[
     ),
     ("phi_sum", "sum of the angular errors", "Summe der Winkelfehler"),
     ("phi_sum_max", "permissible sum of the errors", "zulässige Summe der Fehler"),
+    (
+        "q_d",
+        "share of the current of the torque left while the load drives",
+        "Anteil des Stroms für das Drehmoment bei treibender Last",
+    ),
     ("r", "lever arm", "Hebelarm"),
     ("resolution_out", "resolution at the output", "Auflösung am Abtrieb"),
     ("s", "deviation at the lever arm", "Abweichung am Hebelarm"),

@@ -44,7 +44,7 @@ pub fn dossier(
     let mut judgement = judgement(project, chosen, found, assessment, language);
     judgement.candidate.checks =
         by_importance(&chosen.judgement.checks).into_iter().map(|each| check(each, language)).collect();
-    let Counts { passed, advised, failed, not_checked, without_limit, requirements_open } = chosen.counts();
+    let Counts { passed, advised, failed, not_checked, without_limit, requirements_open, .. } = chosen.counts();
     let code = chosen.id.order_code();
     let sheet = code.map(|code| data_sheet(code, chosen.parameters.without_kty, language)).unwrap_or_default();
     let errata_of_k_tm = chosen.parameters.torque_constant_motor.known().map_or(&[][..], |known| known.errata);
@@ -299,9 +299,10 @@ mod tests {
         assert!(marked > 0 && lines > 1000, "{marked} of {lines}");
     }
 
-    /// The check of the brake is titled by the number of brakings where that governs, with a short life by its torque.
+    /// Holding torque and number of applications of the brake are rows of their own, and the number fails with a long life.
     #[test]
-    fn the_check_of_the_brake_is_titled_by_what_it_compares() {
+    fn torque_and_applications_of_the_brake_are_rows_of_their_own() {
+        use sizing::{CheckId, Verdict};
         for (life, is_number) in [("1 h", false), ("500000 h", true)] {
             let text = format!(
                 "format = 1\n[mechanism.screw]\nlead = \"10 mm\"\nmass = \"20 kg\"\ninclination = \"90 deg\"\n[[motion]]\n\
@@ -312,10 +313,11 @@ mod tests {
             let Ok(project) = crate::read(&text) else { panic!("{text}") };
             let sizing = crate::size(&project);
             let of_size_20 = |each: &&Candidate<'_>| each.id.to_string() == "CHA-20A-30-H-C1024-B";
-            let checks = sizing.candidates.iter().filter(of_size_20).flat_map(|each| &each.judgement.checks);
-            let held = checks.into_iter().find(|check| check.id == sizing::CheckId::BrakeHolding);
-            let title = held.map(|held| check(held, Language::En).title.clone()).unwrap_or_default();
-            assert_eq!(title, if is_number { "brake, number of applications" } else { "brake, holding torque" });
+            let checks = || sizing.candidates.iter().filter(of_size_20).flat_map(|each| &each.judgement.checks);
+            let verdict = |id| checks().find(|found| found.id == id).map(|found| found.verdict);
+            assert_eq!(verdict(CheckId::BrakeHolding), Some(Verdict::Pass), "{life}");
+            let of_number = if is_number { Verdict::Fail } else { Verdict::Pass };
+            assert_eq!(verdict(CheckId::BrakeApplications), Some(of_number), "{life}");
         }
     }
 }

@@ -53,7 +53,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Cand
         mass_kg: candidate.parameters.mass.known().map(|mass| Number::in_unit(mass.value.si(), &KILOGRAM)),
         mass_errata: candidate.parameters.mass.known().map_or_else(Vec::new, |mass| mass.errata.to_vec()),
         on_request: names(&candidate.on_request, language),
-        demand: demand(judgement.manual.as_ref(), judgement.demand.as_ref()),
+        demand: demand(judgement.by_the_manual(), judgement.demand.as_ref()),
         checks: judgement.checks.iter().map(|each| check(each, language)).collect(),
         objections: objections(candidate, language),
         open_requirements: open_requirements(candidate, language),

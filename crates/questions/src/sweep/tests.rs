@@ -88,7 +88,8 @@ fn a_row_names_the_check_of_the_place_that_excludes_every_code() {
     let places = [
         ("protection = \"IP67\"\n", CheckId::Protection),
         ("ambient = \"70 degC\"\n", CheckId::Ambient),
-        ("humidity_min = 0.05\nhumidity_max = 0.99\n", CheckId::Humidity),
+        ("humidity_min = 0.4\nhumidity_max = 0.99\n", CheckId::Humidity),
+        ("humidity_min = 0.05\nhumidity_max = 0.7\n", CheckId::HumidityMin),
         ("vibration = \"90 m/s^2\"\n", CheckId::Vibration),
         ("shock = \"900 m/s^2\"\n", CheckId::Shock),
     ];

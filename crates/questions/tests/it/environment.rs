@@ -27,7 +27,7 @@ fn the_print_differs_by_winding() {
             ("protection = \"IP65\"", CheckId::Protection, Verdict::Pass, 65.0),
             ("protection = \"IP67\"", CheckId::Protection, Verdict::Fail, 65.0),
             ("humidity_max = 0.8", CheckId::Humidity, Verdict::Pass, 80.0),
-            ("humidity_min = 0.1", CheckId::Humidity, Verdict::Fail, 20.0),
+            ("humidity_min = 0.1", CheckId::HumidityMin, Verdict::Fail, 20.0),
             ("vibration = \"5 g\"", CheckId::Vibration, Verdict::Pass, 5.0),
             ("vibration = \"60 m/s^2\"", CheckId::Vibration, Verdict::Fail, 5.0),
             ("shock = \"31 g\"", CheckId::Shock, Verdict::Fail, 30.0),

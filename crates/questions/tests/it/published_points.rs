@@ -96,7 +96,7 @@ fn points(actuator: &Parameters, curve: &Datum<actuator::Curve>, duty: f64, cap:
 }
 
 #[test]
-fn every_published_point_passes_and_a_tenth_more_does_not() {
+fn no_published_point_is_rejected_and_a_tenth_more_is() {
     let mut seen = 0;
     for ratio in [30, 50, 80, 100, 120] {
         let actuator = massless(ratio);
@@ -112,8 +112,11 @@ fn every_published_point_passes_and_a_tenth_more_does_not() {
             for (n, torque) in points(&actuator, curve, duty, cap) {
                 let judged = |torque: f64| judge(&axis(torque, rpm(n), duty), &actuator, Scope::All);
                 // The ramps of the intermittent duty turn a little less than the whole time: a ten-thousandth.
-                let found = not_passed(&judged(if duty < 1.0 { 0.9999 * torque } else { torque }));
-                assert!(found.is_empty(), "i = {ratio}, {name}: {torque} Nm at {n}: {found:?}");
+                let at_the_point = judged(if duty < 1.0 { 0.9999 * torque } else { torque });
+                let mut found = not_passed(&at_the_point);
+                // By the estimated friction some points need more than the printed I_max: that is advice.
+                found.retain(|each| !each.starts_with("peak_current Advice"));
+                assert!(found.is_empty() && at_the_point.fits(), "i = {ratio}, {name}: {torque} Nm at {n}: {found:?}");
                 if duty == 1.0 {
                     assert!(!judged(1.1 * torque).fits(), "i = {ratio}, {name}: 1.1 × {torque} Nm at {n} fits");
                 }

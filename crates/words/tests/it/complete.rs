@@ -154,6 +154,7 @@ fn notes() {
         Note::LargestCurrentElsewhere { current: q(3.0), time: q(0.5) },
         Note::CurveAboveLargestCurrent { current: q(9.0) },
         Note::EstimatedUpTo(figure),
+        Note::PermittedByCurve(figure),
         Note::InsideBand,
         Note::RiseAbove(q(313.0)),
         Note::CycleNotShort { cycle: q(100.0), time_constant: q(60.0) },

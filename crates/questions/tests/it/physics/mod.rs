@@ -6,6 +6,7 @@ mod at_rest;
 mod invariance;
 mod life;
 mod limits;
+mod requirements_apart;
 mod rope;
 
 use axis::AxisProject;

@@ -1,10 +1,11 @@
 use super::*;
+use crate::check::Verdict;
 use crate::judge::{Checked, Scope, judge};
-use actuator::Parameters;
+use actuator::{Drivetrain, Parameters};
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion, SegmentSpec};
 use provenance::{CellRef, Datum, Sourced};
-use quantities::{ElectricCurrent, MomentOfInertia, NoLoadCurrentConstant, TorqueConstant};
+use quantities::{AngularVelocity, MomentOfInertia, NoLoadCurrentConstant, Torque, TorqueConstant};
 use std::sync::Arc;
 
 fn known<T>(value: T) -> Datum<T> {
@@ -53,13 +54,13 @@ fn axis(pause: f64, drive: [Option<f64>; 3]) -> Axis {
     axis
 }
 
-fn check(axis: &Axis, actuator: &Parameters) -> Option<Checked> {
-    judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == CheckId::DriveCurrent).cloned()
+fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Option<Checked> {
+    judge(axis, actuator, Scope::All).checks.iter().find(|check| check.id == id).cloned()
 }
 
-/// Returns verdict, value and limit.
-fn judged(pause: f64, drive: [Option<f64>; 3]) -> (Verdict, f64, f64) {
-    let check = check(&axis(pause, drive), &actuator()).unwrap();
+/// Returns verdict, value and limit of a check.
+fn judged(id: CheckId, pause: f64, drive: [Option<f64>; 3]) -> (Verdict, f64, f64) {
+    let check = check(&axis(pause, drive), &actuator(), id).unwrap();
     (check.verdict, check.value.unwrap().si, check.limit.unwrap().si)
 }
 
@@ -71,11 +72,11 @@ fn near(found: f64, value: f64) {
 #[test]
 fn the_peak_current_by_hand() {
     for (limit, verdict) in [(3.99, Verdict::Fail), (4.0, Verdict::Pass), (4.01, Verdict::Pass)] {
-        let (found, value, at) = judged(2.0, [None, Some(limit), None]);
+        let (found, value, at) = judged(CheckId::DriveCurrentPeak, 2.0, [None, Some(limit), None]);
         assert_eq!((found, at), (verdict, limit));
         near(value, 4.0);
     }
-    let at = check(&axis(2.0, [None, Some(5.0), None]), &actuator()).unwrap().at.unwrap();
+    let at = check(&axis(2.0, [None, Some(5.0), None]), &actuator(), CheckId::DriveCurrentPeak).unwrap().at.unwrap();
     near(at.si(), 0.5);
 }
 
@@ -84,7 +85,7 @@ fn the_peak_current_by_hand() {
 fn the_effective_current_by_hand() {
     let effective = (127.0_f64 / 48.0).sqrt();
     for (limit, verdict) in [(1.62, Verdict::Fail), (effective, Verdict::Pass), (1.63, Verdict::Pass)] {
-        let (found, value, _) = judged(2.0, [Some(limit), None, None]);
+        let (found, value, _) = judged(CheckId::DriveCurrent, 2.0, [Some(limit), None, None]);
         assert_eq!(found, verdict, "{limit}");
         near(value, effective);
     }
@@ -109,7 +110,7 @@ fn the_longest_time_above_the_continuous_current_by_hand() {
     near(longest(0.0, 1.9), 1.0);
     near(longest(0.0, 0.9), 2.0);
     for (limit, verdict) in [(0.24, Verdict::Fail), (0.25, Verdict::Pass), (0.26, Verdict::Pass)] {
-        let (found, value, _) = judged(2.0, [Some(3.75), Some(40.0), Some(limit)]);
+        let (found, value, _) = judged(CheckId::DrivePeakTime, 2.0, [Some(3.75), Some(40.0), Some(limit)]);
         assert_eq!(found, verdict, "{limit}");
         near(value, 0.25);
     }
@@ -142,18 +143,31 @@ fn a_plateau_at_the_continuous_current_is_not_above_it() {
     }
 }
 
-/// Compares the peak at 4/8, the effective value at 1.627/1.7 and the time at 0.5/0.6: the effective value is reported.
+/// Each rating of the drive has a check of its own: the one that is exceeded fails, the others keep their values.
 #[test]
-fn the_one_nearest_to_its_limit_is_reported() {
-    let (verdict, value, limit) = judged(2.0, [Some(1.7), Some(8.0), Some(0.6)]);
-    assert_eq!((verdict, limit), (Verdict::Pass, 1.7));
-    near(value, (127.0_f64 / 48.0).sqrt());
+fn each_rating_has_a_check_of_its_own() {
+    use CheckId::{DriveCurrent, DriveCurrentPeak, DrivePeakTime};
+    let kept = [1.7, 8.0, 2.1];
+    for (at, exceeded) in [(0, 1.6), (1, 3.9), (2, 0.4)] {
+        let mut drive = kept.map(Some);
+        drive[at] = Some(exceeded);
+        for (place, id) in [DriveCurrent, DriveCurrentPeak, DrivePeakTime].into_iter().enumerate() {
+            let (verdict, _, limit) = judged(id, 2.0, drive);
+            let expected = if place == at { (Verdict::Fail, exceeded) } else { (Verdict::Pass, kept[place]) };
+            assert_eq!((verdict, limit), expected, "{id:?}");
+        }
+    }
 }
 
 #[test]
-fn without_a_drive_there_is_no_such_check_and_without_a_current_none_is_made() {
-    assert!(check(&axis(2.0, [None, None, Some(1.0)]), &actuator()).is_none());
+fn without_a_rating_there_is_no_check_and_without_a_current_none_is_made() {
+    let of = |actuator: &Parameters, drive, id| check(&axis(2.0, drive), actuator, id);
+    let time_only = [None, None, Some(1.0)];
+    assert!(of(&actuator(), time_only, CheckId::DriveCurrent).is_none());
+    assert!(of(&actuator(), time_only, CheckId::DriveCurrentPeak).is_none());
+    let missing = of(&actuator(), time_only, CheckId::DrivePeakTime).unwrap().missing;
+    assert_eq!(missing, Some("drive.current_continuous"));
     let unknown = Parameters { inertia_out: known(MomentOfInertia::from_si(2.0)), ..Parameters::unknown() };
-    let found = check(&axis(2.0, [Some(3.0), None, None]), &unknown).unwrap();
+    let found = of(&unknown, [Some(3.0), None, None], CheckId::DriveCurrent).unwrap();
     assert_eq!((found.verdict, found.missing), (Verdict::NotChecked, Some("k_Tout")));
 }
