@@ -55,6 +55,7 @@ pub(crate) fn hold(bytes: &[u8]) {
         days_since_1970: None,
         progress: &progress,
         refuses_long: true,
+        by_axes: false,
         language: Language::En,
     };
     match identify::found(&inquiry) {

@@ -165,6 +165,7 @@ impl Call<'_> {
             days_since_1970: days_since_1970(),
             progress: progress(),
             refuses_long: waited_s().is_none(),
+            by_axes: false,
             language: self.language,
         })
     }

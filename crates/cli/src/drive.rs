@@ -93,6 +93,7 @@ fn of_file(file: &SourceFile, axis: Option<&str>, language: Language) -> Result<
         days_since_1970: None,
         progress: progress(),
         refuses_long: true,
+        by_axes: false,
         language,
     };
     inquiry.axis(axis, Cost::Other).map(|(_, project)| project)

@@ -51,13 +51,13 @@ use answer::CommandAnswer;
 pub use call::{days_since_1970, named_file};
 use clap::ArgMatches;
 pub use fault::memory::allowed_by as memory_allowed;
-use quantities::{Language, Measure, Time};
+use quantities::Language;
 use questions::list::Unanswered;
 pub use report::PRESS;
 pub use source::SourceFile;
 use std::ffi::OsString;
 use std::time::Duration;
-pub use waiting::rows_line;
+pub use waiting::{deadline_of, rows_line};
 
 /// Answers a call of the command line, whose first word is the name of the program; returns the exit code.
 #[must_use]
@@ -121,17 +121,6 @@ fn deadline(matches: &ArgMatches, language: Language) -> Result<Option<Duration>
     let Some((_, found)) = matches.subcommand() else { return Ok(None) };
     let text = found.try_get_one::<String>("deadline").ok().flatten();
     text.map(|text| deadline_of(text, language)).transpose()
-}
-
-/// Parses a time limit such as `10 s`.
-///
-/// # Errors
-/// A text that is no time.
-pub fn deadline_of(text: &str, language: Language) -> Result<Duration, Unanswered> {
-    let time = questions::read_quantity::<Time>(text, language);
-    let time = time.map_err(|fault| Unanswered::option("deadline", fault))?;
-    // A day stands for all longer limits.
-    Ok(Duration::from_secs_f64(time.si().clamp(0.0, 86_400.0)))
 }
 
 fn dispatch(matches: &ArgMatches, language: Language) -> Result<CommandAnswer, Unanswered> {

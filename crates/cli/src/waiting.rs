@@ -1,8 +1,9 @@
 //! Time limit of an answer, and progress on the terminal when it takes longer than a second.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use quantities::{Language, format_number};
+use quantities::{Language, Measure as _, Time, format_number};
 use questions::Progress;
+use questions::list::Unanswered;
 use std::io::IsTerminal;
 use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -21,6 +22,21 @@ const GRACE: Duration = Duration::from_millis(500);
 const TICK: Duration = Duration::from_millis(100);
 
 static PATIENCE: OnceLock<(Progress, Option<Duration>)> = OnceLock::new();
+
+/// Parses a time limit such as `10 s`.
+///
+/// # Errors
+/// A text that is no time.
+pub fn deadline_of(text: &str, language: Language) -> Result<Duration, Unanswered> {
+    let time = questions::read_quantity::<Time>(text, language);
+    let time = time.map_err(|fault| Unanswered::option("deadline", fault))?;
+    if time.si().is_nan() || time.si() < 0.0 {
+        let why = terminal::deadline_not_negative(&text, language);
+        return Err(Unanswered::option("deadline", (why, None)));
+    }
+    // A day stands for all longer limits.
+    Ok(Duration::from_secs_f64(time.si().clamp(0.0, 86_400.0)))
+}
 
 fn caller() -> &'static (Progress, Option<Duration>) {
     PATIENCE.get_or_init(|| (Progress::endless(), None))

@@ -118,6 +118,7 @@ mod tests {
                 days_since_1970: None,
                 progress: &progress,
                 refuses_long: true,
+                by_axes: false,
                 language: Language::De,
             };
             let Ok(found) = encoder::found(&inquiry) else { panic!("{code}") };

@@ -44,6 +44,8 @@ pub struct QuestionCall {
     pub deadline: Option<Duration>,
     /// Limit of the memory for recordings, as written.
     pub memory: Option<String>,
+    /// Answers a project with one axis as one with several.
+    pub by_axes: bool,
     /// Language of the texts.
     pub language: Language,
 }
@@ -84,6 +86,7 @@ impl QuestionCall {
             days_since_1970: antrieb::days_since_1970(),
             progress,
             refuses_long: self.deadline.is_none(),
+            by_axes: self.by_axes,
             language: self.language,
         };
         page::reply(entry, &inquiry, &Here { files: files.first() })

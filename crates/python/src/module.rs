@@ -2,6 +2,7 @@
 
 mod call;
 mod capsules;
+mod cells;
 mod table;
 
 use crate::{CallOutcome, ForkedAtWork, QuestionCall, TextChange, ValueFault, within};
@@ -21,7 +22,8 @@ mod _antrieb {
 
     /// Answers a question: its media type and the answer. Faults are raised as `AntriebError`.
     #[pyfunction]
-    #[pyo3(signature = (command, texts, pairs, lang, deadline, memory))]
+    #[allow(clippy::too_many_arguments, reason = "those of the function of the package")]
+    #[pyo3(signature = (command, texts, pairs, lang, deadline, memory, by_axes))]
     fn ask(
         py: Python<'_>,
         command: String,
@@ -30,12 +32,13 @@ mod _antrieb {
         lang: &str,
         deadline: Option<&str>,
         memory: Option<String>,
+        by_axes: bool,
     ) -> PyResult<(&'static str, Cow<'static, [u8]>)> {
         let language = Language::of_id(lang).unwrap_or_default();
         let deadline = deadline.map(|text| antrieb::deadline_of(text, language)).transpose();
         let deadline = deadline.map_err(|why| refused(py, &why.record(None, language)))?;
         let texts = texts.into_iter().map(text).collect();
-        let call = QuestionCall { command, texts, pairs, deadline, memory, language };
+        let call = QuestionCall { command, texts, pairs, deadline, memory, by_axes, language };
         let watch = Watch::of(Arc::new(call.progress()), deadline);
         match interruptible(py, &watch, move |progress| call.answer(progress))? {
             CallOutcome::Answered(reply) => Ok((reply.media, reply.body.into())),

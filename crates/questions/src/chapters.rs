@@ -2,7 +2,7 @@
 
 use crate::progress::Progress;
 use crate::sizing_use::{Candidate, Refusal, check_part};
-use actuator::{Battery, BatteryLife};
+use actuator::{Battery, BatteryFault, BatteryLife};
 use axis::AxisProject;
 use configurator::Product;
 use provenance::Datum;
@@ -21,12 +21,16 @@ pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (S
 /// Reads hours per day; the unit may be omitted, since the name of the option states it.
 ///
 /// # Errors
-/// The fault of the text, and a hint.
+/// The fault of the text, and a hint; more hours than a day has.
 pub(crate) fn read_hours(text: &str, language: Language) -> Result<Time, (String, Option<String>)> {
-    match text.trim().parse::<f64>() {
-        Ok(hours) => Ok(Time::new_in(hours, &HOUR)),
-        Err(_) => read_quantity(text, language),
+    let per_day = match text.trim().parse::<f64>() {
+        Ok(hours) => Time::new_in(hours, &HOUR),
+        Err(_) => read_quantity(text, language)?,
+    };
+    if (0.0..=24.0).contains(&per_day.in_unit(&HOUR)) {
+        return Ok(per_day);
     }
+    Err((words::battery_fault(&BatteryFault::OperationOutOfRange { per_day }, language), None))
 }
 
 /// Computes the life of the battery of a buffered encoder from the hours of operation per day and the storage before.

@@ -41,7 +41,7 @@ pub(crate) fn read_inquiry<'a>(
     let days_since_1970 = shell.days_since_1970();
     let catalogue = shell.catalogue();
     let given = given.naming_products(sources.iter().any(ReferencedText::may_name_products));
-    Ok(Inquiry { given, sources, catalogue, days_since_1970, progress, refuses_long: false, language })
+    Ok(Inquiry { given, sources, catalogue, days_since_1970, progress, refuses_long: false, by_axes: false, language })
 }
 
 /// The two texts of a JSON body.

@@ -1,9 +1,9 @@
 """Sizing of hollow-shaft servo actuators: from a load and a motion to a verified ordering code.
 
 >>> import antrieb as an
->>> axis = an.Axis("tilt", an.Arm(mass="30 kg", length="1.2 m"), [an.Move("modified_sine", distance="90 deg", time="0.8 s"),
+>>> axis = an.Axis("tilt", an.Arm(mass="6 kg", length="0.5 m"), [an.Move("modified_sine", distance="90 deg", time="0.8 s"),
 ...                an.Return(time="0.6 s")], supply="560 V")
->>> best = an.size(axis)                                       # a project as objects, or a file:
+>>> an.size(axis).best.code                                    # a project as objects, or a file:
 >>> found = an.size("axis.toml", axis="indexing table")   # the catalogue ranked, as typed objects
 >>> an.check("axis.toml", "CHA-25A-50-H-C1024")           # one actuator, every check with its margin
 >>> an.plot("axis.toml", "torque_speed")                  # a notebook shows it
@@ -29,6 +29,7 @@ from antrieb._axis import load, loads
 from antrieb._call import AntriebError, Lang, Picture, Text
 from antrieb._call import Path as Path
 from antrieb._lines import Grid, Line
+from antrieb._nearest import NothingFits
 from antrieb._quantity import Q, Quantity, q
 from antrieb._record import Record, Rows
 from antrieb._section import Section
@@ -49,6 +50,7 @@ __all__ = [
     "Grid",
     "Lang",
     "Line",
+    "NothingFits",
     "Picture",
     "Q",
     "Quantity",

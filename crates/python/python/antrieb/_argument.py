@@ -63,7 +63,10 @@ def by_argument(error: AntriebError, text: str) -> AntriebError:
     errors: list[dict[str, Any]] = []
     for fault in error.record.get("errors", []):
         line = fault.get("line")
-        if line and not fault.get("option"):
+        if str(fault.get("id", "")).startswith("code_") and fault.get("file") and line:
+            # A place in an ordering code is none in the text of the project.
+            fault = {**{name: value for name, value in fault.items() if name not in ("file", "line", "column")}, "option": "code"}
+        elif line and not fault.get("option"):
             rest = {name: value for name, value in fault.items() if name not in ("line", "column")}
             fault = {**rest, "option": named(path_at(text, line))}
         errors.append(fault)

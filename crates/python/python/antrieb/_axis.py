@@ -14,7 +14,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from antrieb import _antrieb
+from antrieb._called import called
 from antrieb._fault import fault
+from antrieb._plain import text as plain_text
 from antrieb._section import Document, Load, Section, Segment, Unread, _class, _of_file, _steps, _written
 from antrieb._source import Handed, ProjectSource, folder_text
 from antrieb._toml import changes, rendered
@@ -326,6 +328,7 @@ def _segment(document: Any, path: str) -> Segment:
     raise Unread(f"{path}.law")
 
 
+@called
 def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] | None = None) -> Axis | Project:
     """Returns the project of a text as objects: an `Axis`, or a `Project` where the text has `[[axis]]`.
 
@@ -343,7 +346,10 @@ def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] 
     # Callers without a type checker.
     if not isinstance(text, str):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise TypeError(f"loads takes the text of a project file, not {type(text).__name__}; load takes its path")
-    called, beside = name or "text", folder_text(folder)
+    from antrieb._call import name_of
+
+    title, beside = name_of("name", name) or "text", folder_text(folder)
+    text = plain_text(text, "text")
     try:
         document = tomllib.loads(text.removeprefix("\ufeff"))
         if document.pop("format", None) != 1:
@@ -363,13 +369,14 @@ def loads(text: str, *, name: str | None = None, folder: str | os.PathLike[str] 
             made = Axis._of_document({**document, **head}, "")
     except (tomllib.TOMLDecodeError, Unread, TypeError, AttributeError, KeyError, ValueError) as found:
         # The reader of the engine states every fault with its place and the nearest name.
-        moves(text if "\n" in text else text + "\n", file=called, folder=folder)
+        moves(text if "\n" in text else text + "\n", file=title, folder=folder)
         if isinstance(found, ValueError) and not isinstance(found, tomllib.TOMLDecodeError):
             raise
-        raise fault(f"{called}: {found} cannot be read as objects", "hand over the text itself") from None
+        raise fault(f"{title}: {found} cannot be read as objects", "hand over the text itself") from None
     return made._of(text, name or "", beside, made._recordings)
 
 
+@called
 def load(path: str | os.PathLike[str]) -> Axis | Project:
     """Returns the project of a file as objects: an `Axis`, or a `Project` where the file has `[[axis]]`.
 
@@ -380,9 +387,16 @@ def load(path: str | os.PathLike[str]) -> Axis | Project:
     # Callers without a type checker.
     if not isinstance(path, (str, os.PathLike)):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise TypeError(f"load takes the path of a project file, not {type(path).__name__}; loads takes its text")
+    from antrieb.questions import moves
+
     file = pathlib.Path(path)
     # Files that an editor of Windows wrote.
-    text = file.read_bytes().decode("utf-8-sig")
+    try:
+        text = file.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError:
+        # The reader of the engine states the place of the wrong byte.
+        moves(path)
+        raise
     return loads(text, name=os.fspath(path), folder=file.parent)
 
 

@@ -7,21 +7,23 @@ import keyword
 import operator
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from datetime import date
+from collections.abc import Iterable, Mapping, Sequence, Set
+from datetime import date, timedelta
 from typing import TYPE_CHECKING, Any, Literal
 
 from antrieb import _antrieb, _origin
-from antrieb._axis import to_source
+from antrieb._axis import BaseProject, to_source
 from antrieb._decode import decoder
 from antrieb._fault import fault
 from antrieb._lazy import lazy
-from antrieb._quantity import Q, of_pint
+from antrieb._plain import is_time, listed, number_of, seconds
+from antrieb._plain import text as plain_text
+from antrieb._quantity import Q, Quantity, of_pint
 from antrieb._source import Handed, ProjectSource, folder_text
 from antrieb._trace import HeldFile
 
 if TYPE_CHECKING:
-    from antrieb import answers
+    from antrieb import answers, sections
     from antrieb._lines import Drawn, Line
     from antrieb._record import Rows
 
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     """A fault of a call or of an ordering code."""
 else:
     answers = lazy("antrieb.answers")
+    sections = lazy("antrieb.sections")
 
 Lang = Literal["en", "de"]
 """The language of texts."""
@@ -39,6 +42,9 @@ Path = str | os.PathLike[str]
 Text = str | os.PathLike[str] | ProjectSource | Sequence[ProjectSource]
 """A project as an `Axis`, a `Project` or a list of axes; or a text, or the path of its file: a `str` of one line is a path,
 unless it has a `=` and no file has that name."""
+
+TimeLimit = Quantity | timedelta
+"""How long an answer may take: a text such as `60 s`, a quantity, or an interval of `datetime`."""
 
 JSON = "application/json"
 SVG = "image/svg+xml"
@@ -115,6 +121,15 @@ class Picture:
 
         return _lines.of_picture(self.svg, self._drawn)
 
+    def __eq__(self, other: object) -> bool:
+        return self.svg == other.svg if isinstance(other, Picture) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.svg)
+
+    def __reduce__(self) -> tuple[type[Picture], tuple[str, Drawn | None]]:
+        return type(self), (self.svg, self._drawn)
+
     def _repr_svg_(self) -> str:
         return self.svg
 
@@ -139,6 +154,9 @@ class Picture:
 
 def handed(text: Text, name: str | None, folder: Path | None, others: bool = False) -> Handed:
     """A text with its name, its folder and the recordings that it holds; of a path no text. With others the folder may be theirs."""
+    name = name_of("file", name)
+    if isinstance(text, str):
+        text = plain_text(text, "text")
     if isinstance(text, str) and ("\n" in text or not text or ("=" in text and not os.path.exists(text))):
         return text, name or "text", folder_text(folder), {}
     if isinstance(text, (str, os.PathLike)):
@@ -155,6 +173,15 @@ def handed(text: Text, name: str | None, folder: Path | None, others: bool = Fal
         )
     own = source._handed()  # pyright: ignore[reportPrivateUsage]
     return own[0], name or own[1], folder_text(folder) if folder is not None else own[2], own[3]
+
+
+def name_of(argument: str, name: Any) -> str | None:
+    """The name of a text in faults as it is handed over."""
+    if name is None:
+        return None
+    if not isinstance(name, (str, os.PathLike)):
+        raise TypeError(f"{argument} is the name of a text in faults, such as 'axis.toml', not {type(name).__name__}")
+    return plain_text(os.fsdecode(name), argument)  # pyright: ignore[reportUnknownArgumentType]
 
 
 def _named(value: object) -> str:
@@ -245,7 +272,7 @@ def _written(value: Any, name: str = "") -> str:
     if isinstance(value, str):
         if not value.strip() and name != "code":
             raise ValueError(f"{place}the text is empty; leave the argument out, or write a value")
-        return str(value)
+        return plain_text(value, argument(name) if name else "text")
     if hasattr(value, "__fspath__"):
         return os.fsdecode(value)
     if isinstance(value, ProjectSource):
@@ -255,6 +282,12 @@ def _written(value: Any, name: str = "") -> str:
         if isinstance(found.value, tuple):
             raise TypeError(f"{place}one quantity is expected, not {len(found)}")
         return found.texts[0]
+    if is_time(value):
+        return f"{seconds(value, argument(name) if name else 'text')[0]!r} s"
+    if isinstance(value, sections.Body):
+        return _body_text(value)
+    if name == HOURS:
+        return repr(number_of(value, argument(name)))
     try:
         # Whole numbers, also those of NumPy.
         return str(operator.index(value))  # pyright: ignore[reportArgumentType]
@@ -262,6 +295,17 @@ def _written(value: Any, name: str = "") -> str:
         pass
     raise TypeError(f"{place}a text is expected, not {value!r:.40}; a quantity has its unit, as in \"160 mm\" or antrieb.q(160, \"mm\")")
 
+
+
+def _body_text(body: sections.Body) -> str:
+    """A body as a text: `disc diameter=300mm length=20mm mass=5kg`."""
+    fields = dict(body._document())  # pyright: ignore[reportPrivateUsage]
+    shape = fields.pop("shape", "")
+    return " ".join([shape, *(f"{key}={str(value).replace(' ', '', 1).replace(' ', '*')}" for key, value in fields.items())])
+
+
+HOURS = "hours-per-day"
+"""Argument whose unit is its name: `8` and `5.5` are hours."""
 
 WHOLE = frozenset({"cycles", "days", "samples", "seed", "top"})
 """Arguments that are whole numbers."""
@@ -280,10 +324,12 @@ def _whole(value: Any, name: str) -> None:
     raise TypeError(f"{name} is a whole number, not {value!r:.40}")
 
 
-def each_of(value: Any) -> list[Any]:
+def each_of(value: Any, name: str) -> list[Any]:
     """One value, or those of a list, a tuple, an array or a series; a text is one value."""
+    if isinstance(value, (Set, bytes, bytearray, memoryview)):
+        raise TypeError(f"{argument(name)}: a text or a list of texts is expected, not {type(value).__name__}")
     is_one = isinstance(value, (str, bytes, Mapping, os.PathLike, Q)) or hasattr(value, "magnitude") or not isinstance(value, Iterable)
-    return [value] if is_one else list(value)  # pyright: ignore[reportUnknownArgumentType, reportArgumentType]
+    return [value] if is_one else listed(value, argument(name))  # pyright: ignore[reportUnknownArgumentType, reportArgumentType]
 
 
 def language(lang: Any) -> str:
@@ -293,11 +339,15 @@ def language(lang: Any) -> str:
     raise TypeError(f"lang is 'en' or 'de', not {lang!r:.40}")
 
 
-def unit_text(name: str, value: str | None) -> str | None:
-    """A quantity as it is handed over: a text with its unit, or a number with one."""
+def unit_text(name: str, value: TimeLimit | None) -> str | None:
+    """A quantity as it is handed over: a text with its unit, a number with one, or an interval of time."""
+    if name == "deadline" and value is not None and is_time(value):
+        return f"{seconds(value, name)[0]!r} s"
     quantity = value if isinstance(value, Q) else of_pint(value)
     if quantity is not None:
         return _written(quantity, name)
+    if isinstance(value, str):
+        return plain_text(value, name)
     if value is not None and not isinstance(value, str):  # pyright: ignore[reportUnnecessaryIsInstance]
         example = "60 s" if name == "deadline" else "1 GiB"
         raise TypeError(f"{name} is a text with its unit, such as {example!r}, not {type(value).__name__}")
@@ -312,7 +362,7 @@ def pairs_of(values: Iterable[tuple[str, Any]]) -> list[tuple[str, str]]:
             _whole(value, name)
         if value is None or value is False:
             continue
-        found.extend((name, _written(each, name)) for each in each_of(value))
+        found.extend((name, _written(each, name)) for each in each_of(value, name))
     return found
 
 
@@ -322,7 +372,7 @@ def _has_tolerances(answer: Any) -> bool:
     if not judged:
         if answer.nearest_miss is None:
             return True
-        judged = [answer.best]
+        judged = [answer.best.nearest]
     return any(each.tolerance is not None for each in judged)
 
 
@@ -335,7 +385,7 @@ def ask(
     *,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> Any:
     """The answer to a question of the list; a record as the type that `of` returns."""
@@ -344,10 +394,11 @@ def ask(
     lang_id = language(lang)
     pairs_given = list(pairs)
     given = pairs_of([*pairs_given, ("lang", lang)])
+    by_axes = any(isinstance(text, (BaseProject, list, tuple)) for text in texts) and not dict(pairs_given).get("axis")
     held = [value for _, value in pairs_given if isinstance(value, HeldFile)]
     try:
         media, body = _antrieb.ask(
-            command, sources, given, lang_id, unit_text("deadline", deadline), unit_text("memory", memory)
+            command, sources, given, lang_id, unit_text("deadline", deadline), unit_text("memory", memory), by_axes
         )
     except AntriebError as error:
         raise placed(of_objects(error, texts), given, [each.folder for each in held]) from None
@@ -357,7 +408,7 @@ def ask(
     if media == JSON:
         answer = decoder(of())(json.loads(body))
         if len(texts) == 1:
-            named = {"file": file, "folder": folder, "memory": memory}
+            named = {"file": file, "folder": folder_text(folder) or None, "deadline": deadline, "memory": memory}
             _origin.attach(answer, _origin.Origin.of(texts[0], pairs_given, lang, **named))
         drawn = [name for name, value in pairs_given if name in ("samples", "seed") and value is not None]
         if drawn and command in ("size", "check") and not any(map(_has_tolerances, answer.axes)):
@@ -369,7 +420,7 @@ def ask(
     if media == SVG:
         from antrieb._lines import Drawn
 
-        named = {"file": file, "folder": folder, "deadline": deadline, "memory": memory}
+        named = {"file": file, "folder": folder_text(folder) or None, "deadline": deadline, "memory": memory}
         kept = {name: value for name, value in named.items() if value is not None}
         text = _origin.absolute(texts[0])
         return Picture(body.decode(), Drawn(command, text, {name: value for name, value in pairs_given if value is not None}, lang, kept))

@@ -15,7 +15,9 @@ from antrieb import _axis
 from antrieb._antrieb import Table
 from antrieb._axis import BaseAxis
 from antrieb._fault import fault, faults
-from antrieb._quantity import Q, columns_of
+from antrieb._plain import is_time, seconds, text
+from antrieb._quantity import Q, columns_of, unit_of_time
+from antrieb._quantity import split as split_text
 from antrieb._section import ReturnMove, _steps, distance_of
 from antrieb._source import ProjectSource
 from antrieb._tables import Column, arrow_library, cells, joined, split
@@ -28,13 +30,21 @@ ROOTS = ("axis", "load", "mechanism", "motion", "requirements", "actuator")
 """Beginnings of keys that are no fields of an axis."""
 
 
+def is_of_project(key: str) -> bool:
+    """Returns true for a key that a project may have; any other column is a label."""
+    from antrieb.sections import Axis
+
+    first = key.partition(" [")[0].replace("[", ".").partition(".")[0]
+    return first in Axis._KEYS or first in ROOTS
+
+
 def heading(key: str, source: ProjectSource | None, unit: str | None = None) -> str:
     """Returns the heading of a column: `motion.1.payload` and its unit as `motion[1].payload [kg]`."""
     from antrieb.sections import Axis
 
     name, bracket, rest = key.partition(" [")
     first = name.replace("[", ".").partition(".")[0]
-    if first not in Axis._KEYS and first not in ROOTS:
+    if not is_of_project(key):
         # A label, or a key that no project has: its dots count no entries.
         return f"{key} [{unit}]" if unit else key
     if isinstance(source, BaseAxis):
@@ -42,11 +52,25 @@ def heading(key: str, source: ProjectSource | None, unit: str | None = None) -> 
     else:
         steps = _steps(name)
         path = _axis.joined(["requirements", *steps] if first in Axis._REQUIREMENTS else steps)
+    path = _without_alias(path)
     if bracket:
         if unit:
             raise fault(f"{key}: the column has a unit already, {unit}", f'write the key as "{name}"')
         return f"{path} [{rest}"
     return f"{path} [{unit}]" if unit else path
+
+
+def _without_alias(path: str) -> str:
+    """The path of the key that another name stands for: `mechanism.arm.angle` is `mechanism.arm.start_angle`."""
+    from antrieb import sections
+
+    parts = path.split(".")
+    if len(parts) == 3 and parts[0] == "mechanism":
+        of: Any = getattr(sections, "".join(part.capitalize() for part in parts[1].split("_")), None)
+        kind = getattr(of, "_KEYS", {}).get(parts[2])
+        if kind is not None and kind.of == "alias":
+            parts[2] = kind.of_key
+    return ".".join(parts)
 
 
 def columns(table: Any, source: ProjectSource | None = None, grid: bool = False, name: str = "table", index: Collection[str] | None = None) -> list[Column]:
@@ -64,12 +88,15 @@ def columns(table: Any, source: ProjectSource | None = None, grid: bool = False,
         TypeError: A value is none that a column can have.
     """
     if isinstance(table, Mapping):
-        table = {key: [str(value)] if isinstance(value, str) else value for key, value in table.items()}
+        table = {key: _one_text(key, value, name) if isinstance(value, str) else value for key, value in table.items()}
     found: dict[str, Any] = {}
     for key, given in split(table, name, index):
         values: Any = given
         unit: str | None = None
-        if "." in heading(key, source) and " [" not in key:
+        is_key = is_of_project(key) and "." in heading(key, source)
+        if is_key and is_time(given):
+            values = _times(given, key, name)
+        elif is_key and " [" not in key:
             values = _quantities(given, key)
         if isinstance(values, Q):
             unit = values.unit or None
@@ -84,8 +111,11 @@ def columns(table: Any, source: ProjectSource | None = None, grid: bool = False,
             count *= len(each)
         if count > ROWS_MOST:
             raise fault(f"grid: {count} rows are more than {ROWS_MOST}", "take fewer values")
-        rows = list(itertools.product(*found.values()))
+        rows = list(itertools.product(*map(_plain, found.values())))
+        kept = {head: isinstance(values, list) for head, values in found.items()}
         found = {head: [row[place] for row in rows] for place, head in enumerate(found)}
+        # A column that was not a list has a type of its own.
+        found = {head: values if kept[head] else dict(split({head: values}, name))[head] for head, values in found.items()}
     lengths = {head: len(each) for head, each in found.items()}
     if len(set(lengths.values())) > 1:
         shown = ", ".join(f"{head} has {count}" for head, count in lengths.items())
@@ -93,6 +123,23 @@ def columns(table: Any, source: ProjectSource | None = None, grid: bool = False,
     if isinstance(source, BaseAxis):
         found.update(_ways_back(found, source))
     return list(found.items())
+
+
+def _one_text(key: Any, value: str, name: str) -> list[str]:
+    """A text as the only value of its column; a number alone is none, as it is none without quotes."""
+    found = split_text(value)
+    if found is not None and not found[1] and "[" in str(key):
+        raise TypeError(f"{name}: column {key!r} is one value ({value!r}); give a list with a value for each row")
+    return [text(value, f"{name}: column {key!r}")]
+
+
+def _times(values: Any, key: str, name: str) -> Any:
+    """Intervals as numbers in the unit of the heading, else in seconds."""
+    place = f"{name}: column {key!r}"
+    unit = key.partition(" [")[2].strip().removesuffix("]")
+    if not unit:
+        return Q(tuple(seconds(values, place)), "s")
+    return seconds(values, place, unit=unit_of_time(unit, place))
 
 
 def _quantities(values: Any, key: str) -> Any:

@@ -91,7 +91,7 @@ def arrays(table: Table, value: str, x: str | None, y: str | None) -> Grid:
         if name is not None and name not in columns:
             raise KeyError(f"no column is called {name!r}; there are {', '.join(columns)}")
     own = [name for name in columns if name not in ANSWERED and not name.endswith((".verdict", ".utilisation"))]
-    varied = [name for name in own if len(set(columns[name])) > 1 and name not in (x, y, value)]
+    varied = [name for name in own if len(set(map(_distinct, columns[name]))) > 1 and name not in (x, y, value)]
     names = [name for name in (x, y) if name is not None]
     if len(names) + len(varied) < 2 or (len(varied) + len(names) > 2 and len(names) < 2):
         there = f"there are {', '.join(own)}" if own else "the sweep repeats them with grid=True or inputs=True"
@@ -111,6 +111,11 @@ def arrays(table: Table, value: str, x: str | None, y: str | None) -> Grid:
         return absent if found is None else found
 
     return Grid(name=value, x=xs, y=ys, z=[[cell((one, other)) for one in xs] for other in ys], x_label=x, y_label=y, z_label=value)
+
+
+def _distinct(value: Any) -> Any:
+    """A value that can be compared with others: lists and structures by their text."""
+    return repr(value) if isinstance(value, (list, dict)) else value
 
 
 def _shown(table: Table) -> tuple[list[str], list[list[str]]]:

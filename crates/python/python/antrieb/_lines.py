@@ -117,7 +117,8 @@ def of_answer(record: Any) -> Rows[Line]:
     if kind in ("Judgement", "Ranked", "Assessed"):
         return Rows([_bars(record)])
     raise TypeError(
-        f"{kind} is no picture; arrays() is of plot(…), check(…), curve(…), torsion(…) and export(…, table='course')"
+        f"{kind} is no picture; arrays() is of plot(…), check(…), curve(…), torsion(…), export(…, table='course') and "
+        "simulate(…, format='svg')"
     )
 
 
@@ -175,8 +176,6 @@ def _torsion(record: Any, torque: float | None) -> list[Line]:
 
 class Drawn:
     """The call that a picture comes from."""
-
-    __slots__ = ("command", "given", "lang", "named", "text")
 
     def __init__(self, command: str, text: Any, given: Mapping[str, Any], lang: str, named: Mapping[str, Any]) -> None:
         self.command, self.text, self.given, self.lang, self.named = command, text, given, lang, named

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from antrieb._record import Record
 
 if TYPE_CHECKING:
-    from antrieb.answers import Explained, Explanations, Judgement, Sizing
+    from antrieb._nearest import NothingFits
+    from antrieb.answers import Explained, Explanations, Judgement, Ranked, Sizing
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -21,13 +22,22 @@ class Origin:
     given: Mapping[str, Any]
     code: str | None = None
     axis: str | None = None
+    drawn: Mapping[str, Any] = dataclasses.field(default_factory=dict[str, Any])
+    is_one_of_several: bool = False
 
     @classmethod
     def of(cls, text: Any, pairs: Any, lang: str, **named: Any) -> Origin:
         """The origin of the answers of a call; a path keeps its meaning in another folder."""
-        given = {name: value for name, value in pairs if name == "axis" and value is not None}
+        pairs = [(name, value) for name, value in pairs if value is not None]
+        given = {name: value for name, value in pairs if name == "axis"}
         given.update({name: value for name, value in named.items() if value is not None})
-        return cls(absolute(text), {**given, "lang": lang})
+        return cls(absolute(text), {**given, "lang": lang}, drawn={name: value for name, value in pairs if name in ("samples", "seed")})
+
+    @property
+    def of_axis(self) -> dict[str, Any]:
+        """The arguments of a question about the axis alone, with what was drawn."""
+        own = {"axis": self.axis} if "axis" in self.given or self.is_one_of_several else {}
+        return {**self.given, **own, **self.drawn}
 
 
 def absolute(text: Any) -> Any:
@@ -42,6 +52,9 @@ def attach(answer: Any, origin: Origin) -> None:
     """Attach the origin to a record and the records in it that are shown or explained."""
     if not isinstance(answer, Record):
         return
+    if type(answer).__name__.startswith("AxesOf"):
+        several: Any = getattr(answer, "axes")  # noqa: B009
+        origin = dataclasses.replace(origin, is_one_of_several=len(several) > 1)
     code = getattr(answer, "code", None) or origin.code
     axis = getattr(answer, "axis", None) or origin.axis
     if (code, axis) != (origin.code, origin.axis):
@@ -63,7 +76,7 @@ def language(record: Any) -> str:
     return str(origin.given["lang"]) if isinstance(origin, Origin) else "en"
 
 
-def judged_nearest(sizing: Sizing) -> Judgement:
+def judged_nearest(sizing: Sizing | NothingFits) -> Judgement:
     """The actuator with the smallest excess, judged by the question `check` of its project."""
     from antrieb import questions
 
@@ -71,10 +84,26 @@ def judged_nearest(sizing: Sizing) -> Judgement:
     if sizing.nearest_miss is None or not isinstance(origin, Origin):
         raise LookupError(f"{sizing.axis}: nothing fits; candidates lists every actuator with the reason")
     ask: Any = questions.check
-    axes: list[Judgement] = ask(origin.text, sizing.nearest_miss, **origin.given).axes
+    axes: list[Judgement] = ask(origin.text, sizing.nearest_miss, **origin.of_axis).axes
     for answer in axes:
         if answer.axis == sizing.axis:
             return answer
+    raise ValueError("the project has changed since this answer; repeat the question")
+
+
+def whole_ranking(sizing: Sizing) -> list[Ranked]:
+    """Every fitting actuator of a sizing, by the question `size` of its project."""
+    from antrieb import questions
+
+    origin = getattr(sizing, "_origin", None)
+    if not isinstance(origin, Origin):
+        raise ValueError(f"{sizing.axis}: the answer has {len(sizing.ranking)} of {sizing.fitting} fitting actuators, and no project to ask for the others")
+    ask: Any = questions.size
+    axes: list[Sizing] = ask(origin.text, top=max(1, sizing.fitting), **origin.of_axis).axes
+    known = [each.code for each in sizing.ranking]
+    for answer in axes:
+        if answer.axis == sizing.axis and answer.fitting == sizing.fitting and [each.code for each in answer.ranking[: len(known)]] == known:
+            return [*sizing.ranking, *answer.ranking[len(known) :]]
     raise ValueError("the project has changed since this answer; repeat the question")
 
 
@@ -88,7 +117,7 @@ def explained(check: Any, deadline: str | None) -> Explained:
     given = {name: value for name, value in origin.given.items() if name != "axis"}
     if deadline is not None:
         given["deadline"] = deadline
-    of_axis = {"axis": origin.axis} if "axis" in origin.given else {}
+    of_axis = {"axis": origin.axis} if "axis" in origin.given or origin.is_one_of_several else {}
     ask: Any = questions.explain
     axes: list[Explanations] = ask(origin.text, origin.code, check=check.id, **of_axis, **given).axes
     for answer in axes:
@@ -110,10 +139,9 @@ def unlisted(rows: Any, code: str) -> str | None:
     origin = getattr(ranked[0], "_origin", None) if ranked else None
     if not isinstance(origin, Origin):
         return None
-    given = {**origin.given, "axis": origin.axis} if "axis" in origin.given else origin.given
     ask: Any = questions.check
     try:
-        answer: Any = ask(origin.text, code, **given)
+        answer: Any = ask(origin.text, code, **origin.of_axis)
     except (AntriebError, OSError):
         return None
     judged: Any = next((each for each in answer.axes if each.axis == origin.axis), None)

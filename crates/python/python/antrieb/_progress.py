@@ -10,8 +10,9 @@ from typing import Any
 
 from antrieb import _antrieb
 
-Progress = bool | Callable[[int, int], object]
-"""`True` for a line on the terminal, or a function that is called with the number of judged rows and of all rows."""
+Progress = bool | Callable[[int, int], object] | type[Any]
+"""`True` for a line on the terminal, a function that is called with the number of judged rows and of all rows, or the class of a
+bar, such as `tqdm.tqdm`."""
 
 LATER = 0.3
 """Seconds after which a line is shown."""
@@ -41,12 +42,34 @@ class Bar:
         self.width = len(line)
 
 
+class Foreign:
+    """A bar of another library, made when the number of all rows is known: `tqdm.tqdm`."""
+
+    def __init__(self, of: type[Any]) -> None:
+        if not hasattr(of, "update"):
+            raise TypeError(f"progress is True, False, a function of two numbers, or the class of a bar with update, not the class {of.__name__}")
+        self.of, self.bar, self.done = of, None, 0
+
+    def __call__(self, done: int, all_rows: int) -> None:
+        """Advances the bar."""
+        bar: Any = self.of(total=all_rows) if self.bar is None else self.bar
+        self.bar = bar
+        bar.update(done - self.done)
+        self.done = done
+
+    def end(self) -> None:
+        """Closes the bar."""
+        bar: Any = self.bar
+        if bar is not None and hasattr(bar, "close"):
+            bar.close()
+
+
 @contextmanager
 def observed(progress: Any, lang: str) -> Generator[Callable[[int, int], object]]:
     """The function that a sweep calls. An interrupt says what is kept and how to go on."""
     if progress is not None and not isinstance(progress, bool) and not callable(progress):
         raise TypeError(f"progress is True, False or a function of two numbers, not {type(progress).__name__}")
-    bar = Bar(lang) if progress is True else None
+    bar: Bar | Foreign | None = Bar(lang) if progress is True else Foreign(progress) if isinstance(progress, type) else None
     inner: Callable[[int, int], object] | None = bar or (progress if callable(progress) else None)
     last = (0, 0)
 

@@ -7,13 +7,16 @@
 from __future__ import annotations
 
 import math
-import operator
 import re
 from collections.abc import Iterator, Sequence
 from decimal import Decimal
-from typing import Any, Protocol, SupportsFloat
+from fractions import Fraction
+from html import escape
+from typing import Any, Protocol
 
+from antrieb._called import called
 from antrieb._fault import fault
+from antrieb._plain import is_time, listed, number_of, ordered, refuse_times, seconds, text
 
 
 class PintQuantity(Protocol):
@@ -42,7 +45,7 @@ class Q:
     """Their unit as a project file has it."""
 
     def __init__(self, value: float | tuple[float, ...], unit: str) -> None:
-        object.__setattr__(self, "value", value)
+        object.__setattr__(self, "value", tuple(map(_exact, value)) if isinstance(value, tuple) else _exact(value))
         object.__setattr__(self, "unit", unit)
 
     def __setattr__(self, name: str, value: object) -> None:
@@ -75,6 +78,11 @@ class Q:
 
     def __str__(self) -> str:
         return ", ".join(self.texts)
+
+    def _repr_html_(self) -> str:
+        first = ", ".join(map(_number, self.values[:SHOWN]))
+        more = f", … ({len(self)})" if len(self) > SHOWN else ""
+        return f"<span>{escape(f'{first}{more} {self.unit}'.rstrip())}</span>"
 
     @property
     def values(self) -> tuple[float, ...]:
@@ -130,6 +138,7 @@ _WORDS.update({prefix + word: short + sign for word, sign in _SYMBOLS.items() fo
 _WORD = re.compile(r"[A-Za-z_]{3,}")
 
 
+@called
 def q(value: Any, unit: Any) -> Q:
     """Returns a number or an array with its unit: `q(30, "kg")`, `q(np.linspace(0, 10, 50), "kg")`.
 
@@ -137,26 +146,60 @@ def q(value: Any, unit: Any) -> Q:
         value: A number, or an array, a series or a list of numbers.
         unit: Their unit as a project file has it (`kg m^2`, `1/min`; `antrieb units` lists them all), or a unit of pint;
             `""` for ratios.
+
+    Raises:
+        TypeError: It is no number. Intervals of time (`timedelta64`, `Duration`) become numbers in a unit of time, and are
+            refused with any other.
     """
-    if hasattr(value, "magnitude") and hasattr(value, "units"):
+    if isinstance(value, Q) or (hasattr(value, "magnitude") and hasattr(value, "units")):
         raise TypeError("q: the value has a unit already; hand it over as it is")
-    numbers = _numbers(value, "q")
-    return Q(numbers, unit_of(unit))
+    own = unit_of(unit)
+    if is_time(value):
+        found = seconds(value, "q", unit=unit_of_time(own, "q"))
+        return Q(tuple(found) if _is_several(value) else found[0], own)
+    return Q(_numbers(value, "q"), own)
 
 
-def unit_of(unit: Any) -> str:
+def _is_several(value: Any) -> bool:
+    """Returns true for an array, a series or a list; times of one instant have no length."""
+    return hasattr(value, "__len__") and getattr(value, "ndim", 1) > 0
+
+
+def unit_of_time(unit: str, name: str) -> Fraction:
+    """How many seconds a unit is.
+
+    Raises:
+        TypeError: It is none of time.
+    """
+    found = _seconds_of(unit)
+    if found is not None:
+        return found
+    raise TypeError(f"{name}: times have a unit of time, not {unit!r}; write \"s\", or hand over numbers")
+
+
+def unit_of(unit: Any, name: str = "unit") -> str:
     """Returns a unit as a project file has it."""
     if isinstance(unit, str):
-        return unit.strip()
+        return text(unit, name).strip()
     if hasattr(unit, "dimensionality"):
         return _of_pint(unit)
-    raise TypeError(f'unit is a text such as "kg", not {type(unit).__name__}')
+    raise TypeError(f'{name} is a text such as "kg", not {type(unit).__name__}')
+
+
+def _seconds_of(unit: str) -> Fraction | None:
+    """How many seconds a unit is; `None` for one of another quantity."""
+    from antrieb._trace import units_of
+
+    found = (Fraction(repr(each.si)) for each in units_of("time") if unit in (each.unit, each.symbol, each.json, *each.also))
+    return next(found, None)
 
 
 def _numbers(value: Any, name: str) -> float | tuple[float, ...]:
     """A number, or those of an array of one dimension."""
     if isinstance(value, (str, bytes)) or value is None or isinstance(value, bool):
         raise TypeError(f"{name}: numbers are expected, not {type(value).__name__}")
+    ordered(value, name)
+    refuse_times(value, name)
     # Of a masked array; that of a series is a method.
     mask = getattr(value, "mask", None)
     if mask is not None and not callable(mask) and bool(getattr(mask, "any", lambda: mask)()):
@@ -165,25 +208,22 @@ def _numbers(value: Any, name: str) -> float | tuple[float, ...]:
         value = value.tolist()
     elif hasattr(value, "to_list"):
         value = value.to_list()
-    if isinstance(value, (list, tuple, range)) or (hasattr(value, "__iter__") and hasattr(value, "__len__")):
-        return tuple(_one(each, name) for each in value)
+    elif hasattr(value, "to_pylist"):
+        value = value.to_pylist()
+    if hasattr(value, "__iter__"):
+        return tuple(_one(each, name) for each in listed(value, name))
     return _one(value, name)
 
 
 def _one(value: Any, name: str) -> float:
-    if hasattr(value, "item"):
-        value = value.item()
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0:
         raise TypeError(f"{name}: an array of one dimension is expected")
-    if isinstance(value, (bool, str, bytes, complex, type)) or value is None:
-        raise TypeError(f"{name}: numbers are expected, not {type(value).__name__}")
-    try:
-        return operator.index(value)
-    except TypeError:
-        pass
-    if not isinstance(value, SupportsFloat):
-        raise TypeError(f"{name}: numbers are expected, not {type(value).__name__}")
-    return float(value)
+    return number_of(value, name)
+
+
+def _exact(value: float) -> float:
+    """A number as one of Python: those of NumPy write their type too."""
+    return value if type(value) in (int, float) else number_of(value, "q")
 
 
 def _number(value: float) -> str:
@@ -196,15 +236,15 @@ def _of_pint(unit: Any, name: str = "q") -> str:
     Raises:
         AntriebError: It is that of a difference of temperatures.
     """
-    text = format(unit, "~C").replace(" ", "")
-    if text in _DIFFERENCES:
+    written = format(unit, "~C").replace(" ", "")
+    if written in _DIFFERENCES:
         # In kelvin it would be another temperature.
-        raise fault(f"{name}: {text} is a difference of temperatures", 'write a temperature, such as "30 degC"')
-    if text in _UNITS:
-        return _UNITS[text]
-    if text == "dimensionless":
+        raise fault(f"{name}: {written} is a difference of temperatures", 'write a temperature, such as "30 degC"')
+    if written in _UNITS:
+        return _UNITS[written]
+    if written == "dimensionless":
         return ""
-    parts = re.split(r"([*/]+|\(|\)|[0-9.-]+)", text)
+    parts = re.split(r"([*/]+|\(|\)|[0-9.-]+)", written)
     return "".join("K" if part in _DIFFERENCES else _UNITS.get(part, "^" if part == "**" else part) for part in parts)
 
 
@@ -332,7 +372,15 @@ def text_of(value: Any, name: str, example: str, other: str | None = "") -> str:
         AntriebError: It is not finite, or measures something else.
     """
     if isinstance(value, str):
-        return _plain(str(value))
+        return _plain(text(value, name))
+    if is_time(value):
+        last = name.rsplit(".", 1)[-1]
+        known = split(example)
+        if known is None or _seconds_of(known[1]) is None:
+            raise TypeError(f'{name}: a time ({type(value).__name__}) is given; write {last}="{example}"')
+        if _is_several(value):
+            raise TypeError(f"{name} is one time such as {example!r}; antrieb.sweep takes several")
+        return f"{_number(seconds(value, name)[0])} s"
     found = value if isinstance(value, Q) else of_pint(value, name)
     if found is None:
         raise TypeError(_expected(value, name, example))
@@ -348,16 +396,34 @@ def text_of(value: Any, name: str, example: str, other: str | None = "") -> str:
 def _expected(value: Any, name: str, example: str) -> str:
     unit = split(example)
     last = name.rsplit(".", 1)[-1]
+    if type(value).__name__ == "MaskedConstant":
+        return f"{name} is masked: it has no value"
     if isinstance(value, float):
         # NumPy writes the type of its numbers too.
         value = float(value)
     if unit and isinstance(value, (int, float)) and not isinstance(value, bool):
+        other = _other_unit(unit[1])
+        if other is not None:
+            # One of them alone would be copied, and be wrong by their factor.
+            either = " or ".join(f'{last}="{value!r} {each}"' for each in (unit[1], other))
+            return f"{name}: {value!r} has no unit; write {either}, whichever it is in, or {last}=antrieb.q({value!r}, unit)"
         written = f'{last}="{value!r} {unit[1]}"'
         return f"{name}: {value!r} has no unit; write {written}, or {last}=antrieb.q({value!r}, \"{unit[1]}\")"
     item = getattr(value, "item", None)
     if unit and item is not None and getattr(value, "ndim", 0) == 0 and not isinstance(item(), type(value)):
         return _expected(item(), name, example)
     return f'{name} is a quantity with its unit, such as {last}="{example}", not {type(value).__name__}'
+
+
+def _other_unit(unit: str) -> str | None:
+    """The unit of SI that measures the same, where it is another."""
+    from antrieb._trace import quantities
+
+    for each in quantities():
+        if any(unit in (one.unit, one.symbol, one.json, *one.also) for one in each.units):
+            own = next((one.unit for one in each.units if each.si_unit in (one.unit, one.symbol, one.json)), each.si_unit)
+            return None if own == unit else str(own)
+    return None
 
 
 def columns_of(value: Any, name: str) -> Q | None:

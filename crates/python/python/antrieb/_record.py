@@ -25,7 +25,7 @@ DERIVED = {"Rejection": ("verdict", "tightest")}
 class Record:
     """An answer, or a part of one: its fields are those of the JSON of the command line."""
 
-    __slots__ = ("_origin",)
+    __slots__ = ("_kept", "_origin")
 
     if not TYPE_CHECKING:
 
@@ -150,6 +150,9 @@ class Rows(list[T], Generic[T]):
         if isinstance(key, slice):
             return Rows(super().__getitem__(key))
         return super().__getitem__(key)
+
+    def __contains__(self, item: object, /) -> bool:
+        return any(item in _names_of(each) for each in self) if isinstance(item, str) else super().__contains__(item)
 
     def _named(self, key: str) -> T:
         found = [each for each in self if key in _names_of(each)]

@@ -19,6 +19,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 
 from antrieb import _antrieb
 from antrieb._fault import fault, faults, no_choice
+from antrieb._plain import listed, number_of, refuse_times, text
 from antrieb._quantity import Converted, Q, of_pint, split, text_of
 from antrieb._toml import value_text as _value
 
@@ -58,6 +59,8 @@ class Section:
             if name not in cls._KEYS:
                 near = difflib.get_close_matches(name, cls._KEYS, 1)
                 hint = f"did you mean {near[0]!r}?" if near else f"it has {', '.join(cls._KEYS)}"
+                if cls.__name__ == "Recorded" and name in ("time", "position", "speed", "torque", "t", "q"):
+                    hint = "arrays become axes by antrieb.axes_from_arrays(time, position, torque=…)"
                 raise TypeError(f"{cls.__name__} has no keyword {name!r}; {hint}")
         if len(places) > len(cls._PLACES):
             first = next((name for name in cls._KEYS if name not in cls._PLACES), "")
@@ -95,10 +98,10 @@ class Section:
         simple = {name: _written(value) for name, value in values.items() if self._KEYS[name].of in _SIMPLE}
         for head, names in self._heads(simple):
             lines = {place: name for place, name in enumerate(names, head.count("\n") + 1)}
-            text = head + "".join(f"{_key(name)} = {_value(simple[name])}\n" for name in names)
-            found = _antrieb.value_faults(text, "en") if names else []
+            lines_text = head + "".join(f"{_key(name)} = {_value(simple[name])}\n" for name in names)
+            found = _antrieb.value_faults(lines_text, "en") if names else []
             converted = {name: values[name].other for name in names if isinstance(values[name], Converted)}
-            again = {name: text for name, text in converted.items() if name in {lines.get(line) for line, *_ in found} and text != values[name]}
+            again = {name: other for name, other in converted.items() if name in {lines.get(line) for line, *_ in found} and other != values[name]}
             if again:
                 # A unit of another library that no project file has.
                 values.update(again)
@@ -159,6 +162,11 @@ class Section:
         taken = self._PLACES[: len(places)]
         named = [f"{name}={_shown(value)!r}" for name, value in self._values.items() if name not in taken]
         return f"{type(self).__name__}({', '.join(places + named)})"
+
+    def _repr_html_(self) -> str:
+        from antrieb import _shown
+
+        return _shown.html_of_section(type(self).__name__, self._document())
 
     def replace(self, changes: Mapping[str, Any] | None = None, /, **fields: Any) -> Self:
         """Returns another with these fields; `None` takes one away.
@@ -297,7 +305,8 @@ class Unread(Exception):
 
 def unknown(path: str, name: str, of: Section) -> Exception:
     """Returns the fault of a path without a key."""
-    return no_choice(path, name, [key for key, kind in of._KEYS.items() if kind.of != "alias"])
+    choice = no_choice(path, name, [key for key, kind in of._KEYS.items() if kind.of != "alias"])
+    return fault(f'{path}: {type(of).__name__} has no key "{name}"', choice.faults[0].hint)
 
 
 def _unpickled(of: type[Section], state: dict[str, Any]) -> Section:
@@ -330,9 +339,16 @@ def _decimal(number: Decimal) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
+_PATH = re.compile(r"[^.\[\]\d][^.\[\]]*(?:\.(?:0|[1-9][0-9]*)|\[(?:0|[1-9][0-9]*)\]|\.[^.\[\]\d][^.\[\]]*)*")
+"""A path: names, and numbers of entries without zeros in front."""
+
+
 def _steps(path: str) -> list[str | int]:
     """The parts of a path: `motion.1.payload` and `motion[1].payload` alike."""
-    parts = str(path).replace("[", ".").replace("]", "").split(".")
+    written = text(str(path), "key")
+    if _PATH.fullmatch(written) is None:
+        raise fault(f"{path}: this is no path of a key", 'write it as in "motion[1].payload" or "motion.1.payload"')
+    parts = written.replace("[", ".").replace("]", "").split(".")
     if any(part.isdigit() and int(part) == 0 for part in parts):
         counted = ".".join(str(int(part) + 1) if part.isdigit() else part for part in parts)
         raise fault(f"{path}: entries are counted from one", f'did you mean "{counted}"?')
@@ -369,6 +385,7 @@ def _quantity(kind: Kind, value: Any, where: str) -> str:
 
 
 def _as_number(_: Kind, value: Any, where: str) -> float:
+    refuse_times(value, where)
     if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
         value = value.item()
     found = value if isinstance(value, Q) else of_pint(value)
@@ -376,7 +393,7 @@ def _as_number(_: Kind, value: Any, where: str) -> float:
         value = found.value
     if isinstance(value, bool) or not isinstance(value, (int, float, Decimal)):
         raise TypeError(f"{where} is a number, not {_called(value)}")
-    number = value if isinstance(value, int) else float(value)
+    number = number_of(value, where)
     if not math.isfinite(number):
         raise fault(f"{where} is not finite: {number!r}")
     return number
@@ -385,10 +402,11 @@ def _as_number(_: Kind, value: Any, where: str) -> float:
 def _integer(_: Kind, value: Any, where: str) -> int:
     if isinstance(value, bool):
         raise TypeError(f"{where} is a whole number, not {value}")
+    refuse_times(value, where)
     if hasattr(value, "item") and getattr(value, "ndim", 0) == 0:
         value = value.item()
     try:
-        return operator.index(value)
+        return int(operator.index(value))
     except TypeError:
         raise TypeError(f"{where} is a whole number, not {_called(value)}") from None
 
@@ -403,26 +421,28 @@ def _bool(_: Kind, value: Any, where: str) -> bool:
 
 def _text(_: Kind, value: Any, where: str) -> str:
     if isinstance(value, os.PathLike):
-        return str(os.fspath(value))  # pyright: ignore[reportUnknownArgumentType, reportUnknownMemberType]
+        return text(os.fsdecode(value), where)  # pyright: ignore[reportUnknownArgumentType]
     if not isinstance(value, str):
         raise TypeError(f"{where} is a text, not {_called(value)}")
-    return str(value)
+    return text(value, where)
 
 
 def _word(kind: Kind, value: Any, where: str) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{where} is one of {', '.join(map(repr, kind.words))}, not {_called(value)}")
-    if value not in kind.words:
-        raise no_choice(where, value, kind.words)
-    return str(value)
+    plain = text(value, where)
+    if plain not in kind.words:
+        raise no_choice(where, plain, kind.words)
+    return plain
 
 
 def _entries(value: Any, where: str, example: str) -> list[Any]:
+    refuse_times(value, where, example)
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, (str, bytes, Mapping, Section)) or not isinstance(value, Iterable):
         raise TypeError(f"{where} is a list such as {example}, not {_called(value)}")
-    return list(value)  # pyright: ignore[reportUnknownArgumentType, reportUnknownVariableType]
+    return listed(value, where)
 
 
 def _words(kind: Kind, value: Any, where: str) -> tuple[str, ...]:
@@ -507,6 +527,8 @@ _STORED: dict[str, Callable[[Kind, Any, str], Any]] = {
 
 
 def _called(value: Any) -> str:
+    if type(value).__name__ == "MaskedConstant":
+        return "a masked value"
     return repr(value) if isinstance(value, (str, int, float)) else type(value).__name__
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from html import escape
 from typing import Any, cast
 
@@ -306,8 +306,10 @@ def _view(record: Any) -> View:
 
 def text(record: Any) -> str:
     """A record in at most 20 lines."""
-    if type(record).__name__ == "Explained":
-        lines = tree(record).split("\n")
+    if type(record).__name__ == "Explanations" and len(record.checks) > 1:
+        return "\n".join([f"{record.axis}: {record.code}", *text_of_rows(record.checks).split("\n")[: LINES - 1]])
+    if (whole := _trees(record)) is not None:
+        lines = whole.split("\n")
         left = len(lines) - LINES + 1
         return "\n".join(lines if left <= 1 else [*lines[: LINES - 1], f"… {left}: print(…)"])
     return _view(record).text()
@@ -315,12 +317,57 @@ def text(record: Any) -> str:
 
 def full(record: Any) -> str:
     """A record as `print` shows it: of a derivation the whole tree."""
-    return tree(record) if type(record).__name__ == "Explained" else text(record)
+    whole = _trees(record)
+    return text(record) if whole is None else whole
 
 
 def html(record: Any) -> str:
     """A record in a notebook."""
-    return _html_tree(record) if type(record).__name__ == "Explained" else _view(record).html()
+    shown = _explained(record)
+    if shown is None:
+        return _view(record).html()
+    title, checks = shown
+    return (f"<p>{escape(title)}</p>" if title else "") + "".join(map(_html_tree, checks))
+
+
+def _explained(record: Any) -> tuple[str, list[Any]] | None:
+    """The derivations that a record is made of, and its title; `None` for other records, and for those of several axes."""
+    if type(record).__name__ == "Explained":
+        return "", [record]
+    if type(record).__name__ == "Explanations":
+        return f"{record.axis}: {record.code}", list(record.checks)
+    return None
+
+
+def _trees(record: Any) -> str | None:
+    """The derivations of a record as trees; `None` for other records."""
+    shown = _explained(record)
+    if shown is None:
+        return None
+    title, checks = shown
+    return "\n".join([*([title] if title else []), *map(tree, checks)])
+
+
+def html_of_section(name: str, document: Mapping[str, Any]) -> str:
+    """A project or a part of it in a notebook: a row for each key."""
+    rows = [[path, str(value)] for path, value in _keys(document, "")]
+    left = len(rows) - LINES
+    shown = rows if left <= 0 else [*rows[:LINES], ["…", str(left)]]
+    return f'<div class="antrieb"><p><strong>{escape(name)}</strong></p>{_html_table(["", ""], shown, [False, False])}</div>'
+
+
+def _keys(document: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """The keys of a project with their values."""
+    for key, value in document.items():
+        own = f"{path}.{key}" if path else key
+        entries: list[Any] = [*value] if isinstance(value, list) else []
+        if isinstance(value, Mapping):
+            yield from _keys(value, own)
+        elif entries and all(isinstance(each, Mapping) for each in entries):
+            for place, each in enumerate(entries, 1):
+                yield from _keys(each, f"{own}[{place}]")
+        elif own != "format":
+            yield own, value
 
 
 # ---- lists of records

@@ -24,7 +24,8 @@ def folder_text(folder: Any) -> str:
     path: str = os.fsdecode(folder)  # pyright: ignore[reportUnknownArgumentType]
     if path and not os.path.isdir(path):
         raise NotADirectoryError(f"folder: there is no folder {path!r}; it is where the recordings of a text lie")
-    return path
+    # A folder keeps its meaning when the working folder changes, and in another process.
+    return os.path.abspath(path) if path else path
 
 
 class ProjectSource:

@@ -10,7 +10,8 @@ from antrieb import _antrieb
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowSchema, ArrowStream
 from antrieb._axis import to_source
-from antrieb._call import AntriebError, Lang, Path, Text, flag, handed, language, of_objects, pairs_of, unit_text
+from antrieb._call import AntriebError, Lang, Path, Text, TimeLimit, flag, handed, language, of_objects, pairs_of, unit_text
+from antrieb._called import called
 from antrieb._columns import keyed, matched
 from antrieb._fault import fault
 from antrieb._progress import Progress, observed
@@ -44,6 +45,7 @@ class Sweep:
 
     __slots__ = ("_empty", "_source", "_sweep")
 
+    @called
     def __init__(
         self,
         text: Text,
@@ -103,7 +105,7 @@ class Sweep:
         """The columns of the answers, as an empty table."""
         return self._sweep.answers
 
-    def table(self, table: TableLike, *, deadline: str | None = None, progress: Progress = False) -> Table:
+    def table(self, table: TableLike, *, deadline: TimeLimit | None = None, progress: Progress = False) -> Table:
         """The answers of all rows; `AntriebError` with every fault of the cells, and for more rows than `rows_most`, before any row is judged.
 
         Columns are those of the headings in any order; one that is missing, too many or in another unit is refused.
@@ -155,6 +157,7 @@ def _options(
     return pairs_of([("axis", axis), ("check", check), ("front", flag("front", front)), ("lang", language(lang))])
 
 
+@called
 def sweep(
     text: Text,
     table: TableLike,
@@ -167,7 +170,7 @@ def sweep(
     inputs: bool = False,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
     progress: Progress = False,
 ) -> Table:
@@ -193,8 +196,8 @@ def sweep(
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`.
         memory: Limit of the memory for the recordings, and for the answers of a call, such as `1 GiB`; 512 MiB without it.
-        progress: `True` for a line on the terminal with rows, rate and time left, or a function that is called with the number
-            of judged rows and of all rows.
+        progress: `True` for a line on the terminal with rows, rate and time left, a function that is called with the number of
+            judged rows and of all rows, or the class of a bar such as `tqdm.tqdm`.
 
     Returns:
         An Arrow table, a row for each row: `row` (from 0), `fit` (how many actuators fit within every limit),

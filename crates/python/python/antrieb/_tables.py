@@ -10,12 +10,15 @@ import datetime
 import decimal
 import importlib
 import math
+import os
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+import uuid
+from collections.abc import Collection, Iterable, Mapping, Sequence, Set
 from typing import Any, cast
 
 from antrieb._antrieb import Table
 from antrieb._arrow import ArrowArray, ArrowStream
+from antrieb._plain import aligned, listed, ordered, refuse_times, text
 from antrieb._quantity import Q, columns_of, of_pint
 
 Column = tuple[str, Any]
@@ -189,14 +192,33 @@ def of_columns(columns: Mapping[Any, Any], name: str = "table") -> Any:
 
 def _listed(columns: Mapping[Any, Any], name: str) -> list[Column]:
     found: list[Column] = []
-    for heading, values in columns.items():
-        if not isinstance(heading, str):
-            raise TypeError(f"{name}: a heading is a text such as 'load.inertia [kg m^2]', not {heading!r}")
-        found.append((heading, _column(values, heading, name)))
+    for heading, values in _by_labels(columns, name).items():
+        found.append((_heading(heading, name), _column(values, heading, name)))
     return found
 
 
-def _column(given: Any, heading: str, name: str) -> list[Any] | Q:
+def _heading(heading: Any, name: str) -> str:
+    """A heading as a plain text."""
+    if not isinstance(heading, str):
+        raise TypeError(f"{name}: a heading is a text such as 'load.inertia [kg m^2]', not {heading!r}")
+    return text(heading, f"{name}: a heading")
+
+
+def _by_labels(columns: Mapping[Any, Any], name: str) -> dict[Any, Any]:
+    """Columns whose series have their rows in the order of the first one: a series is known by the labels of its rows."""
+    first: Any = None
+    found: dict[Any, Any] = {}
+    for heading, values in columns.items():
+        if hasattr(values, "iloc") and getattr(values, "ndim", 1) == 1:
+            place = f"{name}: column {heading!r}"
+            found[heading] = values if first is None else aligned(values, first[1], place, f"column {first[0]!r}")
+            first = first or (heading, values)
+        else:
+            found[heading] = values
+    return found
+
+
+def _column(given: Any, heading: str, name: str) -> Any:
     values: Any = given
     place = f"{name}: column {heading!r}"
     if isinstance(values, Q) or (hasattr(values, "magnitude") and hasattr(values, "units")):
@@ -205,16 +227,28 @@ def _column(given: Any, heading: str, name: str) -> list[Any] | Q:
         raise TypeError(f"{place} is one value ({values!r}); give a list with a value for each row")
     if getattr(values, "ndim", 1) > 1:
         raise TypeError(f"{place} has {values.ndim} dimensions; give one value for each row")
+    module = type(values).__module__.partition(".")[0]
+    if module == "pandas" and hasattr(values, "iloc"):
+        return _series(values, heading, name)
+    if module in ("polars", "pyarrow") and hasattr(values, "__len__"):
+        return _of_library(values, heading, name)
     if not hasattr(values, "__iter__"):
         raise TypeError(f"{place} is {type(values).__name__}; give a list with a value for each row")
-    if hasattr(values, "dtype") and getattr(values.dtype, "kind", "") in "mM":
-        raise TypeError(f"{place} holds times; give them as texts, or as numbers in a unit")
+    ordered(values, place)
+    if getattr(getattr(values, "dtype", None), "kind", "") in ("m", "M"):
+        return _carried(list(values), place, values)
     convert = getattr(values, "tolist", None) or getattr(values, "to_list", None)
-    listed: list[Any] = convert() if convert else list(values)
-    quantities = of_cells(listed, place)
+    rows: list[Any] = convert() if convert else listed(values, place)
+    quantities = of_cells(rows, place)
     if quantities is not None:
         return quantities
-    plain = [_value(value, place, row) for row, value in enumerate(listed)]
+    if any(_is_carried(value) for value in rows):
+        decimals = all(value is None or isinstance(value, (decimal.Decimal, int, float)) and not isinstance(value, bool) for value in rows)
+        if not decimals or (not any(isinstance(value, float) for value in rows) and arrow_library() is not None):
+            return _carried([decimal.Decimal(value) if decimals and isinstance(value, int) else value for value in rows], place, None)
+        # Among fractions, and without a library that has them, decimals are fractions.
+        rows = [float(value) if isinstance(value, decimal.Decimal) else value for value in rows]
+    plain = [_value(value, place, row) for row, value in enumerate(rows)]
     kinds = {"text" if isinstance(value, str) else "bool" if isinstance(value, bool) else "number" for value in plain if value is not None}
     if len(kinds) > 1:
         raise TypeError(f"{place} mixes {' and '.join(sorted(kinds))}; a column has values of one kind")
@@ -230,10 +264,52 @@ def _column(given: Any, heading: str, name: str) -> list[Any] | Q:
     return plain
 
 
+CARRIED = (datetime.date, datetime.time, datetime.timedelta, decimal.Decimal, bytes, list, tuple, dict, uuid.UUID, os.PathLike)
+"""Types that a column without a key may have; a library of Arrow keeps them."""
+
+
+def _is_carried(value: Any) -> bool:
+    return isinstance(value, CARRIED) and type(value).__name__ not in EMPTY or getattr(getattr(value, "dtype", None), "kind", "") in ("m", "M")
+
+
+def _carried(given: list[Any], place: str, values: Any) -> Any:
+    """A column that is only repeated, in its type; without a library of Arrow times are texts. An array of times is handed over as it is."""
+    rows: Any = [None if _is_empty(value) else str(value) if isinstance(value, (uuid.UUID, os.PathLike)) else value for value in given]
+    library = arrow_library()
+    if library is None:
+        if all(value is None or isinstance(value, (str, datetime.date, datetime.time, datetime.timedelta)) for value in rows):
+            return [None if value is None else str(value) for value in rows]
+        raise TypeError(f"{place}: values of this type are carried by pyarrow or polars, which are not installed; give them as texts")
+    if all(value is None or isinstance(value, str) for value in rows):
+        return rows
+    if values is not None:
+        rows = values
+    kinds = [value.dtype for value in rows if getattr(getattr(value, "dtype", None), "kind", "") in ("m", "M")]
+    if kinds:
+        # Single times of NumPy, whose unit an array has too.
+        rows = importlib.import_module("numpy").array(rows, dtype=max(kinds, key=str))
+    try:
+        return library.Series(rows) if library.__name__ == "polars" else library.chunked_array([library.array(rows)])
+    except (TypeError, ValueError, OverflowError, library.ArrowException if library.__name__ == "pyarrow" else TypeError) as error:
+        raise TypeError(f"{place}: its values are of no one type ({error}); give them as texts") from None
+
+
+def _of_library(values: Any, heading: str, name: str) -> Any:
+    """A column of polars or of pyarrow as it is; one of no type as a list."""
+    if type(values).__module__.startswith("polars"):
+        return _column(values.to_list(), heading, name) if str(values.dtype) in ("Null", "Object") else values
+    library = importlib.import_module("pyarrow")
+    if isinstance(values, library.Array):
+        values = library.chunked_array([values])
+    return values if isinstance(values, library.ChunkedArray) else _column(values.to_pylist(), heading, name)
+
+
 def _value(value: Any, place: str, row: int) -> Any:
-    if value is None or isinstance(value, (float, str, bool)):
+    if isinstance(value, str):
+        return value if type(value) is str and value.isascii() else text(value, f"{place}, row {row}")
+    if value is None or isinstance(value, (float, bool)):
         # A number that is none is no value, as in every library of tables.
-        return None if isinstance(value, float) and value != value else value
+        return None if isinstance(value, float) and value != value else float(value) if isinstance(value, float) else value
     if isinstance(value, int):
         if not -(1 << 63) <= value < 1 << 64:
             raise TypeError(f"{place}, row {row}: {value} has more than 64 bits; give the column as texts")
@@ -241,12 +317,9 @@ def _value(value: Any, place: str, row: int) -> Any:
     kind = type(value).__name__
     if kind in EMPTY:
         return None
-    if isinstance(value, decimal.Decimal):
-        return float(value)
-    if isinstance(value, (datetime.date, datetime.time, datetime.timedelta)):
-        return str(value)
     if hasattr(value, "magnitude") or hasattr(value, "unit"):
         raise TypeError(f"{place}, row {row}: a quantity among the cells; give the column as antrieb.q([…], unit), or numbers below a heading with the unit")
+    refuse_times(value, f"{place}, row {row},")
     if hasattr(value, "item") and getattr(value, "ndim", 1) == 0:
         return _value(value.item(), place, row)
     raise TypeError(f"{place}, row {row}: a number, a text or None is expected, not {kind}")
@@ -255,7 +328,7 @@ def _value(value: Any, place: str, row: int) -> Any:
 def _rows(rows: Iterable[Any], name: str) -> list[Column]:
     columns: dict[str, list[Any]] = {}
     count = 0
-    for number, row in enumerate(rows):
+    for number, row in enumerate(_ended(rows, name)):
         fields = _fields(row, name, number)
         for heading in fields:
             if heading not in columns:
@@ -266,6 +339,12 @@ def _rows(rows: Iterable[Any], name: str) -> list[Column]:
     if count == 0:
         raise ValueError(f"{name}: there is no row, and so no heading")
     return _listed(columns, name)
+
+
+def _ended(rows: Iterable[Any], name: str) -> list[Any]:
+    if isinstance(rows, Set):
+        raise TypeError(f"{name} is a {type(rows).__name__}, whose rows have no order; hand over a list")
+    return listed(rows, name)
 
 
 def _fields(given: Any, name: str, number: int) -> Mapping[Any, Any]:
@@ -308,9 +387,7 @@ def _pandas(table: Any, name: str, index: Collection[str] | None) -> list[Column
     _once([*own, *headings], name)
     found: list[Column] = []
     for heading, values in {**own, **columns}.items():
-        if not isinstance(heading, str):
-            raise TypeError(f"{name}: a heading is a text such as 'load.inertia [kg m^2]', not {heading!r}")
-        found.append((heading, _series(values, heading, name)))
+        found.append((_heading(heading, name), _series(values, heading, name)))
     return found
 
 
@@ -334,11 +411,11 @@ def _series(values: Any, heading: str, name: str) -> Any:
                 # Categories that are numbers stay numbers in answers.
                 column = column.dictionary_decode()
             return library.chunked_array([column]) if isinstance(column, library.Array) else column
-    if kind in "mM":
+    if kind in ("m", "M"):
         return [None if text == "NaT" else text for text in values.astype(str).tolist()]
     if of == "CategoricalDtype":
         values = values.astype(object).tolist()
-    return _column(list(values) if kind == "O" else values, heading, name)
+    return _column(values if isinstance(values, list) else values.tolist() if kind != "O" else list(values), heading, name)
 
 
 def _polars(table: Any, name: str) -> list[Column]:
@@ -349,7 +426,7 @@ def _polars(table: Any, name: str) -> list[Column]:
     found: list[Column] = []
     for heading in table.columns:
         kind = str(table[heading].dtype)
-        is_listed = kind in ("Null", "Object") or kind.startswith(("List", "Array", "Struct"))
+        is_listed = kind in ("Null", "Object")
         found.append((heading, _column(table[heading].to_list(), heading, name) if is_listed else table[heading]))
     return found
 

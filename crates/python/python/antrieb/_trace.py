@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import dataclasses
 import functools
+import math
 import os
 import pathlib
 import re
@@ -13,6 +14,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from antrieb._arrow import ArrowArray, ArrowStream
+from antrieb._fault import fault
+from antrieb._plain import is_time, refuse_times, seconds
 from antrieb._quantity import Q, of_pint
 from antrieb._tables import arrow, of_cells, of_columns
 
@@ -103,21 +106,32 @@ def _columns(given: Any, name: str) -> dict[str, list[Any]]:
         source = table.to_pydict()
     plain: dict[Any, Any] = {}
     factors: dict[Any, float] = {}
+    headings: dict[Any, Any] = {}
     for heading, given_values in source.items():
         values: Any = given_values
+        if is_time(values):
+            if not str(heading).strip().lower().startswith("time"):
+                refuse_times(values, f"{name}: column {heading!r}")
+            values = Q(tuple(seconds(values, f"{name}: column {heading!r}", instants=True)), "s")
         quantities = of_cells(list(values), f"{name}: column {heading!r}") if type(values) in (list, tuple) else None
         if quantities is not None:
             values = quantities
         own, cells, factor = _of_unit(heading, values, name)
         if own in plain:
             raise ValueError(f"{name}: two columns are {own!r}")
-        plain[own], factors[own] = cells, factor
+        plain[own], factors[own], headings[own] = cells, factor, heading
     columns: dict[str, list[Any]] = of_columns(plain, name).to_pydict()
     for heading, cells in columns.items():
         if factors[heading] != 1.0:
             columns[heading] = [_times(value, factors[heading], f"{name}: column {heading!r}, row {row}") for row, value in enumerate(cells)]
     if not columns or not next(iter(columns.values())):
         raise ValueError(f"{name}: the table has no rows")
+    read = {column for column, _ in COLUMNS.values()}
+    for heading, cells in columns.items():
+        empty = [row for row, value in enumerate(cells) if value is None or (isinstance(value, float) and not math.isfinite(value))]
+        if heading in read and empty:
+            more = f" and {len(empty) - 1} more" if len(empty) > 1 else ""
+            raise fault(f"{name}: column {headings[heading]!r} has no number in row {empty[0]}{more}", "leave out the instants that were not recorded")
     return columns
 
 
@@ -143,19 +157,24 @@ def _of_unit(heading: Any, values: Any, name: str) -> tuple[Any, Any, float]:
 
 def _factor(unit: str, quantity: str, place: str) -> float:
     """The factor of a unit to that of the trace file, which is that of SI."""
-    for each in _units(quantity):
+    for each in units_of(quantity):
         if unit.replace("*", " ").strip() in (each.unit, each.symbol, each.json, *each.also):
             return float(each.si)
-    known = ", ".join(each.unit for each in _units(quantity))
+    known = ", ".join(each.unit for each in units_of(quantity))
     raise ValueError(f"{place}: {unit!r} is no unit of {quantity} (units: {known})")
 
 
 @functools.cache
-def _units(quantity: str) -> list[Any]:
+def quantities() -> list[Any]:
+    """The quantities with their units."""
     from antrieb.questions import units
 
-    every: list[Any] = list(units().quantities)
-    return next(list(each.units) for each in every if each.quantity == quantity)
+    return list(units().quantities)
+
+
+def units_of(quantity: str) -> list[Any]:
+    """The units of a quantity."""
+    return next(list(each.units) for each in quantities() if each.quantity == quantity)
 
 
 def _times(value: Any, factor: float, place: str) -> float | None:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from antrieb._origin import judged_nearest
+from antrieb._nearest import NothingFits, judged, of_key
 from antrieb._record import Explainable, Record, Rows, Tabular
 
 
@@ -60,24 +60,32 @@ right class of voltage and place; `null` if there is none."""
         return Rows([self])
 
     @property
-    def best(self) -> Ranked | Judgement:
-        """The best fitting actuator; if none fits the one with the smallest excess, as `check` judges it.
-
-        Raises:
-            LookupError: Nothing fits, and no actuator meets the requirements and is of the right class.
-        """
-        return self.ranking[0] if self.ranking else judged_nearest(self)
+    def best(self) -> Ranked | NothingFits:
+        """The best fitting actuator; where none fits `NothingFits`, which is false and has no code."""
+        return self.ranking[0] if self.ranking else NothingFits.of(self)
 
     @property
     def candidates(self) -> Rows[Ranked | Rejection]:
-        """The fitting actuators by rank, then those that do not fit by their excess."""
-        return Rows([*self.ranking, *self.rejected])
+        """Every actuator that was judged: those that fit by rank, then those that do not fit by their excess.
+
+        Beyond the `top` of the call the ranking is asked anew, once.
+
+        Raises:
+            ValueError: The project has changed since.
+        """
+        return judged(self)
 
     def __iter__(self) -> Iterator[Ranked | Rejection]:
         return iter(self.candidates)
 
+    def __len__(self) -> int:
+        return len(self.candidates)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.candidates
+
     def __getitem__(self, key: int | str, /) -> Ranked | Rejection:
-        return self.candidates[key]
+        return of_key(self, key)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -131,6 +139,12 @@ requirements."""
 
     def __iter__(self) -> Iterator[Check]:
         return iter(self.checks)
+
+    def __len__(self) -> int:
+        return len(self.checks)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.checks
 
     def __getitem__(self, key: int | str, /) -> Check:
         return self.checks[key]
@@ -268,6 +282,12 @@ class Tolerance(Record):
     def __iter__(self) -> Iterator[Influence]:
         return iter(self.influence)
 
+    def __len__(self) -> int:
+        return len(self.influence)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.influence
+
     def __getitem__(self, key: int | str, /) -> Influence:
         return self.influence[key]
 
@@ -305,6 +325,12 @@ class WorstCorner(Record):
 
     def __iter__(self) -> Iterator[ToleratedValue]:
         return iter(self.values)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.values
 
     def __getitem__(self, key: int | str, /) -> ToleratedValue:
         return self.values[key]
@@ -427,6 +453,12 @@ requirements."""
     def __iter__(self) -> Iterator[Check]:
         return iter(self.checks)
 
+    def __len__(self) -> int:
+        return len(self.checks)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.checks
+
     def __getitem__(self, key: int | str, /) -> Check:
         return self.checks[key]
 
@@ -477,6 +509,12 @@ class Stage(Record):
     def __iter__(self) -> Iterator[StageRatio]:
         return iter(self.ratios)
 
+    def __len__(self) -> int:
+        return len(self.ratios)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.ratios
+
     def __getitem__(self, key: int | str, /) -> StageRatio:
         return self.ratios[key]
 
@@ -507,6 +545,12 @@ states."""
 
     def __iter__(self) -> Iterator[Segment]:
         return iter(self.segments)
+
+    def __len__(self) -> int:
+        return len(self.segments)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.segments
 
     def __getitem__(self, key: int | str, /) -> Segment:
         return self.segments[key]
@@ -567,6 +611,12 @@ class Recording(Record):
     def __iter__(self) -> Iterator[RecordedColumn]:
         return iter(self.columns)
 
+    def __len__(self) -> int:
+        return len(self.columns)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.columns
+
     def __getitem__(self, key: int | str, /) -> RecordedColumn:
         return self.columns[key]
 
@@ -596,6 +646,12 @@ class AxesOfSizing(Record):
 
     def __iter__(self) -> Iterator[Sizing]:
         return iter(self.axes)
+
+    def __len__(self) -> int:
+        return len(self.axes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.axes
 
     def __getitem__(self, key: int | str, /) -> Sizing:
         return self.axes[key]
@@ -663,6 +719,12 @@ requirements."""
 
     def __iter__(self) -> Iterator[Check]:
         return iter(self.checks)
+
+    def __len__(self) -> int:
+        return len(self.checks)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.checks
 
     def __getitem__(self, key: int | str, /) -> Check:
         return self.checks[key]
@@ -735,6 +797,12 @@ class AxesOfJudgement(Record):
     def __iter__(self) -> Iterator[Judgement]:
         return iter(self.axes)
 
+    def __len__(self) -> int:
+        return len(self.axes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.axes
+
     def __getitem__(self, key: int | str, /) -> Judgement:
         return self.axes[key]
 
@@ -764,6 +832,12 @@ class SweepSummary(Record):
 
     def __iter__(self) -> Iterator[SweepRow]:
         return iter(self.answers)
+
+    def __len__(self) -> int:
+        return len(self.answers)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.answers
 
     def __getitem__(self, key: int | str, /) -> SweepRow:
         return self.answers[key]
@@ -833,6 +907,12 @@ class Explanations(Record):
 
     def __iter__(self) -> Iterator[Explained]:
         return iter(self.checks)
+
+    def __len__(self) -> int:
+        return len(self.checks)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.checks
 
     def __getitem__(self, key: int | str, /) -> Explained:
         return self.checks[key]
@@ -941,6 +1021,12 @@ class AxesOfExplanations(Record):
     def __iter__(self) -> Iterator[Explanations]:
         return iter(self.axes)
 
+    def __len__(self) -> int:
+        return len(self.axes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.axes
+
     def __getitem__(self, key: int | str, /) -> Explanations:
         return self.axes[key]
 
@@ -1007,6 +1093,12 @@ class Simulation(Record):
 
     def __iter__(self) -> Iterator[SimulatedVerdict]:
         return iter(self.verdicts)
+
+    def __len__(self) -> int:
+        return len(self.verdicts)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.verdicts
 
     def __getitem__(self, key: int | str, /) -> SimulatedVerdict:
         return self.verdicts[key]
@@ -1142,6 +1234,12 @@ class AxesOfSimulation(Record):
     def __iter__(self) -> Iterator[Simulation]:
         return iter(self.axes)
 
+    def __len__(self) -> int:
+        return len(self.axes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.axes
+
     def __getitem__(self, key: int | str, /) -> Simulation:
         return self.axes[key]
 
@@ -1172,6 +1270,12 @@ axis, `overrides` is empty, and the exit status is 1."""
 
     def __iter__(self) -> Iterator[Identified95]:
         return iter(self.estimates)
+
+    def __len__(self) -> int:
+        return len(self.estimates)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.estimates
 
     def __getitem__(self, key: int | str, /) -> Identified95:
         return self.estimates[key]
@@ -1268,6 +1372,12 @@ class Comparison(Record):
     def __iter__(self) -> Iterator[CheckRow]:
         return iter(self.checks)
 
+    def __len__(self) -> int:
+        return len(self.checks)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.checks
+
     def __getitem__(self, key: int | str, /) -> CheckRow:
         return self.checks[key]
 
@@ -1330,6 +1440,12 @@ class AxesOfComparison(Record):
     def __iter__(self) -> Iterator[Comparison]:
         return iter(self.axes)
 
+    def __len__(self) -> int:
+        return len(self.axes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.axes
+
     def __getitem__(self, key: int | str, /) -> Comparison:
         return self.axes[key]
 
@@ -1366,6 +1482,12 @@ class Difference(Record):
 
     def __iter__(self) -> Iterator[CheckChange]:
         return iter(self.checks)
+
+    def __len__(self) -> int:
+        return len(self.checks)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.checks
 
     def __getitem__(self, key: int | str, /) -> CheckChange:
         return self.checks[key]
@@ -1427,6 +1549,12 @@ class AxesOfDifference(Record):
     def __iter__(self) -> Iterator[Difference]:
         return iter(self.axes)
 
+    def __len__(self) -> int:
+        return len(self.axes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.axes
+
     def __getitem__(self, key: int | str, /) -> Difference:
         return self.axes[key]
 
@@ -1485,6 +1613,12 @@ class CodeReading(Record):
     def __iter__(self) -> Iterator[CodeField]:
         return iter(self.fields)
 
+    def __len__(self) -> int:
+        return len(self.fields)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.fields
+
     def __getitem__(self, key: int | str, /) -> CodeField:
         return self.fields[key]
 
@@ -1541,6 +1675,12 @@ class OpenField(Record):
     def __iter__(self) -> Iterator[Choice]:
         return iter(self.choices)
 
+    def __len__(self) -> int:
+        return len(self.choices)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.choices
+
     def __getitem__(self, key: int | str, /) -> Choice:
         return self.choices[key]
 
@@ -1569,6 +1709,12 @@ class Sheet(Record):
     def __iter__(self) -> Iterator[SheetSection]:
         return iter(self.sections)
 
+    def __len__(self) -> int:
+        return len(self.sections)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.sections
+
     def __getitem__(self, key: int | str, /) -> SheetSection:
         return self.sections[key]
 
@@ -1590,6 +1736,12 @@ class SheetSection(Record):
 
     def __iter__(self) -> Iterator[SheetValue]:
         return iter(self.values)
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.values
 
     def __getitem__(self, key: int | str, /) -> SheetValue:
         return self.values[key]
@@ -1627,6 +1779,12 @@ code."""
 
     def __iter__(self) -> Iterator[SheetNote]:
         return iter(self.notes)
+
+    def __len__(self) -> int:
+        return len(self.notes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.notes
 
     def __getitem__(self, key: int | str, /) -> SheetNote:
         return self.notes[key]
@@ -1668,6 +1826,12 @@ class Wiring(Record):
     def __iter__(self) -> Iterator[Connector]:
         return iter(self.connectors)
 
+    def __len__(self) -> int:
+        return len(self.connectors)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.connectors
+
     def __getitem__(self, key: int | str, /) -> Connector:
         return self.connectors[key]
 
@@ -1703,6 +1867,12 @@ class Connector(Record):
 
     def __iter__(self) -> Iterator[ConnectorPin]:
         return iter(self.pins)
+
+    def __len__(self) -> int:
+        return len(self.pins)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.pins
 
     def __getitem__(self, key: int | str, /) -> ConnectorPin:
         return self.pins[key]
@@ -1814,6 +1984,12 @@ class Fact(Record):
     def __iter__(self) -> Iterator[FactValue]:
         return iter(self.values)
 
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.values
+
     def __getitem__(self, key: int | str, /) -> FactValue:
         return self.values[key]
 
@@ -1849,6 +2025,12 @@ class VoltageDrops(Record):
 
     def __iter__(self) -> Iterator[VoltageDrop]:
         return iter(self.circuits)
+
+    def __len__(self) -> int:
+        return len(self.circuits)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.circuits
 
     def __getitem__(self, key: int | str, /) -> VoltageDrop:
         return self.circuits[key]
@@ -1907,6 +2089,12 @@ class WiringCheck(Record):
 
     def __iter__(self) -> Iterator[WiringFinding]:
         return iter(self.findings)
+
+    def __len__(self) -> int:
+        return len(self.findings)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.findings
 
     def __getitem__(self, key: int | str, /) -> WiringFinding:
         return self.findings[key]
@@ -1977,6 +2165,12 @@ resolver."""
     def __iter__(self) -> Iterator[EncoderWord]:
         return iter(self.words)
 
+    def __len__(self) -> int:
+        return len(self.words)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.words
+
     def __getitem__(self, key: int | str, /) -> EncoderWord:
         return self.words[key]
 
@@ -2033,6 +2227,12 @@ class EncoderWord(Record):
     def __iter__(self) -> Iterator[WordField]:
         return iter(self.fields)
 
+    def __len__(self) -> int:
+        return len(self.fields)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.fields
+
     def __getitem__(self, key: int | str, /) -> WordField:
         return self.fields[key]
 
@@ -2083,6 +2283,12 @@ class EncoderSignal(Record):
 
     def __iter__(self) -> Iterator[EncoderPin]:
         return iter(self.pins)
+
+    def __len__(self) -> int:
+        return len(self.pins)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.pins
 
     def __getitem__(self, key: int | str, /) -> EncoderPin:
         return self.pins[key]
@@ -2146,6 +2352,12 @@ resolver."""
 
     def __iter__(self) -> Iterator[EncoderWord]:
         return iter(self.words)
+
+    def __len__(self) -> int:
+        return len(self.words)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.words
 
     def __getitem__(self, key: int | str, /) -> EncoderWord:
         return self.words[key]
@@ -2212,6 +2424,12 @@ class Errata(Record):
 
     def __iter__(self) -> Iterator[Erratum]:
         return iter(self.errata)
+
+    def __len__(self) -> int:
+        return len(self.errata)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.errata
 
     def __getitem__(self, key: int | str, /) -> Erratum:
         return self.errata[key]
@@ -2301,6 +2519,12 @@ class CatalogueCheck(Record):
     def __iter__(self) -> Iterator[CheckedCatalogue]:
         return iter(self.files)
 
+    def __len__(self) -> int:
+        return len(self.files)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.files
+
     def __getitem__(self, key: int | str, /) -> CheckedCatalogue:
         return self.files[key]
 
@@ -2352,6 +2576,12 @@ class CatalogueFinding(Record):
 
     def __iter__(self) -> Iterator[CatalogueFigure]:
         return iter(self.figures)
+
+    def __len__(self) -> int:
+        return len(self.figures)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.figures
 
     def __getitem__(self, key: int | str, /) -> CatalogueFigure:
         return self.figures[key]
@@ -2442,6 +2672,12 @@ none."""
     def __iter__(self) -> Iterator[TorqueExceeded]:
         return iter(self.exceeds)
 
+    def __len__(self) -> int:
+        return len(self.exceeds)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.exceeds
+
     def __getitem__(self, key: int | str, /) -> TorqueExceeded:
         return self.exceeds[key]
 
@@ -2521,6 +2757,12 @@ class Commissioning(Record):
 
     def __iter__(self) -> Iterator[CommissionParameter]:
         return iter(self.parameters)
+
+    def __len__(self) -> int:
+        return len(self.parameters)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.parameters
 
     def __getitem__(self, key: int | str, /) -> CommissionParameter:
         return self.parameters[key]
@@ -2652,6 +2894,12 @@ class OverloadSupervision(Record):
     def __iter__(self) -> Iterator[OverloadTrip]:
         return iter(self.trips)
 
+    def __len__(self) -> int:
+        return len(self.trips)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.trips
+
     def __getitem__(self, key: int | str, /) -> OverloadTrip:
         return self.trips[key]
 
@@ -2679,6 +2927,12 @@ class CommissionList(Record):
 
     def __iter__(self) -> Iterator[CommissionEntry]:
         return iter(self.entries)
+
+    def __len__(self) -> int:
+        return len(self.entries)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.entries
 
     def __getitem__(self, key: int | str, /) -> CommissionEntry:
         return self.entries[key]
@@ -2733,6 +2987,12 @@ class Recorded(Record):
 
     def __iter__(self) -> Iterator[RecordedValue]:
         return iter(self.measurements)
+
+    def __len__(self) -> int:
+        return len(self.measurements)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.measurements
 
     def __getitem__(self, key: int | str, /) -> RecordedValue:
         return self.measurements[key]
@@ -2796,6 +3056,12 @@ class Inertia(Record):
     def __iter__(self) -> Iterator[Body]:
         return iter(self.bodies)
 
+    def __len__(self) -> int:
+        return len(self.bodies)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.bodies
+
     def __getitem__(self, key: int | str, /) -> Body:
         return self.bodies[key]
 
@@ -2846,6 +3112,12 @@ class Curves(Record):
     def __iter__(self) -> Iterator[Curve]:
         return iter(self.curves)
 
+    def __len__(self) -> int:
+        return len(self.curves)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.curves
+
     def __getitem__(self, key: int | str, /) -> Curve:
         return self.curves[key]
 
@@ -2887,6 +3159,12 @@ class Bearings(Record):
     def __iter__(self) -> Iterator[BearingOfSize]:
         return iter(self.sizes)
 
+    def __len__(self) -> int:
+        return len(self.sizes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.sizes
+
     def __getitem__(self, key: int | str, /) -> BearingOfSize:
         return self.sizes[key]
 
@@ -2905,6 +3183,12 @@ class BearingOfSize(Record):
     def __iter__(self) -> Iterator[Check]:
         return iter(self.checks)
 
+    def __len__(self) -> int:
+        return len(self.checks)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.checks
+
     def __getitem__(self, key: int | str, /) -> Check:
         return self.checks[key]
 
@@ -2920,6 +3204,12 @@ class AxesOfBearings(Record):
 
     def __iter__(self) -> Iterator[Bearings]:
         return iter(self.axes)
+
+    def __len__(self) -> int:
+        return len(self.axes)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.axes
 
     def __getitem__(self, key: int | str, /) -> Bearings:
         return self.axes[key]
@@ -3069,6 +3359,12 @@ class Joint(Record):
     def __iter__(self) -> Iterator[JointCase]:
         return iter(self.cases)
 
+    def __len__(self) -> int:
+        return len(self.cases)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.cases
+
     def __getitem__(self, key: int | str, /) -> JointCase:
         return self.cases[key]
 
@@ -3145,6 +3441,12 @@ class Upkeep(Record):
     def __iter__(self) -> Iterator[Planned]:
         return iter(self.plan)
 
+    def __len__(self) -> int:
+        return len(self.plan)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.plan
+
     def __getitem__(self, key: int | str, /) -> Planned:
         return self.plan[key]
 
@@ -3198,6 +3500,12 @@ entries."""
 
     def __iter__(self) -> Iterator[GlossaryWord | GlossaryTerm | GlossarySymbol]:
         return iter(self.entries)
+
+    def __len__(self) -> int:
+        return len(self.entries)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.entries
 
     def __getitem__(self, key: int | str, /) -> GlossaryWord | GlossaryTerm | GlossarySymbol:
         return self.entries[key]
@@ -3259,6 +3567,12 @@ class Units2(Record):
     def __iter__(self) -> Iterator[Measured]:
         return iter(self.quantities)
 
+    def __len__(self) -> int:
+        return len(self.quantities)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.quantities
+
     def __getitem__(self, key: int | str, /) -> Measured:
         return self.quantities[key]
 
@@ -3276,6 +3590,12 @@ class Measured(Record):
 
     def __iter__(self) -> Iterator[UnitRead]:
         return iter(self.units)
+
+    def __len__(self) -> int:
+        return len(self.units)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.units
 
     def __getitem__(self, key: int | str, /) -> UnitRead:
         return self.units[key]
@@ -3308,6 +3628,12 @@ class Licences(Record):
 
     def __iter__(self) -> Iterator[LicenceText]:
         return iter(self.texts)
+
+    def __len__(self) -> int:
+        return len(self.texts)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.texts
 
     def __getitem__(self, key: int | str, /) -> LicenceText:
         return self.texts[key]
@@ -3389,6 +3715,12 @@ class ExportWritten(Record):
     def __iter__(self) -> Iterator[TableWritten]:
         return iter(self.tables)
 
+    def __len__(self) -> int:
+        return len(self.tables)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.tables
+
     def __getitem__(self, key: int | str, /) -> TableWritten:
         return self.tables[key]
 
@@ -3445,6 +3777,12 @@ class CodeFaults(Record):
     def __iter__(self) -> Iterator[CodeFault]:
         return iter(self.errors)
 
+    def __len__(self) -> int:
+        return len(self.errors)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.errors
+
     def __getitem__(self, key: int | str, /) -> CodeFault:
         return self.errors[key]
 
@@ -3480,6 +3818,12 @@ class Faults(Record):
 
     def __iter__(self) -> Iterator[Fault]:
         return iter(self.errors)
+
+    def __len__(self) -> int:
+        return len(self.errors)
+
+    def __contains__(self, item: object, /) -> bool:
+        return item in self.errors
 
     def __getitem__(self, key: int | str, /) -> Fault:
         return self.errors[key]

@@ -183,7 +183,7 @@ def specified(
         out=os.path.abspath(os.fspath(out)),
         lang=lang,
         axis=axis,
-        check=tuple(each_of(check)),
+        check=tuple(each_of(check, "check")),
         front=front,
     )
 

@@ -13,8 +13,9 @@ from collections.abc import Sequence
 from datetime import date as Day
 from typing import TYPE_CHECKING, Literal, overload
 
-from antrieb._axis import BaseAxis
-from antrieb._call import Lang, Path, Picture, Text, ask, flag
+from antrieb._axis import BaseAxis, BaseProject
+from antrieb._call import Lang, Path, Picture, Text, TimeLimit, ask, flag
+from antrieb._called import called
 from antrieb._lazy import lazy
 from antrieb._trace import Trace, held
 
@@ -37,9 +38,26 @@ def size(
     seed: int | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Sizing: ...
+
+
+@overload
+def size(
+    text: BaseProject | Sequence[BaseAxis],
+    *,
+    lang: Lang = "en",
+    axis: None = None,
+    top: int = 10,
+    all: bool = False,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: TimeLimit | None = None,
+    memory: str | None = None,
+) -> answers.AxesOfSizing: ...
 
 
 @overload
@@ -54,7 +72,7 @@ def size(
     seed: int | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Sizing: ...
 
@@ -71,11 +89,12 @@ def size(
     seed: int | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Sizing | answers.AxesOfSizing: ...
 
 
+@called
 def size(
     text: Text,
     *,
@@ -87,7 +106,7 @@ def size(
     seed: int | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Sizing | answers.AxesOfSizing:
     """Rank the whole catalogue for an axis.
@@ -136,9 +155,25 @@ def check(
     seed: int | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Judgement: ...
+
+
+@overload
+def check(
+    text: BaseProject | Sequence[BaseAxis],
+    code: str | None = None,
+    *,
+    lang: Lang = "en",
+    axis: None = None,
+    samples: int | None = None,
+    seed: int | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: TimeLimit | None = None,
+    memory: str | None = None,
+) -> answers.AxesOfJudgement: ...
 
 
 @overload
@@ -152,7 +187,7 @@ def check(
     seed: int | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Judgement: ...
 
@@ -168,11 +203,12 @@ def check(
     seed: int | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Judgement | answers.AxesOfJudgement: ...
 
 
+@called
 def check(
     text: Text,
     code: str | None = None,
@@ -183,7 +219,7 @@ def check(
     seed: int | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Judgement | answers.AxesOfJudgement:
     """Evaluate one actuator, every check with its margin.
@@ -220,6 +256,7 @@ def check(
     return answer
 
 
+@called
 def sweep(
     text: Text,
     table: Path,
@@ -230,7 +267,7 @@ def sweep(
     front: bool = False,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.SweepSummary:
     """Evaluate many axes: a table whose columns are keys of the project.
@@ -277,9 +314,24 @@ def explain(
     check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Explanations: ...
+
+
+@overload
+def explain(
+    text: BaseProject | Sequence[BaseAxis],
+    code: str | None = None,
+    *,
+    lang: Lang = "en",
+    axis: None = None,
+    check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: TimeLimit | None = None,
+    memory: str | None = None,
+) -> answers.AxesOfExplanations: ...
 
 
 @overload
@@ -292,7 +344,7 @@ def explain(
     check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Explanations: ...
 
@@ -307,11 +359,12 @@ def explain(
     check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Explanations | answers.AxesOfExplanations: ...
 
 
+@called
 def explain(
     text: Text,
     code: str | None = None,
@@ -321,7 +374,7 @@ def explain(
     check: Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"] | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Explanations | answers.AxesOfExplanations:
     """Show the derivation of the checks of one actuator with numbers substituted.
@@ -371,7 +424,7 @@ def simulate(
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
-    hours_per_day: str | None = None,
+    hours_per_day: str | float | None = None,
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["json"] = "json",
@@ -382,9 +435,39 @@ def simulate(
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Simulation: ...
+
+
+@overload
+def simulate(
+    text: BaseProject | Sequence[BaseAxis],
+    code: str | None = None,
+    *,
+    lang: Lang = "en",
+    axis: None = None,
+    scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
+    at: str | None = None,
+    reaction: Literal["ramp", "brake", "coast"] | None = None,
+    failure: Literal["track", "amplitude", "cable", "check", "error_bit", "data_line"] | None = None,
+    cycles: int | None = None,
+    cold: bool = False,
+    days: int | None = None,
+    hours_per_day: str | float | None = None,
+    every: str | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
+    format: Literal["json"] = "json",
+    figure: Literal["simulation", "control_loops"] | None = None,
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
+    seed: int = 0,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: TimeLimit | None = None,
+    memory: str | None = None,
+) -> answers.AxesOfSimulation: ...
 
 
 @overload
@@ -401,7 +484,7 @@ def simulate(
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
-    hours_per_day: str | None = None,
+    hours_per_day: str | float | None = None,
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["json"] = "json",
@@ -412,7 +495,7 @@ def simulate(
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Simulation: ...
 
@@ -431,7 +514,7 @@ def simulate(
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
-    hours_per_day: str | None = None,
+    hours_per_day: str | float | None = None,
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["json"] = "json",
@@ -442,7 +525,7 @@ def simulate(
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Simulation | answers.AxesOfSimulation: ...
 
@@ -461,7 +544,7 @@ def simulate(
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
-    hours_per_day: str | None = None,
+    hours_per_day: str | float | None = None,
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["csv"],
@@ -472,7 +555,7 @@ def simulate(
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> str: ...
 
@@ -491,10 +574,10 @@ def simulate(
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
-    hours_per_day: str | None = None,
+    hours_per_day: str | float | None = None,
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
-    format: Literal["parquet", "svg"],
+    format: Literal["svg"],
     figure: Literal["simulation", "control_loops"] | None = None,
     theme: Literal["light", "dark"] = "light",
     width: str | None = None,
@@ -502,11 +585,12 @@ def simulate(
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
-) -> bytes: ...
+) -> Picture: ...
 
 
+@overload
 def simulate(
     text: Text,
     code: str | None = None,
@@ -520,7 +604,37 @@ def simulate(
     cycles: int | None = None,
     cold: bool = False,
     days: int | None = None,
-    hours_per_day: str | None = None,
+    hours_per_day: str | float | None = None,
+    every: str | None = None,
+    signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
+    format: Literal["parquet"],
+    figure: Literal["simulation", "control_loops"] | None = None,
+    theme: Literal["light", "dark"] = "light",
+    width: str | None = None,
+    height: str | None = None,
+    seed: int = 0,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: TimeLimit | None = None,
+    memory: str | None = None,
+) -> bytes: ...
+
+
+@called
+def simulate(
+    text: Text,
+    code: str | None = None,
+    *,
+    lang: Lang = "en",
+    axis: str | None = None,
+    scenario: Literal["cycle", "emergency_stop", "power_failure", "brake_stuck", "hanging_load", "blocked_load", "encoder_failure", "battery_loss", "link_sag", "hot_ambient", "cold_grease", "collision"] | None = None,
+    at: str | None = None,
+    reaction: Literal["ramp", "brake", "coast"] | None = None,
+    failure: Literal["track", "amplitude", "cable", "check", "error_bit", "data_line"] | None = None,
+    cycles: int | None = None,
+    cold: bool = False,
+    days: int | None = None,
+    hours_per_day: str | float | None = None,
     every: str | None = None,
     signals: Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"] | Sequence[Literal["wanted_position", "wanted_speed", "position", "speed", "acceleration", "measured_position", "motor_position", "motor_speed", "torque", "current_q", "current_d", "voltage_q", "voltage_d", "link", "winding", "housing", "sensor", "overload", "following_error", "brake", "link_high"]] | None = None,
     format: Literal["json", "csv", "parquet", "svg"] = "json",
@@ -531,9 +645,9 @@ def simulate(
     seed: int = 0,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
-) -> answers.Simulation | answers.AxesOfSimulation | str | bytes:
+) -> answers.Simulation | answers.AxesOfSimulation | str | Picture | bytes:
     """Simulate an axis with one actuator: motor, gear, load, control, scenario.
 
     Args:
@@ -568,7 +682,7 @@ def simulate(
     Raises:
         AntriebError: Every fault of the call.
     """
-    answer: answers.Simulation | answers.AxesOfSimulation | str | bytes = ask(
+    answer: answers.Simulation | answers.AxesOfSimulation | str | Picture | bytes = ask(
         lambda: answers.Simulation | answers.AxesOfSimulation,
         "simulate",
         (text,),
@@ -582,6 +696,7 @@ def simulate(
     return answer
 
 
+@called
 def identify(
     trace: Trace,
     text: Text,
@@ -591,7 +706,7 @@ def identify(
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Identification:
     """Estimate load, friction and torque constant from a recorded run.
@@ -627,6 +742,7 @@ def identify(
     return answer
 
 
+@called
 def report(
     text: Text,
     code: str | None = None,
@@ -647,7 +763,7 @@ def report(
     archive: bool = False,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> bytes:
     """The results as a PDF to sign.
@@ -703,9 +819,23 @@ def compare(
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Comparison: ...
+
+
+@overload
+def compare(
+    text: BaseProject | Sequence[BaseAxis],
+    code: str | Sequence[str],
+    *,
+    lang: Lang = "en",
+    axis: None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: TimeLimit | None = None,
+    memory: str | None = None,
+) -> answers.AxesOfComparison: ...
 
 
 @overload
@@ -717,7 +847,7 @@ def compare(
     axis: str,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Comparison: ...
 
@@ -731,11 +861,12 @@ def compare(
     axis: None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Comparison | answers.AxesOfComparison: ...
 
 
+@called
 def compare(
     text: Text,
     code: str | Sequence[str],
@@ -744,7 +875,7 @@ def compare(
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Comparison | answers.AxesOfComparison:
     """Two to five actuators side by side, check by check.
@@ -788,7 +919,7 @@ def diff(
     lang: Lang = "en",
     axis: str,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Difference: ...
 
@@ -802,11 +933,12 @@ def diff(
     lang: Lang = "en",
     axis: None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Difference | answers.AxesOfDifference: ...
 
 
+@called
 def diff(
     old: Text,
     new: Text,
@@ -815,7 +947,7 @@ def diff(
     lang: Lang = "en",
     axis: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Difference | answers.AxesOfDifference:
     """Changes in each check between two revisions of a project.
@@ -863,7 +995,7 @@ def export(
     date: str | Day | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Table: ...
 
@@ -882,7 +1014,7 @@ def export(
     date: str | Day | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> str: ...
 
@@ -901,11 +1033,12 @@ def export(
     date: str | Day | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> bytes: ...
 
 
+@called
 def export(
     text: Text,
     code: str | None = None,
@@ -919,7 +1052,7 @@ def export(
     date: str | Day | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Table | str | bytes:
     """The results as a workbook, or one table as CSV, JSON or Parquet.
@@ -959,6 +1092,7 @@ def export(
     return answer
 
 
+@called
 def code_parse(
     code: str,
     *,
@@ -986,6 +1120,7 @@ def code_parse(
     return answer
 
 
+@called
 def code_list(
     pattern: str | None = None,
     *,
@@ -1015,6 +1150,7 @@ def code_list(
     return answer
 
 
+@called
 def code_complete(
     code: str,
     *,
@@ -1042,6 +1178,7 @@ def code_complete(
     return answer
 
 
+@called
 def data(
     code: str,
     *,
@@ -1069,6 +1206,7 @@ def data(
     return answer
 
 
+@called
 def wiring(
     code: str,
     *,
@@ -1100,6 +1238,7 @@ def wiring(
     return answer
 
 
+@called
 def wiring_check(
     text: Text,
     code: str,
@@ -1107,7 +1246,7 @@ def wiring_check(
     lang: Lang = "en",
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.WiringCheck:
     """Comparison of a pin list with the manual.
@@ -1141,6 +1280,7 @@ def wiring_check(
     return answer
 
 
+@called
 def encoder(
     code: str,
     *,
@@ -1184,6 +1324,7 @@ def encoder(
     return answer
 
 
+@called
 def encoder_vcd(
     code: str,
     *,
@@ -1225,6 +1366,7 @@ def encoder_vcd(
     return answer
 
 
+@called
 def errata(
     about: str | None = None,
     *,
@@ -1268,6 +1410,7 @@ def catalogue_export(
 ) -> str: ...
 
 
+@called
 def catalogue_export(
     *,
     lang: Lang = "en",
@@ -1295,6 +1438,7 @@ def catalogue_export(
     return answer
 
 
+@called
 def catalogue_check(
     text: Text,
     *,
@@ -1302,7 +1446,7 @@ def catalogue_check(
     fix_units: bool = False,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.CatalogueCheck:
     """Check catalogue files: faults with line and column, then implausible values with their reasons.
@@ -1336,6 +1480,7 @@ def catalogue_check(
     return answer
 
 
+@called
 def torsion(
     code: str,
     *,
@@ -1367,6 +1512,7 @@ def torsion(
     return answer
 
 
+@called
 def commission(
     code: str,
     *,
@@ -1398,6 +1544,7 @@ def commission(
     return answer
 
 
+@called
 def commission_out(
     code: str,
     for_: Literal["sinamics", "cia402"],
@@ -1427,6 +1574,7 @@ def commission_out(
     return answer
 
 
+@called
 def commission_checklist(
     code: str,
     *,
@@ -1456,6 +1604,7 @@ def commission_checklist(
     return answer
 
 
+@called
 def commission_blank(
     code: str,
     *,
@@ -1483,6 +1632,7 @@ def commission_blank(
     return answer
 
 
+@called
 def commission_record(
     text: Text,
     code: str,
@@ -1490,7 +1640,7 @@ def commission_record(
     lang: Lang = "en",
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Recorded:
     """Evaluation of measured values with likely causes.
@@ -1524,6 +1674,7 @@ def commission_record(
     return answer
 
 
+@called
 def inertia(
     body: str | Sequence[str],
     *,
@@ -1551,6 +1702,7 @@ def inertia(
     return answer
 
 
+@called
 def curve(
     code: str,
     *,
@@ -1580,6 +1732,7 @@ def curve(
     return answer
 
 
+@called
 def plot(
     text: Text,
     figure: Literal["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"],
@@ -1593,7 +1746,7 @@ def plot(
     height: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> Picture:
     """Diagram of an axis with an actuator, as SVG or PNG.
@@ -1641,9 +1794,22 @@ def bearing(
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Bearings: ...
+
+
+@overload
+def bearing(
+    text: BaseProject | Sequence[BaseAxis],
+    *,
+    lang: Lang = "en",
+    axis: None = None,
+    file: str | None = None,
+    folder: Path | None = None,
+    deadline: TimeLimit | None = None,
+    memory: str | None = None,
+) -> answers.AxesOfBearings: ...
 
 
 @overload
@@ -1654,7 +1820,7 @@ def bearing(
     axis: str,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Bearings: ...
 
@@ -1667,11 +1833,12 @@ def bearing(
     axis: None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Bearings | answers.AxesOfBearings: ...
 
 
+@called
 def bearing(
     text: Text,
     *,
@@ -1679,7 +1846,7 @@ def bearing(
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Bearings | answers.AxesOfBearings:
     """Output bearing of every size under the loads of a project.
@@ -1713,6 +1880,7 @@ def bearing(
     return answer
 
 
+@called
 def moves(
     text: Text,
     *,
@@ -1720,7 +1888,7 @@ def moves(
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Motion:
     """Motion of an axis, every segment with the derived quantities.
@@ -1754,8 +1922,9 @@ def moves(
     return answer
 
 
+@called
 def battery(
-    hours_per_day: str,
+    hours_per_day: str | float,
     *,
     lang: Lang = "en",
     storage: str | None = None,
@@ -1783,6 +1952,7 @@ def battery(
     return answer
 
 
+@called
 def mount(
     code: str,
     *,
@@ -1816,6 +1986,7 @@ def mount(
     return answer
 
 
+@called
 def mount_project(
     text: Text,
     code: str,
@@ -1827,7 +1998,7 @@ def mount_project(
     axis: str | None = None,
     file: str | None = None,
     folder: Path | None = None,
-    deadline: str | None = None,
+    deadline: TimeLimit | None = None,
     memory: str | None = None,
 ) -> answers.Mount:
     """Mounting of an actuator with the torques and loads of a project.
@@ -1865,13 +2036,14 @@ def mount_project(
     return answer
 
 
+@called
 def upkeep(
     code: str,
     delivered: str | Day,
     *,
     lang: Lang = "en",
     storage: str | None = None,
-    hours_per_day: str | None = None,
+    hours_per_day: str | float | None = None,
     inspect: str | None = None,
     today: str | Day | None = None,
 ) -> answers.Upkeep:
@@ -1902,13 +2074,14 @@ def upkeep(
     return answer
 
 
+@called
 def upkeep_ical(
     code: str,
     delivered: str | Day,
     *,
     lang: Lang = "en",
     storage: str | None = None,
-    hours_per_day: str | None = None,
+    hours_per_day: str | float | None = None,
     inspect: str | None = None,
     today: str | Day | None = None,
     name: str | None = None,
@@ -1941,6 +2114,7 @@ def upkeep_ical(
     return answer
 
 
+@called
 def new(
     kind: Literal["manual", "table", "arm", "screw", "belt", "recording", "load", "turntable", "conveyor", "slider_crank", "joint", "hoist", "winder", "scissor_lift", "four_bar", "sweep", "catalogue"],
     *,
@@ -1980,6 +2154,7 @@ def new(
     return answer
 
 
+@called
 def glossary(
     term: str | None = None,
     *,
@@ -2007,6 +2182,7 @@ def glossary(
     return answer
 
 
+@called
 def units(
     quantity: str | None = None,
     *,
@@ -2034,6 +2210,7 @@ def units(
     return answer
 
 
+@called
 def licences(
     *,
     lang: Lang = "en",
@@ -2059,6 +2236,7 @@ def licences(
     return answer
 
 
+@called
 def schema(
     *,
     lang: Lang = "en",

@@ -2,18 +2,16 @@
 
 use super::call::{Handed, Watch, interruptible, refused, text};
 use crate::SweepCall;
-use crate::module::capsules;
+use crate::module::{capsules, cells};
 use crate::sweep::checked;
-use arrow_array::cast::AsArray;
-use arrow_array::types::{Float64Type, Int64Type, UInt32Type, UInt64Type};
 use arrow_array::{Array, ArrayRef, BooleanArray, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_ipc::reader::StreamReader;
 use arrow_ipc::writer::StreamWriter;
-use arrow_schema::{DataType, Field, Schema, SchemaRef};
+use arrow_schema::{Field, Schema, SchemaRef};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyBytes, PyCapsule, PyDict, PyFloat, PyInt, PyList, PyString};
+use pyo3::types::{PyBool, PyBytes, PyCapsule, PyDict, PyInt, PyList, PyString};
 use quantities::Language;
 use questions::list::Unanswered;
 use questions::{Progress, Refusal};
@@ -126,7 +124,7 @@ impl Table {
         for (index, field) in self.schema.fields().iter().enumerate() {
             let values = PyList::empty(py);
             for array in self.batches.iter().filter_map(|batch| batch.columns().get(index)) {
-                append(&values, array)?;
+                cells::append(&values, array, field.name())?;
             }
             columns.set_item(field.name(), values)?;
         }
@@ -231,6 +229,9 @@ fn listed<'py>(values: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyList>> {
         let found = values.get_type().name()?;
         return Err(PyTypeError::new_err(format!("a list with a value for each row is expected, not {found}")));
     }
+    if is_of_times(values)? {
+        return Err(PyTypeError::new_err("times are no numbers; hand over a table of pyarrow or polars, or texts"));
+    }
     if values.hasattr("tolist")? {
         return Ok(values.call_method0("tolist")?.cast_into::<PyList>()?);
     }
@@ -239,6 +240,12 @@ fn listed<'py>(values: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyList>> {
         list.append(value?)?;
     }
     Ok(list)
+}
+
+/// Returns `true` for an array of times or of intervals: as a list it may be one of bare numbers.
+fn is_of_times(values: &Bound<'_, PyAny>) -> PyResult<bool> {
+    let Ok(kind) = values.getattr("dtype").and_then(|kind| kind.getattr("kind")) else { return Ok(false) };
+    Ok(kind.extract::<String>().is_ok_and(|kind| kind == "m" || kind == "M"))
 }
 
 fn broken(error: arrow_schema::ArrowError) -> PyErr {
@@ -262,47 +269,6 @@ where
     Option<T>: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
 {
     values.iter().map(|value| value.extract::<Option<T>>()).collect()
-}
-
-/// Appends the values of a column to a list.
-fn append(values: &Bound<'_, PyList>, array: &ArrayRef) -> PyResult<()> {
-    let py = values.py();
-    for row in 0..array.len() {
-        if array.is_null(row) {
-            values.append(py.None())?;
-            continue;
-        }
-        match array.data_type() {
-            DataType::Utf8 => values.append(PyString::new(py, array.as_string::<i32>().value(row)))?,
-            DataType::Float64 => values.append(PyFloat::new(py, array.as_primitive::<Float64Type>().value(row)))?,
-            DataType::UInt64 => values.append(array.as_primitive::<UInt64Type>().value(row))?,
-            DataType::UInt32 => values.append(array.as_primitive::<UInt32Type>().value(row))?,
-            DataType::Int64 => values.append(array.as_primitive::<Int64Type>().value(row))?,
-            DataType::Boolean => values.append(array.as_boolean().value(row))?,
-            _ => values.append(other(array, row, py)?)?,
-        }
-    }
-    Ok(())
-}
-
-/// Returns the value of a column that the table repeats: a number or a text.
-fn other<'py>(array: &ArrayRef, row: usize, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-    let one = array.slice(row, 1);
-    let kind = array.data_type();
-    let is_whole = kind.is_integer();
-    let of = if is_whole {
-        DataType::Int64
-    } else if kind.is_numeric() {
-        DataType::Float64
-    } else {
-        DataType::Utf8
-    };
-    let value = arrow_cast::cast(&one, &of).map_err(broken)?;
-    Ok(match of {
-        DataType::Int64 => value.as_primitive::<Int64Type>().value(0).into_pyobject(py)?.into_any(),
-        DataType::Float64 => PyFloat::new(py, value.as_primitive::<Float64Type>().value(0)).into_any(),
-        _ => PyString::new(py, value.as_string::<i32>().value(0)).into_any(),
-    })
 }
 
 /// A sweep over tables of the same columns: the project is read once.

@@ -23,8 +23,9 @@ from collections.abc import Sequence
 from datetime import date as Day
 from typing import TYPE_CHECKING, Literal, overload
 
-from antrieb._axis import BaseAxis
-from antrieb._call import Lang, Path, Picture, Text, ask, flag
+from antrieb._axis import BaseAxis, BaseProject
+from antrieb._call import Lang, Path, Picture, Text, TimeLimit, ask, flag
+from antrieb._called import called
 from antrieb._lazy import lazy
 from antrieb._trace import Trace, held
 
@@ -105,7 +106,7 @@ fn whole(entry: &Entry, schema: &Schema) -> String {
         }
     }
     let every = Form { by: Vec::new(), returns: union(forms.iter().map(|form| form.returns.as_str())) };
-    out.push_str("\n\n");
+    out.push_str("\n\n@called\n");
     out.push_str(&head(entry, &takes, &every));
     let _ = writeln!(out, "    \"\"\"{}\"\"\"", about(entry, &takes));
     let sources: Vec<String> = sources(entry).iter().map(|each| each.name.clone()).collect();
@@ -213,13 +214,15 @@ fn forms(entry: &Entry, schema: &Schema) -> Vec<Form> {
         Gives::RecordOr(_, types) => {
             let formats =
                 entry.arguments.iter().find(|each| each.name == "format").map(Argument::words).unwrap_or_default();
-            let (texts, others): (Vec<&str>, Vec<&str>) =
-                formats.into_iter().filter(|word| *word != "json").partition(|word| is_text(of_ending(word, types)));
+            let files = formats.into_iter().filter(|word| *word != "json");
+            let (texts, others): (Vec<&str>, Vec<&str>) = files.partition(|word| is_text(of_ending(word, types)));
+            let (pictures, others): (Vec<&str>, Vec<&str>) =
+                others.into_iter().partition(|word| of_ending(word, types) == media::SVG);
             let mut forms = forms_of_axes(entry, record);
             for form in &mut forms {
                 form.by.push(("format", literal(["json"]), false));
             }
-            for (words, returns) in [(texts, "str"), (others, "bytes")] {
+            for (words, returns) in [(texts, "str"), (pictures, "Picture"), (others, "bytes")] {
                 if !words.is_empty() {
                     forms.push(Form { by: vec![("format", literal(words), true)], returns: returns.to_owned() });
                 }
@@ -229,16 +232,20 @@ fn forms(entry: &Entry, schema: &Schema) -> Vec<Form> {
     }
 }
 
-/// Returns the forms of a record: of an axis as an object, and for a named axis, there is one.
+/// Returns the forms of a record: of an axis as an object, and for a named axis, there is one; of a project of objects there
+/// is one for each axis.
 fn forms_of_axes(entry: &Entry, record: String) -> Vec<Form> {
     match (one_of_several(&record), entry.arguments.iter().any(|each| each.name == "axis")) {
         (Some(one), true) => {
             let mut forms = vec![
                 Form { by: vec![("axis", "str".to_owned(), true)], returns: one.clone() },
-                Form { by: vec![("axis", "None".to_owned(), false)], returns: record },
+                Form { by: vec![("axis", "None".to_owned(), false)], returns: record.clone() },
             ];
             if entry.reads == Reads::Project {
+                let of_projects = ("text", "BaseProject | Sequence[BaseAxis]".to_owned(), true);
+                let several = record.trim_start_matches(&format!("{one} | ")).to_owned();
                 forms.insert(0, Form { by: vec![("text", "BaseAxis".to_owned(), true)], returns: one });
+                forms.insert(1, Form { by: vec![of_projects, ("axis", "None".to_owned(), false)], returns: several });
             }
             forms
         }
@@ -252,6 +259,7 @@ fn of_ending(ending: &str, types: &[&'static str]) -> &'static str {
         "csv" => media::CSV,
         "xlsx" => media::XLSX,
         "parquet" => media::PARQUET,
+        "svg" => media::SVG,
         _ => media::JSON,
     };
     types.iter().copied().find(|media| *media == wanted).unwrap_or(media::PDF)
@@ -350,7 +358,7 @@ fn takes(entry: &Entry) -> Takes {
             ));
             named.push(own(
                 "deadline",
-                "str",
+                "TimeLimit",
                 "How long the answer may take, such as `60 s`; without it what would take long is refused.",
             ));
             named.push(own("memory", "str", "How much memory the recordings may take, such as `1 GiB`."));
@@ -368,6 +376,7 @@ fn is_recorded(argument: &Argument) -> bool {
 fn of_argument(argument: &Argument, gives: Gives) -> Parameter {
     let words = argument.words();
     let of = match argument.kind {
+        ArgumentKind::Text if argument.name == "hours-per-day" => "str | float".to_owned(),
         ArgumentKind::Text | ArgumentKind::Code => "str".to_owned(),
         ArgumentKind::Date => "str | Day".to_owned(),
         ArgumentKind::File if is_recorded(argument) => "Trace".to_owned(),

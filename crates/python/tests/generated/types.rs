@@ -19,7 +19,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from antrieb._origin import judged_nearest
+from antrieb._nearest import NothingFits, judged, of_key
 from antrieb._record import Explainable, Record, Rows, Tabular
 
 "#;
@@ -130,10 +130,12 @@ fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
         _ => {}
     }
     if let Some((field, of)) = entries(&own, fields, &required, schema) {
+        let item = if own == "Sizing" { "of_key(self, key)".to_owned() } else { format!("self.{field}[key]") };
         let _ = write!(
             out,
-            "\n    def __iter__(self) -> Iterator[{of}]:\n        return iter(self.{field})\n\n    def __getitem__(self, key: int \
-             | str, /) -> {of}:\n        return self.{field}[key]\n"
+            "\n    def __iter__(self) -> Iterator[{of}]:\n        return iter(self.{field})\n\n    def __len__(self) -> \
+             int:\n        return len(self.{field})\n\n    def __contains__(self, item: object, /) -> bool:\n        return item \
+             in self.{field}\n\n    def __getitem__(self, key: int | str, /) -> {of}:\n        return {item}\n"
         );
     }
     out
@@ -142,18 +144,20 @@ fn record(definition: &str, shape: &Value, schema: &Schema) -> String {
 /// Properties of the answer of `size`.
 const CANDIDATES: &str = r#"
     @property
-    def best(self) -> Ranked | Judgement:
-        """The best fitting actuator; if none fits the one with the smallest excess, as `check` judges it.
-
-        Raises:
-            LookupError: Nothing fits, and no actuator meets the requirements and is of the right class.
-        """
-        return self.ranking[0] if self.ranking else judged_nearest(self)
+    def best(self) -> Ranked | NothingFits:
+        """The best fitting actuator; where none fits `NothingFits`, which is false and has no code."""
+        return self.ranking[0] if self.ranking else NothingFits.of(self)
 
     @property
     def candidates(self) -> Rows[Ranked | Rejection]:
-        """The fitting actuators by rank, then those that do not fit by their excess."""
-        return Rows([*self.ranking, *self.rejected])
+        """Every actuator that was judged: those that fit by rank, then those that do not fit by their excess.
+
+        Beyond the `top` of the call the ranking is asked anew, once.
+
+        Raises:
+            ValueError: The project has changed since.
+        """
+        return judged(self)
 "#;
 
 /// Properties of a rejected actuator, so that a loop reads all entries of `candidates` alike.

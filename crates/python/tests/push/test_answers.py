@@ -181,7 +181,9 @@ class Found(unittest.TestCase):
         (sizing,) = antrieb.size(PROJECT, top=2).axes
         candidates: typing.Any = sizing.candidates
         fitting = [each.code for each in candidates if each.verdict == "fits"]
-        self.assertEqual(fitting, [each.code for each in sizing.ranking if each.verdict == "fits"])
+        self.assertEqual(len(fitting), sizing.fit)
+        self.assertEqual(len(candidates), sizing.judged)
+        self.assertEqual(fitting[:2], [each.code for each in sizing.ranking if each.verdict == "fits"])
         for each in sizing.rejected:
             rejected: typing.Any = each
             self.assertEqual((rejected.verdict, rejected.tightest), ("does_not_fit", each.check))
@@ -189,6 +191,24 @@ class Found(unittest.TestCase):
         self.assertNotIn(None, candidates._columns()["verdict"])
         with self.assertRaisesRegex(AttributeError, "verdicts"):
             candidates[-1].verdicts
+
+    def test_the_candidates_are_all_that_were_judged(self) -> None:
+        two_axes = EXAMPLES / "two-axes.toml"
+        (whole,) = antrieb.size(PROJECT, all=True).axes
+        for top in (1, 2, 7, 1000):
+            (sizing,) = antrieb.size(PROJECT, top=top).axes
+            for found in (sizing, pickle.loads(pickle.dumps(sizing)), copy.deepcopy(sizing)):
+                with self.subTest(top=top):
+                    self.assertEqual([each.code for each in found.candidates], [each.code for each in whole])
+                    self.assertEqual(len(found), len(found.candidates._columns()["code"]))
+        both = antrieb.size(two_axes, top=1)
+        self.assertEqual([len(axis) for axis in both.axes], [axis.judged for axis in both.axes])
+        self.assertIn(whole.best.code, whole)
+        self.assertIn(whole.ranking[-1].code, antrieb.size(PROJECT, top=1))
+        self.assertNotIn("CHA-32A-50-H-C102", whole)
+        apart = dataclasses.replace(antrieb.size(PROJECT, top=1).axes[0])
+        with self.assertRaisesRegex(ValueError, "1 of"):
+            apart.candidates
 
     def test_a_code_that_is_not_shown_says_why(self) -> None:
         (sizing,) = antrieb.size(PROJECT, top=2).axes
@@ -199,7 +219,7 @@ class Found(unittest.TestCase):
             ("CHA-25", "no entry"),
         ):
             with self.subTest(code), self.assertRaisesRegex(KeyError, words):
-                sizing[str(code)]
+                sizing.ranking[str(code)]
         with self.assertRaisesRegex(KeyError, "candidates"):
             sizing.ranking[sizing.rejected[0].code]
 
@@ -209,13 +229,24 @@ class Found(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "2 entries"):
             twice[str(sizing.answer)]
 
-    def test_where_nothing_fits_the_best_is_the_smallest_excess(self) -> None:
-        heavy = PROJECT.read_text(encoding="utf-8").replace('inertia = "', 'inertia = "9', 1)
-        (sizing,) = antrieb.size(heavy).axes
-        self.assertIsNone(sizing.answer)
-        self.assertEqual(sizing.best.code, sizing.nearest_miss)
-        self.assertEqual(sizing.best.verdict, "does_not_fit")
-        self.assertTrue(sizing.best.checks["peak_torque"].explain())
+    def test_where_nothing_fits_there_is_no_best(self) -> None:
+        text = PROJECT.read_text(encoding="utf-8")
+        for factor in ("9", "99", "99999"):
+            (sizing,) = antrieb.size(text.replace('inertia = "', f'inertia = "{factor}', 1)).axes
+            swept = antrieb.sweep(text.replace('inertia = "', f'inertia = "{factor}', 1), {"load.inertia [kg m^2]": [float(factor + "0")]})
+            with self.subTest(factor):
+                self.assertFalse(sizing.best)
+                self.assertEqual((sizing.best.code, sizing.answer, swept["code"][0]), (None, None, None))
+                self.assertEqual((sizing.best.verdict, sizing.best.nearest_miss), ("does_not_fit", sizing.nearest_miss))
+                self.assertEqual(pickle.loads(pickle.dumps(sizing.best)), sizing.best)
+                self.assertIn(str(sizing.nearest_miss or "candidates"), repr(sizing.best))
+                self.assertIn("nothing fits", sizing.best._repr_html_())
+                if sizing.nearest_miss:
+                    self.assertEqual(sizing.best.nearest.code, sizing.nearest_miss)
+                    self.assertTrue(sizing.best.checks["peak_torque"].explain())
+                else:
+                    with self.assertRaises(LookupError):
+                        sizing.best.checks
 
 
 class HandedOver(unittest.TestCase):

@@ -336,7 +336,7 @@ class Arrays(unittest.TestCase):
             ({"position": one, "torque": one, "names": ["a"]}, "names"),
             ({"position": one, "torque": one, "names": "ab"}, "names"),
             ({"position": one, "torque": one, "names": ["a", "a"]}, "names"),
-            ({"position": [[0.0, float("nan")]] * 3, "torque": one}, "row 0"),
+            ({"position": [[0.0, float("nan")]] * 3, "torque": one}, r"position\[0\]\[1\]"),
             ({"position": "q", "torque": one}, "position"),
             ({"position": one, "torque": one, "torque_unit": 3}, "unit"),
             ({"torque": one}, "position or speed"),

@@ -5,7 +5,7 @@ use super::{AXIS, Cost, Entry, Gives, Inquiry, PlacedAxis, Reads, Record, Unansw
 use crate::answer;
 pub use crate::compare::{CheckChange, Difference, difference};
 use crate::subject::paired;
-use answers::{Answered, Fit};
+use answers::Fit;
 use configurator::ProductId;
 use project::{InputChange, input_changes};
 use words::{help, terminal};
@@ -38,7 +38,7 @@ pub static ENTRY: Entry = Entry {
         let (records, fits): (Vec<_>, Vec<Fit>) = revisions.each(inquiry, record)?.into_iter().unzip();
         let verdict = Fit::of_all(fits);
         let remarks = revisions.unpaired(inquiry);
-        Ok(super::Answer { remarks, ..super::Answer::record(&Answered::of(records, verdict)).fits(verdict.fits()) })
+        Ok(super::Answer { remarks, ..super::Answer::record(&inquiry.answered(records, verdict)).fits(verdict.fits()) })
     }),
 };
 

@@ -7,7 +7,7 @@ use crate::answer::written;
 use crate::progress::Progress;
 use crate::reading::{Unread, read_all_watched};
 use crate::subject::{names, picked};
-use answers::{Answered, Fit};
+use answers::{Answered, Axes, Fit};
 use axis::{AxisProject, Catalogue, Files};
 use project::{Diagnostic, PROJECT_MAX_BYTES};
 use quantities::Language;
@@ -101,6 +101,8 @@ pub struct Inquiry<'a> {
     pub progress: &'a Progress,
     /// `true` if an answer that takes long is refused before its work begins.
     pub refuses_long: bool,
+    /// `true` if a project with one axis is answered as one with several.
+    pub by_axes: bool,
     /// Language of the texts.
     pub language: Language,
 }
@@ -196,6 +198,12 @@ impl<'a> Inquiry<'a> {
         if faults.is_empty() { Ok(found) } else { Err(Unanswered::combined(faults)) }
     }
 
+    /// Wraps the records about all axes with their verdict.
+    #[must_use]
+    pub fn answered<T>(&self, axes: Vec<T>, verdict: Fit) -> Answered<T> {
+        if self.by_axes { Answered::Several(Axes { verdict, axes }) } else { Answered::of(axes, verdict) }
+    }
+
     /// Returns the records about all axes, with their verdict, as one answer.
     ///
     /// # Errors
@@ -207,7 +215,7 @@ impl<'a> Inquiry<'a> {
     ) -> Result<Answer, Unanswered> {
         let (records, fits): (Vec<T>, Vec<Fit>) = self.each(axes, one)?.into_iter().unzip();
         let verdict = Fit::of_all(fits);
-        Ok(Answer::record(&Answered::of(records, verdict)).fits(verdict.fits()))
+        Ok(Answer::record(&self.answered(records, verdict)).fits(verdict.fits()))
     }
 }
 

@@ -219,6 +219,7 @@ mod tests {
             days_since_1970: None,
             progress: &progress,
             refuses_long: true,
+            by_axes: false,
             language,
         };
         found(&inquiry, file).map(|template| template.text)

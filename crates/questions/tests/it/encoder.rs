@@ -21,6 +21,7 @@ fn text(entry: &Entry, pairs: &[(&str, &str)]) -> Result<(String, bool), Unanswe
         days_since_1970: None,
         progress: &progress,
         refuses_long: true,
+        by_axes: false,
         language: Language::En,
     };
     let answer = entry.answer.unwrap()(&inquiry)?;

@@ -62,6 +62,7 @@ fn answered(entry: &Entry, pairs: &[(&str, &str)]) -> Option<Value> {
         days_since_1970: None,
         progress: &progress,
         refuses_long: false,
+        by_axes: false,
         language: Language::En,
     };
     let answer = entry.answer?(&inquiry).ok()?;

@@ -80,6 +80,7 @@ fn inquiry<'a>(
         days_since_1970: None,
         progress,
         refuses_long: true,
+        by_axes: false,
         language: Language::En,
     }
 }

@@ -30,6 +30,7 @@ fn inquiry<'a>(entry: &Entry, pairs: &[(&'a str, &'a str)], progress: &'a Progre
         days_since_1970: None,
         progress,
         refuses_long: true,
+        by_axes: false,
         language: Language::En,
     })
 }

@@ -26,6 +26,7 @@ pub(crate) fn simulated(text: &str, options: &[(&str, &str)]) -> Result<(serde_j
         days_since_1970: None,
         progress: &progress,
         refuses_long: true,
+        by_axes: false,
         language: Language::En,
     };
     let answer = simulate::record(&simulate::Args::read(&inquiry.given)?, &inquiry)?;
