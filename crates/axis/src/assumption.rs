@@ -1,6 +1,6 @@
 //! Defaults that the user did not confirm.
 
-use motion::{Alternating, MadeUp, Remark, RestNoise, Spline, Spurious, SteppedColumn};
+use motion::{Alternating, MadeUp, Remark, RestNoise, SlowMotion, Spline, Spurious, SteppedColumn};
 use project::KeyDefault;
 use project::choices::LeftOut;
 use project::sections::StatedField;
@@ -88,6 +88,8 @@ pub enum Assumption {
     RecordedModulo,
     /// Noise of a recorded speed at rest is treated as zero.
     RecordedRest(RestNoise),
+    /// Slow motion of a recording between its moves that may be meant as rest.
+    RecordedSlow(SlowMotion),
     /// A recorded speed changes its sign from sample to sample and counts as motion.
     RecordedAlternating(Alternating),
     /// A key of a recording does not do what it is stated for.
@@ -114,7 +116,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 88] = [
+    pub const ALL: [Self; 89] = [
         Self::Default(KeyDefault::NoFriction),
         Self::Default(KeyDefault::AmbientWithinRange),
         Self::ConditionsWithinRange,
@@ -183,7 +185,8 @@ impl Assumption {
         Self::RecordedTorqueOfMotor,
         Self::RecordedPositionDifferentiated,
         Self::RecordedModulo,
-        Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0 }),
+        Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0, place_rad: 2e-5 }),
+        Self::RecordedSlow(SlowMotion { speed_rad_s: 4e-3, place_rad: 2e-3, duration_s: 3.0 }),
         Self::RecordedAlternating(Alternating { share: 0.15, speed_rad_s: 0.02 }),
         Self::RecordedKey(Remark::NotHeld),
         Self::RecordedKey(Remark::EvenAlready),

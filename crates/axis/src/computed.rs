@@ -5,7 +5,7 @@ use mechanism::Extra;
 use quantities::Measure;
 use sizing::Axis;
 
-/// Adds moves that come back, recordings and cam tables that do not move, the noise at rest in the recordings of an axis, keys that do not do what they are stated
+/// Adds moves that come back, recordings and cam tables that do not move, the noise at rest and the slow motion in the recordings of an axis, keys that do not do what they are stated
 /// for, and the apparent accelerations due to the resolution of the recordings.
 pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
     let nothing = Extra::none();
@@ -34,6 +34,9 @@ pub(crate) fn assumptions(axis: &Axis, found: &mut Vec<Assumption>) {
         }
         if let Some(noise) = placed.recorded.rest_noise() {
             put(Assumption::RecordedRest(noise));
+        }
+        if let Some(slow) = placed.recorded.slow_motion() {
+            put(Assumption::RecordedSlow(slow));
         }
         if let Some(alternating) = placed.recorded.alternating() {
             put(Assumption::RecordedAlternating(alternating));

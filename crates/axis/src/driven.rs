@@ -16,6 +16,8 @@ pub(crate) enum OnFlange<'s> {
     Bodies(&'s Stated<Angle>),
     /// A pulley, pinion or crank.
     Wheel,
+    /// The roll of a winder, whose weight acts along the axis or across it.
+    Roll,
     /// The shaft of a mechanism with bearings of its own, whose share of the forces must be stated.
     Shaft,
 }
@@ -105,7 +107,7 @@ pub(crate) trait Driven: Fields {
     fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn StatedField> {
         match self.on_flange() {
             Some(OnFlange::Bodies(_)) => vec![&bearing.overhang, &bearing.payload_overhang, &bearing.flange_share],
-            Some(OnFlange::Wheel | OnFlange::Shaft) => {
+            Some(OnFlange::Wheel | OnFlange::Roll | OnFlange::Shaft) => {
                 vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
             }
             None => Vec::new(),

@@ -133,7 +133,11 @@ pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, report: &mut AxisR
     });
     if how.is_none() && !undecided {
         for field in geometry(section).into_iter().filter(|field| field.is_given()) {
-            let hint = Hint::Example("mechanism = \"add\"".to_owned());
+            // A load without a description of its masses cannot load the flange.
+            let hint = match loads_flange(axis) {
+                true => Hint::Example("mechanism = \"add\"".to_owned()),
+                false => Hint::MechanismsWithLoads,
+            };
             report.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(hint));
         }
     }
@@ -201,7 +205,13 @@ fn mounting(
         [&section.wheel_mass, &section.axis_tilt],
         [&section.axis_tilt, &section.wheel_mass],
     ];
-    for [given, needed] in pairs.into_iter().filter(|[given, _]| has_effect(*given)) {
+    // The tilt turns the weight of the roll, without a wheel too.
+    let is_of_roll = |given: &dyn StatedField| {
+        given.name() == section.axis_tilt.name()
+            && mechanism.stage.is_none()
+            && matches!(driven(&axis.parts).and_then(|driven| driven.on_flange()), Some(OnFlange::Roll))
+    };
+    for [given, needed] in pairs.into_iter().filter(|[given, _]| has_effect(*given) && !is_of_roll(*given)) {
         needs(given, needed, report);
     }
     let contact = match (tension, pressure) {
@@ -262,6 +272,10 @@ pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
             if axis.segments().iter().any(|segment| segment.payload_inertia.is_given()) {
                 found.push(Assumption::PayloadInertiaWeightless);
             }
+        }
+        OnFlange::Roll => {
+            found.extend(unstated(&section.wheel_mass));
+            found.extend(unstated(&section.axis_tilt));
         }
         OnFlange::Wheel | OnFlange::Shaft => found.extend(unstated(&section.wheel_mass)),
     }

@@ -86,6 +86,7 @@ findings! {
     AxialForceMax "max(F_a)" ["F_a"];
     RadialForceMax "max(F_r)" ["F_r"];
     LargestOverSegments [];
+    LargestTogether "F_r + 2*M/d_p + 0.44*F_a" ["F_r" "M" "d_p" "F_a"];
     LargestOfMechanism [];
     LargestInMotion [];
     LargestAtRest [];
@@ -95,11 +96,10 @@ findings! {
     EverySegmentInMotion [];
     RadialMeanOverCycle "(int(abs(omega)*F_r^B)/int(abs(omega)))^(1/B)" ["F_r" "B"];
     AxialMeanOverCycle "(int(abs(omega)*F_a^B)/int(abs(omega)))^(1/B)" ["F_a" "B"];
-    MomentMeanOverCycle "(int(abs(omega)*M_L^B)/int(abs(omega)))^(1/B)" ["M_L" "B"];
+    MomentMeanOverCycle "(int(abs(omega)*M^B)/int(abs(omega)))^(1/B)" ["M" "B"];
     RadialMean "(sum(abs(n_k)*t_k*F_rk^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "B"];
     AxialMean "(sum(abs(n_k)*t_k*F_ak^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "B"];
-    RadialMomentMean "(sum(abs(n_k)*t_k*(F_rk*(L_rk + R))^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "R" "B"];
-    AxialMomentMean "(sum(abs(n_k)*t_k*(F_ak*L_ak)^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "B"];
+    MomentMean "(sum(abs(n_k)*t_k*(F_rk*(L_rk + R) + F_ak*L_ak)^B)/sum(abs(n_k)*t_k))^(1/B)" ["t_k" "R" "B"];
     TiltBehindStage [];
     NotKnown [];
     Brakings [];

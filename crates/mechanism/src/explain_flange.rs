@@ -5,7 +5,7 @@ use crate::explain::{At, Steps, Sum, key, stage_efficiency, stage_ratio};
 use crate::flange::{Instant, cosine, metres, sine};
 use crate::{
     Contact, Extra, FlangeForces, Linear, LinearKind, Mechanism, MechanismKind, Mounting, Rotor, RotorKind, Stage,
-    StageKind,
+    StageKind, Winder,
 };
 use derivation::{Finding, Workings};
 use provenance::{Grade, Source, Sourced};
@@ -99,6 +99,15 @@ impl Mechanism {
                 return Sum::of("abs(F_l)");
             }
             MechanismKind::Rotor(_) | MechanismKind::Table(_) | MechanismKind::Joint(_) => return Sum::default(),
+            MechanismKind::Winder(winder) if is_axial => {
+                let Some(tilt) = place.mounting.axis_tilt.filter(|tilt| cosine(*tilt) != 0.0) else {
+                    return Sum::default();
+                };
+                self.record_time(at, steps);
+                let weight = winder.explain_weight(at.output.position_rad, steps);
+                steps.work.figure("beta", &RADIAN, tilt.si(), &key("bearing.axis_tilt"), Grade::Printed);
+                return Sum::of(format!("{weight}*abs(cos(beta))"));
+            }
             _ if is_axial => return Sum::default(),
             MechanismKind::SliderCrank(_)
             | MechanismKind::FourBar(_)
@@ -150,11 +159,13 @@ impl Mechanism {
                 Sum::of(format!("abs({load}){losses}")).and(balanced, format!("abs({counterweight})")).text()
             }
             MechanismKind::Winder(winder) => {
-                steps.place(at.output.position_rad, Finding::PositionAt);
-                winder.explain_roll(at.output.position_rad, steps);
-                winder.explain_web(steps);
+                let mut weight = winder.explain_weight(at.output.position_rad, steps);
+                if let Some(tilt) = instant.mounting.axis_tilt {
+                    steps.work.figure("beta", &RADIAN, tilt.si(), &key("bearing.axis_tilt"), Grade::Printed);
+                    weight.push_str("*abs(sin(beta))");
+                }
                 steps.own("F_w", &NEWTON, winder.tension.si(), "tension");
-                "9.80665*pi*rho*b_w*(r_w^2 - (D_k/2)^2) + abs(F_w)".to_owned()
+                format!("{weight} + abs(F_w)")
             }
             MechanismKind::Rotor(_)
             | MechanismKind::Linear(_)
@@ -301,6 +312,16 @@ fn explain_wheel_weight(kind: FlangeLoadKind, terms: Sum, place: Place<'_>, step
             let moment = place.moment_of(across, steps);
             terms.and(true, moment)
         }
+    }
+}
+
+impl Winder {
+    /// Records the roll at a position and returns the formula of its weight.
+    fn explain_weight(&self, position_rad: f64, steps: &mut Steps<'_>) -> String {
+        steps.place(position_rad, Finding::PositionAt);
+        self.explain_roll(position_rad, steps);
+        self.explain_web(steps);
+        "9.80665*pi*rho*b_w*(r_w^2 - (D_k/2)^2)".to_owned()
     }
 }
 

@@ -35,7 +35,8 @@ pub struct Mounting {
     pub contact: Option<Contact>,
     /// m_w: mass of parts that turn with the flange but are not included in the mechanism: pulley, pinion, crank.
     pub wheel_mass: Option<Mass>,
-    /// β: tilt of the axis from the vertical, for the weight of the wheel; a rotor has a tilt of its own.
+    /// β: tilt of the axis from the vertical, for the weight of the wheel and of the roll of a winder; a rotor has a
+    /// tilt of its own.
     pub axis_tilt: Option<Angle>,
 }
 

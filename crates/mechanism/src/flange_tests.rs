@@ -273,6 +273,43 @@ fn the_weight_of_a_wheel_follows_the_axis() {
     assert!(close(still(90.0).moment(metres_of(0.014)), (200.0 + 2.0 * G) * 0.044));
 }
 
+/// The weight of the roll turns with the axis: m g sin β across it, m g cos β along it, beside the tension; without a
+/// stated tilt the axis is horizontal.
+#[test]
+fn the_weight_of_a_roll_turns_with_the_axis() {
+    let winder = of(MechanismKind::Winder(Winder {
+        winding: Winding::Up,
+        core_diameter: metres_of(0.09),
+        full_diameter: metres_of(0.6),
+        start_diameter: metres_of(0.6),
+        thickness: metres_of(0.0005),
+        width: metres_of(0.4),
+        density: quantities::MassDensity::from_si(900.0),
+        tension: Force::from_si(50.0),
+        inertia: MomentOfInertia::from_si(0.02),
+    }));
+    let weight = std::f64::consts::PI * 900.0 * 0.4 * (0.3 * 0.3 - 0.045 * 0.045) * G;
+    for (tilt, across, along) in [
+        (None, 1.0, 0.0),
+        (Some(90.0), 1.0, 0.0),
+        (Some(0.0), 0.0, 1.0),
+        (Some(180.0), 0.0, 1.0),
+        (Some(30.0), 0.5, 0.75_f64.sqrt()),
+    ] {
+        let mounting = Mounting { axis_tilt: tilt.map(deg), ..at(0.2) };
+        let forces = winder.flange_forces(&out(0.0, 0.0, 0.0), &Extra::none(), 0.0, &mounting);
+        assert!(close(forces.radial(), 50.0 + across * weight), "{tilt:?} {forces:?}");
+        assert!((forces.axial() - along * weight).abs() < 1e-9 * weight, "{tilt:?} {forces:?}");
+        assert!(close(forces.moment(metres_of(0.02)), 0.22 * (50.0 + across * weight)), "{tilt:?} {forces:?}");
+        // A core of 5 kg weighs in both directions too.
+        let with_core =
+            Mounting { wheel_mass: Some(Mass::from_si(5.0)), axis_tilt: Some(deg(tilt.unwrap_or(90.0))), ..at(0.2) };
+        let forces = winder.flange_forces(&out(0.0, 0.0, 0.0), &Extra::none(), 0.0, &with_core);
+        assert!(close(forces.radial(), 50.0 + across * (weight + 5.0 * G)), "{tilt:?} {forces:?}");
+        assert!((forces.axial() - along * (weight + 5.0 * G)).abs() < 1e-9 * weight, "{tilt:?} {forces:?}");
+    }
+}
+
 /// A force behind the bearing centre has the lever |L + R|: winder and wheel agree with the hoist, whose force has a
 /// direction.
 #[test]

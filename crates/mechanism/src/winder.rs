@@ -2,10 +2,10 @@
 
 use crate::drawing::{Drawing, GroupAngles as Way, Look, MechanismValues, Placement, polar};
 use crate::equations::{Equations, Reduced};
-use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, metres};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, Recurrence, cosine, metres, sine};
 use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
-use quantities::{Force, Length, MassDensity, Measure, MomentOfInertia};
-use std::f64::consts::{PI, TAU};
+use quantities::{Angle, Force, Length, MassDensity, Measure, MomentOfInertia};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Direction of the web for a positive rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,13 +121,16 @@ impl Equations for Winder {
         Some(OnFlange { missing: None, overhang, recurrence: Recurrence::Never })
     }
 
-    /// Returns tension and weight of the roll; the direction of the web is not stated, so that they add in the worst
-    /// case.
+    /// Returns tension and weight of the roll; the direction of the web is not stated, so that the tension and the
+    /// radial part of the weight add in the worst case. Without a stated tilt the axis is horizontal.
     fn forces(&self, at: &Instant<'_>) -> FlangeForces {
         let (r, core) = (self.radius(at.output.position_rad), 0.5 * self.core_diameter.si());
         let mass = PI * self.density.si() * self.width.si() * (r * r - core * core);
         let mut forces = FlangeForces::default();
-        forces.aligned.radial_n = mass * gravity_m_s2() + self.tension.si().abs();
+        let tilt = at.mounting.axis_tilt.unwrap_or_else(|| Angle::from_si(FRAC_PI_2));
+        let weight = mass * gravity_m_s2();
+        forces.aligned.radial_n = weight * sine(tilt).abs() + self.tension.si().abs();
+        forces.aligned.axial_n = weight * cosine(tilt).abs();
         forces.aligned.moment_nm = forces.aligned.radial_n * metres(at.mounting.overhang);
         forces
     }

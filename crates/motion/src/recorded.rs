@@ -8,6 +8,7 @@ use crate::remarks::{Remark, of_stamps, of_standstill};
 use crate::resolution::{
     MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_updates, mean_interval, median_interval,
 };
+use crate::settled::{SlowMotion, slow_motion, stop_at_rests};
 use crate::smoothing::{end_error, smooth_by};
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::threshold::set_to_rest;
@@ -92,6 +93,7 @@ pub struct Recorded {
     end_errors_rad_s: (f64, f64),
     rest_noise: Option<RestNoise>,
     alternating: Option<Alternating>,
+    slow_motion: Option<SlowMotion>,
     made_up: Option<MadeUp>,
     remarks: Vec<Remark>,
     rests: bool,
@@ -179,6 +181,10 @@ impl Recorded {
             rest_noise = Some(noise);
         }
         let alternating = treatment.standstill.is_none().then(|| alternating(&speed)).flatten();
+        // Alternating speeds are reported as such.
+        let slow_motion = (treatment.standstill.is_none() && alternating.is_none())
+            .then(|| slow_motion(&time_s, &speed, position.as_deref().map(Vec::as_slice)))
+            .flatten();
         let position = position.unwrap_or_else(|| Arc::new(integral(&time_s, &speed)));
         let between = |torque: &Arc<Vec<f64>>| held_are_interpolated.then(|| interpolated(&time_s, torque)).flatten();
         let torque_nm = torque_nm.map(|torque| between(&torque).map_or(torque, Arc::new));
@@ -197,6 +203,7 @@ impl Recorded {
             end_errors_rad_s: end_errors,
             rest_noise,
             alternating,
+            slow_motion,
             made_up,
             remarks,
             rests,
@@ -302,6 +309,12 @@ impl Recorded {
         self.alternating
     }
 
+    /// Returns the slow motion that counts as motion and may be meant as rest, if there is any and no `standstill` is stated.
+    #[must_use]
+    pub const fn slow_motion(&self) -> Option<SlowMotion> {
+        self.slow_motion
+    }
+
     /// Returns the spurious acceleration caused by the resolution of the samples, if it is significant.
     #[must_use]
     pub const fn made_up(&self) -> Option<MadeUp> {
@@ -376,7 +389,9 @@ impl Course {
             (Some(position), None, None) => {
                 let speed = slope.unwrap_or_else(|| {
                     end_errors = (slope_error(time, &position, 0.0), slope_error_at_end(time, &position, 0.0));
-                    slopes(time, &position)
+                    let mut speed = slopes(time, &position);
+                    stop_at_rests(&mut speed, &position);
+                    speed
                 });
                 (Some(position), Arc::new(speed))
             }

@@ -2,6 +2,8 @@
 
 use crate::grid::Grid;
 use crate::resolution::median_interval;
+use crate::settled::slow;
+use crate::stretch::{SMOOTH, range, runs, smooth_end, travelled};
 use std::ops::Range;
 
 /// Largest speed at which noise is searched for, relative to the largest speed.
@@ -32,9 +34,6 @@ const ONE_SIGN: usize = 6;
 /// Largest travel of white noise in standard deviations; two of a million stretches exceed it.
 const DRIFT: f64 = 5.0;
 
-/// Number of samples of a move that must be smooth for its end to be found.
-const SMOOTH: usize = 5;
-
 /// Deviation of a smooth continuation relative to the bound of the noise: 0.05 standard deviations.
 const ABRUPT: f64 = 0.01;
 
@@ -57,6 +56,8 @@ pub struct RestNoise {
     pub speed_rad_s: f64,
     /// Time at rest hidden by the noise \[s\].
     pub duration_s: f64,
+    /// Largest range of the positions of one rest \[rad\].
+    pub place_rad: f64,
 }
 
 /// Speeds that change sign from sample to sample and count as motion.
@@ -115,7 +116,14 @@ pub(crate) fn still(
     let is_noisy =
         |range: &&Range<usize>| speed.get((*range).clone()).unwrap_or_default().iter().any(|speed| *speed != 0.0);
     let duration_s = found.iter().filter(is_noisy).map(length).sum();
-    Some((found, RestNoise { speed_rad_s, duration_s }))
+    let place = |rest: &Range<usize>| match position.and_then(|position| position.get(rest.clone())) {
+        Some(position) => range(position.iter().copied()),
+        None => {
+            range(travelled(time.get(rest.clone()).unwrap_or_default(), speed.get(rest.clone()).unwrap_or_default()))
+        }
+    };
+    let place_rad = found.iter().filter(is_noisy).map(place).fold(0.0, f64::max);
+    Some((found, RestNoise { speed_rad_s, duration_s, place_rad }))
 }
 
 /// Returns the parts of a rest found before smoothing in which the smoothed speed is noise.
@@ -210,8 +218,15 @@ pub(crate) fn rests(
             _ => 0.0,
         };
     }
-    found.sort_by_key(|range| range.start);
-    Some(found)
+    for settled in slow(time, speed, position, differentiated).into_iter().filter(|slow| slow.is_rest) {
+        let rest = settled.samples;
+        // Recorded speeds show the first change of sign without the noise of their neighbours.
+        if settled.is_sharp && differentiated {
+            found.retain(|part| part.end <= rest.start || rest.end <= part.start);
+        }
+        found.push(rest);
+    }
+    Some(joined(found))
 }
 
 /// Samples among which rests are searched.
@@ -381,30 +396,12 @@ impl Stretch<'_> {
             }
             None => 0,
         };
+        // The difference over two intervals carries the noise of the first sample at rest into the last of the move.
+        let carried = usize::from(by_sign && self.differentiated);
+        let of_move = |outside: usize, samples: usize| if outside > 0 { samples + carried } else { samples };
+        let (before, behind) = (of_move(outside, before), of_move(beyond, behind));
         (before + behind + REST_LEAST <= run.len()).then(|| run.start + before..run.end - behind)
     }
-}
-
-/// Returns the number of samples of a rest that continue a move without noise; `None` if the last samples of the move
-/// are not smooth. The first `outside` speeds belong to the move.
-fn smooth_end(speeds: impl Iterator<Item = f64>, outside: usize, near: f64) -> Option<usize> {
-    if outside < SMOOTH {
-        return None;
-    }
-    let mut last = [0.0; SMOOTH - 1];
-    let mut count = 0;
-    for (index, speed) in speeds.enumerate() {
-        let [a, b, c, d] = last;
-        let is_smooth = index < SMOOTH - 1 || (speed - (4.0 * (d + b) - 6.0 * c - a)).abs() <= near;
-        match (is_smooth, index < outside) {
-            (true, true) => {}
-            (true, false) => count += 1,
-            (false, true) => return None,
-            (false, false) => break,
-        }
-        last = [b, c, d, speed];
-    }
-    Some(count)
 }
 
 /// Returns the number of samples, all of one sign, that belong to the move before a rest: those that fall from the last
@@ -415,42 +412,6 @@ fn end_of_move(speeds: &[f64], before: Option<f64>) -> usize {
     // A recording begins and ends at rest or within a move, of which [`ONE_SIGN`] remains.
     let is_move = before.zip(speeds.first()).is_some_and(|(before, first)| before * first > 0.0);
     (if is_move { falling } else { 0 }).max(speeds.len().saturating_sub(ONE_SIGN)).min(speeds.len())
-}
-
-/// Returns the longest runs of samples within a range that are no faster than `most`.
-pub(crate) fn runs(speed: &[f64], within: Range<usize>, most: f64) -> Vec<Range<usize>> {
-    let mut found = Vec::new();
-    let mut start = None;
-    for index in within.clone() {
-        let is_slow = speed.get(index).is_some_and(|speed| speed.abs() <= most);
-        match (is_slow, start) {
-            (true, None) => start = Some(index),
-            (false, Some(from)) => {
-                found.push(from..index);
-                start = None;
-            }
-            _ => {}
-        }
-    }
-    found.extend(start.map(|from| from..within.end));
-    found
-}
-
-/// Iterates over the travel up to each sample, by the trapezoidal rule.
-fn travelled<'v>(time: &'v [f64], speed: &'v [f64]) -> impl Iterator<Item = f64> + 'v {
-    let points = || time.iter().zip(speed);
-    let parts = points().zip(points().skip(1)).map(|((t0, w0), (t1, w1))| 0.5 * (w0 + w1) * (t1 - t0));
-    std::iter::once(0.0).chain(parts.scan(0.0, |sum, part| {
-        *sum += part;
-        Some(*sum)
-    }))
-}
-
-/// Returns the difference of the largest and the smallest value.
-fn range(values: impl Iterator<Item = f64>) -> f64 {
-    let (low, high) =
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
-    (high - low).max(0.0)
 }
 
 #[cfg(test)]

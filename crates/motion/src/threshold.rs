@@ -1,6 +1,6 @@
 //! Standstill below a stated speed: rests become zero, the ends of the moves stay.
 
-use crate::standstill::runs;
+use crate::stretch::runs;
 
 /// Smallest number of samples of a rest between two moves.
 const REST_LEAST: usize = 8;

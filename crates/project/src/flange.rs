@@ -31,7 +31,7 @@ section! {
         pressure_angle: Angle => positive, example("20 deg");
         helix_angle: Angle => not_negative, example("15 deg"), noted(KeyDefault::SpurTeeth);
         wheel_mass: Mass => not_negative, example("1.2 kg"), noted(KeyDefault::WheelWeightless);
-        axis_tilt: Angle;
+        axis_tilt: Angle => noted(KeyDefault::AxisLevel);
     }
 }
 

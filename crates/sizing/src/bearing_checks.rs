@@ -138,26 +138,32 @@ fn force<Q: Measure>(
 struct MeanLoad {
     /// F_rav and F_aav; without distances.
     load: FlangeLoad,
-    /// Averages of F_r (L_r + R) and of F_a L_a.
-    moments: [f64; 2],
-    /// Average of the moment of the mechanism.
-    of_mechanism: f64,
+    /// M_av: average of the tilting moment.
+    moment: Torque,
 }
 
 impl MeanLoad {
-    /// Averages F_r (L_r + R) and F_a L_a like the forces, so that with constant distances the moment is F_rav (L_r +
-    /// R) + F_aav L_a.
+    /// Averages F_r, F_a and M, each as eq. 75.2 averages F_r.
+    ///
+    /// M_av = (Σ |n_k| t_k M_k^B / Σ |n_k| t_k)^(1/B), M_k = F_rk (L_rk + R) + F_ak L_ak
+    ///
+    /// # Symbols
+    /// n_k speed [1/min], t_k duration \[s\], M_k tilting moment of a segment about the bearing's centre \[Nm\], B life
+    /// exponent \[1\]
+    /// # Source
+    /// cha-manual eq. 75.2, applied to M: the manual averages forces only (docs/theory/output-bearing.md)
+    /// # Valid
+    /// loads of the mechanism: the integral over the instants instead of the sum over the segments
     fn of(axis: &Axis, duty: &BearingDuty, offset: Length, exponent: f64) -> Self {
+        let without_distances = |radial: f64, axial: f64| FlangeLoad {
+            radial_force: Force::from_si(radial),
+            radial_distance: Length::from_si(0.0),
+            axial_force: Force::from_si(axial),
+            axial_distance: Length::from_si(0.0),
+        };
         if let Some(found) = axis.derived_loads(offset, exponent) {
-            let ([radial, axial], [of_mechanism, by_radial, by_axial]) = (found.means, found.mean_moments);
-            let none = Length::from_si(0.0);
-            let load = FlangeLoad {
-                radial_force: Force::from_si(radial),
-                radial_distance: none,
-                axial_force: Force::from_si(axial),
-                axial_distance: none,
-            };
-            return Self { load, moments: [by_radial, by_axial], of_mechanism };
+            let [radial, axial] = found.means;
+            return Self { load: without_distances(radial, axial), moment: Torque::from_si(found.mean_moment) };
         }
         // Consecutive segments often have the same loads.
         let mut parts: Vec<(&FlangeLoad, f64)> = Vec::new();
@@ -167,33 +173,20 @@ impl MeanLoad {
                 None => parts.push((load, share.travelled.si())),
             }
         }
-        let by_radial = |load: &FlangeLoad| load.radial_force.si() * (load.radial_distance.si() + offset.si());
-        let by_axial = |load: &FlangeLoad| load.axial_force.si() * load.axial_distance.si();
-        let (radial_distance, axial_distance) = (Length::from_si(0.0), Length::from_si(0.0));
+        let (radial, axial) = (|load: &FlangeLoad| load.radial_force.si(), |load: &FlangeLoad| load.axial_force.si());
+        let moment = |load: &FlangeLoad| actuator::tilting_moment(load, offset).si();
         if let [(load, travelled)] = parts.as_slice()
             && *travelled != 0.0
         {
             // The mean of one load is that load.
-            let moments = [by_radial(load), by_axial(load)];
-            return Self { load: FlangeLoad { radial_distance, axial_distance, ..**load }, moments, of_mechanism: 0.0 };
+            let load: &FlangeLoad = load;
+            return Self { load: without_distances(radial(load), axial(load)), moment: Torque::from_si(moment(load)) };
         }
         let mean = |value: &dyn Fn(&FlangeLoad) -> f64| {
             let parts = parts.iter().map(|(load, travelled)| (value(load), Angle::from_si(*travelled)));
             actuator::mean_load(parts, exponent)
         };
-        let load = FlangeLoad {
-            radial_force: Force::from_si(mean(&|load| load.radial_force.si())),
-            radial_distance,
-            axial_force: Force::from_si(mean(&|load| load.axial_force.si())),
-            axial_distance,
-        };
-        Self { load, moments: [mean(&by_radial), mean(&by_axial)], of_mechanism: 0.0 }
-    }
-
-    /// Returns the tilting moment of the averages.
-    fn moment(&self) -> Torque {
-        let [radial, axial] = self.moments;
-        Torque::from_si(self.of_mechanism + radial + axial)
+        Self { load: without_distances(mean(&radial), mean(&axial)), moment: Torque::from_si(mean(&moment)) }
     }
 }
 
@@ -273,7 +266,7 @@ pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
         let load_factor = duty.load_factor.ok_or(Missing { symbol: "bearing.load_factor" })?;
         duty.moment_known(axis)?;
         let mean = MeanLoad::of(axis, duty, offset.value, kind.value.life_exponent());
-        let equivalent = actuator::dynamic_equivalent_load(&mean.load, mean.moment(), pitch.value);
+        let equivalent = actuator::dynamic_equivalent_load(&mean.load, mean.moment, pitch.value);
         if equivalent.si() <= 0.0 {
             return Err(Missing { symbol: "F_r" });
         }
@@ -357,28 +350,20 @@ fn explain_exponent(kind: &Sourced<BearingType>, work: &mut Workings) {
     work.figure("B", &ONE, kind.value.life_exponent(), &Source::Cell(column), kind.grade);
 }
 
-/// Records the derivation of the averages, if the load changes: `F_rav`, `F_aav` and `M`.
+/// Records the derivation of the averages, if the load changes: `F_rav`, `F_aav` and `M_av`.
 fn explain_mean_load(mean: &MeanLoad, offset: &Sourced<Length>, derived: bool, work: &mut Workings) {
-    let [radial, axial] = mean.moments;
     let (by_radial, by_axial) = (equation("75.2"), equation("75.3"));
-    let (of_radial, of_axial) = if derived {
-        (Finding::RadialMeanOverCycle, Finding::AxialMeanOverCycle)
+    let (of_radial, of_axial, of_moment) = if derived {
+        (Finding::RadialMeanOverCycle, Finding::AxialMeanOverCycle, Finding::MomentMeanOverCycle)
     } else {
-        (Finding::RadialMean, Finding::AxialMean)
+        (Finding::RadialMean, Finding::AxialMean, Finding::MomentMean)
     };
     work.found("F_rav", &NEWTON, mean.load.radial_force.si(), of_radial, &by_radial, Grade::Computed);
     work.found("F_aav", &NEWTON, mean.load.axial_force.si(), of_axial, &by_axial, Grade::Computed);
-    work.given("R", &METRE, offset);
-    if derived {
-        let what = Finding::MomentMeanOverCycle;
-        work.found("M_L", &NEWTON_METRE, mean.of_mechanism, what, &DERIVED, Grade::Computed);
+    if !derived {
+        work.given("R", &METRE, offset);
     }
-    let what = Finding::RadialMomentMean;
-    work.found("M_r", &NEWTON_METRE, radial, what, &MODEL, Grade::Computed);
-    let what = Finding::AxialMomentMean;
-    work.found("M_a", &NEWTON_METRE, axial, what, &MODEL, Grade::Computed);
-    let (moment, text) = (mean.moment().si(), if derived { "M_L + M_r + M_a" } else { "M_r + M_a" });
-    work.formula("M", &NEWTON_METRE, moment, text, &MODEL);
+    work.found("M_av", &NEWTON_METRE, mean.moment.si(), of_moment, &MODEL, Grade::Computed);
 }
 
 /// Records the derivation of the dynamic equivalent load, `P_c`; `constant`: from the loads themselves, not from
@@ -389,13 +374,13 @@ fn explain_equivalent_load(
     (pitch, equivalent): (&Sourced<Length>, Force),
     work: &mut Workings,
 ) {
-    let (x, y, mostly_radial) = actuator::dynamic_load_factors(&mean.load, mean.moment(), pitch.value);
+    let (x, y, mostly_radial) = actuator::dynamic_load_factors(&mean.load, mean.moment, pitch.value);
     let [radial, axial] = &FACTORS;
     let [of_x, of_y] = if mostly_radial { radial } else { axial };
     work.given("d_p", &METRE, pitch);
     work.figure("x", &ONE, x, &Source::Cell(of_x), Grade::Printed);
     work.figure("y", &ONE, y, &Source::Cell(of_y), Grade::Printed);
-    let text = if constant { "x*(F_r + 2*M/d_p) + y*F_a" } else { "x*(F_rav + 2*M/d_p) + y*F_aav" };
+    let text = if constant { "x*(F_r + 2*M/d_p) + y*F_a" } else { "x*(F_rav + 2*M_av/d_p) + y*F_aav" };
     work.formula("P_c", &NEWTON, equivalent.si(), text, &equation("75.1"));
 }
 
@@ -428,7 +413,11 @@ pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Outcome {
         work.given("d_p", &METRE, pitch);
         work.given("C_0", &NEWTON, rating);
         let equivalent = rating.value.si() / safety;
-        work.formula("P_0", &NEWTON, equivalent, "F_r + 2*M/d_p + 0.44*F_a", &equation("76.1"));
+        if largest.is_of_one_instant() {
+            work.formula("P_0", &NEWTON, equivalent, "F_r + 2*M/d_p + 0.44*F_a", &equation("76.1"));
+        } else {
+            work.found("P_0", &NEWTON, equivalent, Finding::LargestTogether, &equation("76.1"), Grade::Computed);
+        }
         work.formula("f_s", &ONE, safety, "C_0/P_0", &equation("76.1"));
         work.value("f_s");
     }

@@ -61,6 +61,13 @@ pub(crate) struct Peaks {
 }
 
 impl Peaks {
+    /// Returns `true` if the largest loads act at one instant; a load that never acts has none.
+    pub(crate) fn is_of_one_instant(&self) -> bool {
+        let mut acting = [self.radial, self.axial, self.moment].into_iter().filter(|peak| peak.value() > 0.0);
+        let first = acting.next().map(Peak::at);
+        acting.all(|peak| Some(peak.at()) == first)
+    }
+
     pub(crate) fn see(&mut self, [radial, axial, moment]: [f64; 3], at: f64) {
         self.radial.see(radial, at);
         self.axial.see(axial, at);
@@ -77,9 +84,8 @@ pub(crate) struct CycleLoads {
     pub(crate) resting: Peaks,
     /// Averages of eq. 75.2 and 75.3: F_rav, F_aav \[N\].
     pub(crate) means: [f64; 2],
-    /// Averages of eq. 75.2 and 75.3 of the moment of the mechanism, and of the stated F_r (L_r + R) and F_a L_a
-    /// \[Nm\].
-    pub(crate) mean_moments: [f64; 3],
+    /// Average of M by eq. 75.2, of the mechanism and as stated, \[Nm\].
+    pub(crate) mean_moment: f64,
 }
 
 impl CycleLoads {

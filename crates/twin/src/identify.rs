@@ -16,6 +16,7 @@ mod regression;
 mod scale;
 mod sizes;
 mod timing;
+mod weight;
 mod windows;
 
 use crate::Parameters;
@@ -255,6 +256,9 @@ pub struct Identification {
     /// Payloads and process torques that segments add to the first, relative to the stated ones, and half the 95 % interval;
     /// `None` if none differ or the run does not separate them. The estimates take the stated ones.
     pub payload: Option<[f64; 2]>,
+    /// Angle of the mechanism at position 0 of the run beyond the stated one, and half its 95 % interval \[rad\]; `None` if the
+    /// segments add no different weights to a load under gravity. The estimates take all weights at it.
+    pub offset_rad: Option<[f64; 2]>,
     /// Time of the cycle at the instant 0 of the run \[s\], if segments add different payloads or process torques.
     pub shift_s: Option<f64>,
 }

@@ -3,7 +3,7 @@
 use crate::pick;
 use crate::texts::said;
 use axis::{Assumption, Overrun};
-use motion::{Alternating, MadeUp, Remark, Spline, Spurious, SteppedColumn};
+use motion::{Alternating, MadeUp, Remark, SlowMotion, Spline, Spurious, SteppedColumn};
 use project::KeyDefault;
 use quantities::unit::{
     DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
@@ -15,15 +15,17 @@ use quantities::{Language, Unit, format_number, format_significant};
 pub fn assumption_text(assumption: Assumption, language: Language) -> String {
     let (en, de) = match assumption {
         Assumption::RecordedRest(noise) => {
-            let (speed, time) = (
+            let (speed, place, time) = (
                 figure(noise.speed_rad_s, &REVOLUTION_PER_MINUTE, language),
+                figure(noise.place_rad, &DEGREE, language),
                 figure(noise.duration_s, &SECOND, language),
             );
             return said!(language =>
-                "standstill is assumed (motion.standstill) where the recorded speed is noise only, up to {speed}, {time} in total: no friction acts there"
-                | "Stillstand angesetzt (motion.standstill), solange die aufgezeichnete Drehzahl im Rauschen liegt, bis {speed}, insgesamt {time}: dort keine Reibung"
+                "standstill is assumed (motion.standstill) where the recording shows noise or settling only, speeds up to {speed} within {place}, {time} in total: no friction acts there; if the axis moves there, state standstill = \"1e-9 1/min\""
+                | "Stillstand angesetzt (motion.standstill), wo die Aufzeichnung nur Rauschen oder Einschwingen zeigt, Drehzahlen bis {speed} innerhalb von {place}, insgesamt {time}: dort keine Reibung; bewegt sich die Achse dort, standstill = \"1e-9 1/min\" angeben"
             );
         }
+        Assumption::RecordedSlow(slow) => return slow_text(&slow, language),
         Assumption::RecordedAlternating(alternating) => return alternating_text(&alternating, language),
         Assumption::RecordedKey(remark) => return key_text(remark, language),
         Assumption::Motionless(segment, hidden_rad_s) => return motionless_text(segment, hidden_rad_s, language),
@@ -315,14 +317,33 @@ fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), 3, language), unit.symbol_in(language))
 }
 
+/// Returns the value of `standstill` in a line of a project file that sets speeds up to this one to zero.
+fn standstill_above(speed_rad_s: f64) -> String {
+    // A line of the project file has a decimal point; rounded up, so that the noise remains below.
+    let speed = REVOLUTION_PER_MINUTE.from_si(speed_rad_s);
+    let digit = 10_f64.powi(speed.log10().floor() as i32 - 1);
+    format_significant(((speed / digit).floor() + 1.0) * digit, 2, Language::En)
+}
+
+/// Returns the remark on a slow motion between the moves, with the key that makes it rest.
+fn slow_text(slow: &SlowMotion, language: Language) -> String {
+    let (speed, place, time) = (
+        figure(slow.speed_rad_s, &REVOLUTION_PER_MINUTE, language),
+        figure(slow.place_rad, &DEGREE, language),
+        figure(slow.duration_s, &SECOND, language),
+    );
+    let key = standstill_above(slow.speed_rad_s);
+    said!(language =>
+        "for {time} the recorded axis moves by up to {place} only, at up to {speed}: this counts as motion with friction; if the axis is at rest there, state standstill = \"{key} 1/min\""
+        | "die aufgezeichnete Achse bewegt sich über {time} nur um bis zu {place}, mit bis zu {speed}: das zählt als Bewegung mit Reibung; steht die Achse dort, standstill = \"{key} 1/min\" angeben"
+    )
+}
+
 /// Returns the remark on speeds that change their sign from sample to sample, with the key that makes them rest.
 fn alternating_text(alternating: &Alternating, language: Language) -> String {
     let share = format_number(100.0 * alternating.share, 0, language);
     let below = figure(alternating.speed_rad_s, &REVOLUTION_PER_MINUTE, language);
-    // A line of the project file has a decimal point; rounded up, so that the noise remains below.
-    let speed = REVOLUTION_PER_MINUTE.from_si(alternating.speed_rad_s);
-    let digit = 10_f64.powi(speed.log10().floor() as i32 - 1);
-    let key = format_significant((speed / digit).ceil() * digit, 2, Language::En);
+    let key = standstill_above(alternating.speed_rad_s);
     said!(language =>
         "{share} % of the recorded speeds, up to {below}, have another sign than the samples before and after them: they count as motion with friction of alternating direction; if the axis is at rest there, state standstill = \"{key} 1/min\""
         | "{share} % der aufgezeichneten Drehzahlen, bis {below}, haben ein anderes Vorzeichen als die Werte davor und dahinter: sie zählen als Bewegung mit wechselnder Reibung; steht die Achse dort, standstill = \"{key} 1/min\" angeben"

@@ -83,10 +83,8 @@ pub fn found_condition(what: Finding, language: Language) -> String {
             "over the cycle, with I = q·T/k_Tout + σ·(I_s + K·|n|); q = q_d while the load drives the motor, otherwise 1",
             "im Zyklus, mit I = q·T/k_Tout + σ·(I_s + K·|n|); q = q_d, solange die Last den Motor treibt, sonst 1",
         ),
-        Finding::RadialMean | Finding::AxialMean | Finding::RadialMomentMean | Finding::AxialMomentMean => {
-            ("over the segments", "über die Abschnitte")
-        }
-        Finding::FrictionOfColdGear => ("(gear at ambient temperature)", "(Getriebe auf Umgebungstemperatur)"),
+        Finding::RadialMean | Finding::AxialMean | Finding::MomentMean => ("over the segments", "über die Abschnitte"),
+        Finding::FrictionOfColdGear => ("(cold gear)", "(kaltes Getriebe)"),
         Finding::LeastTension => (
             "of what the rope bears, at the instant nearest to slack",
             "der Last am Seil zum Zeitpunkt, der dem Schlaffwerden am nächsten ist",
@@ -127,14 +125,17 @@ pub fn found_condition(what: Finding, language: Language) -> String {
         }
         Finding::CurrentWithinVoltage => ("largest current at n within U_M", "größter Strom bei n innerhalb U_M"),
         Finding::GearCold => (
-            "gear at ambient temperature: the less favourable of both states",
-            "Getriebe auf Umgebungstemperatur: der ungünstigere der beiden Zustände",
+            "cold gear, at ambient temperature, at most that of the no-load data: the less favourable of both states",
+            "kaltes Getriebe, auf Umgebungstemperatur, höchstens der der Leerlaufdaten: der ungünstigere der beiden Zustände",
         ),
         Finding::GearSettled => (
             "gear in thermal steady state: the less favourable of both states",
             "Getriebe im thermischen Beharrungszustand: der ungünstigere der beiden Zustände",
         ),
-        Finding::StateCold => ("gear at ambient temperature", "Getriebe auf Umgebungstemperatur"),
+        Finding::StateCold => (
+            "cold gear: ambient temperature, at most that of the no-load data",
+            "kaltes Getriebe: Umgebungstemperatur, höchstens die der Leerlaufdaten",
+        ),
         Finding::StateSettled => ("gear in thermal steady state", "Getriebe im thermischen Beharrungszustand"),
         Finding::StateWarmest => (
             "highest temperature of the table, without a heat model",
@@ -171,6 +172,10 @@ pub fn found_condition(what: Finding, language: Language) -> String {
             ("over the segments in motion", "über die Abschnitte mit Bewegung")
         }
         Finding::LargestOverSegments => ("largest over the segments", "größte über die Abschnitte"),
+        Finding::LargestTogether => (
+            "of the largest F_r, F_a and M of the cycle, at different instants: on the safe side",
+            "aus den größten F_r, F_a und M des Zyklus zu verschiedenen Zeitpunkten: auf der sicheren Seite",
+        ),
         Finding::LargestOfMechanism => (
             "largest over the cycle, from mechanism and stated loads",
             "größte im Zyklus, aus Mechanik und angegebenen Lasten",

@@ -20,6 +20,9 @@ texts! {
     payloads_off(share, half) =
         "The run shows {share} (± {half}) times the payloads and process torques that the moves of the project add: they are stated incorrectly, or torque_nm has another scale. The estimates take them as stated."
         | "Der Lauf zeigt das {share}-Fache (± {half}) der Nutzlasten und Prozessmomente, die die Bewegungen des Projekts hinzufügen: sie sind falsch angegeben, oder torque_nm hat einen anderen Maßstab. Die Schätzung übernimmt sie wie angegeben.";
+    position_offset(offset, half) =
+        "position_rad counts from another zero than the mechanism of the project: at 0 the mechanism stands at {offset}° (± {half}°). The weights of load and payloads are estimated with this offset; there is no line for the angle of the weight."
+        | "position_rad zählt von einem anderen Nullpunkt als die Mechanik des Projekts: bei 0 steht die Mechanik bei {offset}° (± {half}°). Die Gewichte von Last und Nutzlasten sind mit diesem Versatz geschätzt; für den Winkel des Gewichts gibt es keine Zeile.";
     assumed_rotor(inertia, spread) =
         "Assumed: rotor and wave generator have {inertia} kgm² at the output (table, less the share of the flange), standard deviation {spread} %."
         | "Angenommen: Rotor und Wave Generator haben {inertia} kgm² am Abtrieb (Tabelle abzüglich des Flanschanteils), Standardabweichung {spread} %.";

@@ -411,8 +411,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Masse des Rads am Flansch: Scheibe, Ritzel oder Kurbel; ohne Angabe masselos",
         ),
         About::Bearing(BearingName::axis_tilt) => (
-            "tilt of the rotation axis from the vertical, for the weight of the wheel",
-            "Neigung der Drehachse gegen die Senkrechte, für das Gewicht des Rads",
+            "tilt of the rotation axis from the vertical, for the weight of the wheel and of the roll of a winder; winder, default: 90 deg, a horizontal axis",
+            "Neigung der Drehachse gegen die Senkrechte, für das Gewicht des Rads und des Wickels; beim Wickler ohne Angabe 90 deg, waagerechte Achse",
         ),
         About::Requirements(RequirementsName::feedback) => ("permitted motor encoders; default: any", "zulässige Motorgeber; ohne Angabe alle"),
         About::Requirements(RequirementsName::brake) => (

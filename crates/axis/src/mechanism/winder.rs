@@ -36,6 +36,6 @@ impl Driven for Winder {
     }
 
     fn on_flange(&self) -> Option<OnFlange<'_>> {
-        Some(OnFlange::Wheel)
+        Some(OnFlange::Roll)
     }
 }

@@ -166,7 +166,10 @@ pub fn found(inquiry: &Inquiry<'_>) -> Result<Identification, Unanswered> {
         Identified95 { known: is_known(estimate), ..row }
     };
     let overrides = if found.doubts.is_empty() {
-        let known: Vec<Estimate> = found.estimates.iter().filter(|each| is_known(each)).copied().collect();
+        // With an offset the angle of the weight is that of the recorded position, not that of the mechanism.
+        let has_line = |each: &Estimate| each.of != Identified::GravityAngle || offset(&found).is_none();
+        let known: Vec<Estimate> =
+            found.estimates.iter().filter(|each| is_known(each) && has_line(each)).copied().collect();
         overrides(&known, |of| is_replaced(of, &axis.mechanism))
     } else {
         String::new()
@@ -210,6 +213,10 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
         {
             notes.push(identification::payloads_off(&number(share, 3), &number(half, 1), language));
         }
+    }
+    if let Some([offset, half]) = offset(found) {
+        let [offset, half] = [(offset, 3), (half, 1)].map(|(angle, digits)| number(angle.to_degrees(), digits));
+        notes.push(identification::position_offset(&offset, &half, language));
     }
     if !found.both_ways {
         notes.push(identification::one_way(language).to_owned());
@@ -274,6 +281,14 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
     }
     notes
 }
+
+/// Returns the offset of the position against the mechanism, with half its interval, if the run shows one \[rad\].
+fn offset(found: &twin::Identification) -> Option<[f64; 2]> {
+    found.offset_rad.filter(|[offset, half]| offset.abs() > OFFSET * half)
+}
+
+/// Smallest offset of the position relative to half its interval that counts: three standard deviations. A choice.
+const OFFSET: f64 = 1.5;
 
 /// Smallest deviation of the payloads of the run from the stated ones that is reported. A choice.
 const PAYLOAD_OFF: f64 = 0.03;

@@ -221,6 +221,62 @@ fn static_safety_takes_the_largest_loads_together() {
     assert!(size(&read(&text)).candidates.first().unwrap().id.order_code().is_some());
 }
 
+/// Where force and moment act in different segments, the life follows from the mean of the moment that acts, not from the
+/// means of its parts: eq. 74.1 to 75.3 by hand.
+#[test]
+fn the_life_follows_from_the_moment_that_acts() {
+    let run = |speed: f64, loads: &str| {
+        format!(
+            "[[motion]]\nlaw = \"manual\"\nspeed = \"{speed} 1/min\"\naccelerate = \"0.2 s\"\nrun = \"2 s\"\nbrake = \"0.3 s\"\n\
+             pause = \"0.7 s\"\n{loads}"
+        )
+    };
+    let text = format!(
+        "format = 1\n[load]\ninertia = \"0.5 kg m^2\"\n{}{}[bearing]\nload_factor = 1.5\nradial_force = \"800 N\"\n\
+         radial_distance = \"50 mm\"\naxial_force = \"1500 N\"\naxial_distance = \"40 mm\"\n",
+        run(20.0, ""),
+        run(-30.0, "[motion.bearing]\nradial_force = \"3000 N\"\nradial_distance = \"30 mm\"\n")
+    );
+    let b = 10.0 / 3.0;
+    // Each run travels its speed for 2.25 s of the 3.2 s of a segment.
+    let mean = |one: f64, other: f64| ((2.0 * f64::powf(one, b) + 3.0 * f64::powf(other, b)) / 5.0).powf(1.0 / b);
+    let (radial, axial) = (mean(800.0, 3000.0), mean(1500.0, 0.0));
+    // 25A: R 18 mm, d_p 88 mm, C 30 kN; F_a stays below 1.5 (F_r + 2 M/d_p).
+    let moment = mean(800.0 * 0.068 + 1500.0 * 0.04, 3000.0 * 0.048);
+    let equivalent = radial + 2.0 * moment / 0.088 + 0.45 * axial;
+    let speed = 25.0 * 2.25 / 3.2;
+    let expected = 1e6 / (60.0 * speed) * (30_000.0 / (1.5 * equivalent)).powf(b);
+    let found = of(&read(&text), CheckId::BearingLife).value.unwrap().si / 3600.0;
+    assert!((found / expected - 1.0).abs() < 1e-9, "{found} h, {expected} h by hand");
+}
+
+/// The tilt of the axis turns the weight of a roll without a wheel too; an axis without a stated tilt is horizontal, and
+/// that is listed.
+#[test]
+fn the_roll_of_a_winder_needs_no_wheel_for_its_tilt() {
+    let text = |bearing: &str| {
+        format!(
+            "format = 1\n[axis]\nsingle_move = true\n[mechanism.winder]\ntension = \"50 N\"\nwidth = \"400 mm\"\n\
+             thickness = \"0.5 mm\"\ndensity = \"900 kg/m^3\"\ncore_diameter = \"90 mm\"\nfull_diameter = \"600 mm\"\n\
+             [[motion]]\nlaw = \"web\"\nspeed = \"30 m/min\"\n[bearing]\noverhang = \"200 mm\"\n{bearing}"
+        )
+    };
+    let weight = 900.0 * 0.4 * std::f64::consts::PI * (0.3_f64.powi(2) - 0.045_f64.powi(2)) * 9.806_65;
+    let assumed = axis::Assumption::Default(project::KeyDefault::AxisLevel);
+    for (bearing, radial, axial) in [
+        ("", 50.0 + weight, 0.0),
+        ("axis_tilt = \"0 deg\"\n", 50.0, weight),
+        ("axis_tilt = \"90 deg\"\n", 50.0 + weight, 0.0),
+    ] {
+        let project = read(&text(bearing));
+        let found = [CheckId::BearingRadial, CheckId::BearingAxial].map(|id| value(&project, id));
+        // The web is as long as whole turns of the roll allow.
+        assert!((found[0] - radial).abs() < 0.01 * weight, "{bearing}: {found:?} {radial}");
+        assert!((found[1] - axial).abs() < 0.01 * weight, "{bearing}: {found:?} {axial}");
+        assert_eq!(project.assumptions.contains(&assumed), bearing.is_empty(), "{bearing}");
+    }
+}
+
 /// The output bearing is never left out: each of its checks is made or names the key that is missing.
 #[test]
 fn every_load_has_its_five_bearing_checks() {

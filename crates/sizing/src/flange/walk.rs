@@ -44,7 +44,7 @@ const CLOSE: f64 = 1e-12;
 struct Sums {
     travelled: f64,
     forces: [f64; 2],
-    moments: [f64; 3],
+    moment: f64,
 }
 
 /// One pass over the motion.
@@ -61,8 +61,8 @@ pub(super) struct Walk<'a> {
     only_forces: bool,
 }
 
-/// F_r, F_a and M at one instant, and M of the mechanism alone.
-type Values = ([f64; 3], f64);
+/// F_r, F_a and M at one instant.
+type Values = [f64; 3];
 
 impl<'a> Walk<'a> {
     pub(super) fn of(
@@ -92,9 +92,9 @@ impl<'a> Walk<'a> {
 
     pub(super) fn loads(mut self) -> CycleLoads {
         self.walk();
-        let Sums { travelled, forces, moments } = self.sums;
+        let Sums { travelled, forces, moment } = self.sums;
         let mean = |sum: f64| if travelled > 0.0 { (sum / travelled).powf(1.0 / self.exponent) } else { 0.0 };
-        CycleLoads { means: forces.map(mean), mean_moments: moments.map(mean), ..self.loads }
+        CycleLoads { means: forces.map(mean), mean_moment: mean(moment), ..self.loads }
     }
 
     pub(super) fn sampled(mut self) -> Vec<FlangeSample> {
@@ -145,7 +145,7 @@ impl<'a> Walk<'a> {
         };
         let [radial, axial, by_radial, by_axial] = self.stated(segment);
         let moment = if self.only_forces { 0.0 } else { forces.moment(self.offset) };
-        ([forces.radial() + radial, forces.axial() + axial, moment + by_radial + by_axial], moment)
+        [forces.radial() + radial, forces.axial() + axial, moment + by_radial + by_axial]
     }
 
     /// Returns the stated loads of a segment: F_r, F_a, F_r (L_r + R), F_a L_a.
@@ -158,27 +158,25 @@ impl<'a> Walk<'a> {
     }
 
     /// Evaluates an instant of the turning gear; `weight`: |ω| dt under it.
-    fn see(&mut self, segment: usize, time: f64, values: &Values, weight: f64) {
-        let ([radial, axial, moment], of_mechanism) = *values;
-        self.loads.turning.see([radial, axial, moment], time);
+    fn see(&mut self, time: f64, values: &Values, weight: f64) {
+        self.loads.turning.see(*values, time);
         if weight > 0.0 && !self.only_forces {
-            let [_, _, by_radial, by_axial] = self.stated(segment);
             let add = |value: f64| if value == 0.0 { 0.0 } else { weight * self.power(value) };
-            let (forces, moments) = ([radial, axial].map(add), [of_mechanism, by_radial, by_axial].map(add));
+            let [radial, axial, moment] = values.map(add);
             self.sums.travelled += weight;
-            self.sums.forces.iter_mut().zip(forces).for_each(|(sum, part)| *sum += part);
-            self.sums.moments.iter_mut().zip(moments).for_each(|(sum, part)| *sum += part);
+            self.sums.forces.iter_mut().zip([radial, axial]).for_each(|(sum, part)| *sum += part);
+            self.sums.moment += moment;
         }
         self.show(time, values);
     }
 
     /// Evaluates an instant of the gear at rest.
     fn see_rest(&mut self, time: f64, values: &Values) {
-        self.loads.resting.see(values.0, time);
+        self.loads.resting.see(*values, time);
         self.show(time, values);
     }
 
-    fn show(&mut self, time: f64, ([radial, axial, moment], _): &Values) {
+    fn show(&mut self, time: f64, [radial, axial, moment]: &Values) {
         if let Some(samples) = &mut self.samples {
             samples.push(FlangeSample {
                 time: Time::from_si(time),
@@ -328,8 +326,8 @@ impl<'a> Walk<'a> {
                 let output = output(piece, t, sense);
                 let values = self.values(piece.segment, &output, 0.0);
                 let travelled = times * weight * (end - start) * output.speed_rad_s.abs();
-                self.see(piece.segment, piece.start_s + t, &values, travelled);
-                *node = (t, values.0);
+                self.see(piece.start_s + t, &values, travelled);
+                *node = (t, values);
             }
             self.peaks_between(piece, sense, &nodes);
             k += 1.0;
@@ -348,7 +346,7 @@ impl<'a> Walk<'a> {
                 let Peaks { radial, axial, moment } = self.loads.turning;
                 let best = [radial, axial, moment].get(which).map_or(0.0, |peak| peak.value());
                 let value = |t: f64| {
-                    let (values, _) = self.values(piece.segment, &output(piece, t, sense), 0.0);
+                    let values = self.values(piece.segment, &output(piece, t, sense), 0.0);
                     values.get(which).copied().unwrap_or(0.0)
                 };
                 let (t, found) = highest(value, [a, b, c], best, CLOSE);
@@ -412,7 +410,7 @@ impl<'a> Walk<'a> {
                             Output { position_rad, speed_rad_s, acceleration_rad_s2: acceleration, direction: sense };
                         let values = self.values(placed.segment, &output, recorded);
                         let travelled = weight * length * interval.duration_s * speed_rad_s.abs();
-                        self.see(placed.segment, interval.start_s + u * interval.duration_s, &values, travelled);
+                        self.see(interval.start_s + u * interval.duration_s, &values, travelled);
                     }
                     k += 1.0;
                 }

@@ -135,6 +135,9 @@ const CONSTANT: f64 = 0.15;
 /// simodrive-611a, table 1-2: the voltage constant may be off by 7.5 %
 pub(super) const SCATTER: f64 = 0.075;
 
+/// Half intervals by which a torque constant must lie beyond that scatter for a convention. A choice: three standard deviations.
+const BEYOND: f64 = 1.5;
+
 /// Smallest angle between the stated and the estimated weight that causes a doubt \[rad\].
 const OPPOSITE: f64 = 0.75 * PI;
 
@@ -252,10 +255,12 @@ fn of_constant(value: f64, half: f64) -> Option<(Misread, Option<f64>)> {
     let names =
         [(SQRT_2, Misread::Rms), (1.0 / SQRT_2, Misread::PeakTwice), ((2.0_f64 / 3.0).sqrt(), Misread::PowerInvariant)];
     let off = (value - 1.0).abs() - half;
+    // Every run is tried: three standard deviations, as for the slopes of the scale.
+    let beyond = (value - 1.0).abs() - BEYOND * half > SCATTER;
     let near = |(ratio, _): &&(f64, Misread)| (value - ratio).abs() < half;
-    let within = names.iter().find(|name| off > SCATTER && near(name)).map(|(_, misread)| *misread);
+    let within = names.iter().find(|name| beyond && near(name)).map(|(_, misread)| *misread);
     match nearest(value, &names).or(within) {
-        Some(misread) if off > SCATTER => {
+        Some(misread) if beyond => {
             let exact = names.iter().find(|(_, own)| *own == misread).map(|(ratio, _)| *ratio);
             Some((misread, exact))
         }

@@ -2,6 +2,7 @@
 
 use super::losses::{self, Losses, Part};
 use super::regression::{Fit, Row, compared, fit};
+use super::weight::Turned;
 use super::windows::{Window, Windows};
 use super::{Estimate, Identification, Identified, IdentifyFault, Observed, Open};
 use mechanism::{Extra, Loading, Mechanism, Output, Plain};
@@ -96,7 +97,18 @@ pub(super) fn rows_of_delay(run: &Observed, windows: &Windows, load: &Load<'_, '
     let differs = load.extras.iter().any(|each| each != first);
     if let Some(plain) = load.mechanism.plain(first) {
         let columns = Columns { rate: true, ..Columns::of(windows, load, &plain) };
-        let rows = windows.all.iter().map(|window| columns.row(window, load, &plain, differs));
+        let has_weights = differs && adds_weight(load, &plain);
+        let rows = windows.all.iter().map(|window| {
+            let mut row = columns.row(window, load, &plain, differs);
+            if has_weights {
+                // The delay is sought without the offset: weights of payloads at any angle are free.
+                let own = (load.extra)(window.samples.start).and_then(|extra| load.mechanism.plain(extra));
+                let added = own.map_or(0.0, |own| own.weight_nm - plain.weight_nm);
+                let rate = row.regressors.pop();
+                row.regressors.extend([added * window.cosine, added * window.sine].into_iter().chain(rate));
+            }
+            row
+        });
         return (rows.collect(), vec![windows.noise[0], 0.0, windows.noise[1]], 0.0);
     }
     let row = |window: &Window| {
@@ -131,6 +143,8 @@ struct Columns {
     constant: bool,
     /// Rate of the torque.
     rate: bool,
+    /// Weight and offset, about which both columns of the weight are those of their changes.
+    turned: Option<Turned>,
 }
 
 impl Columns {
@@ -139,7 +153,7 @@ impl Columns {
             (low.min(window.position), high.max(window.position))
         });
         let hangs = high - low > SWING || first.weight_nm != 0.0;
-        Self { hangs, constant: load.both_ways, rate: load.is_delayed }
+        Self { hangs, constant: load.both_ways, rate: load.is_delayed, turned: None }
     }
 
     /// Returns the place of the constant, if there is one.
@@ -155,12 +169,14 @@ impl Columns {
     /// Returns the equation of a window; the additions of the segments are a column, behind the constant, if they are free.
     fn row(self, window: &Window, load: &Load<'_, '_>, first: &Plain, is_free: bool) -> Row {
         let mut regressors = vec![window.acceleration, window.sign, window.speed];
+        let own = (load.extra)(window.samples.start).and_then(|extra| load.mechanism.plain(extra));
         if self.hangs {
-            regressors.extend([window.cosine, window.sine]);
+            let of_turned = |turned: Turned| turned.columns(window, first, own.as_ref());
+            regressors.extend(self.turned.map_or([window.cosine, window.sine], of_turned));
         }
         regressors.extend(self.constant.then_some(1.0));
-        let own = (load.extra)(window.samples.start).and_then(|extra| load.mechanism.plain(extra));
-        let added = own.map_or(0.0, |own| difference(&own, first, window));
+        let offset_rad = self.turned.map_or(0.0, |turned| turned.offset_rad);
+        let added = own.map_or(0.0, |own| difference(&own, first, window, offset_rad));
         regressors.extend(is_free.then_some(added));
         regressors.extend(self.rate.then_some(window.torque_rate));
         Row { regressors, value: if is_free { window.torque } else { window.torque - added }, stroke: window.stroke }
@@ -174,7 +190,17 @@ fn plainly(
     found: &mut Identification,
 ) -> Result<Shares, IdentifyFault> {
     let both_ways = load.both_ways;
-    let columns = Columns::of(windows, load, first);
+    let plain = Columns::of(windows, load, first);
+    let turned = (plain.hangs && first.weight_nm != 0.0 && adds_weight(load, first))
+        .then(|| {
+            let rows = |turned| {
+                let columns = Columns { turned: Some(turned), ..plain };
+                windows.all.iter().map(|window| columns.row(window, load, first, false)).collect()
+            };
+            Turned::find(first.weight_nm, 3, &rows)
+        })
+        .flatten();
+    let columns = Columns { turned, ..plain };
     let rows_of = |is_free: bool| -> Vec<Row> {
         windows.all.iter().map(|window| columns.row(window, load, first, is_free)).collect()
     };
@@ -194,7 +220,10 @@ fn plainly(
     let per_stroke = |row: &Row| row.regressors.iter().take(1).copied().chain([1.0]).chain(weight(row)).collect();
     let unstated_nm = unstated(&rows_of(free.is_some()), of, &per_stroke);
     let (sine, cosine) = first.angle_rad.sin_cos();
-    let weights = [(3, cosine), (4, -sine)].map(|(place, part)| (place, first.weight_nm * part));
+    let weights = match turned {
+        Some(_) => [(3, first.weight_nm), (4, 0.0)],
+        None => [(3, cosine), (4, -sine)].map(|(place, part)| (place, first.weight_nm * part)),
+    };
     let others = [(1, first.coulomb_nm), (2, first.viscous_nms), (constant, first.constant_nm)];
     let others = others.into_iter().filter(|(place, _)| both_ways || *place == 2);
     let weights = weights.into_iter().filter(|(_, stated)| hangs && stated.abs() > 0.3 * first.weight_nm.abs());
@@ -213,14 +242,24 @@ fn plainly(
     taken(Identified::Coulomb, both_ways.then_some(1));
     taken(Identified::Viscous, Some(2));
     taken(Identified::External, both_ways.then_some(constant));
-    gravity(&fit, hangs, found);
+    match turned {
+        Some(turned) => turned_gravity(&fit, first, turned, found),
+        None => gravity(&fit, hangs, found),
+    }
     if found.estimates.is_empty() { Err(IdentifyFault::NotExcited) } else { Ok(shares) }
 }
 
-/// Returns the torque that a segment adds to that of the first in a window \[Nm\].
-fn difference(own: &Plain, first: &Plain, window: &Window) -> f64 {
+/// Returns `true` if a segment adds another weight than the first.
+fn adds_weight(load: &Load<'_, '_>, first: &Plain) -> bool {
+    let own = |extra: &Extra| load.mechanism.plain(extra).map(|own| own.weight_nm);
+    load.extras.iter().filter_map(own).any(|weight_nm| weight_nm != first.weight_nm)
+}
+
+/// Returns the torque that a segment adds to that of the first in a window \[Nm\]; `offset_rad`: angle of the mechanism at q = 0
+/// beyond the stated one.
+fn difference(own: &Plain, first: &Plain, window: &Window, offset_rad: f64) -> f64 {
     let weight = |plain: &Plain| {
-        let (sine, cosine) = plain.angle_rad.sin_cos();
+        let (sine, cosine) = (plain.angle_rad + offset_rad).sin_cos();
         plain.weight_nm * (cosine * window.cosine - sine * window.sine)
     };
     (own.inertia_kgm2 - first.inertia_kgm2) * window.acceleration
@@ -307,6 +346,24 @@ fn gravity(fit: &Fit, hangs: bool, found: &mut Identification) {
     } else {
         found.open.push((Identified::GravityAngle, Open::NotSeparated));
     }
+}
+
+/// Returns weight and angle of a load whose payloads act at the same offset, with the offset.
+fn turned_gravity(fit: &Fit, first: &Plain, turned: Turned, found: &mut Identification) {
+    let (Some((weight, half)), Some((_, half_rad))) = (fit.estimate(3), fit.estimate(4)) else { return };
+    if !fit.separates(3) || !fit.separates(4) {
+        found.open.extend([(Identified::Gravity, Open::NotSeparated), (Identified::GravityAngle, Open::NotSeparated)]);
+        return;
+    }
+    let half_rad = half_rad.max(QUADRATURE);
+    // A negative weight is a positive one on the opposite side.
+    let opposite = if weight < 0.0 { std::f64::consts::PI } else { 0.0 };
+    let angle = first.angle_rad + turned.offset_rad + opposite;
+    let turn = std::f64::consts::TAU;
+    let mut push = |of, value: f64, half_width: f64| found.estimates.push(Estimate { of, value, half_width });
+    push(Identified::Gravity, weight.abs(), half.max(QUADRATURE * weight.abs()));
+    push(Identified::GravityAngle, angle - turn * (angle / turn).round(), half_rad);
+    found.offset_rad = Some([turned.offset_rad, half_rad]);
 }
 
 /// Instants of a window at which the stated load is evaluated.

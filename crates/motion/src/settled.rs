@@ -1,0 +1,328 @@
+//! Rest by its size: disturbances of position and speed far below those of the motion.
+
+use crate::grid::Grid;
+use crate::stretch::{SMOOTH, range, runs, smooth_end, travelled};
+use std::ops::Range;
+
+/// Largest speed of a rest relative to the largest speed.
+const SPEED_MOST: f64 = 0.05;
+
+/// Largest range of positions of a rest with swings, relative to the range of the recording.
+const SWING_MOST: f64 = 2.5e-4;
+
+/// Largest range of positions of a rest with swings \[°\]: settling and noise as in the count of small swings.
+const SWING_MOST_DEG: f64 = 0.1;
+
+/// Largest range of positions of a rest in one direction, relative to the range of the recording.
+const DRIFT_MOST: f64 = 5e-6;
+
+/// Smallest number of changes of sign of a rest with swings: a reversal has one, a stop with overshoot two.
+const TURNS_LEAST: usize = 3;
+
+/// Largest range of the positions relative to ∫|ω|dt if the axis returns, instead of leaving its place with noise on top.
+const RETURNS: f64 = 0.4;
+
+/// Smallest duration of a rest relative to the time in which the motion reaches the largest speed of the rest.
+const LONG: f64 = 20.0;
+
+/// Smallest number of samples of a rest.
+const REST_LEAST: usize = 8;
+
+/// Ratio to the smallest speed so far at which a speed of one sign no longer belongs to the move before.
+const RISES: f64 = 2.0;
+
+/// Standard deviations of the noise by which a speed rises above the smallest so far.
+const ABOVE_NOISE: f64 = 4.0;
+
+/// Largest speed of the end of a move relative to the quiet speed of the run if it no longer falls.
+const ABOVE_QUIET: f64 = 1.5;
+
+/// Largest speed of a block of samples that are still falling, relative to that of the block before.
+const FALLING: f64 = 0.9;
+
+/// Change of a position in steps of its column that is none of a slow motion.
+const ABOVE_STEP: f64 = 1.5;
+
+/// Bound of the noise that the difference over two intervals carries from the first sample at rest into the last of the move,
+/// in standard deviations of that at rest: 1.2 of its own.
+const CARRIED: f64 = 0.85;
+
+/// Largest speed of the first sample at rest relative to the speed at rest.
+const AT_REST: f64 = 1.5;
+
+/// Largest range of positions of a slow motion that may be meant as rest, relative to the range of the recording.
+const SLOW_MOST: f64 = 10.0 * SWING_MOST;
+
+/// Smallest share of the recording of slow motions that are reported.
+const SLOW_LEAST: f64 = 0.02;
+
+/// Number of samples after a move whose largest speed is that at rest there.
+const LEVEL_OF: usize = 24;
+
+/// Deviation of a smooth continuation relative to the speed at rest after it.
+const ABRUPT: f64 = 0.1;
+
+/// Deviation of a smooth continuation relative to the second difference of the move; where the acceleration of a move ends
+/// without a jump, the first speed at rest, a difference over two intervals, deviates by a twelfth of it.
+const ABRUPT_OF_MOVE: f64 = 0.05;
+
+/// Ratio of the standard deviation of normally distributed values to the median of their magnitudes, 1/Φ⁻¹(3/4).
+const OF_MEDIAN: f64 = 1.482_602_218_505_602;
+
+/// Slow motion between moves, by so little that it may be meant as rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlowMotion {
+    /// Largest speed [rad/s].
+    pub speed_rad_s: f64,
+    /// Largest range of the positions of one stretch \[rad\].
+    pub place_rad: f64,
+    /// Duration of all stretches \[s\].
+    pub duration_s: f64,
+}
+
+/// Returns the slow motion that counts as motion and is much smaller than the other moves, if it takes a significant time.
+pub(crate) fn slow_motion(time: &[f64], speed: &[f64], position: Option<&[f64]>) -> Option<SlowMotion> {
+    let travel = travel(time, speed, position);
+    let is_small = |slow: &Slow| !slow.is_rest && slow.is_long && slow.place_rad <= SLOW_MOST * travel;
+    let (mut sum, mut all) = (SlowMotion { speed_rad_s: 0.0, place_rad: 0.0, duration_s: 0.0 }, 0.0);
+    for slow in slow(time, speed, position, false).into_iter().filter(is_small) {
+        let ends = time.get(slow.samples.start).zip(time.get(slow.samples.end - 1));
+        sum = SlowMotion {
+            speed_rad_s: sum.speed_rad_s.max(slow.speed_rad_s),
+            place_rad: sum.place_rad.max(slow.place_rad),
+            duration_s: sum.duration_s + ends.map_or(0.0, |(first, last)| last - first),
+        };
+    }
+    if let Some((first, last)) = time.first().zip(time.last()) {
+        all = last - first;
+    }
+    (sum.duration_s > SLOW_LEAST * all).then_some(sum)
+}
+
+/// A stretch of slow samples between two moves.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Slow {
+    /// Samples.
+    pub(crate) samples: Range<usize>,
+    /// Largest speed [rad/s].
+    pub(crate) speed_rad_s: f64,
+    /// Range of the positions \[rad\].
+    pub(crate) place_rad: f64,
+    /// The stretch is much longer than the motion takes to reach its largest speed.
+    pub(crate) is_long: bool,
+    /// The axis is at rest.
+    pub(crate) is_rest: bool,
+    /// Both ends are known to a sample: the moves there are smooth.
+    pub(crate) is_sharp: bool,
+}
+
+/// Returns the slow stretches of a motion between its moves, with the verdict whether the axis rests.
+///
+/// |ω| ≤ ω_max/20, t ≥ 20 ω_s Δq/ω_max², and either Δq_s ≤ 5·10⁻⁶ Δq, or Δq_s ≤ 2.5·10⁻⁴ Δq ≤ 0.1° with three changes of
+/// sign and Δq_s ≤ 0.4 ∫|ω|dt
+///
+/// # Symbols
+/// ω_max largest speed of the recording, Δq range of its positions; t duration of the stretch, ω_s its largest speed, Δq_s range
+/// of its positions
+/// # Source
+/// own choice, docs/theory/recorded-motion.md#standstill
+/// # Valid
+/// friction does not act as in motion: disturbances of this size are settling, hum and noise of sensor or control
+pub(crate) fn slow(time: &[f64], speed: &[f64], position: Option<&[f64]>, differentiated: bool) -> Vec<Slow> {
+    let most = largest(speed);
+    let travel = travel(time, speed, position);
+    if most <= 0.0 || travel <= 0.0 {
+        return Vec::new();
+    }
+    let step = position.map_or(0.0, |position| Grid::of(position).step);
+    let mut found = Vec::new();
+    for run in runs(speed, 0..speed.len(), SPEED_MOST * most) {
+        let between = between_moves(speed, &run, differentiated);
+        let Some((samples, is_sharp)) = between.filter(|(samples, _)| samples.len() >= REST_LEAST) else { continue };
+        let (Some(times), Some(speeds)) = (time.get(samples.clone()), speed.get(samples.clone())) else { continue };
+        let speed_rad_s = largest(speeds);
+        if speed_rad_s == 0.0 {
+            continue;
+        }
+        let place_rad = self::travel(times, speeds, position.and_then(|position| position.get(samples.clone())));
+        let duration = times.first().zip(times.last()).map_or(0.0, |(first, last)| last - first);
+        let is_long = duration >= LONG * speed_rad_s * travel / (most * most);
+        let sizes: Vec<f64> = speeds.iter().map(|speed| speed.abs()).collect();
+        let way = travelled(times, &sizes).last().unwrap_or(0.0);
+        let swings = turns(speeds) >= TURNS_LEAST
+            && place_rad <= RETURNS * way
+            && place_rad <= (SWING_MOST * travel).min(SWING_MOST_DEG.to_radians()).max(2.0 * step);
+        let is_rest = is_long && (swings || place_rad <= DRIFT_MOST * travel);
+        found.push(Slow { samples, speed_rad_s, place_rad, is_long, is_rest, is_sharp });
+    }
+    found
+}
+
+/// Sets the slopes of positions at the first and the last sample of each rest to zero.
+///
+/// Between two equal positions of a rest nothing moves, so that the speed at both is zero; the slope over two intervals
+/// contains that of the move beside. A position that leaves the rest by a step of its column or less may belong to a slow
+/// motion, and keeps its slope.
+pub(crate) fn stop_at_rests(speed: &mut [f64], position: &[f64]) {
+    let step = Grid::of(position).step;
+    let rests: Vec<Range<usize>> =
+        runs(speed, 0..speed.len(), 0.0).into_iter().filter(|rest| rest.len() >= REST_LEAST).collect();
+    let at = |index: Option<usize>| index.and_then(|index| position.get(index)).copied();
+    for rest in rests {
+        let (first, last) = (rest.start.checked_sub(1), Some(rest.end));
+        for (end, inside, beyond) in [
+            (first, Some(rest.start), first.and_then(|first| first.checked_sub(1))),
+            (last, rest.end.checked_sub(1), last.map(|last| last + 1)),
+        ] {
+            let (Some(at_end), Some(inside), Some(beyond)) = (at(end), at(inside), at(beyond)) else { continue };
+            let is_end = at_end == inside && (beyond - at_end).abs() > ABOVE_STEP * step;
+            if let Some(speed) = end.filter(|_| is_end).and_then(|end| speed.get_mut(end)) {
+                *speed = 0.0;
+            }
+        }
+    }
+}
+
+/// Returns the range of the positions, or of the travel.
+fn travel(time: &[f64], speed: &[f64], position: Option<&[f64]>) -> f64 {
+    position.map_or_else(|| range(travelled(time, speed)), |position| range(position.iter().copied()))
+}
+
+fn largest(speeds: &[f64]) -> f64 {
+    speeds.iter().fold(0.0, |most, speed| most.max(speed.abs()))
+}
+
+/// Returns the number of changes of sign.
+fn turns(speeds: &[f64]) -> usize {
+    let moving = || speeds.iter().filter(|speed| **speed != 0.0);
+    moving().zip(moving().skip(1)).filter(|(one, other)| (**one < 0.0) != (**other < 0.0)).count()
+}
+
+/// Returns a run of slow samples without the ends of the moves before and after it, and whether both are smooth; `None` if
+/// nothing is left.
+fn between_moves(speed: &[f64], run: &Range<usize>, differentiated: bool) -> Option<(Range<usize>, bool)> {
+    let speeds = speed.get(run.clone())?;
+    let noise = noise(speeds);
+    let ends = Ends { noise, carried: if differentiated { CARRIED * noise } else { 0.0 }, quiet: quiet(speeds) };
+    let outside = SMOOTH.min(run.start);
+    let from_before = speed.get(run.start - outside..run.end)?;
+    let (first, is_smooth) = ends.of_move(from_before.iter().copied(), outside);
+    let beyond = SMOOTH.min(speed.len() - run.end);
+    let from_after = speed.get(run.start..run.end + beyond)?;
+    let (last, is_smooth_after) = ends.of_move(from_after.iter().rev().copied(), beyond);
+    let is_sharp = is_smooth && is_smooth_after;
+    (first + last < speeds.len()).then(|| (run.start + first..run.end - last, is_sharp))
+}
+
+/// Speeds of a run of slow samples by which the ends of the moves at it are found.
+struct Ends {
+    /// Standard deviation of uncorrelated noise [rad/s].
+    noise: f64,
+    /// Standard deviation of the noise that a difference carries from the rest into the move [rad/s].
+    carried: f64,
+    /// Largest speed of quiet samples [rad/s].
+    quiet: f64,
+}
+
+impl Ends {
+    /// Returns the number of slow samples that belong to the move before them, and whether it is smooth; the first `outside`
+    /// speeds are those of the move.
+    ///
+    /// A smooth move is continued by the cubic through its last four samples, to within a tenth of the speeds at rest after
+    /// it. A move with noise ends by [`Self::of_noisy_move`].
+    fn of_move(&self, speeds: impl ExactSizeIterator<Item = f64> + Clone, outside: usize) -> (usize, bool) {
+        let count = speeds.len() - outside;
+        let Some(moving) = speeds.clone().take(outside).last() else { return (0, true) };
+        let roughly = self.of_noisy_move(moving, speeds.clone().skip(outside), count);
+        let level = speeds.clone().skip(outside + roughly).take(LEVEL_OF).fold(0.0_f64, |most, w| most.max(w.abs()));
+        let bend = bend(speeds.clone().take(outside));
+        let near = (ABRUPT * level + self.carried).max(ABRUPT_OF_MOVE * bend);
+        let smooth = smooth_end(speeds.clone(), outside, near).filter(|end| 2 * end <= count);
+        // A move that is not smooth enough to be continued is left while it is still fast.
+        let is_at_rest = |end: &usize| {
+            let first = speeds.clone().nth(outside + end).unwrap_or(0.0);
+            first.abs() <= AT_REST * level + bend
+        };
+        let Some(end) = smooth.filter(is_at_rest) else { return (roughly, false) };
+        // The last sample of a move that ends between two samples has half of its second difference at most.
+        let last = end.checked_sub(1).and_then(|last| speeds.clone().nth(outside + last));
+        (end - usize::from(last.is_some_and(|last| last.abs() <= level.min(0.5 * bend))), true)
+    }
+
+    /// Returns the number of slow samples that belong to the move before them: those up to the first at zero or with the other
+    /// sign, up to the slowest before the speed rises again, or up to the slowest of the first quiet block that no longer
+    /// falls. All of them if the speed falls to the end.
+    fn of_noisy_move(&self, moving: f64, speeds: impl Iterator<Item = f64>, all: usize) -> usize {
+        let (mut slowest, mut least) = (0, moving.abs());
+        let (mut slow, mut most, mut most_before) = (0, 0.0_f64, f64::INFINITY);
+        for (index, speed) in speeds.enumerate() {
+            if speed * moving <= 0.0 {
+                return index;
+            }
+            let size = speed.abs();
+            if size < least {
+                (slowest, least) = (index, size);
+            }
+            if size > RISES * least + ABOVE_NOISE * self.noise {
+                return slowest;
+            }
+            if size > ABOVE_QUIET * self.quiet {
+                (slow, most, most_before) = (0, 0.0, f64::INFINITY);
+                continue;
+            }
+            (slow, most) = (slow + 1, most.max(size));
+            if slow == REST_LEAST {
+                if most > FALLING * most_before {
+                    return slowest;
+                }
+                (slow, most, most_before) = (0, 0.0, most);
+            }
+        }
+        all
+    }
+}
+
+/// Returns the standard deviation of uncorrelated noise of speeds, from their second differences.
+fn noise(speeds: &[f64]) -> f64 {
+    let second = |three: &[f64]| match three {
+        [a, b, c] => (a - 2.0 * b + c).abs(),
+        _ => 0.0,
+    };
+    OF_MEDIAN * median(speeds.windows(3).map(second).collect()) / 6.0_f64.sqrt()
+}
+
+/// Returns the mean second difference of a few speeds, without sign.
+fn bend(speeds: impl Iterator<Item = f64>) -> f64 {
+    let (mut last, mut sum, mut count) = ([0.0; 2], 0.0, 0.0);
+    for (index, speed) in speeds.enumerate() {
+        let [before, middle] = last;
+        if index >= 2 {
+            (sum, count) = (sum + before - 2.0 * middle + speed, count + 1.0);
+        }
+        last = [middle, speed];
+    }
+    if count > 0.0 { (sum / count).abs() } else { 0.0 }
+}
+
+/// Returns the median; zero of no values.
+fn median(mut values: Vec<f64>) -> f64 {
+    let middle = values.len() / 2;
+    if middle >= values.len() {
+        return 0.0;
+    }
+    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+/// Returns the lower quartile of the largest speeds of blocks of samples.
+fn quiet(speeds: &[f64]) -> f64 {
+    let mut all: Vec<f64> = speeds.chunks_exact(REST_LEAST.clamp(1, speeds.len().max(1))).map(largest).collect();
+    let quarter = all.len() / 4;
+    if quarter >= all.len() {
+        return 0.0;
+    }
+    *all.select_nth_unstable_by(quarter, f64::total_cmp).1
+}
+
+#[cfg(test)]
+#[path = "settled_tests.rs"]
+mod tests;
