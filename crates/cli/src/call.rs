@@ -2,6 +2,7 @@
 
 use crate::answer::CommandAnswer;
 use crate::changed::changed;
+use crate::command::typed::typed;
 #[cfg(feature = "report")]
 use crate::changed::file_name_of_changes;
 use crate::fault::{memory, path_text};
@@ -129,6 +130,16 @@ fn change(files: &mut [File], matches: &ArgMatches, language: Language) -> Resul
     for file in files {
         for made in file.change(matches, language)? {
             remarks.push_str(&format!("{}\n", terminal::changed_for_this_call(&made, language)));
+        }
+        if let Some(unstated) = file.unstated() {
+            let kind = path_text(file.path());
+            let out = format!("{kind}.toml");
+            let sets = matches.try_get_many::<String>("set").ok().flatten().into_iter().flatten();
+            let sets = sets.flat_map(|set| ["--set", set.as_str()]);
+            let head = ["antrieb", "new", kind.as_str()].into_iter();
+            let new = typed(head.chain(sets).chain(["--out", out.as_str()]));
+            remarks.push_str(&format!("{}\n", terminal::values_of_a_new_project(&unstated.join("; "), language)));
+            remarks.push_str(&format!("{}\n", terminal::new_project_as_a_file(&new, language)));
         }
     }
     Ok(remarks)

@@ -1,16 +1,18 @@
 //! A project with other values for one call: `--set KEY=VALUE` and `--scale WHAT=FACTOR`.
 
 pub(crate) mod keys;
+pub(crate) mod motion;
 
 use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
 use project::{
-    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, other_names, paced, stretch, truth, written,
+    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written,
 };
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use std::borrow::Cow;
-use words::{Usage, UsageHint, terminal, usage_hint, usage_text};
+use std::ops::RangeInclusive;
+use words::{Usage, UsageHint, sweeps, terminal, usage_hint, usage_text};
 
 /// Quantities that a call may scale.
 pub(crate) const SCALED: [&str; 4] = ["load", "payload", "time", "distance"];
@@ -48,18 +50,19 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
     }
     let Some(prefix) = prefix(text, matches.try_get_one::<String>("axis").ok().flatten()) else { return Ok(None) };
     let (mut changed, mut faults) = (Changed { text: text.to_owned(), made: Vec::new() }, Vec::new());
-    // Only a new project has an example.
-    let is_new = matches.try_get_one::<bool>("example").ok().flatten().is_some();
-    let steps = sets.iter().map(|change| ("set", change)).chain(scales.iter().map(|change| ("scale", change)));
+    let of = |change: &String| change.split_once('=').map_or_else(String::new, |(key, _)| key.trim().to_owned());
+    let further: Vec<String> = sets.iter().map(of).collect();
+    // What fills the cycle follows from the moves.
+    let is_cycle = |change: &&String| motion::meaning(&of(change)) == Some(motion::Meaning::Cycle);
+    let ordered = sets.iter().filter(|change| !is_cycle(change)).chain(sets.iter().filter(is_cycle));
+    let steps = ordered.map(|change| ("set", change)).chain(scales.iter().map(|change| ("scale", change)));
     for (option, change) in steps {
+        let change = &*unquoted(change);
         let made = match option {
-            "set" => match stations(&changed.text, change, &prefix) {
-                Some(made) => Ok(made),
-                None => {
-                    let to_and_fro = is_new.then(|| moves_alike(&changed.text, change, &sets)).flatten();
-                    to_and_fro.map_or_else(|| set(&changed.text, change, &prefix, language), Ok)
-                }
-            },
+            "set" => stations(&changed.text, change, &prefix)
+                .map(Ok)
+                .or_else(|| motion::set(&changed.text, change, &prefix, &further, language))
+                .unwrap_or_else(|| set(&changed.text, change, &prefix, language)),
             _ => scale(&changed.text, change, &prefix, language),
         };
         match made {
@@ -71,6 +74,15 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
         }
     }
     if faults.is_empty() { Ok(Some(changed)) } else { Err(Unanswered::combined(faults)) }
+}
+
+/// Returns a change without the quotes around its value: those of a project file, also as word processors write them.
+fn unquoted(change: &str) -> Cow<'_, str> {
+    const PAIRS: [(char, char); 6] =
+        [('"', '"'), ('\'', '\''), ('\u{201c}', '\u{201d}'), ('\u{201e}', '\u{201c}'), ('\u{2018}', '\u{2019}'), ('\u{201d}', '\u{201d}')];
+    let Some((key, value)) = change.split_once('=') else { return Cow::Borrowed(change) };
+    let inside = |(open, close): &(char, char)| value.trim().strip_prefix(*open)?.strip_suffix(*close);
+    PAIRS.iter().find_map(inside).map_or(Cow::Borrowed(change), |value| Cow::Owned(format!("{key}={value}")))
 }
 
 impl Changed {
@@ -125,7 +137,11 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     let all = written(text).unwrap_or_default();
     let stated = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
     let key = keys::with_brackets(key);
-    let path = match key_at(key.strip_prefix(prefix).unwrap_or(&key)) {
+    if let Some(fault) = number_of_scaled(&all, (prefix, &key), value, language) {
+        return Err(fault);
+    }
+    let is_value = |key: &&project::Key| !keys::is_table(key.kind);
+    let path = match key_at(key.strip_prefix(prefix).unwrap_or(&key)).filter(is_value) {
         Some(_) if key.starts_with("axis[") || stated(&key).is_some() => key,
         Some(_) => format!("{prefix}{key}"),
         None => match &keys::named(&all, prefix, &key, value)[..] {
@@ -154,6 +170,9 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     // Without the prefix a key of a project with several axes belongs to none of them.
     if prefix.is_empty() && !path.starts_with("axis[") && all.iter().any(|each| each.path.starts_with("axis[1]")) {
         return Err((terminal::set_which_axis(&format!("axis[1].{path}"), language), None));
+    }
+    if let Some((path, count)) = keys::no_entry(&all, &path) {
+        return Err((sweeps::no_entry(&seen(&path), &count, language), None));
     }
     let before = stated(&path).unwrap_or("–").to_owned();
     let is_truth = key_at(&path).is_some_and(|key| matches!(key.kind, Kind::Bool));
@@ -196,51 +215,18 @@ fn stations(text: &str, change: &str, prefix: &str) -> Option<(String, String)> 
     (!made.is_empty()).then(|| (done, made.join("; ")))
 }
 
-/// Sets a value of a new project in all its moves, there and back, if they state the same amount; `pause=1s` sets the dwells.
-/// `None` if the change names one key, or the moves differ.
-fn moves_alike(text: &str, change: &str, sets: &[String]) -> Option<(String, String)> {
-    let (key, value) = change.split_once('=').map(|(key, value)| (key.trim(), value.trim()))?;
-    let all = written(text)?;
-    let stated = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
-    let is_dwell = |path: &str| {
-        let segment = path.rsplit_once('.').map(|(segment, _)| segment).filter(|segment| is_segment(segment));
-        segment.and_then(|segment| stated(&format!("{segment}.law"))) == Some("dwell")
-    };
-    let (name, of_dwells) = if words::spoken::is_pause(key) { ("time", true) } else { (key, false) };
-    let found = keys::named(&all, "", &keys::with_brackets(name), value);
-    let is_due =
-        |path: &&String| path.starts_with("motion[") && is_dwell(path) == of_dwells && keys::takes(path, value);
-    let due: Vec<&String> = found.iter().filter(is_due).collect();
-    let amount = |path: &str| stated(path).map(|value| value.trim_start_matches('-').to_owned());
-    let first = amount(due.first()?);
-    let is_alike = due.iter().all(|path| amount(path) == first);
-    if !is_alike || found.len() < 2 || value.starts_with('-') {
-        return None;
+/// Returns the refusal of a bare number for all that a factor scales, with both forms; `None` for anything else.
+fn number_of_scaled(all: &[Written], (prefix, key): (&str, &str), value: &str, language: Language) -> Option<Fault> {
+    let what = words::spoken::scaled(key)?;
+    let number = value.replace(',', ".");
+    let factor: f64 = number.parse().ok()?;
+    let units = with_units(all, (prefix, key), value);
+    let mut calls: Vec<String> =
+        units.iter().map(|(path, value)| typed(["--set", &format!("{path}={value}")])).collect();
+    if FACTORS.contains(&factor) {
+        calls.push(typed(["--scale", &format!("{what}={number}")]));
     }
-    let (mut done, mut made) = (text.to_owned(), Vec::new());
-    for path in due {
-        let before = stated(path).unwrap_or("–");
-        let sign = if before.starts_with('-') { "-" } else { "" };
-        let value = format!("{sign}{}", with_point(path, value));
-        done = edit(&done, path, Edit::Value(&value)).ok()?;
-        made.push(format!("{path} {before} → {value}"));
-        // A move is stated by two of its values: the speed replaces the time of the template.
-        let time = path.rsplit_once('.').map(|(segment, _)| format!("{segment}.time")).unwrap_or_default();
-        let has_time = sets.iter().any(|set| set.split_once('=').is_some_and(|(key, _)| is_time(key.trim())));
-        let (Some(before), true) = (stated(&time), OF_SPEED.contains(&name) && !has_time) else { continue };
-        done = edit(&done, &time, Edit::Value("")).ok()?;
-        made.push(format!("{time} {before} → –"));
-    }
-    Some((done, made.join("; ")))
-}
-
-/// Keys of a move that a new project states in place of its time.
-const OF_SPEED: [&str; 2] = ["speed", "acceleration"];
-
-/// Returns `true` if a key is that of a time, by any of its names.
-fn is_time(key: &str) -> bool {
-    let last = key.rsplit('.').next().unwrap_or_default().to_lowercase();
-    last == "time" || other_names(&last).contains(&"time")
+    Some((terminal::set_unit(&seen(key), language), Some(usage_hint(&UsageHint::Calls(calls), language))))
 }
 
 /// Returns the keys that the end of a path names, each with the number and the unit that it lacks: that of the stated value, else
@@ -253,7 +239,7 @@ pub(crate) fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &s
     let mut found: Vec<(String, String)> = Vec::new();
     for unit in keys::UNITS {
         let value = format!("{number} {unit}");
-        let paths = if key_at(key).is_some() { vec![key.to_owned()] } else { keys::named(all, prefix, key, &value) };
+        let paths = if key_at(key).is_some_and(|key| !keys::is_table(key.kind)) { vec![key.to_owned()] } else { keys::named(all, prefix, key, &value) };
         let lacking = paths.into_iter().filter(|path| keys::is_quantity(path, &value));
         found.extend(lacking.map(|path| (path, value.clone())));
     }
@@ -271,15 +257,43 @@ pub(crate) fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &s
     found
 }
 
-/// Percentage without a sign from which it is a share, below an increase.
-const SHARE_LEAST: f64 = 50.0;
+/// Factors that a bare number plainly states for the whole load.
+pub(crate) const LOAD_FACTORS: RangeInclusive<f64> = 0.5..=2.0;
 
-/// Returns the factor that a percentage states: `+15%` and `15%` are 1.15, `80%` is 0.8.
+/// Factors that are proposed for a bare number.
+const FACTORS: RangeInclusive<f64> = 0.05..=20.0;
+
+/// Percentages without a sign that state a share of the stated value: a smaller one may also be meant as an increase.
+const SHARES: RangeInclusive<f64> = 50.0..=200.0;
+
+/// Returns the factor that a percentage states: `+15%` is 1.15, `-20%` is 0.8, `80%` is 0.8; `None` for a share that may be meant
+/// as an increase.
 pub(crate) fn share(text: &str) -> Option<f64> {
     let number = text.strip_suffix('%')?.trim();
     let percent: f64 = number.replace(',', ".").parse().ok()?;
-    let is_change = number.starts_with(['+', '-']) || percent < SHARE_LEAST;
-    Some(if is_change { 100.0 + percent } else { percent } / 100.0)
+    match number.starts_with(['+', '-']) {
+        true => Some((100.0 + percent) / 100.0),
+        false => SHARES.contains(&percent).then_some(percent / 100.0),
+    }
+}
+
+/// Returns the factors that a statement may mean and that none of its forms decides: `15%`, `+0.15`.
+fn undecided_factors(text: &str) -> Vec<String> {
+    let number = text.strip_suffix('%').map(str::trim);
+    let (plain, is_percent) = (number.unwrap_or(text), number.is_some());
+    let Ok(value) = plain.replace(',', ".").parse::<f64>() else { return Vec::new() };
+    let trimmed = |number: f64| {
+        let text = format!("{number:.6}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
+    let is_signed = plain.starts_with(['+', '-']);
+    match (is_percent, is_signed) {
+        (true, false) => vec![format!("+{}%", trimmed(value)), trimmed(value / 100.0)],
+        // Of one the sign adds a share, of many a percentage.
+        (false, true) if value.abs() < 1.0 => vec![format!("{:+}%", 100.0 * value), trimmed(value.abs())],
+        (false, true) => vec![format!("{value:+}%"), trimmed(value.abs())],
+        _ => Vec::new(),
+    }
 }
 
 /// Returns the factor that a word states as a percentage or with a sign of multiplication.
@@ -299,7 +313,15 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         let words: Vec<String> = SCALED.iter().map(|word| (*word).to_owned()).collect();
         return Err(bad(change, "scale", UsageHint::Words(project::Hint::ValidAre(words)), language));
     }
-    let number = share(factor).or_else(|| factor.replace(',', ".").parse().ok());
+    let is_signed = factor.starts_with(['+', '-']);
+    let plain = || factor.replace(',', ".").parse().ok().filter(|_| !is_signed);
+    let number = share(factor).or_else(|| self::factor(factor)).or_else(plain);
+    let undecided = undecided_factors(factor);
+    if number.is_none() && !undecided.is_empty() {
+        let calls = undecided.iter().map(|factor| typed(["--scale", &format!("{what}={factor}")])).collect();
+        let message = terminal::factor_undecided(&seen(factor), language);
+        return Err((message, Some(usage_hint(&UsageHint::Calls(calls), language))));
+    }
     let number = number.filter(|number: &f64| (1e-3..=1e3).contains(number));
     let Some(number) = number else {
         return Err(bad(change, "scale", UsageHint::Range("0.001".to_owned(), "1000".to_owned()), language));

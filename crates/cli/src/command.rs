@@ -9,11 +9,14 @@ use std::ffi::OsString;
 use words::help::values;
 use words::{Usage, Word, help, usage_text};
 
+pub(crate) use folder::text_of_kind;
+
 const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod argument;
 pub(crate) mod begun;
+mod completed;
 mod example;
 mod folder;
 pub(crate) mod library;
@@ -44,6 +47,16 @@ pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language
         }
     }
     wanted.and_then(|wanted| words::spoken::language_of(&wanted)).unwrap_or_default()
+}
+
+/// Returns `true` if a call states its language, or the variable `ANTRIEB_LANG` does.
+pub(crate) fn states_language(arguments: &[OsString]) -> bool {
+    let is_option = |argument: &OsString| {
+        argument.to_str().is_some_and(|text| {
+            text == "--lang" || text.starts_with("--lang=") || words::spoken::language_of(text).is_some()
+        })
+    };
+    std::env::var_os(LANG_VARIABLE).is_some() || arguments.iter().any(is_option)
 }
 
 /// Returns `true` if JSON is requested, even if the rest of the call is faulty.

@@ -63,7 +63,11 @@ pub use waiting::{deadline_of, rows_line};
 #[must_use]
 pub fn run(call: Vec<OsString>) -> u8 {
     disk::refuse_large_files();
-    let arguments = command::with_help_asked(call.into_iter());
+    let is_german = command::spoken::is_german(&call);
+    let mut arguments = command::with_help_asked(call.into_iter());
+    if is_german && !command::states_language(&arguments) {
+        arguments.insert(1, "--lang=de".into());
+    }
     let mut language = command::language_of(arguments.iter().cloned());
     let (arguments, is_begun) = command::begun::with_command(arguments, language);
     let as_json = command::json_of(&arguments);

@@ -1,10 +1,13 @@
 //! A file that a question is about, with the files that it may name.
 
 use crate::changed::changed;
+use crate::changed::keys::is_measured;
+use crate::command::text_of_kind;
 use crate::fault::{path_text, read_bytes};
 use axis::{Grant, Reach};
 use clap::ArgMatches;
 use disk::{Links, ProjectFiles};
+use project::{Written, key_at, written};
 use quantities::Language;
 use questions::list::{Reads, ReferencedText, Unanswered};
 use std::borrow::Cow;
@@ -18,6 +21,8 @@ pub struct SourceFile {
     name: String,
     bytes: Vec<u8>,
     project_files: ProjectFiles,
+    /// Text of a new project, if the file is none but the kind of one.
+    template: Option<String>,
 }
 
 impl SourceFile {
@@ -28,6 +33,11 @@ impl SourceFile {
     pub fn read(path: &Path, reads: Reads, memory: u64, language: Language) -> Result<Self, Unanswered> {
         let piped = path.as_os_str() == "-";
         let name = if piped { "stdin".to_owned() } else { path_text(path) };
+        let of_kind = || path.to_str().and_then(|word| text_of_kind(word, language));
+        if let Some(text) = (reads == Reads::Project).then(of_kind).flatten() {
+            let file = Self::of_text(name, text.clone().into_bytes(), Path::new(""), memory);
+            return Ok(Self { path: path.to_owned(), template: Some(text), ..file });
+        }
         let bytes = read_bytes(path, reads.bytes_most()).map_err(|error| Unanswered::File {
             name: name.clone(),
             message: file_trouble(&error, language),
@@ -56,7 +66,20 @@ impl SourceFile {
         // As in a shell, any path is accepted that the caller may read.
         let grant = Grant { memory, reach: Reach::Anywhere };
         let project_files = ProjectFiles { folder: folder.to_owned(), links: Links::Followed, grant };
-        Self { path: PathBuf::new(), name, bytes, project_files }
+        Self { path: PathBuf::new(), name, bytes, project_files, template: None }
+    }
+
+    /// Returns the values of a new project that the call does not state, each with its key; empty for a file.
+    pub(crate) fn unstated(&self) -> Option<Vec<String>> {
+        let template = written(self.template.as_deref()?)?;
+        let own = std::str::from_utf8(&self.bytes).ok().and_then(written)?;
+        let is_value = |path: &str| key_at(path).is_some_and(|key| is_measured(key.kind));
+        let of = |each: &Written| {
+            let value = each.value.as_deref().filter(|_| is_value(&each.path))?;
+            let is_kept = own.iter().any(|now| now.path == each.path && now.value.as_deref() == Some(value));
+            is_kept.then(|| format!("{} {value}", each.path))
+        };
+        Some(template.iter().filter_map(of).collect())
     }
 
     /// Returns its path; empty for a text.

@@ -12,6 +12,7 @@ use crate::call::Call;
 use crate::changed::prefix;
 use crate::command::own::VARY;
 use crate::fault::path_text;
+use crate::source::SourceFile;
 use parts::{PART, SweepParts};
 use quantities::{Language, format_number};
 use questions::list::{Inquiry, Unanswered, sweep};
@@ -46,12 +47,52 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     let path = PathBuf::from(args.table.clone().unwrap_or_default());
     let rows = match &stated[..] {
         [] => TableRows::File(&path),
-        _ => TableRows::Stated(vary::rows(text, args.axis.as_ref(), &stated, steps, language)?),
+        _ => {
+            let rows = vary::rows(text, args.axis.as_ref(), &stated, steps, language)?;
+            refuse_faulty_keys(call, inquiry, (text, &rows), args.axis.as_ref())?;
+            TableRows::Stated(rows)
+        }
     };
     match (&rows, call.path("out")) {
         (TableRows::Stated(rows), None) => shown::sweep(call, inquiry, rows),
         (_, Some(out)) => into_file(call, inquiry, (&args, out), Table { rows, language }),
         (TableRows::File(_), None) => Ok(CommandAnswer::none()),
+    }
+}
+
+/// Refuses values of keys of which no row can be evaluated, though the project alone can: the first and the last row are read.
+fn refuse_faulty_keys(
+    call: &Call<'_>,
+    inquiry: &Inquiry<'_>,
+    (text, rows): (&str, &str),
+    axis: Option<&String>,
+) -> Result<(), Unanswered> {
+    let Some(files) = call.project_files() else { return Ok(()) };
+    let prefix = prefix(text, axis).unwrap_or_default();
+    let mut lines = rows.lines();
+    let headings: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+    let values = |line: &str| -> Vec<(String, String)> {
+        let value = |(heading, cell): (&&str, &str)| match heading.split_once(" [") {
+            Some((path, unit)) => (format!("{prefix}{path}"), format!("{cell} {}", unit.trim_end_matches(']'))),
+            None => (format!("{prefix}{heading}"), cell.to_owned()),
+        };
+        headings.iter().zip(line.split(',')).map(value).filter(|(path, _)| project::key_at(path).is_some()).collect()
+    };
+    let read = |text: &str, name: String| {
+        let file = SourceFile::of_text(name, text.as_bytes().to_vec(), &files.folder, call.memory());
+        file.source().projects(inquiry.catalogue, inquiry.progress, call.language).map(|_| ())
+    };
+    let name = inquiry.source()?.name.clone();
+    let fault_of = |line: &str| {
+        let values = values(line);
+        let changed = project::edit_values(text, &values).ok()?;
+        let stated: Vec<String> = values.iter().map(|(path, value)| format!("{path} → {value}")).collect();
+        read(&changed, format!("{name} ({})", stated.join("; "))).err()
+    };
+    let (Some(first), Some(last)) = (lines.next(), lines.next_back()) else { return Ok(()) };
+    match (fault_of(first), fault_of(last)) {
+        (Some(_), Some(fault)) if read(text, name.clone()).is_ok() => Err(fault),
+        _ => Ok(()),
     }
 }
 

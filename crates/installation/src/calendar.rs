@@ -88,22 +88,28 @@ impl Interval {
     }
 }
 
-/// Parses a date such as `2026-03-01`.
+/// Parses a date: `2026-03-01`, `2026-3-1`, or day, month and year with points, `1.3.2026`. With slashes it is none, since their
+/// order differs between countries.
 ///
 /// # Errors
 /// [`DateFault`] if the text is no date, or a date outside [`YEARS`].
 pub fn read_date(text: &str) -> Result<NaiveDate, DateFault> {
     let text = text.trim();
     let no_date = || DateFault::NoDate { written: text.to_owned() };
-    let form = text.len() == 10
-        && text.bytes().enumerate().all(|(at, byte)| match at {
-            4 | 7 => byte == b'-',
-            _ => byte.is_ascii_digit(),
-        });
-    if !form {
+    let parts = |sign: char| -> Option<[&str; 3]> {
+        let parts: Vec<&str> = text.split(sign).collect();
+        let parts: [&str; 3] = parts.try_into().ok()?;
+        parts.iter().all(|part| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit())).then_some(parts)
+    };
+    let [year, month, day] = match (parts('-'), parts('.')) {
+        (Some(parts), _) => parts,
+        (None, Some([day, month, year])) => [year, month, day],
+        (None, None) => return Err(no_date()),
+    };
+    if year.len() != 4 || month.len() > 2 || day.len() > 2 {
         return Err(no_date());
     }
-    let date = NaiveDate::parse_from_str(text, "%Y-%m-%d").map_err(|_| no_date())?;
+    let date = NaiveDate::parse_from_str(&format!("{year}-{month:0>2}-{day:0>2}"), "%Y-%m-%d").map_err(|_| no_date())?;
     if (YEARS.0..=YEARS.1).contains(&date.year()) { Ok(date) } else { Err(DateFault::OutOfRange { date }) }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::error::CodeErrors;
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
-use crate::grammar::Series;
+use crate::grammar::{FieldWords, Series};
 use crate::parse::Spans;
 use crate::scan::{ScannedText, scan};
 
@@ -61,9 +61,12 @@ pub struct Pattern {
     pub option_2: Slot<Option<Option2>>,
     /// Special design.
     pub special: Slot<bool>,
-    /// Words left by the wildcards within fields.
-    worn: Worn,
+    /// Words left by the wildcards within fields, for each assignment of the parts of the text to fields.
+    worn: [Option<Worn>; READINGS_MOST],
 }
+
+/// Largest number of assignments of parts to optional fields: two of four.
+const READINGS_MOST: usize = 6;
 
 /// Words of each field that a text with wildcards leaves, as bits in the order of the ordering tables; `None` for all.
 type Worn = [Option<u64>; Field::ALL.len()];
@@ -99,42 +102,22 @@ impl Pattern {
         let series = Series::of_text(text);
         let capitals = text.trim().to_ascii_uppercase().replace('…', "*").replace("...", "*");
         let parts: Vec<&str> = capitals.split('-').map(str::trim).collect();
+        let mut readings: Vec<Worn> = Vec::new();
+        read_worn(&parts, series.words_of_fields(), is_begun, Worn::default(), &mut readings);
         let mut pattern = Self::default();
-        let mut fields = series.words_of_fields().iter();
-        for (place, part) in parts.iter().enumerate() {
-            let begun = if is_begun && place + 1 == parts.len() { format!("{part}*") } else { (*part).to_owned() };
-            if part.is_empty() {
-                // A hyphen at the end begins the next field.
-                return (is_begun && place + 1 == parts.len()).then_some(pattern);
-            }
-            loop {
-                let known = fields.next()?;
-                if *part == "*" {
-                    break;
-                }
-                let bits = (0..).zip(known.words).filter(|(_, word)| is_like(word.as_bytes(), begun.as_bytes()));
-                let mask = bits.fold(0_u64, |mask, (bit, _)| mask | 1 << bit);
-                if mask != 0 {
-                    let slot = Field::ALL.iter().position(|field| *field == known.field)?;
-                    *pattern.worn.get_mut(slot)? = Some(mask);
-                    break;
-                }
-                if !known.is_optional {
-                    return None;
-                }
-            }
+        if readings.is_empty() || readings.len() > READINGS_MOST {
+            return None;
+        }
+        for (slot, reading) in pattern.worn.iter_mut().zip(readings) {
+            *slot = Some(reading);
         }
         Some(pattern)
     }
 
     /// Returns `true` if the words left by wildcards allow `code`.
     fn is_worn_like(&self, code: &OrderCode) -> bool {
-        let fields = Field::ALL.iter().zip(&self.worn).filter_map(|(field, mask)| Some((*field, (*mask)?)));
-        fields.into_iter().all(|(field, mask)| {
-            let words = code.series().words(field);
-            let place = code.token(field).and_then(|token| words.iter().position(|word| *word == token));
-            place.is_some_and(|place| mask >> place & 1 == 1)
-        })
+        let mut readings = self.worn.iter().flatten().peekable();
+        readings.peek().is_none() || readings.any(|worn| is_read_as(code, worn))
     }
 
     /// Creates a pattern from the words of some fields; fields for which `word` returns `None` stay open.
@@ -152,7 +135,7 @@ impl Pattern {
             option_1: word(Field::Option1).map_or(Slot::Any, |word| Slot::Exactly(Option1::of(series, word))),
             option_2: word(Field::Option2).map_or(Slot::Any, |word| Slot::Exactly(Option2::of(series, word))),
             special: word(Field::Special).map_or(Slot::Any, |_| Slot::Exactly(true)),
-            worn: Worn::default(),
+            worn: [None; READINGS_MOST],
         }
     }
 
@@ -169,6 +152,50 @@ impl Pattern {
             && self.option_2.allows(&code.option_2)
             && self.special.allows(&code.special)
             && self.is_worn_like(code)
+    }
+}
+
+/// Returns `true` if the words left by one reading of a text allow `code`.
+fn is_read_as(code: &OrderCode, worn: &Worn) -> bool {
+    let fields = Field::ALL.iter().zip(worn).filter_map(|(field, mask)| Some((*field, (*mask)?)));
+    fields.into_iter().all(|(field, mask)| {
+        let words = code.series().words(field);
+        let place = code.token(field).and_then(|token| words.iter().position(|word| *word == token));
+        place.is_some_and(|place| mask >> place & 1 == 1)
+    })
+}
+
+/// Adds every assignment of parts with wildcards to the fields that may follow: an optional field may be skipped.
+fn read_worn(parts: &[&str], fields: &[FieldWords], is_begun: bool, worn: Worn, readings: &mut Vec<Worn>) {
+    let Some((part, further)) = parts.split_first() else {
+        readings.push(worn);
+        return;
+    };
+    if part.is_empty() {
+        // A hyphen at the end begins the next field.
+        if is_begun && further.is_empty() {
+            readings.push(worn);
+        }
+        return;
+    }
+    let Some((known, behind)) = fields.split_first() else { return };
+    if *part == "*" {
+        read_worn(further, behind, is_begun, worn, readings);
+        return;
+    }
+    let begun = if is_begun && further.is_empty() { format!("{part}*") } else { (*part).to_owned() };
+    let bits = (0..).zip(known.words).filter(|(_, word)| is_like(word.as_bytes(), begun.as_bytes()));
+    let mask = bits.fold(0_u64, |mask, (bit, _)| mask | 1 << bit);
+    let slot = Field::ALL.iter().position(|field| *field == known.field);
+    if let (Some(slot), true) = (slot, mask != 0) {
+        let mut worn = worn;
+        if let Some(place) = worn.get_mut(slot) {
+            *place = Some(mask);
+        }
+        read_worn(further, behind, is_begun, worn, readings);
+    }
+    if known.is_optional {
+        read_worn(parts, behind, is_begun, worn, readings);
     }
 }
 

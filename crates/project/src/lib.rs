@@ -11,6 +11,7 @@ mod catalogue_file;
 /// Choices of the file, each with its word.
 pub mod choices;
 mod curves;
+mod cycle;
 mod diagnostic;
 mod edit;
 mod encoding;
@@ -96,6 +97,7 @@ pub mod sections {
 pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use catalogue_file::{CATALOGUE_KEYS, CATALOGUE_MAX_BYTES, ReadCatalogue, read_catalogue};
+pub use cycle::{FilledCycle, Unfilled, cycle_filled};
 pub use diagnostic::{Diagnostic, offset, place};
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, edit_values, key_at, measured_key_at, written};
 pub use encoding::decoded;

@@ -6,7 +6,7 @@ use crate::read::{WORD_SHOWN, shortened};
 use quantities::Dimension;
 
 /// Other names of keys: those of other programs, and German ones, each with the keys that it may name, the usual one first.
-const OTHER_NAMES: [(&str, &[&str]); 54] = [
+const OTHER_NAMES: [(&str, &[&str]); 60] = [
     ("angle", &["distance"]),
     ("stroke", &["distance"]),
     ("travel", &["distance"]),
@@ -27,6 +27,12 @@ const OTHER_NAMES: [(&str, &[&str]); 54] = [
     ("masse", &["mass"]),
     ("gewicht", &["mass"]),
     ("last", &["mass", "payload", "inertia"]),
+    ("load", &["mass", "payload", "inertia"]),
+    ("moving_mass", &["mass"]),
+    ("vel", &["speed"]),
+    ("rpm", &["speed"]),
+    ("accel", &["acceleration"]),
+    ("cycle_time", &["cycle"]),
     ("nutzlast", &["payload"]),
     ("zuladung", &["payload"]),
     ("voltage", &["supply"]),

@@ -14,7 +14,7 @@ const DIGITS: i32 = 6;
 
 /// Digits of a value scaled by a computed factor, and of one that decides the distance: a limit that the factor just keeps
 /// is kept, and a cycle stays closed.
-const EXACT_DIGITS: i32 = 12;
+pub(crate) const EXACT_DIGITS: i32 = 12;
 
 /// Returns the text with a segment scaled by `time` in its duration and by `way` in its distance.
 ///
@@ -180,7 +180,7 @@ fn scaled(stated: &str, factor: f64, digits: i32) -> Option<String> {
 }
 
 /// Writes a number with some digits, without trailing zeros.
-fn shown(number: f64, digits: i32) -> Option<String> {
+pub(crate) fn shown(number: f64, digits: i32) -> Option<String> {
     if !number.is_finite() {
         return None;
     }

@@ -54,7 +54,8 @@ const PROPOSALS: usize = 3;
 /// # Errors
 /// Every fault, each with its place in the text, and the nearest valid codes.
 pub fn read_code(text: &str, language: Language) -> Result<CodeReading, CodeRefusal> {
-    let parsed = order_code::parse(text).map_err(|errors| CodeRefusal {
+    let parsed = order_code::parse(text).or_else(|errors| with_hyphens(text).map_or(Err(errors), |text| order_code::parse(&text)));
+    let parsed = parsed.map_err(|errors| CodeRefusal {
         faults: spelling_faults(&errors, language),
         nearest: configurator::nearest(text, PROPOSALS),
     })?;
@@ -65,6 +66,17 @@ pub fn read_code(text: &str, language: Language) -> Result<CodeReading, CodeRefu
             Err(rules_broken(text, &broken, &parsed.spans, language))
         }
     }
+}
+
+/// Returns a code whose fields are joined by underscores with hyphens in their place; `None` for one with hyphens.
+fn with_hyphens(text: &str) -> Option<String> {
+    (text.contains('_') && !text.contains('-')).then(|| text.replace('_', "-"))
+}
+
+/// Returns a code with `?` for each sign by which people mark a letter that they cannot read; no ordering code has an X.
+fn with_wildcards(text: &str) -> String {
+    let is_unreadable = |sign: char| matches!(sign, 'x' | 'X' | '_' | '#') || sign == '.' && !text.contains("...");
+    text.chars().map(|sign| if is_unreadable(sign) { '?' } else { sign }).collect()
 }
 
 /// Length limit in bytes of a text with wildcards.
@@ -83,11 +95,14 @@ pub fn read_pattern(text: &str, language: Language) -> Result<Pattern, CodeRefus
 /// # Errors
 /// As [`read_pattern`].
 pub(crate) fn read_pattern_begun(text: &str, is_begun: bool, language: Language) -> Result<Pattern, CodeRefusal> {
+    let own = with_hyphens(text);
+    let text = own.as_deref().unwrap_or(text);
     let found = Pattern::parse_with_spans(text);
     // Letters that cannot be read: every code that could be meant.
-    let is_worn = text.contains(['*', '?', '…']) || text.contains("...");
+    let unreadable = with_wildcards(text);
+    let is_worn = unreadable.contains(['*', '?', '…']) || text.contains("...");
     let worn = (found.is_err() && text.len() <= WORN_MOST && (is_worn || is_begun))
-        .then(|| Pattern::parse_worn(text, is_begun))
+        .then(|| Pattern::parse_worn(&unreadable, is_begun))
         .flatten();
     if let Some(worn) = worn.filter(|worn| configurator::complete(worn).next().is_some()) {
         return Ok(worn);

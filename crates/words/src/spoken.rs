@@ -57,6 +57,7 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("nachweise", "check"),
     ("neu", "new"),
     ("parameter", "commission"),
+    ("pdf", "report"),
     ("pinbelegung", "wiring"),
     ("pinout", "wiring"),
     ("pins", "wiring"),
@@ -96,6 +97,21 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("zeichnen", "plot"),
 ];
 
+/// Words of [`COMMANDS`] that are not German, or are words of both languages.
+const NOT_GERMAN: &[&str] = &[
+    "calc", "calculate", "catalog", "chart", "create", "datasheet", "definition", "draw", "encode", "excel",
+    "graph", "gui", "inertias", "init", "licenses", "maintenance", "motion", "parameter", "pdf", "pinout",
+    "pins", "run", "select", "server", "sim", "simulation", "sizing", "spec", "specs", "template",
+    "term", "torsional-stiffness", "validate", "verify", "web", "why",
+];
+
+/// Returns `true` if a word names a command in German only.
+#[must_use]
+pub fn is_german_command(word: &str) -> bool {
+    let word = word.to_lowercase();
+    COMMANDS.iter().any(|(other, _)| *other == word) && !NOT_GERMAN.contains(&&*word)
+}
+
 /// Other words for options, each with those that it may stand for; the first that the command has is meant.
 pub const OPTIONS: &[(&str, &[&str])] = &[
     ("actuator", &["code"]),
@@ -104,7 +120,6 @@ pub const OPTIONS: &[(&str, &[&str])] = &[
     ("duration", &["hours-per-day"]),
     ("factor", &["scale"]),
     ("limit", &["top", "deadline"]),
-    ("load", &["scale"]),
     ("max-time", &["deadline"]),
     ("multiply", &["scale"]),
     ("n", &["top"]),
@@ -170,21 +185,58 @@ pub const TWIN_OPTIONS: &[(&str, &[&str])] = &[
 #[rustfmt::skip] // one line per kind
 pub const KINDS: &[(&str, &[&str])] = &[
     ("load", &["inertia", "flywheel", "direct", "direct drive", "last", "direktantrieb", "schwungmasse", "schwungrad"]),
-    ("turntable", &["disc", "disk", "rotary table", "round table", "drum", "indexing table", "index table", "scheibe", "drehtisch", "rundtisch", "rundschalttisch", "schalttisch", "trommel"]),
-    ("arm", &["lever", "pendulum", "swing arm", "tilting arm", "hebel", "pendel", "schwenkarm", "kipparm", "schwenkachse"]),
-    ("screw", &["ball screw", "spindle", "lead screw", "z axis", "vertical axis", "gewindetrieb", "kugelgewindetrieb", "kugelumlaufspindel", "schraube", "spindel", "gewindespindel", "spindelachse", "hubachse", "z achse"]),
-    ("belt", &["toothed belt", "timing belt", "rack", "rack and pinion", "gantry", "linear axis", "x axis", "zahnriemen", "riemen", "riemenachse", "zahnstange", "portal", "linearachse", "x achse"]),
-    ("conveyor", &["roller", "conveyor belt", "förderer", "förderband", "bandförderer", "rollenförderer", "walze"]),
+    ("turntable", &["disc", "disk", "rotary table", "round table", "drum", "indexing table", "index table", "turning table", "rotating table", "dial", "dial plate", "wheel", "rad", "teller", "scheibe", "drehtisch", "rundtisch", "rundschalttisch", "schalttisch", "trommel"]),
+    ("arm", &["lever", "pendulum", "swing arm", "tilting arm", "tilt", "tilter", "swivel", "hebel", "pendel", "schwenkarm", "kipparm", "schwenkachse", "schwenkeinheit", "schwenker"]),
+    ("screw", &["ball screw", "spindle", "lead screw", "z axis", "vertical axis", "gewindetrieb", "kugelgewinde", "kugelgewindetrieb", "kugelumlaufspindel", "schraube", "spindel", "gewindespindel", "spindelachse", "hubachse", "z achse"]),
+    ("belt", &["toothed belt", "timing belt", "rack", "rack and pinion", "gantry", "linear axis", "linear", "slide", "carriage", "x axis", "y axis", "zahnriemen", "riemen", "riemenachse", "zahnstange", "portal", "linearachse", "schlitten", "wagen", "x achse", "y achse"]),
+    ("conveyor", &["roller", "conveyor belt", "roller conveyor", "förderer", "förderband", "bandförderer", "rollenförderer", "transportband", "walze"]),
     ("slider_crank", &["crank", "press", "kurbel", "presse", "kurbelpresse", "schubkurbel"]),
     ("hoist", &["lift", "winch", "crane", "hubwerk", "winde", "kran", "aufzug"]),
     ("winder", &["roll", "unwinder", "rewinder", "reel", "wickler", "abwickler", "haspel", "rolle"]),
     ("scissor_lift", &["lifting table", "scissor", "hubtisch", "scherenhubtisch"]),
     ("four_bar", &["linkage", "four bar linkage", "gelenkviereck", "koppelgetriebe", "viergelenk"]),
-    ("joint", &["robot", "robot joint", "roboter", "gelenk", "robotergelenk"]),
+    ("joint", &["robot", "robot joint", "robot axis", "delta", "delta robot", "scara", "roboter", "gelenk", "robotergelenk"]),
     ("recording", &["trace", "log", "csv", "aufzeichnung", "messung", "messdaten"]),
     ("catalogue", &["catalog", "stock list", "data sheet", "katalog", "lagerliste", "datenblatt"]),
     ("sweep", &["grid", "variation", "raster"]),
 ];
+
+/// Drives and interfaces by their names, each with the form of its values.
+pub const DRIVES: &[(&str, &[&str])] = &[
+    ("sinamics", &["siemens", "s120", "s210", "sinamics s120", "sinamics s210", "starter", "startdrive", "tia"]),
+    ("cia402", &["cia 402", "ds402", "dsp402", "canopen", "ethercat", "coe", "cia"]),
+    ("plain", &["text", "neutral", "list", "liste", "other", "allgemein"]),
+];
+
+/// Options without a value that state a key of the project.
+const FLAGS: &[(&str, (&str, &str))] = &[
+    ("horizontal", ("inclination", "0deg")),
+    ("senkrecht", ("inclination", "90deg")),
+    ("upright", ("inclination", "90deg")),
+    ("vertical", ("inclination", "90deg")),
+    ("vertikal", ("inclination", "90deg")),
+    ("waagerecht", ("inclination", "0deg")),
+    ("waagrecht", ("inclination", "0deg")),
+];
+
+/// Returns the key of a project that an option without a value states, and its value.
+#[must_use]
+pub fn flag(word: &str) -> Option<(&'static str, &'static str)> {
+    let word = word.to_lowercase();
+    FLAGS.iter().find(|(name, _)| *name == word).map(|(_, meant)| *meant)
+}
+
+/// Words for the duration of a run.
+#[must_use]
+pub fn is_duration(word: &str) -> bool {
+    ["duration", "time", "runtime", "for", "dauer", "zeit", "laufzeit"].contains(&&*word.to_lowercase())
+}
+
+/// Words for the day of the call.
+#[must_use]
+pub fn is_today(word: &str) -> bool {
+    ["today", "now", "heute", "jetzt"].contains(&&*word.to_lowercase())
+}
 
 /// Other words for values of options, each with the value.
 const VALUES: &[(&str, &str)] = &[
@@ -210,17 +262,28 @@ pub fn value(word: &str) -> Option<&'static str> {
 
 /// Words of bodies by which people name shapes and dimensions, each with that of the program.
 const BODY_WORDS: &[(&str, &str)] = &[
+    ("außen", "outer"),
+    ("aussen", "outer"),
+    ("außendurchmesser", "outer"),
+    ("bohrung", "inner"),
+    ("bore", "inner"),
     ("breite", "b"),
     ("d", "diameter"),
     ("da", "outer"),
     ("di", "inner"),
     ("dia", "diameter"),
     ("dichte", "density"),
+    ("dicke", "thickness"),
     ("durchmesser", "diameter"),
+    ("flange", "tube"),
+    ("flansch", "tube"),
     ("h", "height"),
+    ("hole", "inner"),
     ("hohlzylinder", "tube"),
     ("höhe", "height"),
     ("id", "inner"),
+    ("innen", "inner"),
+    ("innendurchmesser", "inner"),
     ("kegel", "cone"),
     ("kugel", "sphere"),
     ("l", "length"),
@@ -231,13 +294,17 @@ const BODY_WORDS: &[(&str, &str)] = &[
     ("pipe", "tube"),
     ("punkt", "point"),
     ("punktmasse", "point"),
+    ("plate", "box"),
+    ("platte", "box"),
     ("quader", "box"),
     ("rho", "density"),
+    ("ring", "tube"),
     ("rohr", "tube"),
     ("scheibe", "disc"),
     ("shaft", "cylinder"),
     ("stab", "rod"),
-    ("t", "length"),
+    ("t", "thickness"),
+    ("thick", "thickness"),
     ("vollzylinder", "cylinder"),
     ("welle", "cylinder"),
     ("zylinder", "cylinder"),

@@ -113,6 +113,15 @@ texts! {
     vary_form_hint =
         "write payload=0,5,10kg or time=1..3s, `time=1..8 s log` for equal ratios"
         | "payload=0;5;10kg oder time=1..3s schreiben, `time=1..8 s log` für gleiche Verhältnisse";
+    no_entry(path, count) =
+        "`{path}`: the project has no such entry, its list has {count}"
+        | "`{path}`: diesen Eintrag hat das Projekt nicht, die Liste hat {count}";
+    vary_no_cycle(key) =
+        "`{key}`: no dwell of the project states the cycle"
+        | "„{key}“: keine Rast des Projekts nennt den Zyklus";
+    vary_replaces(key) =
+        "`{key}` is not stated by the moves: it replaces another of their values first"
+        | "„{key}“ steht nicht in den Bewegungen: es ersetzt zuerst eine andere Angabe";
     vary_unit(key) = "`{key}`: the values have no unit" | "`{key}`: die Werte haben keine Einheit";
     vary_commas(written) =
         "\"{written}\" is ambiguous: commas separate values or are decimal signs"
@@ -189,10 +198,7 @@ pub(crate) fn fault(fault: &TabularFault, language: Language) -> String {
         TabularFault::ColumnTwice { path } => {
             said!(language => "two columns state the key `{path}`" | "zwei Spalten nennen den Schlüssel `{path}`")
         }
-        TabularFault::NoEntry { path, count } => said!(language =>
-            "`{path}`: the project has no such entry, its list has {count}"
-            | "`{path}`: diesen Eintrag hat das Projekt nicht, die Liste hat {count}"
-        ),
+        TabularFault::NoEntry { path, count } => no_entry(path, count, language),
         TabularFault::NoValue { path } => {
             said!(language => "`{path}`: the cell is empty" | "`{path}`: die Zelle ist leer")
         }

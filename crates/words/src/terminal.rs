@@ -150,6 +150,10 @@ texts! {
     values_set(values) = "set: {values}" | "gesetzt: {values}";
     call_understood(call) = "understood as: {call}" | "verstanden als: {call}";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
+    values_of_a_new_project(values) =
+        "not stated in the call, values of a new project: {values}"
+        | "im Aufruf nicht angegeben, Werte eines neuen Projekts: {values}";
+    new_project_as_a_file(call) = "as a file: {call}" | "als Datei: {call}";
     set_form = "the form is --set KEY=VALUE, such as --set mechanism.belt.mass=20kg" | "die Form ist --set SCHLÜSSEL=WERT, etwa --set mechanism.belt.mass=20kg";
     no_values_of_a_table =
         "a table of rows takes no --set; its columns are stated with --key"
@@ -157,6 +161,18 @@ texts! {
     set_which(key, one, other) = "{key} is ambiguous: {one} or {other}" | "{key} ist mehrdeutig: {one} oder {other}";
     set_which_axis(example) = "the project has several axes: --axis NAME, or {example}" | "das Projekt hat mehrere Achsen: --axis NAME, oder {example}";
     set_unit(key) = "`{key}`: the value has no unit" | "`{key}`: der Wert hat keine Einheit";
+    distances_differ(key) =
+        "`{key}`: the moves have different distances, which one value would make equal; a factor keeps their shares"
+        | "„{key}“: die Wege der Bewegungen sind verschieden, ein Wert würde sie gleich machen; ein Faktor erhält ihr Verhältnis";
+    two_of_a_move(names) =
+        "two of these determine a move, not three: {names}"
+        | "zwei dieser Angaben bestimmen eine Bewegung, nicht drei: {names}";
+    cycle_too_short(cycle, moves) =
+        "the moves alone take {moves}, the cycle is {cycle}"
+        | "die Bewegungen allein dauern {moves}, der Zyklus {cycle}";
+    factor_undecided(written) =
+        "\"{written}\" may be an increase or a share"
+        | "„{written}“ kann eine Zunahme oder ein Anteil sein";
     set_no_key(key) = "a project has no key \"{key}\"" | "ein Projekt hat keinen Schlüssel „{key}“";
     scale_not_possible(what) =
         "{what} cannot be scaled in this project: it has no such values, or states them as bodies or as a recording"
@@ -164,6 +180,13 @@ texts! {
     best_of_the_ranking(id) =
         "no actuator is stated (--code): the best of the ranking, {id}"
         | "kein Antrieb angegeben (--code): der beste der Rangfolge, {id}";
+    only_project(name) =
+        "no project is stated: the only one of this folder, {name}"
+        | "kein Projekt angegeben: das einzige dieses Ordners, {name}";
+    best_of_pattern(part, count, code) =
+        "{part} stands for {count} actuators of the ranking: the best of them, {code}"
+        | "{part} steht für {count} Antriebe der Rangfolge: der beste davon, {code}";
+    option_assumed(option) = "not stated, assumed: {option}" | "nicht angegeben, angenommen: {option}";
     compared_with_the_best(ids) =
         "compared with the best of the ranking: {ids}" | "verglichen mit den besten der Rangfolge: {ids}";
     no_own_actuator =

@@ -32,9 +32,58 @@ pub(crate) fn named(all: &[Written], prefix: &str, name: &str, value: &str) -> V
         "" => (*other).to_owned(),
         above => format!("{above}.{other}"),
     });
-    let found: Vec<String> = others.flat_map(|other| by_name(all, prefix, &other, value)).collect();
+    let others: Vec<String> = others.collect();
+    let of = |other: &String| by_name(all, prefix, other, value);
+    let is_fitting = |found: &Vec<String>| found.iter().any(|path| takes(path, value));
+    let usual = others.iter().map(of).find(is_fitting);
+    let found = usual.unwrap_or_else(|| others.iter().flat_map(of).collect());
     let fitting: Vec<String> = found.iter().filter(|path| takes(path, value)).cloned().collect();
-    if fitting.is_empty() { found } else { fitting }
+    match (found.is_empty(), fitting.is_empty()) {
+        // The key exists, the fault is that of its value.
+        (true, _) => permitted(all, prefix, name),
+        (false, true) => found,
+        (false, false) => fitting,
+    }
+}
+
+/// Returns the paths of the keys with a name, or with one that it stands for, that the tables of the project may have.
+fn permitted(all: &[Written], prefix: &str, name: &str) -> Vec<String> {
+    let other_names = other_names(&name.to_lowercase()).iter().copied();
+    let names = std::iter::once(name).chain(other_names);
+    let of = |name: &str| -> Vec<String> {
+        let tables = tables(all, prefix).into_iter().filter(|table| permits(all, table, name));
+        let paths = tables.map(|table| format!("{table}.{name}"));
+        paths.filter(|path| key_at(path).is_some_and(|key| !is_table(key.kind))).collect()
+    };
+    names.map(of).find(|found| !found.is_empty()).unwrap_or_default()
+}
+
+/// Returns `true` if a key is a table or a list of tables, and has no value of its own.
+pub(crate) fn is_table(kind: Kind) -> bool {
+    matches!(kind, Kind::Variants(_)) || !kind.keys(false).is_empty() || !kind.keys(true).is_empty()
+}
+
+/// Returns the first entry on a path that its list does not have, and the number of entries of the list.
+pub(crate) fn no_entry(all: &[Written], path: &str) -> Option<(String, usize)> {
+    let end = |place: usize| path.get(..=place);
+    path.match_indices(']').filter_map(|(place, _)| end(place)).find_map(|entry| {
+        let is_there = all.iter().any(|each| each.path == entry);
+        let (list, _) = entry.rsplit_once('[')?;
+        let is_entry = |each: &&Written| {
+            each.path.strip_prefix(list).is_some_and(|rest| rest.starts_with('[') && rest.ends_with(']') && rest.matches('[').count() == 1 && !rest.contains('.'))
+        };
+        (!is_there).then(|| (entry.to_owned(), all.iter().filter(is_entry).count()))
+    })
+}
+
+/// Returns the paths of the keys with exactly a name: those that the project states, else those that one of its tables may have.
+pub(super) fn named_exactly(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
+    by_name(all, prefix, name, value)
+}
+
+/// Returns `true` if the value of a key is a quantity.
+pub(crate) const fn is_measured(kind: Kind) -> bool {
+    matches!(kind, Kind::Quantity(..) | Kind::Along(..))
 }
 
 fn by_name(all: &[Written], prefix: &str, name: &str, value: &str) -> Vec<String> {
@@ -111,7 +160,7 @@ fn tables(all: &[Written], prefix: &str) -> Vec<String> {
 }
 
 /// Returns `true` if a table may have a key: a segment only those of its law.
-fn permits(all: &[Written], table: &str, name: &str) -> bool {
+pub(super) fn permits(all: &[Written], table: &str, name: &str) -> bool {
     let Some(Kind::Variants(variants)) = key_at(table).map(|key| key.kind) else { return true };
     let by = format!("{table}.{}", variants.by);
     let kind = all.iter().find(|each| each.path == by).and_then(|each| each.value.as_deref());

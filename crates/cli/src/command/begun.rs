@@ -41,6 +41,12 @@ pub(crate) fn with_command(mut arguments: Vec<OsString>, language: Language) -> 
     let words: Vec<&str> = arguments.iter().skip(place).map_while(|word| word.to_str()).collect();
     let Some((first, behind)) = words.split_first() else { return (arguments, false) };
     let (at, added) = match command_named(first) {
+        Some(command) if let Some(other) = other_command(command, behind, language) => {
+            if let Some(word) = arguments.get_mut(place) {
+                *word = other.into();
+            }
+            return (arguments, true);
+        }
         Some("code") => match behind.first() {
             Some(word) if !OF_CODE.contains(word) => (place + 1, of_code(behind, language)),
             _ => (place, None),
@@ -51,6 +57,22 @@ pub(crate) fn with_command(mut arguments: Vec<OsString>, language: Language) -> 
     let Some(added) = added else { return (arguments, false) };
     arguments.insert(at, added.into());
     (arguments, true)
+}
+
+/// Commands about a project, each with that about a code alone which is meant where the first word is one.
+const OF_CODES: [(&str, &str); 2] = [("plot", "curve"), ("export", "data")];
+
+/// Returns the command that the words behind another one require: an actuator is checked, a code alone has a curve.
+fn other_command(command: &str, behind: &[&str], language: Language) -> Option<&'static str> {
+    let is_code = |word: &&&str| seems_code(word) && questions::list::code_list::read_pattern(word, language).is_ok();
+    let bare = || behind.iter().take_while(|word| !word.starts_with('-'));
+    let has_code = bare().any(|word| is_code(&word));
+    let has_project = behind.iter().any(|word| has_ending(word, &[".toml"]) || *word == "-");
+    match (has_code, has_project) {
+        (true, true) if command == "size" => Some("check"),
+        (true, false) => OF_CODES.iter().find(|(of, _)| *of == command).map(|(_, other)| *other),
+        _ => None,
+    }
 }
 
 /// Returns the command for words that begin a call.
@@ -69,12 +91,13 @@ fn of_first(words: &[&str], language: Language) -> Option<&'static str> {
 fn of_code(words: &[&str], language: Language) -> Option<&'static str> {
     let bare: Vec<&str> = words.iter().copied().take_while(|word| !word.starts_with('-')).collect();
     let first = bare.first()?;
-    if first.contains(['?', '*', '…']) {
+    let series = first.to_uppercase().starts_with("CHA");
+    let is_whole = || questions::read_code(first, language).is_ok();
+    if first.contains(['?', '*', '…']) || series && first.contains(['#', '_', '.', 'x', 'X']) && !is_whole() {
         return Some("list");
     }
     let is_whole =
         questions::read_code(&bare.join(" "), language).is_ok() || questions::read_code(first, language).is_ok();
-    let series = first.to_uppercase().starts_with("CHA");
     match is_whole {
         true => Some("parse"),
         false => series.then_some("complete"),

@@ -1,10 +1,12 @@
 //! Projects and recordings of a folder, which a call may mean.
 
 use crate::source::SourceFile;
+use order_code::Pattern;
 use project::{PROJECT_MAX_BYTES, written};
 use quantities::Language;
 use questions::embedded_catalogue;
-use questions::list::Reads;
+use super::begun::kind;
+use questions::list::{Reads, new};
 use std::path::{Path, PathBuf};
 
 /// Extensions of recordings.
@@ -19,8 +21,11 @@ pub(super) fn has_ending(word: &str, endings: &[&str]) -> bool {
     endings.iter().any(|ending| word.len() > ending.len() && word.ends_with(ending))
 }
 
-/// Reads the text of a project file of limited size.
+/// Reads the text of a project file of limited size, or that of a new project of the kind that stands in place of a file.
 pub(super) fn text_of(path: &Path) -> Option<String> {
+    if let Some(text) = path.to_str().and_then(|word| text_of_kind(word, Language::default())) {
+        return Some(text);
+    }
     let bytes = disk::read_within(std::fs::File::open(path).ok()?, PROJECT_MAX_BYTES).ok()?;
     String::from_utf8(bytes).ok()
 }
@@ -53,6 +58,27 @@ pub(super) fn projects_in(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
+/// Returns the kind of project that a word names in place of a file; `None` if there is such a file, or a project or an axis of
+/// this name in the folder.
+pub(crate) fn kind_in_place_of_a_file(word: &str) -> Option<String> {
+    const NO_AXES: [&str; 3] = ["sweep", "catalogue", "recording"];
+    if has_ending(word, &[".toml"]) || has_ending(word, &RECORDINGS) {
+        return None;
+    }
+    let (kind, _) = kind(&[word]).filter(|(kind, _)| !NO_AXES.contains(&kind.as_str()))?;
+    let is_meant = |path: &PathBuf| {
+        path.file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case(word)) || axes_of(path).iter().any(|name| name == word)
+    };
+    (!Path::new(word).exists() && !projects_in(Path::new("")).iter().any(is_meant)).then_some(kind)
+}
+
+/// Returns the text of a new project of the kind that a word names in place of a file.
+pub(crate) fn text_of_kind(word: &str, language: Language) -> Option<String> {
+    let kind = kind_in_place_of_a_file(word)?;
+    let template = new::template(&kind, new::USUAL_NAME, language)?;
+    template.recording.is_none().then_some(template.text)
+}
+
 /// Returns `true` if a file is a project: it states the motion of an axis.
 pub(super) fn is_project(path: &Path) -> bool {
     let all = text_of(path).and_then(|text| written(&text)).unwrap_or_default();
@@ -61,18 +87,35 @@ pub(super) fn is_project(path: &Path) -> bool {
 
 /// Returns the code of the best actuator of the first project among some words; `None` if there is no answer.
 pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<String> {
-    let path = words.iter().find(|word| has_ending(word, &[".toml"]))?;
+    let is_kind = |word: &str| kind_in_place_of_a_file(word).is_some();
+    let path = words.iter().find(|word| has_ending(word, &[".toml"]) || is_kind(word))?;
     best_codes(path, 1, language).into_iter().next()
+}
+
+/// Returns the best of the actuators that a part of a code allows, for a project with one axis, and their number; `None` if there
+/// is none.
+pub(super) fn best_of_pattern(path: &str, pattern: &Pattern, language: Language) -> Option<(String, usize)> {
+    of_sizing(path, language, |sizing| {
+        let is_it = |id: &&String| questions::read_code(id, language).is_ok_and(|read| pattern.matches(&read.parsed.code));
+        let ids: Vec<String> = sizing.candidates.iter().map(|candidate| candidate.id.to_string()).collect();
+        let found: Vec<&String> = ids.iter().filter(is_it).collect();
+        found.first().map(|code| ((*code).clone(), found.len()))
+    })
+    .flatten()
+}
+
+/// Returns what a function finds in the ranking of a project with one axis.
+fn of_sizing<T>(path: &str, language: Language, find: impl FnOnce(&questions::Sizing<'_>) -> T) -> Option<T> {
+    let file = SourceFile::read(Path::new(path), Reads::Project, questions::MEMORY_USUAL, language).ok()?;
+    let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
+    let [project] = &projects[..] else { return None };
+    Some(find(&questions::size(project)))
 }
 
 /// Returns the codes of the best actuators of a project with one axis, at most `most`: of those that fit, else the one with the
 /// smallest excess.
 pub(super) fn best_codes(path: &str, most: usize, language: Language) -> Vec<String> {
-    let found = || {
-        let file = SourceFile::read(Path::new(path), Reads::Project, questions::MEMORY_USUAL, language).ok()?;
-        let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
-        let [project] = &projects[..] else { return None };
-        let sizing = questions::size(project);
+    let found = of_sizing(path, language, |sizing| {
         let named = sizing.named().into_iter();
         let all = named.chain(sizing.fitting().iter()).map(|candidate| candidate.id.to_string());
         let mut codes: Vec<String> = all.filter(|id| questions::read_code(id, language).is_ok()).collect();
@@ -84,7 +127,7 @@ pub(super) fn best_codes(path: &str, most: usize, language: Language) -> Vec<Str
             }
         });
         codes.truncate(most);
-        Some(codes)
-    };
-    found().unwrap_or_default()
+        codes
+    });
+    found.unwrap_or_default()
 }

@@ -1,6 +1,6 @@
 //! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
 
-use super::folder::{RECORDINGS, has_ending, is_project};
+use super::folder::{RECORDINGS, has_ending, is_project, kind_in_place_of_a_file};
 use super::own;
 use super::spoken::seems_code;
 use clap::{Arg, ArgAction, Command};
@@ -128,7 +128,13 @@ impl<'c> Called<'c> {
         let names = names.join(" ");
         let entry = LIST.iter().copied().find(|entry| entry.command() == names);
         let is_project = |word: &&OsString| word.to_str().is_some_and(|word| has_ending(word, &[".toml"]));
-        let projects = arguments.iter().filter(is_project).map(PathBuf::from).filter(|path| path.is_file()).collect();
+        let files = arguments.iter().filter(is_project).map(PathBuf::from).filter(|path| path.is_file());
+        let reads_a_project = command.get_positionals().any(|position| position.get_id() == "project");
+        let is_kind = |word: &&OsString| {
+            reads_a_project && word.to_str().is_some_and(|word| kind_in_place_of_a_file(word).is_some())
+        };
+        let kind = arguments.get(begin).filter(is_kind).map(PathBuf::from);
+        let projects = kind.into_iter().chain(files).collect();
         let words = arguments.iter().skip(begin).map_while(|word| word.to_str());
         let first = words.take_while(|word| !word.starts_with('-')).map(str::to_owned).collect();
         Some(Self { name: format!("{} {names}", super::NAME), whole, command, entry, begin, language, projects, first })
@@ -330,7 +336,10 @@ impl<'c> Called<'c> {
         let is_project = ["project", "old", "new", "folder"].contains(&name);
         let is_its = match self.entry.and_then(|_| self.argument(name)).map(|argument| (argument, argument.kind)) {
             _ if is_project && self.reads_no_table() && has_ending(word, &RECORDINGS) => return false,
-            _ if is_project => word == "-" || has_ending(word, &[".toml"]) || Path::new(word).exists(),
+            _ if is_project => {
+                let is_kind = name == "project" && kind_in_place_of_a_file(word).is_some();
+                word == "-" || has_ending(word, &[".toml"]) || Path::new(word).exists() || is_kind
+            }
             Some((argument, ArgumentKind::Word(_))) => argument.takes(word),
             Some((_, ArgumentKind::Code)) => seems_code(word) || questions::read_code(word, self.language).is_ok(),
             Some(_) => true,

@@ -1,7 +1,7 @@
 //! Options and help that only the command line has, in addition to the arguments and output files of a question.
 
 use super::argument::{self, flag, text};
-use crate::changed::share;
+use crate::changed::{LOAD_FACTORS, factor};
 use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
 use quantities::{Language, MomentOfInertia};
@@ -118,20 +118,24 @@ pub(crate) fn shapes(command: Command, language: Language) -> Command {
 /// Returns `true` if a word is recognisably the value of an option that only the command line has.
 pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
     let changed = || word.split_once('=').map(|(key, value)| (key.trim(), value.trim()));
-    let is_scale = |key: &str| crate::changed::SCALED.contains(&key);
-    let is_number = |text: &str| share(text).is_some() || text.replace(',', ".").parse::<f64>().is_ok();
+    // A bare number is a factor of the whole load only; the change refuses others with both forms.
+    let is_factor = |key: &str, value: &str| {
+        let number = || value.replace(',', ".").parse::<f64>().ok().filter(|number| LOAD_FACTORS.contains(number));
+        let what = words::spoken::scaled(key);
+        let is_percentage = value.ends_with('%') || value.starts_with('+');
+        what.is_some() && (factor(value).is_some() || is_percentage || what == Some("load") && number().is_some())
+    };
     let is_key = |key: &str| {
-        key.starts_with(|sign: char| sign.is_ascii_alphabetic())
-            && key.chars().all(|sign| sign.is_ascii_alphanumeric() || "_.[]".contains(sign))
+        key.starts_with(char::is_alphabetic) && key.chars().all(|sign| sign.is_alphanumeric() || "_.[]".contains(sign))
     };
     match option {
         "lang" => words::spoken::language_of(word).is_some(),
         "deadline" => crate::deadline_of(word, language).is_ok(),
         "memory" => crate::memory_allowed(Some(word.to_owned()), language).is_ok(),
-        "scale" => changed().is_some_and(|(key, value)| is_scale(key) && is_number(value)),
-        // `time=3s` is a value, `time=0.8` a factor.
-        "set" => changed()
-            .is_some_and(|(key, value)| is_key(key) && !value.contains("..") && !(is_scale(key) && is_number(value))),
+        "scale" => changed().is_some_and(|(key, value)| is_factor(key, value)),
+        "set" => {
+            changed().is_some_and(|(key, value)| is_key(key) && !value.contains("..") && !is_factor(key, value))
+        }
         VARY => changed().is_some_and(|(key, value)| is_key(key) && is_of_several(value)),
         "inertia" => questions::read_quantity::<MomentOfInertia>(word, language).is_ok(),
         "listen" => word.parse::<SocketAddr>().is_ok() || word.parse::<IpAddr>().is_ok(),
@@ -142,7 +146,13 @@ pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
 
 /// Returns `true` if a text states several values: `0,10,20kg`, `0..10 kg`.
 pub(super) fn is_of_several(text: &str) -> bool {
-    text.contains("..") || text.contains([',', ';', ':']) && !text.starts_with(['[', '{', '"'])
+    let is_dashed = || {
+        text.split_once(['-', '–']).is_some_and(|(low, high)| {
+            let is_number = |text: &str| text.starts_with(|sign: char| sign.is_ascii_digit());
+            is_number(low) && is_number(high) && low.parse::<f64>().is_ok()
+        })
+    };
+    text.contains("..") || is_dashed() || text.contains([',', ';', ':']) && !text.starts_with(['[', '{', '"'])
 }
 
 /// Smallest number that is plainly a port: smaller ones belong to services of the system.

@@ -7,13 +7,13 @@ use super::replaced::{code_of, more_codes};
 use super::solid;
 use super::typed::typed;
 use clap::Command;
-use project::{Hint, nearest_name};
+use project::{Hint, nearest_name, other_names};
 use quantities::Language;
 use questions::Refusal;
 use questions::list::Unanswered;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use words::{UsageHint, usage_hint};
+use words::{UsageHint, spoken, usage_hint};
 
 /// Largest number of projects of a folder that are named in place of a missing one.
 const PROJECTS_MOST: usize = 3;
@@ -53,51 +53,85 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
 }
 
 /// Options whose faults name what to write in place of their values.
-const CHANGES: [&str; 2] = ["set", "vary"];
+const CHANGES: [&str; 3] = ["set", "vary", "scale"];
 
-/// Returns a fault whose hint names whole calls where it names options alone.
+/// Returns a fault whose hint names whole calls where it names options alone; of several such faults the last one names the calls
+/// that remedy all of them.
 pub(crate) fn with_whole_calls(why: Unanswered, arguments: &[OsString], language: Language) -> Unanswered {
-    match why {
-        Unanswered::Option { name, fault: (message, Some(hint)) } if CHANGES.contains(&name) => {
-            let hint = whole_calls(&hint, arguments, language).unwrap_or(hint);
-            Unanswered::Option { name, fault: (message, Some(hint)) }
+    let words: Option<Vec<String>> = arguments.iter().skip(1).map(|word| word.to_str().map(str::to_owned)).collect();
+    let Some(words) = words else { return why };
+    let begin = usage_hint(&UsageHint::Calls(vec![String::new()]), language);
+    let options_of = |why: &Unanswered| -> Option<Vec<Vec<String>>> {
+        match why {
+            Unanswered::Option { name, fault: (_, Some(hint)) } if CHANGES.contains(name) => {
+                Some(hint.strip_prefix(&begin)?.lines().map(split).collect())
+            }
+            _ => None,
         }
-        Unanswered::Together(all) => {
-            Unanswered::Together(all.into_iter().map(|one| with_whole_calls(one, arguments, language)).collect())
+    };
+    let written = |calls: &[Vec<String>]| {
+        let call = |words: &Vec<String>| typed(std::iter::once(super::NAME).chain(words.iter().map(String::as_str)));
+        usage_hint(&UsageHint::Calls(calls.iter().map(call).collect()), language)
+    };
+    let all: Vec<Unanswered> = match why {
+        Unanswered::Together(all) => all,
+        one => vec![one],
+    };
+    let options: Option<Vec<Vec<Vec<String>>>> = all.iter().map(options_of).collect();
+    let Some(options) = options else {
+        // Faults of other kinds: each has its own calls.
+        let each = all.into_iter().map(|why| match (options_of(&why), why) {
+            (Some(options), Unanswered::Option { name, fault: (message, hint) }) => {
+                let calls: Option<Vec<_>> = options.iter().map(|option| with_option(&words, option)).collect();
+                Unanswered::Option { name, fault: (message, calls.map(|calls| written(&calls)).or(hint)) }
+            }
+            (_, why) => why,
+        });
+        return Unanswered::combined(each.collect());
+    };
+    let most = options.iter().map(Vec::len).max().unwrap_or_default();
+    let call = |place: usize| {
+        options.iter().try_fold(words.clone(), |words, options| {
+            with_option(&words, options.get(place).or_else(|| options.first())?)
+        })
+    };
+    let calls: Option<Vec<Vec<String>>> = (0..most).map(call).collect();
+    let Some(calls) = calls.filter(|calls| !calls.is_empty()) else { return Unanswered::combined(all) };
+    let last = all.len() - 1;
+    let each = all.into_iter().enumerate().map(|(place, why)| match why {
+        Unanswered::Option { name, fault: (message, _) } => {
+            Unanswered::Option { name, fault: (message, (place == last).then(|| written(&calls))) }
         }
         other => other,
-    }
+    });
+    Unanswered::combined(each.collect())
 }
 
-/// Returns the hint with the whole call around each option that it names; `None` if it names none.
-fn whole_calls(hint: &str, arguments: &[OsString], language: Language) -> Option<String> {
-    let before = usage_hint(&UsageHint::Calls(vec![String::new()]), language);
-    let options = hint.strip_prefix(&before)?;
-    let words: Vec<&str> = arguments.iter().skip(1).map(|word| word.to_str()).collect::<Option<_>>()?;
-    let call = |option: &str| {
-        let [name, value] = &split(option)[..] else { return None };
-        let (key, _) = value.split_once('=')?;
-        // The statement of the same key, else of the same value.
-        let is_of_key = |word: &str| {
-            let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_lowercase();
-            word.split_once('=')
-                .is_some_and(|(other, stated)| last(other.trim()) == last(key) || value.ends_with(stated))
-        };
-        let stated = |at: &usize| {
-            let own = words.get(*at).and_then(|word| word.strip_prefix(&format!("{name}=")));
-            match own {
-                Some(word) => is_of_key(word),
-                None => words.get(*at) == Some(&name.as_str()) && words.get(at + 1).is_some_and(|word| is_of_key(word)),
-            }
-        };
-        let at = (0..words.len()).find(stated)?;
-        let skipped = if words.get(at) == Some(&name.as_str()) { 2 } else { 1 };
-        let head = words.iter().take(at).copied();
-        let tail = words.iter().skip(at + skipped).copied();
-        Some(typed(std::iter::once(super::NAME).chain(head).chain([name.as_str(), value.as_str()]).chain(tail)))
+/// Returns the words of a call with an option in place of the statement that it corrects; `None` if there is none.
+fn with_option(words: &[String], option: &[String]) -> Option<Vec<String>> {
+    let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_lowercase();
+    let (key, value) = option.iter().rev().find_map(|word| word.split_once('='))?;
+    // The statement of the same key, by any of its names, else of the same value.
+    let is_of_key = |word: &str| {
+        word.split_once('=').is_some_and(|(other, stated)| {
+            let (other, key) = (last(other.trim()), last(key));
+            other == key || other_names(&other).contains(&&*key) || spoken::scaled(&other) == Some(&key)
+                || value.ends_with(stated)
+        })
     };
-    let calls: Vec<String> = options.lines().map(call).collect::<Option<_>>()?;
-    Some(usage_hint(&UsageHint::Calls(calls), language))
+    let statement = |at: usize| {
+        let word = words.get(at)?;
+        let name = CHANGES.iter().find(|name| word.strip_prefix("--").is_some_and(|word| word.starts_with(**name)))?;
+        match word.strip_prefix(&format!("--{name}")) {
+            Some("") => words.get(at + 1).filter(|next| is_of_key(next)).map(|_| 2),
+            Some(rest) => rest.strip_prefix('=').filter(|rest| is_of_key(rest)).map(|_| 1),
+            None => None,
+        }
+    };
+    let (at, count) = (0..words.len()).find_map(|at| Some((at, statement(at)?)))?;
+    let mut words = words.to_vec();
+    words.splice(at..at + count, option.iter().cloned());
+    Some(words)
 }
 
 /// Identifier of the fault of a number without its unit.

@@ -1,5 +1,7 @@
 //! Words of a call in place of others: options by their own names, the best actuator in place of its project.
 
+use super::begun::kind;
+use super::completed;
 use super::folder::{best_codes, best_of_project};
 use super::meant::{self, Called, Part, Understood};
 use super::solid;
@@ -20,9 +22,12 @@ pub(crate) fn understood(
     whole: &Command,
     language: Language,
 ) -> (Understood, Option<String>) {
+    let arguments = with_one_word_for_kind(arguments, whole, language);
+    let (arguments, project) = completed::with_project(arguments, whole, language);
     let arguments = with_own_options(arguments, whole, language);
     let (arguments, is_changed) = unknown::with_meaning(arguments, whole, language);
     let (arguments, is_otherwise) = solid::with_own_words(arguments, whole, language);
+    let (arguments, completed) = completed::completed(arguments, whole, language);
     let (arguments, remark) = with_best_code(arguments, whole, language);
     let (arguments, compared) = with_compared_codes(arguments, whole, language);
     let understood = meant::understood(arguments, whole, language);
@@ -31,8 +36,21 @@ pub(crate) fn understood(
         let words = understood.arguments.iter().skip(1).filter_map(|word| word.to_str());
         terminal::call_understood(&typed(std::iter::once(super::NAME).chain(words)), language)
     });
-    let remarks: Vec<String> = [call, remark, compared].into_iter().flatten().collect();
+    let remarks: Vec<String> = project.into_iter().chain(completed).chain([call, remark, compared].into_iter().flatten()).collect();
     (understood, (!remarks.is_empty()).then(|| remarks.join("\n")))
+}
+
+/// Returns a call about a new project with the name of its kind as one word.
+fn with_one_word_for_kind(mut arguments: Vec<OsString>, whole: &Command, language: Language) -> Vec<OsString> {
+    let Some(called) = Called::of(&arguments, whole, language) else { return arguments };
+    let is_of_project = called.command.get_positionals().any(|position| position.get_id() == "project");
+    let words: Vec<&str> = called.first.iter().map(String::as_str).collect();
+    let kind = kind(&words).filter(|(_, count)| is_of_project && *count > 1);
+    let begin = called.begin;
+    if let Some((kind, count)) = kind {
+        arguments.splice(begin..begin + count, [OsString::from(kind)]);
+    }
+    arguments
 }
 
 /// Returns a comparison with the best actuators of the project behind the only code that it states, or in place of codes, and

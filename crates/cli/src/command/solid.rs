@@ -1,9 +1,12 @@
 //! Bodies of `inertia` as people write them: shapes and dimensions by other words, materials in place of densities.
 
 use super::meant::Called;
+use super::typed::number_and_unit;
 use clap::Command;
 use project::{BODY_SHAPES, BodyShape};
 use quantities::{Dimension, Language, parse};
+use std::borrow::Cow;
+use std::collections::VecDeque;
 use std::ffi::OsString;
 use words::spoken::{body_word, density};
 
@@ -16,41 +19,98 @@ const LENGTH: &str = "mm";
 /// Signs between the dimensions of a body.
 const TIMES: [&str; 3] = ["x", "\u{d7}", "*"];
 
+/// Keys of one dimension of which each shape has one: what it lacks is meant by the other.
+const EXCHANGED: [[&str; 2]; 6] = [
+    ["thickness", "length"],
+    ["thickness", "height"],
+    ["height", "length"],
+    ["length", "height"],
+    ["outer", "diameter"],
+    ["diameter", "outer"],
+];
+
+/// Name of the key of a bore, which only a tube has.
+const INNER: &str = "inner";
+
 /// Reader of the words of bodies, one behind the other.
 #[derive(Default)]
 struct Bodies {
     shape: Option<&'static BodyShape>,
     /// Keys that the body has already.
     given: Vec<String>,
+    /// Words before the first shape: a material, dimensions.
+    before: Vec<String>,
+    /// For each shape of the call, `true` if it has a bore.
+    bores: VecDeque<bool>,
+}
+
+/// Returns the shape that a word names.
+fn shape_of(word: &str) -> Option<&'static BodyShape> {
+    let name = body_word(word).unwrap_or(word);
+    BODY_SHAPES.iter().find(|shape| shape.name.eq_ignore_ascii_case(name))
 }
 
 impl Bodies {
-    /// Returns a word of a body by the program's own; `None` for a sign between two dimensions.
-    fn own(&mut self, word: &str) -> Option<String> {
-        if TIMES.contains(&word) {
-            return None;
-        }
-        if let Some((key, value)) = word.split_once('=') {
-            let key = body_word(key).unwrap_or(key);
-            self.given.push(key.to_owned());
-            return Some(format!("{key}={value}"));
-        }
-        let name = body_word(word).unwrap_or(word);
-        if let Some(shape) = BODY_SHAPES.iter().find(|shape| shape.name == name) {
-            *self = Self { shape: Some(shape), given: Vec::new() };
-            return Some(name.to_owned());
-        }
-        if let Some(density) = density(word) {
-            return Some(format!("density={density}"));
-        }
-        Some(self.dimension(word).unwrap_or_else(|| word.to_owned()))
+    /// Creates the reader of the words of a call.
+    fn of(words: &[&str]) -> Self {
+        let places: Vec<usize> = (0..words.len()).filter(|at| words.get(*at).copied().and_then(shape_of).is_some()).collect();
+        let is_bore = |word: &&str| {
+            let key = word.trim_start_matches("--").split('=').next().unwrap_or_default();
+            body_word(key).unwrap_or(key) == INNER
+        };
+        let has_bore = |(number, from): (usize, &usize)| {
+            let to = places.get(number + 1).copied().unwrap_or(words.len());
+            words.get(*from..to).is_some_and(|words| words.iter().any(|word| is_bore(word)))
+        };
+        Self { bores: places.iter().enumerate().map(has_bore).collect(), ..Self::default() }
     }
 
-    /// Returns the next dimension of the shape with a length as its value, or the mass.
+    /// Returns the program's own words for one of a call; none for a sign between two dimensions.
+    fn own(&mut self, word: &str) -> Vec<String> {
+        if TIMES.contains(&word) {
+            return Vec::new();
+        }
+        if let Some(shape) = shape_of(word) {
+            let has_bore = self.bores.pop_front().unwrap_or_default();
+            let is_round = ["disc", "cylinder"].contains(&shape.name);
+            let shape = if has_bore && is_round { shape_of("tube").unwrap_or(shape) } else { shape };
+            let before = std::mem::take(&mut self.before);
+            self.shape = Some(shape);
+            self.given.clear();
+            let own: Vec<String> = before.iter().flat_map(|word| self.own(word)).collect();
+            return std::iter::once(shape.name.to_owned()).chain(own).collect();
+        }
+        if self.shape.is_none() && (density(word).is_some() || word.starts_with(|sign: char| sign.is_ascii_digit()) || word.contains('=')) {
+            self.before.push(word.to_owned());
+            return Vec::new();
+        }
+        if let Some((key, value)) = word.split_once('=') {
+            let key = self.key(body_word(key).unwrap_or(key));
+            self.given.push(key.clone());
+            return vec![format!("{key}={}", with_point(value))];
+        }
+        if let Some(density) = density(word) {
+            return vec![format!("density={density}")];
+        }
+        vec![self.dimension(word).unwrap_or_else(|| word.to_owned())]
+    }
+
+    /// Returns the key of the shape for one that it may call otherwise.
+    fn key(&self, key: &str) -> String {
+        let Some(shape) = self.shape else { return key.to_owned() };
+        let has = |key: &str| shape.dimensions.contains(&key) || shape.extent == Some(key);
+        let other = || EXCHANGED.iter().find(|[own, other]| *own == key && has(other)).map(|[_, other]| *other);
+        if has(key) { key } else { other().unwrap_or(key) }.to_owned()
+    }
+
+    /// Returns the next dimension of the shape with a length as its value, or the mass or density.
     fn dimension(&mut self, word: &str) -> Option<String> {
         let shape = self.shape?;
+        let word = &*with_point(word);
         let key = if parse(Dimension::Mass, word).is_ok() {
             "mass"
+        } else if parse(Dimension::MassDensity, word).is_ok() {
+            "density"
         } else {
             let _ = parse(Dimension::Length, word).ok()?;
             let mut keys = shape.dimensions.iter().copied().chain(shape.extent);
@@ -61,26 +121,66 @@ impl Bodies {
     }
 }
 
+/// Returns a value with a decimal point in place of a comma that cannot separate thousands.
+fn with_point(value: &str) -> Cow<'_, str> {
+    let (number, _) = number_and_unit(value);
+    match number.split_once(',') {
+        Some((whole, rest)) if !rest.contains([',', '.']) && !whole.contains('.') && rest.len() != 3 => {
+            Cow::Owned(value.replacen(',', ".", 1))
+        }
+        _ => Cow::Borrowed(value),
+    }
+}
+
 /// Returns a call with every body in the program's own words, and `true` if one was written otherwise.
 pub(super) fn with_own_words(arguments: Vec<OsString>, whole: &Command, language: Language) -> (Vec<OsString>, bool) {
-    let Some(begin) = Called::of(&arguments, whole, language).filter(is_of_bodies).map(|called| called.begin) else {
+    let Some(called) = Called::of(&arguments, whole, language).filter(is_of_bodies) else {
         return (arguments, false);
     };
-    let (mut is_changed, mut bodies) = (false, Bodies::default());
-    let meant = arguments.into_iter().enumerate().map(|(place, argument)| {
-        let text = argument.to_str().filter(|text| place >= begin && !text.starts_with('-'));
-        let Some(text) = text else { return argument };
-        let words: Vec<String> = text.split_whitespace().filter_map(|word| bodies.own(word)).collect();
-        let joined = words.join(" ");
-        if joined == text.split_whitespace().collect::<Vec<_>>().join(" ") {
-            return argument;
+    let Some(texts) = arguments.iter().map(|word| word.to_str()).collect::<Option<Vec<&str>>>() else {
+        return (arguments, false);
+    };
+    let (head, tail) = texts.split_at(called.begin.min(texts.len()));
+    let words: Vec<&str> = tail.iter().flat_map(|text| text.split_whitespace()).collect();
+    let mut bodies = Bodies::of(&words);
+    let mut meant: Vec<OsString> = head.iter().map(OsString::from).collect();
+    let mut is_changed = false;
+    let mut rest = tail.iter().copied();
+    while let Some(text) = rest.next() {
+        let key = text.strip_prefix("--").filter(|key| !called.has(key.split('=').next().unwrap_or_default()));
+        let as_key = key.filter(|key| is_key(key.split('=').next().unwrap_or_default()));
+        let text = match as_key {
+            // `--outer 200mm` is a dimension of the body.
+            Some(key) if key.contains('=') => key.to_owned(),
+            Some(key) => format!("{key}={}", rest.next().unwrap_or_default()),
+            None => text.to_owned(),
+        };
+        is_changed |= as_key.is_some();
+        if text.starts_with('-') {
+            meant.push(text.into());
+            continue;
         }
-        is_changed = true;
-        joined.into()
-    });
-    // A sign between two dimensions is no body.
-    let meant: Vec<OsString> = meant.collect();
-    (meant.into_iter().filter(|word| !is_changed || !word.is_empty()).collect(), is_changed)
+        let own: Vec<String> = text.split_whitespace().flat_map(|word| bodies.own(word)).collect();
+        if own.join(" ") != text.split_whitespace().collect::<Vec<_>>().join(" ") {
+            is_changed = true;
+        }
+        // A body in quotes stays one argument.
+        if text.contains(char::is_whitespace) && !own.is_empty() {
+            meant.push(own.join(" ").into());
+        } else {
+            meant.extend(own.into_iter().map(OsString::from));
+        }
+    }
+    meant.extend(bodies.before.drain(..).map(OsString::from));
+    (if is_changed { meant } else { arguments }, is_changed)
+}
+
+/// Returns `true` if a word names a dimension of a body, its mass or its density.
+fn is_key(word: &str) -> bool {
+    let word = word.to_lowercase();
+    let key = body_word(&word).unwrap_or(&word);
+    ["mass", "density", "thickness", "distance", "angle", "count"].contains(&key)
+        || BODY_SHAPES.iter().any(|shape| shape.dimensions.contains(&key) || shape.extent == Some(key))
 }
 
 fn is_of_bodies(called: &Called<'_>) -> bool {

@@ -38,6 +38,13 @@ pub(super) fn command_named(word: &str) -> Option<&'static str> {
         .or_else(|| COMMANDS.iter().find(|(other, _)| *other == word).map(|(_, name)| *name))
 }
 
+/// Returns `true` if the command of a call is named by a German word, so that the answer is German.
+pub(crate) fn is_german(arguments: &[OsString]) -> bool {
+    let words = arguments.iter().skip(1).map_while(|word| word.to_str());
+    let mut bare = words.skip_while(|word| word.starts_with('-'));
+    bare.next().is_some_and(words::spoken::is_german_command)
+}
+
 /// Returns the arguments with the command and the language by their own words.
 pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
     let text =
@@ -83,8 +90,10 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
 
 /// Returns `true` if a word looks like a code, or like one with a slip.
 pub(super) fn seems_code(word: &str) -> bool {
-    let is_sign = |sign: char| sign.is_alphanumeric() || "-?*…".contains(sign);
-    word.contains('-')
+    let is_sign = |sign: char| sign.is_alphanumeric() || "-?*…_#.".contains(sign);
+    // A file name has no hyphen behind its first point.
+    let is_file = word.rsplit_once('.').is_some_and(|(_, ending)| !ending.contains(['-', '.']) && ending.starts_with(char::is_alphabetic));
+    word.contains(['-', '_']) && !is_file
         && word.starts_with(char::is_alphabetic)
         && word.chars().all(is_sign)
         && word.chars().any(|sign| sign.is_ascii_digit())

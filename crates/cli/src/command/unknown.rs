@@ -2,10 +2,11 @@
 //! another option.
 
 use super::begun::file_beside;
+use super::completed::operation;
 use super::meant::Called;
 use super::own::{VARY, is_of_several};
 use super::spoken::{option_meant, seems_code, twin_options};
-use crate::changed::{SCALED, factor, keys, prefix};
+use crate::changed::{LOAD_FACTORS, factor, keys, motion, prefix};
 use clap::Command;
 use project::{Written, distance_of_stations, written};
 use quantities::Language;
@@ -15,6 +16,12 @@ use words::spoken;
 
 /// Largest number of words behind a number that may be its unit.
 const UNIT_MOST: usize = 3;
+
+/// Largest number of bytes of a word that is a unit.
+const UNIT_LETTERS_MOST: usize = 8;
+
+/// The quantity of which a bare number is a factor.
+const LOAD: &str = "load";
 
 /// Words in place of an option, and the number of further words of the call that they contain.
 type Meaning = (Vec<String>, usize);
@@ -57,6 +64,14 @@ struct Unknown<'c> {
     texts: &'c [&'c str],
 }
 
+/// Value of a key whose option has none.
+const TRUE: &str = "true";
+
+/// Returns `true` if a word looks like a unit behind a number.
+fn is_unit(word: &str) -> bool {
+    word.starts_with(char::is_alphabetic) && !word.contains('.') && word.len() <= UNIT_LETTERS_MOST
+}
+
 /// Returns the name of an option, without the value behind a sign of equality.
 fn name_of(word: &str) -> Option<&str> {
     let name = word.split('=').next().unwrap_or_default();
@@ -95,16 +110,46 @@ impl Unknown<'_> {
             Some(value) => (Some(value), 0),
             None => (next(), usize::from(next().is_some())),
         };
-        self.as_factor(name, value, further)
+        self.as_flag(name)
+            .or_else(|| self.as_operation(name, value, further))
+            .or_else(|| self.as_factor(name, value, further))
             .or_else(|| self.as_file(name, value, further))
             .or_else(|| self.as_key(place, name, stated))
             .or_else(|| stated.is_none().then(|| self.as_value(name)).flatten())
     }
 
-    /// Returns the factor of a quantity that a call may scale: `--load 1.15`, `--payload +10%`.
+    /// Returns the key of the project that an option without a value states: `--vertical`; `--best` is the first of a ranking.
+    fn as_flag(&self, name: &str) -> Option<Meaning> {
+        if name == "best" && self.called.has("top") {
+            return Some((vec!["--top".to_owned(), "1".to_owned()], 0));
+        }
+        let (key, value) = spoken::flag(name).filter(|_| self.called.has("set"))?;
+        let all = written(&self.called.project_text()?)?;
+        let [path] = &keys::named(&all, "", key, value)[..] else { return None };
+        Some((vec!["--set".to_owned(), format!("{path}={value}")], 0))
+    }
+
+    /// Returns the options of an operation over hours or days, for the duration of a simulation.
+    fn as_operation(&self, name: &str, value: Option<&str>, further: usize) -> Option<Meaning> {
+        let is_run = self.called.has("days") && self.called.has("hours-per-day") && !self.is_given("days");
+        let words = operation(name, value.filter(|_| is_run)?, self.called.language())?;
+        Some((words, further))
+    }
+
+    /// Returns the factor of a quantity that a call may scale: `--load 1.15`, `--payload +10%`. A bare number is one only for the
+    /// whole load, and near one.
     fn as_factor(&self, name: &str, value: Option<&str>, further: usize) -> Option<Meaning> {
         let what = spoken::scaled(name).filter(|_| self.called.has("scale"))?;
-        let number = value.and_then(|value| factor(value).or_else(|| value.replace(',', ".").parse().ok()))?;
+        let value = value?;
+        let plain = || value.replace(',', ".").parse().ok().filter(|number| what == LOAD && LOAD_FACTORS.contains(number));
+        let is_percentage = value.strip_suffix('%').is_some_and(|number| number.trim().replace(',', ".").parse::<f64>().is_ok());
+        let is_signed = |number: &str| number.starts_with('+') && number.replace(',', ".").parse::<f64>().is_ok();
+        let number = match factor(value).or_else(plain) {
+            Some(number) => number.to_string(),
+            // The refusal has both forms.
+            None if is_percentage || is_signed(value) => value.to_owned(),
+            None => return None,
+        };
         Some((vec!["--scale".to_owned(), format!("{what}={number}")], further))
     }
 
@@ -157,34 +202,46 @@ impl Unknown<'_> {
         let is_word = |word: &&&str| !word.starts_with("--") && **word != "-o";
         let behind: Vec<&str> =
             self.texts.iter().skip(place + 1).take_while(is_word).take(UNIT_MOST).copied().collect();
-        let several = (1..=behind.len()).rev().find_map(|count| {
-            let value = behind.get(..count)?.join(" ");
-            Some((self.change(&all, &prefix, &key, &value)?, count))
-        });
-        several.or_else(|| Some((self.change(&all, &prefix, &key, "true")?, 0)))
+        let joined = |count: usize| behind.get(..count).map(|words| words.join(" "));
+        let is_value = |count: &usize| {
+            let taken = |value: String| match varies && is_of_several(&value) {
+                true => *count == 1 || is_unit(behind.last().copied().unwrap_or_default()),
+                false => keys::named(&all, &prefix, &key, &value).iter().any(|path| keys::takes(path, &value)),
+            };
+            joined(*count).is_some_and(taken)
+        };
+        let count = (1..=behind.len()).rev().find(is_value).unwrap_or_else(|| behind.len().min(1));
+        let value = joined(count).filter(|value| !value.is_empty()).unwrap_or_else(|| TRUE.to_owned());
+        Some((self.change(&all, &prefix, &key, &value)?, count))
     }
 
-    /// Returns the option that changes one key.
+    /// Returns the option that changes a key, or those of the motion that a word stands for; faults of the value are those of the
+    /// change.
     fn change(&self, all: &[Written], prefix: &str, key: &str, value: &str) -> Option<Vec<String>> {
-        let is_factor = value.replace(',', ".").parse::<f64>().is_ok() && SCALED.contains(&key);
         if self.called.has(VARY) && is_of_several(value) {
             return Some(vec![format!("--{VARY}"), format!("{key}={value}")]);
         }
-        if self.called.has("set") && distance_of_stations(key, value).is_some() {
-            return Some(vec!["--set".to_owned(), format!("{key}={value}")]);
+        if !self.called.has("set") {
+            return None;
+        }
+        let plainly = || Some(vec!["--set".to_owned(), format!("{key}={value}")]);
+        let is_number = value.replace(',', ".").parse::<f64>().is_ok();
+        if motion::meaning(key).is_some() || distance_of_stations(key, value).is_some() {
+            return plainly();
+        }
+        if is_number && spoken::scaled(key).is_some() {
+            return plainly();
         }
         let found = keys::named(all, prefix, key, value);
-        let path = match &found[..] {
-            [path] => path.clone(),
+        match &found[..] {
+            [path] => Some(vec!["--set".to_owned(), format!("{path}={value}")]),
             // The refusal of an ambiguous key names each of them.
-            [_, _, ..] if self.called.has("set") && !is_factor && found.iter().all(|path| keys::takes(path, value)) => {
-                return Some(vec!["--set".to_owned(), format!("{key}={value}")]);
+            [_, _, ..] => plainly(),
+            [] if project::key_at(key).is_some_and(|key| !keys::is_table(key.kind)) => {
+                Some(vec!["--set".to_owned(), format!("{prefix}{key}={value}")])
             }
-            [] if project::key_at(key).is_some() => format!("{prefix}{key}"),
-            _ => return None,
-        };
-        let is_taken = self.called.has("set") && !is_factor && keys::takes(&path, value);
-        is_taken.then(|| vec!["--set".to_owned(), format!("{path}={value}")])
+            [] => None,
+        }
     }
 
     /// Returns an option whose value the name is: `--emergency-stop` is `--scenario emergency_stop`.

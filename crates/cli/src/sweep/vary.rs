@@ -1,6 +1,6 @@
 //! Values of keys that a call states in place of a table: `--vary payload=0,10,20kg`.
 
-use crate::changed::{keys, prefix};
+use crate::changed::{keys, motion, prefix};
 use crate::command::own::VARY;
 use crate::command::typed::{number_and_unit, typed};
 use project::{Heading, Written, key_at, written};
@@ -30,7 +30,7 @@ pub(super) fn rows(
     let prefix = prefix(text, axis).unwrap_or_default();
     let (mut columns, mut faults) = (Vec::new(), Vec::new());
     for each in stated {
-        match column(&all, &prefix, each, language) {
+        match column(text, (&all, &prefix), each, language) {
             Ok(column) => columns.push(column),
             Err(fault) => faults.push(Unanswered::option(VARY, fault)),
         }
@@ -38,7 +38,47 @@ pub(super) fn rows(
     if !faults.is_empty() {
         return Err(Unanswered::combined(faults));
     }
-    table(columns.iter().map(String::as_str), Method::Grid, steps, 0, language).map_err(of_vary)
+    let rows = table(columns.iter().map(|column| column.spec.as_str()), Method::Grid, steps, 0, language);
+    Ok(with_further_keys(&rows.map_err(of_vary)?, &columns))
+}
+
+/// Returns the table with each further key of a word behind its last column, with the values of the first one.
+fn with_further_keys(rows: &str, columns: &[Column]) -> String {
+    let opposite = |cell: &str| cell.strip_prefix('-').map_or_else(|| format!("-{cell}"), str::to_owned);
+    let mut lines = rows.lines();
+    let mut text: String = lines.next().unwrap_or_default().to_owned();
+    for further in columns.iter().flat_map(|column| &column.further) {
+        text.push(',');
+        text.push_str(&further.heading);
+    }
+    text.push('\n');
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        text.push_str(line);
+        for (column, cell) in columns.iter().zip(&cells) {
+            for further in &column.further {
+                text.push(',');
+                text.push_str(&if further.is_opposite { opposite(cell) } else { (*cell).to_owned() });
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// A column of the table.
+struct Column {
+    /// Key and values, as a table of rows takes them.
+    spec: String,
+    /// Keys that the same word states.
+    further: Vec<FurtherKey>,
+}
+
+/// A key with the values of a column.
+struct FurtherKey {
+    heading: String,
+    /// The values have the opposite sign: a move back.
+    is_opposite: bool,
 }
 
 /// Returns a fault of the table as one of the option.
@@ -65,7 +105,12 @@ impl Stated {
         let form = || (sweeps::vary_form(&seen(text), language), Some(sweeps::vary_form_hint(language).to_owned()));
         let (text, is_log) = text.strip_suffix("log").map_or((text, false), |text| (text.trim(), true));
         let is_time = |(low, high): &(&str, &str)| number_and_unit(low).0 == *low && !high.contains(':');
-        let range = text.split_once("..").or_else(|| text.split_once(':').filter(is_time));
+        let dashed = || {
+            let (low, high) = text.split_once(['-', '–'])?;
+            let is_number = |text: &str| text.starts_with(|sign: char| sign.is_ascii_digit());
+            (is_number(low) && is_number(high) && number_and_unit(high).1.find(['-', '.']).is_none()).then_some((low, high))
+        };
+        let range = text.split_once("..").or_else(dashed).or_else(|| text.split_once(':').filter(is_time));
         let parts: Vec<String> = match range {
             Some((low, high)) => vec![low.to_owned(), high.to_owned()],
             None if text.contains(';') => text.split(';').map(|part| part.replace(',', ".")).collect(),
@@ -114,12 +159,15 @@ fn change(key: &str, values: &str) -> String {
     typed([&*format!("--{VARY}"), &*format!("{key}={}", seen(values))])
 }
 
-/// Returns a column with its values, as a table of rows takes it.
-fn column(all: &[Written], prefix: &str, stated: &str, language: Language) -> Result<String, Fault> {
+/// Returns a column with its values.
+fn column(text_of_project: &str, (all, prefix): (&[Written], &str), stated: &str, language: Language) -> Result<Column, Fault> {
     let form = || (sweeps::vary_form(&seen(stated), language), Some(sweeps::vary_form_hint(language).to_owned()));
     let (key, text) = stated.split_once('=').ok_or_else(form)?;
     let (key, text) = (key.trim(), text.trim());
     let values = Stated::of(key, text, language)?;
+    if let Some(column) = of_motion((text_of_project, all, prefix), (key, text), &values, language)? {
+        return Ok(column);
+    }
     let key = keys::with_brackets(key);
     let key = key.strip_prefix(prefix).unwrap_or(&key);
     let path = if key == questions::sweep::CODE || key_at(key).is_some() {
@@ -161,8 +209,64 @@ fn column(all: &[Written], prefix: &str, stated: &str, language: Language) -> Re
         let hint = usage_hint(&UsageHint::Calls(options), language);
         return Err((sweeps::vary_unit(&path, language), Some(hint)));
     }
-    let unit = if values.unit.is_empty() { String::new() } else { format!(" [{}]", values.unit) };
+    if let Some((path, count)) = keys::no_entry(all, &format!("{prefix}{path}")) {
+        return Err((sweeps::no_entry(&seen(&path), &count, language), None));
+    }
+    Ok(Column { spec: spec(&path, &values), further: Vec::new() })
+}
+
+fn spec(path: &str, values: &Stated) -> String {
     let separator = if values.is_range { ".." } else { "; " };
     let log = if values.is_log { " log" } else { "" };
-    Ok(format!("{path}{unit} = {}{log}", values.values.join(separator)))
+    format!("{} = {}{log}", heading(path, values), values.values.join(separator))
+}
+
+fn heading(path: &str, values: &Stated) -> String {
+    if values.unit.is_empty() { path.to_owned() } else { format!("{path} [{}]", values.unit) }
+}
+
+/// Returns the column of a word for the motion, with every move that it is for; `None` for another word.
+fn of_motion(
+    (text, all, prefix): (&str, &[Written], &str),
+    (word, stated): (&str, &str),
+    values: &Stated,
+    language: Language,
+) -> Result<Option<Column>, Fault> {
+    let Some(meaning) = motion::meaning(word) else { return Ok(None) };
+    let is_stated = all.iter().any(|each| each.path.starts_with(prefix) && each.path.ends_with(".cycle"));
+    if meaning == motion::Meaning::Cycle && !is_stated {
+        let set = typed(["--set", &format!("{word}={}", values.last(&values.unit)), &*format!("--{VARY}"), &format!("{word}={}", seen(stated))]);
+        let hint = usage_hint(&UsageHint::Calls(vec![set]), language);
+        return Err((sweeps::vary_no_cycle(&seen(word), language), Some(hint)));
+    }
+    let unit = match &*values.unit {
+        "" => motion::unit(text, (prefix, word)).unwrap_or_default(),
+        unit => unit.to_owned(),
+    };
+    let Some(found) = motion::values(text, (prefix, word), &values.last(&unit), &[], language) else { return Ok(None) };
+    let found = found.map_err(|(message, hint)| {
+        let begin = usage_hint(&UsageHint::Calls(vec![String::new()]), language);
+        let options = hint.as_deref().and_then(|hint| hint.strip_prefix(&begin)).unwrap_or_default();
+        let keys = options.lines().filter_map(|option| Some(option.strip_prefix("--set ")?.trim_matches('"').split_once('=')?.0));
+        let calls: Vec<String> = keys.map(|key| change(key, stated)).collect();
+        (message, (!calls.is_empty()).then(|| usage_hint(&UsageHint::Calls(calls), language)))
+    })?;
+    if values.unit.is_empty() && !unit.is_empty() {
+        let hint = usage_hint(&UsageHint::Calls(vec![change(word, &format!("{stated} {unit}"))]), language);
+        return Err((sweeps::vary_unit(&seen(word), language), Some(hint)));
+    }
+    if found.iter().any(|(_, value)| value.is_empty()) {
+        let set = typed(["--set", &format!("{word}={}", values.last(&values.unit)), &*format!("--{VARY}"), &format!("{word}={}", seen(stated))]);
+        let hint = usage_hint(&UsageHint::Calls(vec![set]), language);
+        return Err((sweeps::vary_replaces(&seen(word), language), Some(hint)));
+    }
+    let own = |path: &String| path.strip_prefix(prefix).unwrap_or(path).to_owned();
+    let is_back = |value: &String| value.starts_with('-');
+    let mut found = found.iter();
+    let Some((first, value)) = found.next() else { return Ok(None) };
+    let further = found.map(|(path, other)| FurtherKey {
+        heading: heading(&own(path), values),
+        is_opposite: is_back(other) != is_back(value),
+    });
+    Ok(Some(Column { spec: spec(&own(first), values), further: further.collect() }))
 }

@@ -161,7 +161,8 @@ impl Argument {
     /// Returns the word with a title; case, spaces and signs between the words do not matter.
     fn word_titled(&self, written: &str) -> Option<&'static str> {
         let titles = self.titles?();
-        titles.into_iter().find(|(title, _)| plain(title) == plain(written)).map(|(_, word)| word)
+        let is_it = |title: &str| plain(title) == plain(written) || joined(title) == joined(written);
+        titles.into_iter().find(|(title, _)| is_it(title)).map(|(_, word)| word)
     }
 
     /// Returns the valid words; empty if other values are valid too.
@@ -246,7 +247,7 @@ impl Argument {
                 if words.contains(&value) {
                     return Ok(Cow::Borrowed(value));
                 }
-                let spelled = |word: &&&str| plain(word) == plain(value);
+                let spelled = |word: &&&str| joined(word) == joined(value);
                 if let Some(word) = self.word_titled(value).or_else(|| words.iter().find(spelled).copied()) {
                     return Ok(Cow::Borrowed(word));
                 }
@@ -282,6 +283,14 @@ fn is_whole(text: &str) -> bool {
 fn plain(name: &str) -> String {
     let words = name.split(|sign: char| sign.is_whitespace() || matches!(sign, '_' | '-' | ','));
     words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ").to_lowercase()
+}
+
+/// Returns a name as one word, with umlauts by two letters: `ball screw` is `ballscrew`.
+fn joined(name: &str) -> String {
+    let letters = plain(name).replace(' ', "");
+    [('\u{e4}', "ae"), ('\u{f6}', "oe"), ('\u{fc}', "ue"), ('\u{df}', "ss")]
+        .iter()
+        .fold(letters, |text, (letter, plain)| text.replace(*letter, plain))
 }
 
 /// Returns the word that was probably meant, or all valid words.

@@ -12,6 +12,7 @@ use quantities::unit::DEGREE_CELSIUS;
 use quantities::{Language, Measure, ThermodynamicTemperature};
 use words::help;
 use words::help::values;
+use words::spoken::DRIVES;
 use words::{commission as texts, simulation};
 
 pub(super) const FORM: Argument = Argument::option("for", values::drive, help::commission_for);
@@ -24,11 +25,20 @@ arguments! {
         /// Ordering code of the actuator.
         code: OrderCode = CODE => code,
         /// The form of the values.
-        form: Option<DriveForm> = FORM.of(ArgumentKind::Word(|| DriveForm::ALL.map(DriveForm::id).to_vec()))
+        form: Option<DriveForm> = FORM.of(ArgumentKind::Word(|| DriveForm::ALL.map(DriveForm::id).to_vec())).titled(drives)
             => word(by_id(&DriveForm::ALL, DriveForm::id)),
         /// Temperature of winding and sensors.
         ambient: Option<ThermodynamicTemperature> = AMBIENT => some(read_ambient),
     }
+}
+
+/// Returns the names of drives and of their interfaces, each with the form of its values.
+fn drives() -> Vec<(String, &'static str)> {
+    let of = |(form, names): &(&'static str, &[&str])| {
+        let form = *form;
+        names.iter().map(move |name| ((*name).to_owned(), form)).collect::<Vec<_>>()
+    };
+    DRIVES.iter().flat_map(of).collect()
 }
 
 /// Temperatures at which a winding is measured \[°C\]: a choice, wider than any place where an actuator is permitted, and within the

@@ -1,0 +1,325 @@
+//! Words of a call for the motion: a time, a distance, a payload of every move, the cycle that its dwells fill.
+
+use super::keys::{self, UNITS};
+use super::{Fault, NAMED_KEYS_MOST, with_point};
+use crate::command::typed::{number_and_unit, typed};
+use project::{FilledCycle, Unfilled, Written, cycle_filled, edit_values, key_at, other_names, written};
+use quantities::{Dimension, Language, format_significant, parse, seen};
+use words::{UsageHint, spoken, terminal, usage_hint};
+
+/// Keys of a move that a word without a table states for every move.
+const OF_MOVES: [&str; 13] = [
+    "distance",
+    "time",
+    "speed",
+    "acceleration",
+    "jerk",
+    "payload",
+    "payload_inertia",
+    "process_force",
+    "process_torque",
+    "end_speed",
+    "accelerate",
+    "run",
+    "law",
+];
+
+/// Keys of which any two determine a move.
+const OF_TWO: [&str; 4] = ["distance", "time", "speed", "acceleration"];
+
+/// Keys of what is carried: where no segment states one, all do.
+const CARRIED: [&str; 2] = ["payload", "payload_inertia"];
+
+/// Largest number of calls that a refusal proposes for moves of different distances.
+const SCALED_MOST: usize = 3;
+
+/// Meaning of a word for the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Meaning {
+    /// A key of the moves.
+    Moves(&'static str),
+    /// A key of the dwells.
+    Dwells(&'static str),
+    /// Duration of the whole cycle.
+    Cycle,
+}
+
+/// Returns the meaning of a word for the motion; `None` for a path and for a word of something else.
+pub(crate) fn meaning(word: &str) -> Option<Meaning> {
+    let word = word.trim().to_lowercase();
+    if spoken::is_pause(&word) {
+        return Some(Meaning::Dwells("time"));
+    }
+    let usual = other_names(&word).first().copied();
+    let is = |name: &str| word == name || usual == Some(name);
+    if is("cycle") {
+        return Some(Meaning::Cycle);
+    }
+    if is("hold") {
+        return Some(Meaning::Dwells("hold"));
+    }
+    OF_MOVES.into_iter().find(|name| is(name)).map(Meaning::Moves)
+}
+
+/// Keys with the value that each has then; an empty value removes the key.
+pub(crate) type Values = Vec<(String, String)>;
+
+/// Keys of the segments that a word stands for.
+struct Due<'p> {
+    all: &'p [Written],
+    prefix: &'p str,
+    key: &'static str,
+    /// Paths of the keys.
+    paths: Vec<String>,
+    /// Keys that the new one replaces, since two determine a move.
+    replaced: Vec<String>,
+}
+
+impl<'p> Due<'p> {
+    fn of(all: &'p [Written], prefix: &'p str, meaning: Meaning) -> Self {
+        let (key, of_dwells) = match meaning {
+            Meaning::Moves(key) => (key, false),
+            Meaning::Dwells(key) => (key, true),
+            Meaning::Cycle => ("cycle", true),
+        };
+        let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+        let place = (1..).map(|place: usize| format!("{prefix}motion[{place}]"));
+        let segments: Vec<String> = place.take_while(|path| all.iter().any(|each| each.path == *path)).collect();
+        let is_dwell = |segment: &str| value(&format!("{segment}.law")) == Some("dwell");
+        let own = || segments.iter().filter(|segment| is_dwell(segment) == of_dwells);
+        let path = |segment: &String| format!("{segment}.{key}");
+        let mut due = Self { all, prefix, key, paths: Vec::new(), replaced: Vec::new() };
+        due.paths = own().map(path).filter(|path| value(path).is_some()).collect();
+        if !due.paths.is_empty() {
+            return due;
+        }
+        if CARRIED.contains(&key) {
+            due.paths = segments.iter().filter(|segment| keys::permits(all, segment, key)).map(path).collect();
+        } else if of_dwells && key == "hold" {
+            due.paths = own().map(path).collect();
+        } else if OF_TWO.contains(&key) && key != "distance" {
+            for segment in own().filter(|segment| keys::permits(all, segment, key)) {
+                let stated = OF_TWO.iter().map(|other| format!("{segment}.{other}"));
+                let stated: Vec<String> = stated.filter(|path| value(path).is_some()).collect();
+                let [distance, other] = &stated[..] else { return Self { paths: Vec::new(), ..due } };
+                if !distance.ends_with(".distance") {
+                    return Self { paths: Vec::new(), ..due };
+                }
+                due.replaced.push(other.clone());
+                due.paths.push(path(segment));
+            }
+        }
+        due
+    }
+
+    fn stated(&self, path: &str) -> Option<&'p str> {
+        self.all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref())
+    }
+
+    /// Returns the keys of this name that the project states elsewhere and that take the value; for a negative angle also those
+    /// that it may have.
+    fn elsewhere(&self, word: &str, value: &str) -> Vec<String> {
+        let motion = format!("{}motion[", self.prefix);
+        let found = keys::named_exactly(self.all, self.prefix, word, value).into_iter();
+        let is_stated = |path: &String| self.stated(path).is_some() || value.starts_with('-');
+        found.filter(|path| !path.starts_with(&motion) && is_stated(path) && keys::takes(path, value)).collect()
+    }
+
+    /// Returns the value of each key: the stated signs are the directions of the moves.
+    fn values(&self, value: &str) -> Values {
+        let is_turned = value.starts_with('-');
+        let has_direction = ["distance", "speed", "end_speed"].contains(&self.key);
+        let amount = value.trim_start_matches('-');
+        let of = |path: &String| {
+            let has_sign = self.key == "distance" || has_direction && !self.has_distance(path);
+            let is_back = has_sign && self.stated(path).is_some_and(|stated| stated.starts_with('-'));
+            let sign = if is_back == is_turned { "" } else { "-" };
+            (path.clone(), format!("{sign}{amount}"))
+        };
+        let mut values: Values = self.paths.iter().map(of).collect();
+        values.extend(self.replaced.iter().map(|path| (path.clone(), String::new())));
+        values
+    }
+
+    fn has_distance(&self, path: &str) -> bool {
+        let segment = path.rsplit_once('.').map_or("", |(segment, _)| segment);
+        self.stated(&format!("{segment}.distance")).is_some()
+    }
+
+    /// Returns the calls that scale the distances so that those of one amount get a value, and the others keep their share;
+    /// empty where all moves have one amount.
+    fn scaled(&self, value: &str) -> Vec<String> {
+        let si = |text: &str| {
+            let read = [Dimension::Angle, Dimension::Length].into_iter().find_map(|of| parse(of, text).ok());
+            read.map(|read| read.si.abs())
+        };
+        let mut amounts: Vec<f64> = Vec::new();
+        for amount in self.paths.iter().filter_map(|path| si(self.stated(path)?)) {
+            if amounts.iter().all(|known| (known / amount - 1.0).abs() > SAME_SHARE) {
+                amounts.push(amount);
+            }
+        }
+        if amounts.len() < 2 {
+            return Vec::new();
+        }
+        amounts.sort_by(|a, b| b.total_cmp(a));
+        let new = si(value).unwrap_or_default();
+        let factors = amounts.iter().take(SCALED_MOST).map(|amount| new / amount).filter(|factor| *factor > 0.0);
+        factors.map(|factor| typed(["--scale", &format!("distance={}", plain(factor, FACTOR_DIGITS))])).collect()
+    }
+}
+
+/// Relative difference below which two distances are the same: that of typed digits.
+const SAME_SHARE: f64 = 1e-6;
+
+/// Digits of a proposed factor.
+const FACTOR_DIGITS: usize = 6;
+
+/// Returns a positive number with some digits, without zeros at its end.
+fn plain(number: f64, digits: usize) -> String {
+    let text = format_significant(number, digits, Language::En);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// Returns the text with a word for the motion set in every segment that it is for, and the changes; `None` as [`values`].
+pub(super) fn set(
+    text: &str,
+    change: &str,
+    prefix: &str,
+    further: &[String],
+    language: Language,
+) -> Option<Result<(String, String), Fault>> {
+    let (word, value) = change.split_once('=').map(|(key, value)| (key.trim(), value.trim()))?;
+    let done = |(text, changes): (String, Vec<String>)| (text, changes.join("; "));
+    if meaning(word) == Some(Meaning::Cycle) {
+        return Some(cycle(text, (prefix, word), value, language)?.map(done));
+    }
+    let all = written(text)?;
+    let changed = |values: Values| {
+        let edited = edit_values(text, &values).map_err(|fault| (fault.to_string(), None))?;
+        let before = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+        let shown = |value: &str| if value.is_empty() { "–".to_owned() } else { value.to_owned() };
+        let change = |(path, to): &(String, String)| format!("{path} {} → {}", before(path).unwrap_or("–"), shown(to));
+        Ok(done((edited, values.iter().map(change).collect())))
+    };
+    Some(values(text, (prefix, word), value, further, language)?.and_then(changed))
+}
+
+/// Returns the value of each key of the motion that a word states; `None` for a word of something else, or if the motion has no
+/// such key. `further` are the keys that the call states besides.
+pub(crate) fn values(
+    text: &str,
+    (prefix, word): (&str, &str),
+    value: &str,
+    further: &[String],
+    language: Language,
+) -> Option<Result<Values, Fault>> {
+    let meaning = meaning(word).filter(|meaning| *meaning != Meaning::Cycle && !value.is_empty())?;
+    let all = written(text)?;
+    let due = Due::of(&all, prefix, meaning);
+    let first = due.paths.first()?;
+    let value = with_point(first, value);
+    let value = value.as_ref();
+    let set = |key: &str, value: &str| typed(["--set", &format!("{key}={}", seen(value))]);
+    let refused = |message: String, calls: Vec<String>| {
+        Some(Err((message, Some(usage_hint(&UsageHint::Calls(calls), language)))))
+    };
+    let is_quantity = key_at(first).is_some_and(|key| keys::is_measured(key.kind));
+    if is_quantity && value.replace(',', ".").parse::<f64>().is_ok() {
+        return Some(Err(without_unit(&due, word, value, language)));
+    }
+    let elsewhere = due.elsewhere(word, value);
+    if let Some(other) = elsewhere.first() {
+        let mut calls: Vec<String> =
+            elsewhere.iter().take(NAMED_KEYS_MOST).map(|path| set(path, value)).collect();
+        match word.eq_ignore_ascii_case(due.key) {
+            false => calls.push(set(due.key, value)),
+            true => calls.extend(due.paths.iter().take(NAMED_KEYS_MOST).map(|path| set(path, value))),
+        }
+        return refused(terminal::set_which(&seen(word), other, first, language), calls);
+    }
+    if due.key == "distance" {
+        let calls = due.scaled(value);
+        if !calls.is_empty() {
+            return refused(terminal::distances_differ(&seen(word), language), calls);
+        }
+    }
+    if due.replaced.iter().any(|path| further.iter().any(|key| is_key(path, key))) {
+        let names = OF_TWO.join(", ");
+        return Some(Err((terminal::two_of_a_move(&names, language), None)));
+    }
+    Some(Ok(due.values(value)))
+}
+
+/// Returns the unit of the stated values that a word for the motion is for.
+pub(crate) fn unit(text: &str, (prefix, word): (&str, &str)) -> Option<String> {
+    let all = written(text)?;
+    let due = Due::of(&all, prefix, meaning(word)?);
+    let first = due.paths.first()?;
+    let own = due.stated(first).map(|value| number_and_unit(value).1).filter(|unit| !unit.is_empty());
+    let fitting = || UNITS.into_iter().find(|unit| keys::is_quantity(first, &format!("1 {unit}")));
+    own.or_else(fitting).map(str::to_owned)
+}
+
+/// Returns `true` if a word states the key at a path.
+fn is_key(path: &str, word: &str) -> bool {
+    let last = path.rsplit('.').next().unwrap_or_default();
+    matches!(meaning(word), Some(Meaning::Moves(key)) if key == last)
+}
+
+/// Returns the refusal of a number without a unit, with every call that it may mean: a value with its unit, and a factor.
+fn without_unit(due: &Due<'_>, word: &str, value: &str, language: Language) -> Fault {
+    let number = value.replace(',', ".");
+    let own = due.paths.iter().find_map(|path| Some(number_and_unit(due.stated(path)?).1).filter(|unit| !unit.is_empty()));
+    let first = due.paths.first().cloned().unwrap_or_default();
+    let fitting = UNITS.into_iter().filter(|unit| keys::is_quantity(&first, &format!("{number} {unit}")));
+    let units: Vec<&str> = own.map_or_else(|| fitting.take(2).collect(), |own| vec![own]);
+    let mut calls: Vec<String> =
+        units.iter().map(|unit| typed(["--set", &format!("{}={number} {unit}", seen(word))])).collect();
+    let is_factor = number.parse().is_ok_and(|factor: f64| super::FACTORS.contains(&factor));
+    if let Some(what) = spoken::scaled(word).filter(|_| is_factor && due.paths.iter().any(|path| due.stated(path).is_some())) {
+        calls.push(typed(["--scale", &format!("{what}={number}")]));
+    }
+    (terminal::set_unit(&seen(word), language), Some(usage_hint(&UsageHint::Calls(calls), language)))
+}
+
+/// Returns the text whose dwells fill a cycle, and the changes.
+fn cycle(
+    text: &str,
+    (prefix, word): (&str, &str),
+    value: &str,
+    language: Language,
+) -> Option<Result<(String, Vec<String>), Fault>> {
+    let number = value.replace(',', ".");
+    if number.parse::<f64>().is_ok() {
+        let call = typed(["--set", &format!("{}={number} s", seen(word))]);
+        let hint = usage_hint(&UsageHint::Calls(vec![call]), language);
+        return Some(Err((terminal::set_unit(&seen(word), language), Some(hint))));
+    }
+    match cycle_filled(text, prefix, &number) {
+        Ok(FilledCycle { text, changes }) => {
+            let shown = |value: String| if value.is_empty() { "–".to_owned() } else { value };
+            let change = |(path, from, to)| format!("{path} {} → {}", shown(from), shown(to));
+            Some(Ok((text, changes.into_iter().map(change).collect())))
+        }
+        Err(Unfilled::TooShort { moves }) => {
+            let all = written(text)?;
+            let time = Due::of(&all, prefix, Meaning::Moves("time")).example_time(&number);
+            let call = |time| typed(["--set", &format!("time={time}"), "--set", &format!("{}={number}", seen(word))]);
+            let hint = time.map(|time| usage_hint(&UsageHint::Calls(vec![call(time)]), language));
+            Some(Err((terminal::cycle_too_short(&seen(&number), &moves, language), hint)))
+        }
+        Err(Unfilled::NoCycle) => None,
+    }
+}
+
+impl Due<'_> {
+    /// Returns a time of each move that leaves a fifth of a cycle to its dwells.
+    fn example_time(&self, cycle: &str) -> Option<String> {
+        const OF_MOVES_SHARE: f64 = 0.8;
+        let cycle_s = parse(Dimension::Time, cycle).ok()?.si;
+        #[allow(clippy::cast_precision_loss, reason = "a count of segments")]
+        let time = OF_MOVES_SHARE * cycle_s / self.paths.len().max(1) as f64;
+        Some(format!("{}s", plain(time, 3)))
+    }
+}

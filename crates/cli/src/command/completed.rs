@@ -1,0 +1,181 @@
+//! Calls that lack one word, with the one that is plainly meant: the only project of the folder, today, the neutral list of a drive,
+//! the best of the actuators that half a code names.
+
+use super::folder::{best_of_pattern, has_ending, projects_in};
+use super::meant::{Called, Part};
+use super::spoken::seems_code;
+use clap::{Arg, Command};
+use quantities::{Language, Measure, Time};
+use questions::list::upkeep::day_of_clock;
+use questions::list::ArgumentKind;
+use std::ffi::OsString;
+use std::path::Path;
+use words::{spoken, terminal};
+
+/// Hours of operation a day of a battery without a statement: a shift.
+const BATTERY_HOURS: &str = "8 h";
+
+/// Days and hours above which a duration is that of an operation, not of a cycle \[s\].
+const OPERATION_LEAST_S: f64 = 3600.0;
+
+/// Seconds of a day.
+const DAY_S: f64 = 86_400.0;
+
+/// Returns a call with what it plainly lacks, and a remark on each word that was added.
+pub(super) fn completed(arguments: Vec<OsString>, whole: &Command, language: Language) -> (Vec<OsString>, Vec<String>) {
+    let (mut arguments, mut remarks) = (arguments, Vec::new());
+    for step in [with_own_values, with_whole_code, with_one_option] {
+        let found = Called::of(&arguments, whole, language).and_then(|called| step(&called, &arguments));
+        if let Some((changed, remark)) = found {
+            arguments = changed;
+            remarks.extend(remark);
+        }
+    }
+    (arguments, remarks)
+}
+
+type Completed = (Vec<OsString>, Option<String>);
+
+/// Returns the words of a call as texts.
+fn texts(arguments: &[OsString]) -> Option<Vec<&str>> {
+    arguments.iter().map(|word| word.to_str()).collect()
+}
+
+/// Returns a call with the program's words for the values of options: `--scenario estop`, `--delivered today`.
+fn with_own_values(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed> {
+    let texts = texts(arguments)?;
+    let mut words: Vec<String> = texts.iter().map(|word| (*word).to_owned()).collect();
+    let today = || crate::call::days_since_1970().and_then(day_of_clock).map(|day| day.to_string());
+    for part in called.parts(&texts)? {
+        let Part::Option(option, Some(value)) = part else { continue };
+        let Some(argument) = option.get_long().and_then(|name| called.argument(name)) else { continue };
+        let own = match argument.kind {
+            ArgumentKind::Word(_) if !argument.takes(value) => spoken::value(value).map(str::to_owned),
+            ArgumentKind::Date if spoken::is_today(value) => today(),
+            _ => None,
+        };
+        let Some(own) = own else { continue };
+        for word in words.iter_mut().skip(called.begin) {
+            let name = option.get_long().unwrap_or_default();
+            if word == value {
+                *word = own.clone();
+            } else if *word == format!("--{name}={value}") {
+                *word = format!("--{name}={own}");
+            }
+        }
+    }
+    let is_changed = words.iter().zip(&texts).any(|(word, text)| word != text);
+    is_changed.then(|| (words.into_iter().map(OsString::from).collect(), None))
+}
+
+/// Returns a call with the only project of the folder, if it lacks one, and a remark on it.
+pub(super) fn with_project(
+    mut arguments: Vec<OsString>,
+    whole: &Command,
+    language: Language,
+) -> (Vec<OsString>, Option<String>) {
+    let Some(called) = Called::of(&arguments, whole, language) else { return (arguments, None) };
+    let is_of_project = called.command.get_positionals().any(|position| position.get_id() == "project");
+    let first_is_code = called.command.get_positionals().next().is_some_and(|position| is_code(&called, position));
+    let is_file = |word: &&str| has_ending(word, &[".toml"]) || *word == "-" || Path::new(word).exists();
+    let first: Vec<&str> = called.first.iter().map(String::as_str).collect();
+    let is_stated = arguments.iter().skip(called.begin).any(|word| {
+        // Help is about the command.
+        word.to_str().is_none_or(|word| is_file(&word) || ["-h", "--help", "--"].contains(&word))
+    });
+    let is_known = |word: &&str| seems_code(word) || !called.takers(word, &[]).0.is_empty() || word.contains('=');
+    let is_due = match called.entry.map(|entry| entry.command) {
+        None | Some("identify") => false,
+        // A word of another kind may be the name of a project.
+        Some(_) if is_of_project => first.iter().all(is_known),
+        Some(_) => first_is_code && first.is_empty() && called.entry.is_some_and(|entry| !entry.command().contains(' ')),
+    };
+    if !is_due || is_stated || !called.projects.is_empty() {
+        return (arguments, None);
+    }
+    let begin = called.begin;
+    let [project] = &projects_in(Path::new(""))[..] else { return (arguments, None) };
+    arguments.insert(begin, project.into());
+    (arguments, Some(terminal::only_project(&project.to_string_lossy(), language)))
+}
+
+fn is_code(called: &Called<'_>, position: &Arg) -> bool {
+    let argument = called.entry.and_then(|_| called.argument(position.get_id().as_str()));
+    argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code))
+}
+
+/// Returns a call about one actuator with the best of those that a part of a code names, for the axis of its project.
+fn with_whole_code(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed> {
+    let language = called.language();
+    let texts = texts(arguments)?;
+    let takes_code = called.argument("code").is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code));
+    let project = called.projects.first().filter(|_| takes_code)?.to_str()?;
+    let mut codes = called.parts(&texts)?.into_iter().filter_map(|part| match part {
+        Part::Bare(_, word) if seems_code(word) => Some(word),
+        Part::Option(option, Some(value)) if option.get_long() == Some("code") => Some(value),
+        _ => None,
+    });
+    let part = codes.find(|code| questions::read_code(code, language).is_err())?;
+    let pattern = questions::list::code_list::read_pattern(part, language).ok()?;
+    let (code, count) = best_of_pattern(project, &pattern, language)?;
+    let words = texts.iter().map(|word| if *word == part { code.as_str() } else { word });
+    let words = words.map(|word| word.replace(&format!("--code={part}"), &format!("--code={code}")));
+    let remark = terminal::best_of_pattern(&quantities::seen(part), &count, &code, language);
+    Some((words.map(OsString::from).collect(), Some(remark)))
+}
+
+/// Returns a call with the option that it lacks.
+fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed> {
+    let language = called.language();
+    let texts = texts(arguments)?;
+    let parts = called.parts(&texts)?;
+    let is_given = |names: &[&str]| {
+        parts.iter().any(|part| matches!(part, Part::Option(option, _) if option.get_long().is_some_and(|long| names.contains(&long))))
+    };
+    let bare: Vec<&str> = parts.iter().filter_map(|part| if let Part::Bare(_, word) = part { Some(*word) } else { None }).collect();
+    let takes = |option: &str| bare.iter().any(|word| called.takers(word, &[]).0.iter().any(|name| name == option));
+    let with = |more: &[&str], remark: String| {
+        let words = arguments.iter().cloned().chain(more.iter().map(OsString::from)).collect();
+        Some((words, Some(remark)))
+    };
+    match called.entry?.command {
+        "commission" if !is_given(&["for", "checklist", "record", "blank"]) && bare.len() == 1 => {
+            with(&["--for", "plain"], terminal::option_assumed(&"--for plain", language))
+        }
+        "upkeep" if !is_given(&["delivered"]) && !takes("--delivered") && !bare.is_empty() => {
+            let today = crate::call::days_since_1970().and_then(day_of_clock)?.to_string();
+            with(&["--delivered", &today], terminal::option_assumed(&format!("--delivered {today}"), language))
+        }
+        "plot" if !is_given(&["figure"]) && !takes("--figure") && is_given(&["svg", "png"]) => {
+            with(&["--figure", "torque_speed"], terminal::option_assumed(&"--figure torque_speed", language))
+        }
+        "battery" => {
+            let code = bare.iter().find(|word| questions::read_code(word, language).is_ok());
+            let words = arguments.iter().filter(|word| code.is_none_or(|code| *word != code)).cloned();
+            let mut words: Vec<OsString> = words.collect();
+            if is_given(&["hours-per-day"]) || takes("--hours-per-day") {
+                return code.map(|_| (words, None));
+            }
+            words.extend(["--hours-per-day".into(), BATTERY_HOURS.into()]);
+            let option = format!("--hours-per-day \"{BATTERY_HOURS}\"");
+            Some((words, Some(terminal::option_assumed(&option, language))))
+        }
+        _ => None,
+    }
+}
+
+/// Returns the options of a run for a duration of an hour or more: `--time 8h` of a simulation.
+pub(super) fn operation(name: &str, value: &str, language: Language) -> Option<Vec<String>> {
+    let duration = spoken::is_duration(name).then(|| questions::read_quantity::<Time>(value, language).ok()).flatten()?;
+    let seconds = duration.si();
+    if seconds < OPERATION_LEAST_S {
+        return None;
+    }
+    let (days, hours) = if seconds <= DAY_S {
+        (1.0, value.to_owned())
+    } else {
+        ((seconds / DAY_S).round(), "24 h".to_owned())
+    };
+    let is_whole = seconds <= DAY_S || (days * DAY_S - seconds).abs() < 1.0;
+    is_whole.then(|| vec!["--days".to_owned(), format!("{days:.0}"), "--hours-per-day".to_owned(), hours])
+}
