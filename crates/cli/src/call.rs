@@ -2,9 +2,9 @@
 
 use crate::answer::CommandAnswer;
 use crate::changed::changed;
-use crate::command::typed::typed;
 #[cfg(feature = "report")]
 use crate::changed::file_name_of_changes;
+use crate::command::typed::typed;
 use crate::fault::{memory, path_text};
 use crate::save::Saver;
 use crate::source::SourceFile as File;
@@ -130,6 +130,20 @@ fn change(files: &mut [File], matches: &ArgMatches, language: Language) -> Resul
     for file in files {
         for made in file.change(matches, language)? {
             remarks.push_str(&format!("{}\n", terminal::changed_for_this_call(&made, language)));
+        }
+        if let Some(assumed) = file.assumed() {
+            let name = path_text(file.path());
+            let stem = file.path().with_extension("");
+            let out = format!("{}.toml", path_text(&stem));
+            let sets: Vec<String> = assumed.iter().map(|each| each.replace(" = ", "=")).collect();
+            let own = matches.try_get_many::<String>("set").ok().flatten().into_iter().flatten();
+            let sets = sets.iter().chain(own).flat_map(|set| ["--set", set.as_str()]);
+            let head = ["antrieb", "new", "recording", "--from", name.as_str()].into_iter();
+            let new = typed(head.chain(sets).chain(["--out", out.as_str()]));
+            for each in assumed {
+                remarks.push_str(&format!("{}\n", terminal::option_assumed(each, language)));
+            }
+            remarks.push_str(&format!("{}\n", terminal::new_project_as_a_file(&new, language)));
         }
         if let Some(unstated) = file.unstated() {
             let kind = path_text(file.path());

@@ -2,16 +2,16 @@
 
 pub(crate) mod keys;
 pub(crate) mod motion;
+mod value;
 
 use crate::command::typed::{number_and_unit, typed};
 use clap::ArgMatches;
-use project::{
-    Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written,
-};
+use project::{Edit, Kind, Written, distance_of_stations, edit, key_at, load_scaled, paced, stretch, truth, written};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
+use value::{FACTORS, Fault, NAMED_KEYS_MOST, with_point};
 use words::{Usage, UsageHint, sweeps, terminal, usage_hint, usage_text};
 
 /// Quantities that a call may scale.
@@ -23,9 +23,6 @@ const NAMED_MOST: usize = 120;
 /// Largest number of characters of the changes in a file name.
 #[cfg(feature = "report")]
 const FILE_NAME_MOST: usize = 80;
-
-/// Largest number of keys that a refusal names.
-const NAMED_KEYS_MOST: usize = 4;
 
 /// A text with the changes of a call.
 pub(crate) struct Changed {
@@ -53,7 +50,7 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
     let of = |change: &String| change.split_once('=').map_or_else(String::new, |(key, _)| key.trim().to_owned());
     let further: Vec<String> = sets.iter().map(of).collect();
     // What fills the cycle follows from the moves.
-    let is_cycle = |change: &&String| motion::meaning(&of(change)) == Some(motion::Meaning::Cycle);
+    let is_cycle = |change: &&String| motion::meaning(&of(change)) == Some(motion::MotionWord::Cycle);
     let ordered = sets.iter().filter(|change| !is_cycle(change)).chain(sets.iter().filter(is_cycle));
     let steps = ordered.map(|change| ("set", change)).chain(scales.iter().map(|change| ("scale", change)));
     for (option, change) in steps {
@@ -78,8 +75,14 @@ pub(crate) fn changed(text: &str, matches: &ArgMatches, language: Language) -> R
 
 /// Returns a change without the quotes around its value: those of a project file, also as word processors write them.
 fn unquoted(change: &str) -> Cow<'_, str> {
-    const PAIRS: [(char, char); 6] =
-        [('"', '"'), ('\'', '\''), ('\u{201c}', '\u{201d}'), ('\u{201e}', '\u{201c}'), ('\u{2018}', '\u{2019}'), ('\u{201d}', '\u{201d}')];
+    const PAIRS: [(char, char); 6] = [
+        ('"', '"'),
+        ('\'', '\''),
+        ('\u{201c}', '\u{201d}'),
+        ('\u{201e}', '\u{201c}'),
+        ('\u{2018}', '\u{2019}'),
+        ('\u{201d}', '\u{201d}'),
+    ];
     let Some((key, value)) = change.split_once('=') else { return Cow::Borrowed(change) };
     let inside = |(open, close): &(char, char)| value.trim().strip_prefix(*open)?.strip_suffix(*close);
     PAIRS.iter().find_map(inside).map_or(Cow::Borrowed(change), |value| Cow::Owned(format!("{key}={value}")))
@@ -121,8 +124,6 @@ pub(crate) fn prefix(text: &str, wanted: Option<&String>) -> Option<String> {
         place.into_iter().find(|place| wanted.is_some() && value(&format!("axis[{place}].name")).as_ref() == wanted);
     Some(named.map(|place| format!("axis[{place}].")).unwrap_or_default())
 }
-
-type Fault = (String, Option<String>);
 
 fn bad(written: &str, option: &str, hint: UsageHint, language: Language) -> Fault {
     let usage = Usage::BadValue { written: seen(written).into_owned(), name: format!("--{option}") };
@@ -188,18 +189,6 @@ fn set(text: &str, change: &str, prefix: &str, language: Language) -> Result<(St
     Ok((done, format!("{path} {before} → {}", if value.is_empty() { "–" } else { value })))
 }
 
-/// Returns the value of a quantity with a decimal point in place of a comma, unless that may separate thousands: `1,200 kg`.
-fn with_point<'v>(path: &str, value: &'v str) -> Cow<'v, str> {
-    let is_measured = key_at(path).is_some_and(|key| matches!(key.kind, Kind::Quantity(..) | Kind::Along(..)));
-    let (number, _) = number_and_unit(value);
-    match number.split_once(',') {
-        Some((whole, rest)) if is_measured && !rest.contains([',', '.']) && !whole.contains('.') && rest.len() != 3 => {
-            Cow::Owned(value.replacen(',', ".", 1))
-        }
-        _ => Cow::Borrowed(value),
-    }
-}
-
 /// Turns a table on by one station in each of its moves; `None` if the change is no number of stations, or nothing turns.
 fn stations(text: &str, change: &str, prefix: &str) -> Option<(String, String)> {
     let (key, value) = change.split_once('=')?;
@@ -239,7 +228,11 @@ pub(crate) fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &s
     let mut found: Vec<(String, String)> = Vec::new();
     for unit in keys::UNITS {
         let value = format!("{number} {unit}");
-        let paths = if key_at(key).is_some_and(|key| !keys::is_table(key.kind)) { vec![key.to_owned()] } else { keys::named(all, prefix, key, &value) };
+        let paths = if key_at(key).is_some_and(|key| !keys::is_table(key.kind)) {
+            vec![key.to_owned()]
+        } else {
+            keys::named(all, prefix, key, &value)
+        };
         let lacking = paths.into_iter().filter(|path| keys::is_quantity(path, &value));
         found.extend(lacking.map(|path| (path, value.clone())));
     }
@@ -259,9 +252,6 @@ pub(crate) fn with_units(all: &[Written], (prefix, key): (&str, &str), value: &s
 
 /// Factors that a bare number plainly states for the whole load.
 pub(crate) const LOAD_FACTORS: RangeInclusive<f64> = 0.5..=2.0;
-
-/// Factors that are proposed for a bare number.
-const FACTORS: RangeInclusive<f64> = 0.05..=20.0;
 
 /// Percentages without a sign that state a share of the stated value: a smaller one may also be meant as an increase.
 const SHARES: RangeInclusive<f64> = 50.0..=200.0;

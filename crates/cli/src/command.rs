@@ -16,9 +16,11 @@ const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod argument;
 pub(crate) mod begun;
+mod best;
 mod completed;
 mod example;
 mod folder;
+mod kind;
 pub(crate) mod library;
 pub(crate) mod meant;
 pub(crate) mod own;

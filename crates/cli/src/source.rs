@@ -14,6 +14,8 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use words::file_trouble;
 
+mod begun;
+
 /// A file that a question is about: a project, a list or a record.
 #[derive(Clone, Debug)]
 pub struct SourceFile {
@@ -23,6 +25,8 @@ pub struct SourceFile {
     project_files: ProjectFiles,
     /// Text of a new project, if the file is none but the kind of one.
     template: Option<String>,
+    /// The file is a recording, with which a new project begins; assumptions of that project.
+    of_recording: Option<Vec<String>>,
 }
 
 impl SourceFile {
@@ -38,6 +42,9 @@ impl SourceFile {
             let file = Self::of_text(name, text.clone().into_bytes(), Path::new(""), memory);
             return Ok(Self { path: path.to_owned(), template: Some(text), ..file });
         }
+        if reads == Reads::Project && !piped && begun::is_recording(path) {
+            return Self::of_recording(path, name, memory, language);
+        }
         let bytes = read_bytes(path, reads.bytes_most()).map_err(|error| Unanswered::File {
             name: name.clone(),
             message: file_trouble(&error, language),
@@ -46,6 +53,24 @@ impl SourceFile {
         let path = if piped { Path::new("") } else { path };
         let folder = path.parent().unwrap_or(Path::new(""));
         Ok(Self { path: path.to_owned(), ..Self::of_text(name, bytes, folder, memory) })
+    }
+
+    /// Creates the project that begins with a recording; a motion that does not end where it began is a single move.
+    fn of_recording(path: &Path, name: String, memory: u64, language: Language) -> Result<Self, Unanswered> {
+        let text = begun::text_of(path, language)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let of = |text: String, assumed: Vec<String>| Self {
+            path: path.to_owned(),
+            of_recording: Some(assumed),
+            ..Self::of_text(name.clone(), text.into_bytes(), folder, memory)
+        };
+        let file = of(text.clone(), Vec::new());
+        let read = file.source().projects(questions::embedded_catalogue(), crate::waiting::progress(), language);
+        let is_open = matches!(&read, Err(Unanswered::Text { faults, .. })
+            if faults.len() == 1 && faults.iter().any(|fault| fault.id.ends_with("_not_closed")));
+        let single = is_open.then(|| begun::as_single_move(&text)).flatten();
+        let assumed = format!("{} = true", begun::SINGLE_MOVE);
+        Ok(single.map_or(file, |text| of(text, vec![assumed])))
     }
 
     /// Replaces its text by one with the changes of a call; returns them. A file that is no text keeps its bytes.
@@ -66,7 +91,7 @@ impl SourceFile {
         // As in a shell, any path is accepted that the caller may read.
         let grant = Grant { memory, reach: Reach::Anywhere };
         let project_files = ProjectFiles { folder: folder.to_owned(), links: Links::Followed, grant };
-        Self { path: PathBuf::new(), name, bytes, project_files, template: None }
+        Self { path: PathBuf::new(), name, bytes, project_files, template: None, of_recording: None }
     }
 
     /// Returns the values of a new project that the call does not state, each with its key; empty for a file.
@@ -80,6 +105,11 @@ impl SourceFile {
             is_kept.then(|| format!("{} {value}", each.path))
         };
         Some(template.iter().filter_map(of).collect())
+    }
+
+    /// Returns the assumptions of the project that begins with the file, a recording; `None` for another file.
+    pub(crate) fn assumed(&self) -> Option<&[String]> {
+        self.of_recording.as_deref()
     }
 
     /// Returns its path; empty for a text.

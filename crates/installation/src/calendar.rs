@@ -109,7 +109,8 @@ pub fn read_date(text: &str) -> Result<NaiveDate, DateFault> {
     if year.len() != 4 || month.len() > 2 || day.len() > 2 {
         return Err(no_date());
     }
-    let date = NaiveDate::parse_from_str(&format!("{year}-{month:0>2}-{day:0>2}"), "%Y-%m-%d").map_err(|_| no_date())?;
+    let date =
+        NaiveDate::parse_from_str(&format!("{year}-{month:0>2}-{day:0>2}"), "%Y-%m-%d").map_err(|_| no_date())?;
     if (YEARS.0..=YEARS.1).contains(&date.year()) { Ok(date) } else { Err(DateFault::OutOfRange { date }) }
 }
 
@@ -205,11 +206,22 @@ mod tests {
     #[test]
     fn what_is_no_date_is_reported() {
         let fault = |text: &str| read_date(text).unwrap_err();
-        for text in
-            ["", "2026-02-30", "01.03.2026", "2026-3-1", "+026-03-01", "2026/03/01", "2026-03-01T00", "２０２６-03"]
-        {
+        for text in [
+            "",
+            "2026-02-30",
+            "30.02.2026",
+            "1.3.26",
+            "1/3/2026",
+            "+026-03-01",
+            "2026/03/01",
+            "2026-03-01T00",
+            "２０２６-03",
+        ] {
             assert!(matches!(fault(text), DateFault::NoDate { .. }), "{text}");
         }
         assert!(matches!(fault("0202-03-01"), DateFault::OutOfRange { .. }));
+        for text in ["2026-03-01", "2026-3-1", "1.3.2026", "01.03.2026"] {
+            assert_eq!(read_date(text).map(|date| date.to_string()).ok().as_deref(), Some("2026-03-01"), "{text}");
+        }
     }
 }

@@ -9,7 +9,7 @@ use quantities::{Dimension, parse};
 pub struct FilledCycle {
     /// The text.
     pub text: String,
-    /// Each changed key with its value before and after; empty where there is none.
+    /// Changed keys, each with its value before and after; empty where there is none.
     pub changes: Vec<(String, String, String)>,
 }
 
@@ -57,8 +57,7 @@ pub fn cycle_filled(text: &str, prefix: &str, cycle: &str) -> Result<FilledCycle
     if segments.is_empty() {
         return Err(Unfilled::NoCycle);
     }
-    let moves_s: Option<f64> =
-        segments.iter().filter(|segment| !segment.is_dwell).map(|segment| segment.time_s).sum();
+    let moves_s: Option<f64> = segments.iter().filter(|segment| !segment.is_dwell).map(|segment| segment.time_s).sum();
     let dwells: Vec<&SegmentTime> = segments.iter().filter(|segment| segment.is_dwell).collect();
     if let Some(moves_s) = moves_s.filter(|moves_s| *moves_s >= cycle_s) {
         let moves = shown(moves_s, EXACT_DIGITS).unwrap_or_default();

@@ -54,7 +54,8 @@ const PROPOSALS: usize = 3;
 /// # Errors
 /// Every fault, each with its place in the text, and the nearest valid codes.
 pub fn read_code(text: &str, language: Language) -> Result<CodeReading, CodeRefusal> {
-    let parsed = order_code::parse(text).or_else(|errors| with_hyphens(text).map_or(Err(errors), |text| order_code::parse(&text)));
+    let parsed = order_code::parse(text)
+        .or_else(|errors| with_hyphens(text).map_or(Err(errors), |text| order_code::parse(&text)));
     let parsed = parsed.map_err(|errors| CodeRefusal {
         faults: spelling_faults(&errors, language),
         nearest: configurator::nearest(text, PROPOSALS),

@@ -97,12 +97,68 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("zeichnen", "plot"),
 ];
 
+/// Words that may name several commands, each with those that it may mean.
+const SEVERAL: &[(&str, &[&str])] = &[
+    ("display", &["data", "plot", "report"]),
+    ("find", &["size", "code list", "glossary"]),
+    ("info", &["data", "explain", "errata"]),
+    ("liste", &["code list", "catalogue export", "units"]),
+    ("list", &["code list", "catalogue export", "units"]),
+    ("ls", &["code list", "catalogue export", "units"]),
+    ("open", &["serve", "size"]),
+    ("print", &["report", "data"]),
+    ("show", &["data", "plot", "report"]),
+    ("start", &["serve", "new"]),
+    ("test", &["check", "simulate"]),
+    ("zeigen", &["data", "plot", "report"]),
+    ("öffnen", &["serve", "size"]),
+];
+
+/// Returns the commands that a word may mean, if these are several; empty for another word.
+#[must_use]
+pub fn commands_meant(word: &str) -> &'static [&'static str] {
+    let word = word.to_lowercase();
+    SEVERAL.iter().find(|(other, _)| *other == word).map_or(&[], |(_, commands)| commands)
+}
+
 /// Words of [`COMMANDS`] that are not German, or are words of both languages.
 const NOT_GERMAN: &[&str] = &[
-    "calc", "calculate", "catalog", "chart", "create", "datasheet", "definition", "draw", "encode", "excel",
-    "graph", "gui", "inertias", "init", "licenses", "maintenance", "motion", "parameter", "pdf", "pinout",
-    "pins", "run", "select", "server", "sim", "simulation", "sizing", "spec", "specs", "template",
-    "term", "torsional-stiffness", "validate", "verify", "web", "why",
+    "calc",
+    "calculate",
+    "catalog",
+    "chart",
+    "create",
+    "datasheet",
+    "definition",
+    "draw",
+    "encode",
+    "excel",
+    "graph",
+    "gui",
+    "inertias",
+    "init",
+    "licenses",
+    "maintenance",
+    "motion",
+    "parameter",
+    "pdf",
+    "pinout",
+    "pins",
+    "run",
+    "select",
+    "server",
+    "sim",
+    "simulation",
+    "sizing",
+    "spec",
+    "specs",
+    "template",
+    "term",
+    "torsional-stiffness",
+    "validate",
+    "verify",
+    "web",
+    "why",
 ];
 
 /// Returns `true` if a word names a command in German only.

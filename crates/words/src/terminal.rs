@@ -167,6 +167,9 @@ texts! {
     two_of_a_move(names) =
         "two of these determine a move, not three: {names}"
         | "zwei dieser Angaben bestimmen eine Bewegung, nicht drei: {names}";
+    cycle_of_all(cycle, moves) =
+        "cycle {cycle}, the whole motion: {moves} moves with their dwells"
+        | "Zyklus {cycle}, die ganze Bewegung: {moves} Bewegungen mit ihren Rasten";
     cycle_too_short(cycle, moves) =
         "the moves alone take {moves}, the cycle is {cycle}"
         | "die Bewegungen allein dauern {moves}, der Zyklus {cycle}";

@@ -70,7 +70,9 @@ pub(crate) fn no_entry(all: &[Written], path: &str) -> Option<(String, usize)> {
         let is_there = all.iter().any(|each| each.path == entry);
         let (list, _) = entry.rsplit_once('[')?;
         let is_entry = |each: &&Written| {
-            each.path.strip_prefix(list).is_some_and(|rest| rest.starts_with('[') && rest.ends_with(']') && rest.matches('[').count() == 1 && !rest.contains('.'))
+            each.path.strip_prefix(list).is_some_and(|rest| {
+                rest.starts_with('[') && rest.ends_with(']') && rest.matches('[').count() == 1 && !rest.contains('.')
+            })
         };
         (!is_there).then(|| (entry.to_owned(), all.iter().filter(is_entry).count()))
     })

@@ -1,10 +1,10 @@
 //! Words of a call for the motion: a time, a distance, a payload of every move, the cycle that its dwells fill.
 
 use super::keys::{self, UNITS};
-use super::{Fault, NAMED_KEYS_MOST, with_point};
+use super::value::{FACTORS, Fault, NAMED_KEYS_MOST, with_point};
 use crate::command::typed::{number_and_unit, typed};
 use project::{FilledCycle, Unfilled, Written, cycle_filled, edit_values, key_at, other_names, written};
-use quantities::{Dimension, Language, format_significant, parse, seen};
+use quantities::{Dimension, Language, parse, seen};
 use words::{UsageHint, spoken, terminal, usage_hint};
 
 /// Keys of a move that a word without a table states for every move.
@@ -33,9 +33,9 @@ const CARRIED: [&str; 2] = ["payload", "payload_inertia"];
 /// Largest number of calls that a refusal proposes for moves of different distances.
 const SCALED_MOST: usize = 3;
 
-/// Meaning of a word for the motion.
+/// MotionWord of a word for the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Meaning {
+pub(crate) enum MotionWord {
     /// A key of the moves.
     Moves(&'static str),
     /// A key of the dwells.
@@ -45,20 +45,20 @@ pub(crate) enum Meaning {
 }
 
 /// Returns the meaning of a word for the motion; `None` for a path and for a word of something else.
-pub(crate) fn meaning(word: &str) -> Option<Meaning> {
+pub(crate) fn meaning(word: &str) -> Option<MotionWord> {
     let word = word.trim().to_lowercase();
     if spoken::is_pause(&word) {
-        return Some(Meaning::Dwells("time"));
+        return Some(MotionWord::Dwells("time"));
     }
     let usual = other_names(&word).first().copied();
     let is = |name: &str| word == name || usual == Some(name);
     if is("cycle") {
-        return Some(Meaning::Cycle);
+        return Some(MotionWord::Cycle);
     }
     if is("hold") {
-        return Some(Meaning::Dwells("hold"));
+        return Some(MotionWord::Dwells("hold"));
     }
-    OF_MOVES.into_iter().find(|name| is(name)).map(Meaning::Moves)
+    OF_MOVES.into_iter().find(|name| is(name)).map(MotionWord::Moves)
 }
 
 /// Keys with the value that each has then; an empty value removes the key.
@@ -75,18 +75,29 @@ struct Due<'p> {
     replaced: Vec<String>,
 }
 
+/// Returns the segments of the motion of an axis, each with `true` for a dwell.
+fn segments(all: &[Written], prefix: &str) -> Vec<(String, bool)> {
+    let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
+    let place = (1..).map(|place: usize| format!("{prefix}motion[{place}]"));
+    let paths = place.take_while(|path| all.iter().any(|each| each.path == *path));
+    paths
+        .map(|path| {
+            let is_dwell = value(&format!("{path}.law")) == Some("dwell");
+            (path, is_dwell)
+        })
+        .collect()
+}
+
 impl<'p> Due<'p> {
-    fn of(all: &'p [Written], prefix: &'p str, meaning: Meaning) -> Self {
+    fn of(all: &'p [Written], prefix: &'p str, meaning: MotionWord) -> Self {
         let (key, of_dwells) = match meaning {
-            Meaning::Moves(key) => (key, false),
-            Meaning::Dwells(key) => (key, true),
-            Meaning::Cycle => ("cycle", true),
+            MotionWord::Moves(key) => (key, false),
+            MotionWord::Dwells(key) => (key, true),
+            MotionWord::Cycle => ("cycle", true),
         };
         let value = |path: &str| all.iter().find(|each| each.path == path).and_then(|each| each.value.as_deref());
-        let place = (1..).map(|place: usize| format!("{prefix}motion[{place}]"));
-        let segments: Vec<String> = place.take_while(|path| all.iter().any(|each| each.path == *path)).collect();
-        let is_dwell = |segment: &str| value(&format!("{segment}.law")) == Some("dwell");
-        let own = || segments.iter().filter(|segment| is_dwell(segment) == of_dwells);
+        let all_segments = segments(all, prefix);
+        let own = || all_segments.iter().filter(|(_, is_dwell)| *is_dwell == of_dwells).map(|(segment, _)| segment);
         let path = |segment: &String| format!("{segment}.{key}");
         let mut due = Self { all, prefix, key, paths: Vec::new(), replaced: Vec::new() };
         due.paths = own().map(path).filter(|path| value(path).is_some()).collect();
@@ -94,7 +105,12 @@ impl<'p> Due<'p> {
             return due;
         }
         if CARRIED.contains(&key) {
-            due.paths = segments.iter().filter(|segment| keys::permits(all, segment, key)).map(path).collect();
+            due.paths = all_segments
+                .iter()
+                .map(|(segment, _)| segment)
+                .filter(|segment| keys::permits(all, segment, key))
+                .map(path)
+                .collect();
         } else if of_dwells && key == "hold" {
             due.paths = own().map(path).collect();
         } else if OF_TWO.contains(&key) && key != "distance" {
@@ -173,11 +189,13 @@ impl<'p> Due<'p> {
 const SAME_SHARE: f64 = 1e-6;
 
 /// Digits of a proposed factor.
-const FACTOR_DIGITS: usize = 6;
+const FACTOR_DIGITS: u8 = 6;
 
 /// Returns a positive number with some digits, without zeros at its end.
-fn plain(number: f64, digits: usize) -> String {
-    let text = format_significant(number, digits, Language::En);
+fn plain(number: f64, digits: u8) -> String {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "decimals of a number, at least zero")]
+    let decimals = (f64::from(digits) - 1.0 - number.log10().floor()).max(0.0) as usize;
+    let text = format!("{number:.decimals$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
@@ -191,7 +209,7 @@ pub(super) fn set(
 ) -> Option<Result<(String, String), Fault>> {
     let (word, value) = change.split_once('=').map(|(key, value)| (key.trim(), value.trim()))?;
     let done = |(text, changes): (String, Vec<String>)| (text, changes.join("; "));
-    if meaning(word) == Some(Meaning::Cycle) {
+    if meaning(word) == Some(MotionWord::Cycle) {
         return Some(cycle(text, (prefix, word), value, language)?.map(done));
     }
     let all = written(text)?;
@@ -214,7 +232,7 @@ pub(crate) fn values(
     further: &[String],
     language: Language,
 ) -> Option<Result<Values, Fault>> {
-    let meaning = meaning(word).filter(|meaning| *meaning != Meaning::Cycle && !value.is_empty())?;
+    let meaning = meaning(word).filter(|meaning| *meaning != MotionWord::Cycle && !value.is_empty())?;
     let all = written(text)?;
     let due = Due::of(&all, prefix, meaning);
     let first = due.paths.first()?;
@@ -230,8 +248,7 @@ pub(crate) fn values(
     }
     let elsewhere = due.elsewhere(word, value);
     if let Some(other) = elsewhere.first() {
-        let mut calls: Vec<String> =
-            elsewhere.iter().take(NAMED_KEYS_MOST).map(|path| set(path, value)).collect();
+        let mut calls: Vec<String> = elsewhere.iter().take(NAMED_KEYS_MOST).map(|path| set(path, value)).collect();
         match word.eq_ignore_ascii_case(due.key) {
             false => calls.push(set(due.key, value)),
             true => calls.extend(due.paths.iter().take(NAMED_KEYS_MOST).map(|path| set(path, value))),
@@ -264,20 +281,23 @@ pub(crate) fn unit(text: &str, (prefix, word): (&str, &str)) -> Option<String> {
 /// Returns `true` if a word states the key at a path.
 fn is_key(path: &str, word: &str) -> bool {
     let last = path.rsplit('.').next().unwrap_or_default();
-    matches!(meaning(word), Some(Meaning::Moves(key)) if key == last)
+    matches!(meaning(word), Some(MotionWord::Moves(key)) if key == last)
 }
 
 /// Returns the refusal of a number without a unit, with every call that it may mean: a value with its unit, and a factor.
 fn without_unit(due: &Due<'_>, word: &str, value: &str, language: Language) -> Fault {
     let number = value.replace(',', ".");
-    let own = due.paths.iter().find_map(|path| Some(number_and_unit(due.stated(path)?).1).filter(|unit| !unit.is_empty()));
+    let own =
+        due.paths.iter().find_map(|path| Some(number_and_unit(due.stated(path)?).1).filter(|unit| !unit.is_empty()));
     let first = due.paths.first().cloned().unwrap_or_default();
     let fitting = UNITS.into_iter().filter(|unit| keys::is_quantity(&first, &format!("{number} {unit}")));
     let units: Vec<&str> = own.map_or_else(|| fitting.take(2).collect(), |own| vec![own]);
     let mut calls: Vec<String> =
         units.iter().map(|unit| typed(["--set", &format!("{}={number} {unit}", seen(word))])).collect();
-    let is_factor = number.parse().is_ok_and(|factor: f64| super::FACTORS.contains(&factor));
-    if let Some(what) = spoken::scaled(word).filter(|_| is_factor && due.paths.iter().any(|path| due.stated(path).is_some())) {
+    let is_factor = number.parse().is_ok_and(|factor: f64| FACTORS.contains(&factor));
+    if let Some(what) =
+        spoken::scaled(word).filter(|_| is_factor && due.paths.iter().any(|path| due.stated(path).is_some()))
+    {
         calls.push(typed(["--scale", &format!("{what}={number}")]));
     }
     (terminal::set_unit(&seen(word), language), Some(usage_hint(&UsageHint::Calls(calls), language)))
@@ -300,11 +320,13 @@ fn cycle(
         Ok(FilledCycle { text, changes }) => {
             let shown = |value: String| if value.is_empty() { "–".to_owned() } else { value };
             let change = |(path, from, to)| format!("{path} {} → {}", shown(from), shown(to));
-            Some(Ok((text, changes.into_iter().map(change).collect())))
+            let moves = segments(&written(&text)?, prefix).iter().filter(|(_, is_dwell)| !is_dwell).count();
+            let whole = terminal::cycle_of_all(&seen(&number), &moves, language);
+            Some(Ok((text, changes.into_iter().map(change).chain([whole]).collect())))
         }
         Err(Unfilled::TooShort { moves }) => {
             let all = written(text)?;
-            let time = Due::of(&all, prefix, Meaning::Moves("time")).example_time(&number);
+            let time = Due::of(&all, prefix, MotionWord::Moves("time")).example_time(&number);
             let call = |time| typed(["--set", &format!("time={time}"), "--set", &format!("{}={number}", seen(word))]);
             let hint = time.map(|time| usage_hint(&UsageHint::Calls(vec![call(time)]), language));
             Some(Err((terminal::cycle_too_short(&seen(&number), &moves, language), hint)))

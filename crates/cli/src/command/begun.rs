@@ -1,30 +1,19 @@
 //! Calls that begin with something else than a command: the kind of a new project, a project, an ordering code.
 
 use super::folder::has_ending;
+use super::kind::kind;
 use super::spoken::{command_named, seems_code};
 use quantities::Language;
-use questions::list::{ArgumentKind, new};
+use questions::list::new;
 use std::ffi::OsString;
 use std::path::Path;
 use words::spoken::language_of;
-
-/// Largest number of words in the name of a kind.
-const KIND_MOST: usize = 3;
 
 /// Name of a file without its ending, beside no project.
 const USUAL_STEM: &str = "antrieb";
 
 /// Subcommands of `code`.
 const OF_CODE: [&str; 3] = ["parse", "list", "complete"];
-
-/// Returns the kind of a new file at the beginning of some words, and the number of words that name it.
-pub(super) fn kind(words: &[&str]) -> Option<(String, usize)> {
-    let argument = new::Args::ARGUMENTS.iter().find(|argument| matches!(argument.kind, ArgumentKind::Word(_)))?;
-    (1..=words.len().min(KIND_MOST)).rev().find_map(|count| {
-        let title = words.get(..count)?.join(" ");
-        Some((argument.word(&title)?.to_owned(), count))
-    })
-}
 
 /// Returns a call with the command that it lacks, and `true` if one was added: `lift mass=80kg` makes a project, a project is
 /// sized, a code has its data sheet; `code CHA-20A` completes the code, `code CHA-20A-100-H-C1024` explains it.

@@ -1,13 +1,14 @@
 //! Calls that lack one word, with the one that is plainly meant: the only project of the folder, today, the neutral list of a drive,
 //! the best of the actuators that half a code names.
 
-use super::folder::{best_of_pattern, has_ending, projects_in};
+use super::best::best_of_pattern;
+use super::folder::{has_ending, projects_in};
 use super::meant::{Called, Part};
 use super::spoken::seems_code;
 use clap::{Arg, Command};
 use quantities::{Language, Measure, Time};
-use questions::list::upkeep::day_of_clock;
 use questions::list::ArgumentKind;
+use questions::list::upkeep::day_of_clock;
 use std::ffi::OsString;
 use std::path::Path;
 use words::{spoken, terminal};
@@ -86,9 +87,13 @@ pub(super) fn with_project(
     let is_known = |word: &&str| seems_code(word) || !called.takers(word, &[]).0.is_empty() || word.contains('=');
     let is_due = match called.entry.map(|entry| entry.command) {
         None | Some("identify") => false,
+        // A record states what the call does.
+        Some(_) if super::json_of(&arguments) => false,
         // A word of another kind may be the name of a project.
         Some(_) if is_of_project => first.iter().all(is_known),
-        Some(_) => first_is_code && first.is_empty() && called.entry.is_some_and(|entry| !entry.command().contains(' ')),
+        Some(_) => {
+            first_is_code && first.is_empty() && called.entry.is_some_and(|entry| !entry.command().contains(' '))
+        }
     };
     if !is_due || is_stated || !called.projects.is_empty() {
         return (arguments, None);
@@ -132,7 +137,8 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
     let is_given = |names: &[&str]| {
         parts.iter().any(|part| matches!(part, Part::Option(option, _) if option.get_long().is_some_and(|long| names.contains(&long))))
     };
-    let bare: Vec<&str> = parts.iter().filter_map(|part| if let Part::Bare(_, word) = part { Some(*word) } else { None }).collect();
+    let bare: Vec<&str> =
+        parts.iter().filter_map(|part| if let Part::Bare(_, word) = part { Some(*word) } else { None }).collect();
     let takes = |option: &str| bare.iter().any(|word| called.takers(word, &[]).0.iter().any(|name| name == option));
     let with = |more: &[&str], remark: String| {
         let words = arguments.iter().cloned().chain(more.iter().map(OsString::from)).collect();
@@ -166,16 +172,14 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
 
 /// Returns the options of a run for a duration of an hour or more: `--time 8h` of a simulation.
 pub(super) fn operation(name: &str, value: &str, language: Language) -> Option<Vec<String>> {
-    let duration = spoken::is_duration(name).then(|| questions::read_quantity::<Time>(value, language).ok()).flatten()?;
+    let duration =
+        spoken::is_duration(name).then(|| questions::read_quantity::<Time>(value, language).ok()).flatten()?;
     let seconds = duration.si();
     if seconds < OPERATION_LEAST_S {
         return None;
     }
-    let (days, hours) = if seconds <= DAY_S {
-        (1.0, value.to_owned())
-    } else {
-        ((seconds / DAY_S).round(), "24 h".to_owned())
-    };
+    let (days, hours) =
+        if seconds <= DAY_S { (1.0, value.to_owned()) } else { ((seconds / DAY_S).round(), "24 h".to_owned()) };
     let is_whole = seconds <= DAY_S || (days * DAY_S - seconds).abs() < 1.0;
     is_whole.then(|| vec!["--days".to_owned(), format!("{days:.0}"), "--hours-per-day".to_owned(), hours])
 }

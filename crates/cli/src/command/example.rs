@@ -1,6 +1,7 @@
 //! Calls that work, with the words of a faulty one.
 
-use super::folder::{best_of_project, project_name, projects_in};
+use super::best::best_of_project;
+use super::folder::{project_name, projects_in};
 use super::meant::{Called, Part, Stray, understood};
 use super::typed::typed;
 use clap::error::{ContextKind, ContextValue, ErrorKind};

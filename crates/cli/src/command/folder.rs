@@ -1,12 +1,9 @@
 //! Projects and recordings of a folder, which a call may mean.
 
-use crate::source::SourceFile;
-use order_code::Pattern;
+use super::kind::kind;
 use project::{PROJECT_MAX_BYTES, written};
 use quantities::Language;
-use questions::embedded_catalogue;
-use super::begun::kind;
-use questions::list::{Reads, new};
+use questions::list::{OutputFile, media, new};
 use std::path::{Path, PathBuf};
 
 /// Extensions of recordings.
@@ -67,7 +64,8 @@ pub(crate) fn kind_in_place_of_a_file(word: &str) -> Option<String> {
     }
     let (kind, _) = kind(&[word]).filter(|(kind, _)| !NO_AXES.contains(&kind.as_str()))?;
     let is_meant = |path: &PathBuf| {
-        path.file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case(word)) || axes_of(path).iter().any(|name| name == word)
+        path.file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case(word))
+            || axes_of(path).iter().any(|name| name == word)
     };
     (!Path::new(word).exists() && !projects_in(Path::new("")).iter().any(is_meant)).then_some(kind)
 }
@@ -85,49 +83,20 @@ pub(super) fn is_project(path: &Path) -> bool {
     all.iter().any(|each| each.path == "motion[1]" || each.path == "axis[1].motion[1]")
 }
 
-/// Returns the code of the best actuator of the first project among some words; `None` if there is no answer.
-pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<String> {
-    let is_kind = |word: &str| kind_in_place_of_a_file(word).is_some();
-    let path = words.iter().find(|word| has_ending(word, &[".toml"]) || is_kind(word))?;
-    best_codes(path, 1, language).into_iter().next()
-}
-
-/// Returns the best of the actuators that a part of a code allows, for a project with one axis, and their number; `None` if there
-/// is none.
-pub(super) fn best_of_pattern(path: &str, pattern: &Pattern, language: Language) -> Option<(String, usize)> {
-    of_sizing(path, language, |sizing| {
-        let is_it = |id: &&String| questions::read_code(id, language).is_ok_and(|read| pattern.matches(&read.parsed.code));
-        let ids: Vec<String> = sizing.candidates.iter().map(|candidate| candidate.id.to_string()).collect();
-        let found: Vec<&String> = ids.iter().filter(is_it).collect();
-        found.first().map(|code| ((*code).clone(), found.len()))
-    })
-    .flatten()
-}
-
-/// Returns what a function finds in the ranking of a project with one axis.
-fn of_sizing<T>(path: &str, language: Language, find: impl FnOnce(&questions::Sizing<'_>) -> T) -> Option<T> {
-    let file = SourceFile::read(Path::new(path), Reads::Project, questions::MEMORY_USUAL, language).ok()?;
-    let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
-    let [project] = &projects[..] else { return None };
-    Some(find(&questions::size(project)))
-}
-
-/// Returns the codes of the best actuators of a project with one axis, at most `most`: of those that fit, else the one with the
-/// smallest excess.
-pub(super) fn best_codes(path: &str, most: usize, language: Language) -> Vec<String> {
-    let found = of_sizing(path, language, |sizing| {
-        let named = sizing.named().into_iter();
-        let all = named.chain(sizing.fitting().iter()).map(|candidate| candidate.id.to_string());
-        let mut codes: Vec<String> = all.filter(|id| questions::read_code(id, language).is_ok()).collect();
-        let mut known: Vec<String> = Vec::new();
-        codes.retain(|code| {
-            !known.contains(code) && {
-                known.push(code.clone());
-                true
-            }
-        });
-        codes.truncate(most);
-        codes
-    });
-    found.unwrap_or_default()
+/// Returns the extensions of the files of a media type.
+pub(super) fn endings(file: &OutputFile) -> Vec<&'static str> {
+    let of = |media: &&'static str| match *media {
+        media::SVG => ".svg",
+        media::PNG => ".png",
+        media::PDF => ".pdf",
+        media::CSV => ".csv",
+        media::TOML => ".toml",
+        media::XLSX => ".xlsx",
+        media::CALENDAR => ".ics",
+        media::PARQUET => ".parquet",
+        media::JSON => ".json",
+        _ if file.option == "vcd" => ".vcd",
+        _ => ".txt",
+    };
+    file.media.iter().map(of).collect()
 }

@@ -1,12 +1,12 @@
 //! Words of a call that no position takes: the options whose values they are, from the declaration of the command.
 
-use super::folder::{RECORDINGS, has_ending, is_project, kind_in_place_of_a_file};
+use super::folder::{RECORDINGS, endings, has_ending, is_project, kind_in_place_of_a_file};
 use super::own;
 use super::spoken::seems_code;
 use clap::{Arg, ArgAction, Command};
 use project::Hint;
 use quantities::Language;
-use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, LIST, OutputFile, Reads, media, recognises};
+use questions::list::{Argument, ArgumentForm, ArgumentKind, Entry, LIST, Reads, recognises};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use words::UsageHint;
@@ -80,24 +80,6 @@ fn is_negative(word: &str) -> bool {
 
 /// Kind of a project that begins with a recording.
 const RECORDING: &str = "recording";
-
-/// Returns the extensions of the files of a media type.
-pub(super) fn endings(file: &OutputFile) -> Vec<&'static str> {
-    let of = |media: &&'static str| match *media {
-        media::SVG => ".svg",
-        media::PNG => ".png",
-        media::PDF => ".pdf",
-        media::CSV => ".csv",
-        media::TOML => ".toml",
-        media::XLSX => ".xlsx",
-        media::CALENDAR => ".ics",
-        media::PARQUET => ".parquet",
-        media::JSON => ".json",
-        _ if file.option == "vcd" => ".vcd",
-        _ => ".txt",
-    };
-    file.media.iter().map(of).collect()
-}
 
 impl<'c> Called<'c> {
     /// Returns the whole command line.
@@ -335,10 +317,15 @@ impl<'c> Called<'c> {
         let name = position.get_id().as_str();
         let is_project = ["project", "old", "new", "folder"].contains(&name);
         let is_its = match self.entry.and_then(|_| self.argument(name)).map(|argument| (argument, argument.kind)) {
-            _ if is_project && self.reads_no_table() && has_ending(word, &RECORDINGS) => return false,
+            // A recording stands for the project that begins with it; `sweep` reads a table besides.
+            _ if is_project && name != "project" && self.reads_no_table() && has_ending(word, &RECORDINGS) => {
+                return false;
+            }
+            _ if is_project && self.has("table") && has_ending(word, &RECORDINGS) => return false,
             _ if is_project => {
                 let is_kind = name == "project" && kind_in_place_of_a_file(word).is_some();
-                word == "-" || has_ending(word, &[".toml"]) || Path::new(word).exists() || is_kind
+                let is_file = has_ending(word, &[".toml"]) || has_ending(word, &RECORDINGS) || Path::new(word).exists();
+                word == "-" || is_file || is_kind
             }
             Some((argument, ArgumentKind::Word(_))) => argument.takes(word),
             Some((_, ArgumentKind::Code)) => seems_code(word) || questions::read_code(word, self.language).is_ok(),

@@ -133,9 +133,7 @@ pub(super) fn recognises(option: &str, word: &str, language: Language) -> bool {
         "deadline" => crate::deadline_of(word, language).is_ok(),
         "memory" => crate::memory_allowed(Some(word.to_owned()), language).is_ok(),
         "scale" => changed().is_some_and(|(key, value)| is_factor(key, value)),
-        "set" => {
-            changed().is_some_and(|(key, value)| is_key(key) && !value.contains("..") && !is_factor(key, value))
-        }
+        "set" => changed().is_some_and(|(key, value)| is_key(key) && !value.contains("..") && !is_factor(key, value)),
         VARY => changed().is_some_and(|(key, value)| is_key(key) && is_of_several(value)),
         "inertia" => questions::read_quantity::<MomentOfInertia>(word, language).is_ok(),
         "listen" => word.parse::<SocketAddr>().is_ok() || word.parse::<IpAddr>().is_ok(),

@@ -1,13 +1,15 @@
 //! Calls in place of one that was parsed and cannot be answered.
 
+use super::best::best_of_project;
 use super::example::{filled, split};
-use super::folder::{RECORDINGS, axes_of, best_of_project, has_ending, project_name, projects_in};
+use super::folder::{RECORDINGS, axes_of, has_ending, project_name, projects_in};
 use super::meant::Called;
 use super::replaced::{code_of, more_codes};
 use super::solid;
-use super::typed::typed;
+use super::typed::{number_and_unit, typed};
+use crate::changed::motion;
 use clap::Command;
-use project::{Hint, nearest_name, other_names};
+use project::{Hint, Written, nearest_name, other_names, written};
 use quantities::Language;
 use questions::Refusal;
 use questions::list::Unanswered;
@@ -28,6 +30,14 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
             if faults.len() == 1 && faults.iter().any(|fault| fault.id.ends_with("_not_closed")) =>
         {
             call.with(&["--set", "axis.single_move=true"])
+        }
+        Unanswered::Text { faults, text, .. } if faults.iter().any(|fault| fault.id == NO_EFFECT) => {
+            call.with_load_for_payload(text)
+        }
+        Unanswered::Text { faults, text, .. }
+            if call.is_about_a_recording() && faults.iter().all(|fault| fault.id == MISSING) =>
+        {
+            call.with_missing_values(text, &faults.iter().map(|fault| fault.message.clone()).collect::<Vec<_>>())
         }
         // Lengths without a unit are in millimetres, if nothing else is wrong.
         Unanswered::Text { faults, .. } if faults.iter().all(|fault| fault.id == UNIT_MISSING) => {
@@ -115,7 +125,9 @@ fn with_option(words: &[String], option: &[String]) -> Option<Vec<String>> {
     let is_of_key = |word: &str| {
         word.split_once('=').is_some_and(|(other, stated)| {
             let (other, key) = (last(other.trim()), last(key));
-            other == key || other_names(&other).contains(&&*key) || spoken::scaled(&other) == Some(&key)
+            other == key
+                || other_names(&other).contains(&&*key)
+                || spoken::scaled(&other) == Some(&key)
                 || value.ends_with(stated)
         })
     };
@@ -137,6 +149,36 @@ fn with_option(words: &[String], option: &[String]) -> Option<Vec<String>> {
 /// Identifier of the fault of a number without its unit.
 const UNIT_MISSING: &str = "unit_missing";
 
+/// Identifiers of the faults of a key without effect, and of one that is missing.
+const NO_EFFECT: &str = "without_effect";
+const MISSING: &str = "missing_key";
+
+/// Returns a text of values in which a number in a unit is added to each number: `0..10kg` and 30 kg are `30..40kg`.
+fn added(values: &str, (number, unit): (f64, &str)) -> Option<String> {
+    let (mut text, mut rest) = (String::new(), values);
+    let mut found = false;
+    while let Some(at) = rest.find(|sign: char| sign.is_ascii_digit()) {
+        let (before, behind) = rest.split_at(at);
+        let is_digit = |(place, sign): (usize, char)| {
+            sign.is_ascii_digit()
+                || sign == '.'
+                    && behind.get(place + 1..).is_some_and(|next| next.starts_with(|sign: char| sign.is_ascii_digit()))
+        };
+        let end = behind.char_indices().find(|each| !is_digit(*each)).map_or(behind.len(), |(place, _)| place);
+        let (own, further) = behind.split_at(end);
+        let own_unit = further.trim_start().split(|sign: char| !sign.is_alphabetic()).next().unwrap_or_default();
+        if !own_unit.is_empty() && own_unit != unit {
+            return None;
+        }
+        let sum = format!("{:.6}", number + own.parse::<f64>().ok()?);
+        text.push_str(before);
+        text.push_str(sum.trim_end_matches('0').trim_end_matches('.'));
+        (rest, found) = (further, true);
+    }
+    text.push_str(rest);
+    found.then_some(text)
+}
+
 /// A refused call.
 struct Call<'c> {
     called: Called<'c>,
@@ -151,6 +193,56 @@ impl Call<'_> {
     fn states(&self, option: &str) -> bool {
         let begin = format!("--{option}");
         self.arguments.iter().filter_map(|word| word.to_str()).any(|word| word.split('=').next() == Some(&begin))
+    }
+
+    /// Returns `true` if a recording stands in place of the project.
+    fn is_about_a_recording(&self) -> bool {
+        self.called.first.first().is_some_and(|word| has_ending(word, &RECORDINGS)) && self.called.has("set")
+    }
+
+    /// Returns the call with a payload added to the mass of a load that has none apart.
+    fn with_load_for_payload(&self, text: &str) -> Vec<String> {
+        let call = || {
+            let mut words: Vec<String> =
+                self.arguments.iter().skip(1).map(|word| word.to_str().map(str::to_owned)).collect::<Option<_>>()?;
+            let is_payload = |word: &str| {
+                word.split_once('=')
+                    .is_some_and(|(key, _)| motion::meaning(key) == Some(motion::MotionWord::Moves("payload")))
+            };
+            let at = words.iter().position(|word| is_payload(word))?;
+            let stated = words.get(at)?.split_once('=')?.1.to_owned();
+            let all = written(text)?;
+            let is_mass = |each: &&Written| {
+                !each.path.contains("motion[") && each.path.ends_with(".mass") && each.value.is_some()
+            };
+            let mass = all.iter().find(is_mass)?;
+            let (number, unit) = number_and_unit(mass.value.as_deref()?);
+            let values = added(&stated, (number.parse().ok()?, unit))?;
+            *words.get_mut(at)? = format!("{}={values}", mass.path);
+            Some(typed(std::iter::once(super::NAME).chain(words.iter().map(String::as_str))))
+        };
+        call().into_iter().collect()
+    }
+
+    /// Returns the call with an example of each value that is missing, as the template of the project has it.
+    fn with_missing_values(&self, text: &str, messages: &[String]) -> Vec<String> {
+        let mut table = String::new();
+        let mut values: Vec<String> = Vec::new();
+        for line in text.lines() {
+            let line = line.trim_start_matches("# ");
+            if let Some(name) = line.strip_prefix('[').and_then(|line| line.split_once(']')) {
+                table = name.0.trim_start_matches('[').to_owned();
+            } else if let Some((key, value)) = line.split_once(" = ") {
+                let value = value.split('"').nth(1).unwrap_or_default();
+                let path = format!("{table}.{key}");
+                let is_missing = messages.iter().any(|message| message.contains(&format!("`{path}`")));
+                if is_missing && !value.is_empty() {
+                    values.push(format!("{path}={value}"));
+                }
+            }
+        }
+        let words: Vec<&str> = values.iter().flat_map(|value| ["--set", value.as_str()]).collect();
+        if values.len() < messages.len() { Vec::new() } else { self.with(&words) }
     }
 
     /// Returns the call with further words.

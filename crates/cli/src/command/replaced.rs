@@ -1,8 +1,9 @@
 //! Words of a call in place of others: options by their own names, the best actuator in place of its project.
 
-use super::begun::kind;
+use super::best::{best_codes, best_of_project};
 use super::completed;
-use super::folder::{best_codes, best_of_project};
+use super::kind::kind;
+
 use super::meant::{self, Called, Part, Understood};
 use super::solid;
 use super::spoken::{seems_code, twin_options};
@@ -36,7 +37,8 @@ pub(crate) fn understood(
         let words = understood.arguments.iter().skip(1).filter_map(|word| word.to_str());
         terminal::call_understood(&typed(std::iter::once(super::NAME).chain(words)), language)
     });
-    let remarks: Vec<String> = project.into_iter().chain(completed).chain([call, remark, compared].into_iter().flatten()).collect();
+    let remarks: Vec<String> =
+        project.into_iter().chain(completed).chain([call, remark, compared].into_iter().flatten()).collect();
     (understood, (!remarks.is_empty()).then(|| remarks.join("\n")))
 }
 

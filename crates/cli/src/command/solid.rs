@@ -40,6 +40,8 @@ struct Bodies {
     given: Vec<String>,
     /// Words before the first shape: a material, dimensions.
     before: Vec<String>,
+    /// A shape, or a word in its place, was read.
+    is_begun: bool,
     /// For each shape of the call, `true` if it has a bore.
     bores: VecDeque<bool>,
 }
@@ -53,7 +55,8 @@ fn shape_of(word: &str) -> Option<&'static BodyShape> {
 impl Bodies {
     /// Creates the reader of the words of a call.
     fn of(words: &[&str]) -> Self {
-        let places: Vec<usize> = (0..words.len()).filter(|at| words.get(*at).copied().and_then(shape_of).is_some()).collect();
+        let places: Vec<usize> =
+            (0..words.len()).filter(|at| words.get(*at).copied().and_then(shape_of).is_some()).collect();
         let is_bore = |word: &&str| {
             let key = word.trim_start_matches("--").split('=').next().unwrap_or_default();
             body_word(key).unwrap_or(key) == INNER
@@ -75,12 +78,14 @@ impl Bodies {
             let is_round = ["disc", "cylinder"].contains(&shape.name);
             let shape = if has_bore && is_round { shape_of("tube").unwrap_or(shape) } else { shape };
             let before = std::mem::take(&mut self.before);
-            self.shape = Some(shape);
+            (self.shape, self.is_begun) = (Some(shape), true);
             self.given.clear();
             let own: Vec<String> = before.iter().flat_map(|word| self.own(word)).collect();
             return std::iter::once(shape.name.to_owned()).chain(own).collect();
         }
-        if self.shape.is_none() && (density(word).is_some() || word.starts_with(|sign: char| sign.is_ascii_digit()) || word.contains('=')) {
+        if !self.is_begun
+            && (density(word).is_some() || word.starts_with(|sign: char| sign.is_ascii_digit()) || word.contains('='))
+        {
             self.before.push(word.to_owned());
             return Vec::new();
         }
@@ -92,7 +97,14 @@ impl Bodies {
         if let Some(density) = density(word) {
             return vec![format!("density={density}")];
         }
-        vec![self.dimension(word).unwrap_or_else(|| word.to_owned())]
+        if let Some(dimension) = self.dimension(word) {
+            return vec![dimension];
+        }
+        // An unknown shape has dimensions of its own.
+        if word.starts_with(char::is_alphabetic) {
+            (self.shape, self.is_begun) = (None, true);
+        }
+        vec![word.to_owned()]
     }
 
     /// Returns the key of the shape for one that it may call otherwise.

@@ -54,6 +54,11 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
             *old = word.into();
         }
     };
+    // The version has an option.
+    let is_version = text(&arguments, 1).is_some_and(|first| first == "-v" || first.to_lowercase() == "version");
+    if is_version && arguments.len() == 2 {
+        put(&mut arguments, 1, "--version");
+    }
     let mut place = 1;
     let mut is_command_due = true;
     while let Some(mut word) = text(&arguments, place) {
@@ -92,8 +97,11 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
 pub(super) fn seems_code(word: &str) -> bool {
     let is_sign = |sign: char| sign.is_alphanumeric() || "-?*…_#.".contains(sign);
     // A file name has no hyphen behind its first point.
-    let is_file = word.rsplit_once('.').is_some_and(|(_, ending)| !ending.contains(['-', '.']) && ending.starts_with(char::is_alphabetic));
-    word.contains(['-', '_']) && !is_file
+    let is_file = word
+        .rsplit_once('.')
+        .is_some_and(|(_, ending)| !ending.contains(['-', '.']) && ending.starts_with(char::is_alphabetic));
+    word.contains(['-', '_'])
+        && !is_file
         && word.starts_with(char::is_alphabetic)
         && word.chars().all(is_sign)
         && word.chars().any(|sign| sign.is_ascii_digit())

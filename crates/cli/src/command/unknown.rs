@@ -141,8 +141,10 @@ impl Unknown<'_> {
     fn as_factor(&self, name: &str, value: Option<&str>, further: usize) -> Option<Meaning> {
         let what = spoken::scaled(name).filter(|_| self.called.has("scale"))?;
         let value = value?;
-        let plain = || value.replace(',', ".").parse().ok().filter(|number| what == LOAD && LOAD_FACTORS.contains(number));
-        let is_percentage = value.strip_suffix('%').is_some_and(|number| number.trim().replace(',', ".").parse::<f64>().is_ok());
+        let plain =
+            || value.replace(',', ".").parse().ok().filter(|number| what == LOAD && LOAD_FACTORS.contains(number));
+        let is_percentage =
+            value.strip_suffix('%').is_some_and(|number| number.trim().replace(',', ".").parse::<f64>().is_ok());
         let is_signed = |number: &str| number.starts_with('+') && number.replace(',', ".").parse::<f64>().is_ok();
         let number = match factor(value).or_else(plain) {
             Some(number) => number.to_string(),
@@ -157,7 +159,7 @@ impl Unknown<'_> {
     fn as_own_file(&self, place: usize, name: &str, word: &str) -> Option<Meaning> {
         let file = self.called.entry?.files().find(|file| file.option == name)?;
         let is_bare = !word.contains('=') && self.texts.get(place + 1).is_none_or(|next| next.starts_with("--"));
-        let ending = *super::meant::endings(file).first().filter(|_| is_bare)?;
+        let ending = *super::folder::endings(file).first().filter(|_| is_bare)?;
         let code = self.called.first.iter().find(|word| seems_code(word));
         let own = code.filter(|_| self.called.projects.is_empty()).map(|code| format!("{code}{ending}"));
         Some((vec![format!("--{name}"), own.unwrap_or_else(|| file_beside(&self.called.projects, ending))], 0))
@@ -166,7 +168,7 @@ impl Unknown<'_> {
     /// Returns an option for a file by the ending that it names, or that the file of `--out` has.
     fn as_file(&self, name: &str, value: Option<&str>, further: usize) -> Option<Meaning> {
         let mut files = self.called.entry?.files();
-        let has = |file: &&OutputFile, ending: &str| super::meant::endings(file).contains(&ending);
+        let has = |file: &&OutputFile, ending: &str| super::folder::endings(file).contains(&ending);
         if name == "out" {
             let value = value?;
             let ending = value.rfind('.').and_then(|at| value.get(at..))?.to_lowercase();

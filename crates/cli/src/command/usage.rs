@@ -56,6 +56,7 @@ pub(crate) fn refused(
         }
         _ => Vec::new(),
     };
+    let calls = if calls.is_empty() { first_calls(error, arguments) } else { calls };
     if !calls.is_empty() {
         return said((&usage_of(error), None), &[UsageHint::Calls(calls)], String::new(), (as_json, language));
     }
@@ -82,6 +83,39 @@ pub(crate) fn refused(
     };
     let option = option.filter(|name| !name.is_empty());
     said((&usage_of(error), option), &hints, kinds(missing, language), (as_json, language))
+}
+
+/// Returns calls to begin with, for one without a command, with an unknown one, or with the first words of several: the examples of
+/// the commands that it may mean.
+fn first_calls(error: &clap::Error, arguments: &[OsString]) -> Vec<String> {
+    /// Commands that show most of the program.
+    const MOST: [&str; 4] = ["new", "size", "check", "report"];
+    let examples = super::examples();
+    let named = |name: &str| examples.iter().find(|(of, _)| *of == name).map(|(_, call)| call.clone());
+    let words: Vec<&str> =
+        arguments.iter().skip(1).filter_map(|word| word.to_str()).filter(|word| !word.starts_with('-')).collect();
+    let is_near = matches!(error.kind(), ErrorKind::InvalidSubcommand)
+        && context(error, ContextKind::SuggestedSubcommand).is_some_and(|near| !near.is_empty());
+    match (error.kind(), &words[..]) {
+        (ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand, []) => {
+            MOST.into_iter().filter_map(named).collect()
+        }
+        (
+            ErrorKind::MissingSubcommand
+            | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+            | ErrorKind::InvalidSubcommand,
+            [above, ..],
+        ) if super::ABOVE.iter().any(|(name, _)| name == above) => {
+            let begin = format!("{above} ");
+            examples.iter().filter(|(of, _)| of.starts_with(&begin)).map(|(_, call)| call.clone()).collect()
+        }
+        (ErrorKind::InvalidSubcommand, [word, ..]) => {
+            let meant = words::spoken::commands_meant(word);
+            let meant = if meant.is_empty() && !is_near { &MOST } else { meant };
+            meant.iter().filter_map(|name| named(name)).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// Returns the call that creates the project of a call that lacks it, in a folder without projects.

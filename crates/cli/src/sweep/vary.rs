@@ -108,7 +108,8 @@ impl Stated {
         let dashed = || {
             let (low, high) = text.split_once(['-', '–'])?;
             let is_number = |text: &str| text.starts_with(|sign: char| sign.is_ascii_digit());
-            (is_number(low) && is_number(high) && number_and_unit(high).1.find(['-', '.']).is_none()).then_some((low, high))
+            (is_number(low) && is_number(high) && number_and_unit(high).1.find(['-', '.']).is_none())
+                .then_some((low, high))
         };
         let range = text.split_once("..").or_else(dashed).or_else(|| text.split_once(':').filter(is_time));
         let parts: Vec<String> = match range {
@@ -160,7 +161,12 @@ fn change(key: &str, values: &str) -> String {
 }
 
 /// Returns a column with its values.
-fn column(text_of_project: &str, (all, prefix): (&[Written], &str), stated: &str, language: Language) -> Result<Column, Fault> {
+fn column(
+    text_of_project: &str,
+    (all, prefix): (&[Written], &str),
+    stated: &str,
+    language: Language,
+) -> Result<Column, Fault> {
     let form = || (sweeps::vary_form(&seen(stated), language), Some(sweeps::vary_form_hint(language).to_owned()));
     let (key, text) = stated.split_once('=').ok_or_else(form)?;
     let (key, text) = (key.trim(), text.trim());
@@ -234,8 +240,13 @@ fn of_motion(
 ) -> Result<Option<Column>, Fault> {
     let Some(meaning) = motion::meaning(word) else { return Ok(None) };
     let is_stated = all.iter().any(|each| each.path.starts_with(prefix) && each.path.ends_with(".cycle"));
-    if meaning == motion::Meaning::Cycle && !is_stated {
-        let set = typed(["--set", &format!("{word}={}", values.last(&values.unit)), &*format!("--{VARY}"), &format!("{word}={}", seen(stated))]);
+    if meaning == motion::MotionWord::Cycle && !is_stated {
+        let set = typed([
+            "--set",
+            &format!("{word}={}", values.last(&values.unit)),
+            &*format!("--{VARY}"),
+            &format!("{word}={}", seen(stated)),
+        ]);
         let hint = usage_hint(&UsageHint::Calls(vec![set]), language);
         return Err((sweeps::vary_no_cycle(&seen(word), language), Some(hint)));
     }
@@ -247,7 +258,9 @@ fn of_motion(
     let found = found.map_err(|(message, hint)| {
         let begin = usage_hint(&UsageHint::Calls(vec![String::new()]), language);
         let options = hint.as_deref().and_then(|hint| hint.strip_prefix(&begin)).unwrap_or_default();
-        let keys = options.lines().filter_map(|option| Some(option.strip_prefix("--set ")?.trim_matches('"').split_once('=')?.0));
+        let keys = options
+            .lines()
+            .filter_map(|option| Some(option.strip_prefix("--set ")?.trim_matches('"').split_once('=')?.0));
         let calls: Vec<String> = keys.map(|key| change(key, stated)).collect();
         (message, (!calls.is_empty()).then(|| usage_hint(&UsageHint::Calls(calls), language)))
     })?;
@@ -256,7 +269,12 @@ fn of_motion(
         return Err((sweeps::vary_unit(&seen(word), language), Some(hint)));
     }
     if found.iter().any(|(_, value)| value.is_empty()) {
-        let set = typed(["--set", &format!("{word}={}", values.last(&values.unit)), &*format!("--{VARY}"), &format!("{word}={}", seen(stated))]);
+        let set = typed([
+            "--set",
+            &format!("{word}={}", values.last(&values.unit)),
+            &*format!("--{VARY}"),
+            &format!("{word}={}", seen(stated)),
+        ]);
         let hint = usage_hint(&UsageHint::Calls(vec![set]), language);
         return Err((sweeps::vary_replaces(&seen(word), language), Some(hint)));
     }

@@ -10,6 +10,7 @@ mod export;
 mod files;
 mod german_figures;
 mod hostile;
+mod meanings;
 mod readers;
 mod refusals;
 mod run;

@@ -5,7 +5,7 @@ use crate::run::{Run, run_at};
 use std::path::Path;
 
 /// A recording of a turn by 90° in 1 s, with the headings of a logger.
-fn recording() -> String {
+pub(crate) fn recording() -> String {
     let row = |step: u32| {
         let angle = 45.0 * (1.0 - (std::f64::consts::PI * f64::from(step) / 100.0).cos());
         format!("{};{angle:.6};{:.3}\r\n", step * 10, 3.0 + f64::from(step) / 100.0).replace('.', ",")
@@ -55,14 +55,14 @@ fn words(call: &str) -> Vec<String> {
     words
 }
 
-fn call(folder: &Path, call: &str) -> Run {
+pub(crate) fn call(folder: &Path, call: &str) -> Run {
     let words = words(call);
     let words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
     run_at(folder, &words)
 }
 
 /// Returns the calls that a refusal names.
-fn named(refusal: &str) -> Vec<String> {
+pub(crate) fn named(refusal: &str) -> Vec<String> {
     let lines = refusal
         .lines()
         .map(|line| line.trim_start().trim_start_matches("write: ").trim_start_matches("so schreiben: "));
@@ -88,25 +88,17 @@ fn a_refused_call_names_calls_that_work() {
         "antrieb size disc.toml brake=true 40degC",
         "antrieb size lift.toml +15%",
         "antrieb size lift.toml 60kg",
-        "antrieb simulate disc.toml --duration 8h",
         "antrieb new arm 10kg 700mm",
         "antrieb simulate disc.toml --hours 8",
         "antrieb size lift.toml --mass 60",
         "antrieb size lift.toml --mass=60 --top 2",
-        "antrieb size lift.toml --time 4s",
-        "antrieb size --mass 60kg",
-        "antrieb check lift.toml --set time=4s",
-        "antrieb check lift.toml --set Last=45kg",
         "antrieb check lift.toml disc.toml",
         "antrieb check lift.toml lift.toml",
         "antrieb new lift --mass 80 --out new.toml",
         "antrieb new lift --set mass=80",
         "antrieb sweep lift.toml",
         "antrieb sweep lift.toml --mass 40,60",
-        "antrieb sweep lift.toml --payload 2,4kg",
-        "antrieb sweep lift.toml --vary time=4..6s",
         "antrieb DE sweep lift.toml --vary mass=40,5kg",
-        "antrieb battery CHA-25A-50-H-C1024",
         "antrieb data CHA-25A-50-H-C1024 --pdf",
         "antrieb curve CHA-25A-50-H-C1024 -o curve.pdf",
         "antrieb inertia cylinder steel d=100 l=50",
@@ -142,7 +134,7 @@ fn a_refused_call_names_calls_that_work() {
 /// Calls of which the first creates what the others need.
 #[test]
 fn a_call_that_needs_several_steps_names_all_of_them() {
-    for (written, count) in [("antrieb size log.csv", 2), ("antrieb new sweep lift.toml", 2)] {
+    for (written, count) in [("antrieb new sweep lift.toml", 2)] {
         let folder = folder();
         let refused = call(folder.path(), written);
         let calls = named(&refused.err);
@@ -192,7 +184,6 @@ fn calls_as_people_write_them_are_answered() {
         ("antrieb size lift.toml --load 1.15", "load × 1.15"),
         ("antrieb size lift.toml load=+15%", "load × 1.15"),
         ("antrieb size lift.toml --scale load=+15%", "load × 1.15"),
-        ("antrieb check lift.toml --time 0.9", "time × 0.9"),
         ("antrieb new disc stations=8", "distance = \"45 deg\""),
         ("antrieb new disc --stations 8", "distance = \"45 deg\""),
         ("antrieb size disc.toml stations=6", "motion[3].distance -90 deg → 60 deg"),
@@ -251,14 +242,7 @@ fn calls_as_people_write_them_are_answered() {
         assert!(refused.code == 2 && refused.err.contains(part), "{written}\n{}", refused.err);
     }
     let both = call(folder.path(), "antrieb size lift.toml time=3s");
-    assert!(
-        both.code == 2
-            && both.err.contains(
-                "write: antrieb size lift.toml --set \"motion[1].time=3s\"\n  antrieb size lift.toml --set \"motion[2]",
-            ),
-        "{}",
-        both.err
-    );
+    assert!(both.err.contains("motion[1].time 5 s → 3s; motion[3].time 5 s → 3s"), "{}", both.err);
 }
 
 /// A number that is typed stays the number of the proposed call; an unknown option is what is wrong, not the code before it.

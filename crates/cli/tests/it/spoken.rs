@@ -92,7 +92,7 @@ fn words_of_both_languages_and_any_case_lead_to_the_same_bytes() {
         assert_eq!((other.code, other.out), (plain.code, plain.out.clone()), "{call:?}\n{}", other.err);
     }
     let figure = run(&["plot", "examples/belt-axis.toml", "--figure", "torque_speed"]);
-    assert_eq!(run(&["Diagramm", "examples/belt-axis.toml", "Torque-Speed"]).out, figure.out);
+    assert_eq!(run(&["Diagramm", "examples/belt-axis.toml", "Torque-Speed", "EN"]).out, figure.out);
 }
 
 /// A report without a file name lies beside its project, and replaces nothing.

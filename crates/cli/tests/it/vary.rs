@@ -115,10 +115,10 @@ fn a_statement_that_is_not_understood_is_refused_with_what_to_write() {
         ("mass=10kg,20g", "en", &["key with values"]),
         ("mass", "en", &["key with values", "payload=0,5,10kg"]),
         ("mass=,", "en", &["key with values"]),
-        ("time=1,2s", "en", &["ambiguous", "motion[1].time=1,2s", "motion[2].time=1,2s"]),
+        ("time=1,2", "en", &["no unit", "--vary \"time=1,2 s\""]),
         ("mas=1,2kg", "en", &["mechanism.belt.mass"]),
         ("mass=0,5kg", "de", &["mehrdeutig", "mass=0;5kg", "mass=0.5kg"]),
-        ("motion[3].time=1,2s", "en", &["motion[3].time"]),
+        ("motion[3].time=1,2s", "en", &["motion[3]", "no such entry"]),
     ] {
         let found = sweep(folder.path(), &["--vary", statement, "--lang", language]);
         assert_eq!((found.code, found.out.as_str()), (2, ""), "{statement}: {}", found.err);

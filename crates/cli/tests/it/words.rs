@@ -79,7 +79,7 @@ shows! {
     upkeep_with_a_brake: ["upkeep", "CHA-25A-100-H-M512P-B", "--delivered", "2026-03-01", "--storage", "2028-06-01", "--inspect", "2 a", "--hours-per-day", "8"];
     upkeep_with_a_brake_in_german: ["upkeep", "CHA-25A-100-H-M512P-B", "--delivered", "2024-02-29", "--lang", "de"];
     upkeep_as_json: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2026-03-01", "--hours-per-day", "24", "--json"];
-    upkeep_with_every_fault: ["upkeep", "CHA-99", "--delivered", "2026-13-01", "--inspect", "6 mm", "--storage", "3", "--hours-per-day", "5 kg", "--today", "1.3.2026", "--ical", "plan.txt"];
+    upkeep_with_every_fault: ["upkeep", "CHA-99", "--delivered", "2026-13-01", "--inspect", "6 mm", "--storage", "3", "--hours-per-day", "5 kg", "--today", "1/3/2026", "--ical", "plan.txt"];
     upkeep_with_faults_in_german: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "0202-03-01", "--inspect", "0 Monate", "--storage", "99 a", "--lang", "de"];
     upkeep_of_what_is_not_delivered: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2030-01-01", "--today", "2026-03-01"];
     upkeep_stored_before_delivery: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2025-01-01", "--storage", "2024-01-01", "--lang", "de"];

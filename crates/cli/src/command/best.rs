@@ -1,0 +1,57 @@
+//! The best actuators of the project of a call.
+
+use super::folder::{has_ending, kind_in_place_of_a_file};
+use crate::source::SourceFile;
+use order_code::Pattern;
+use quantities::Language;
+use questions::embedded_catalogue;
+use questions::list::Reads;
+use std::path::Path;
+
+/// Returns the code of the best actuator of the first project among some words; `None` if there is no answer.
+pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<String> {
+    let is_kind = |word: &str| kind_in_place_of_a_file(word).is_some();
+    let path = words.iter().find(|word| has_ending(word, &[".toml"]) || is_kind(word))?;
+    best_codes(path, 1, language).into_iter().next()
+}
+
+/// Returns the best of the actuators that a part of a code allows, for a project with one axis, and their number; `None` if there
+/// is none.
+pub(super) fn best_of_pattern(path: &str, pattern: &Pattern, language: Language) -> Option<(String, usize)> {
+    of_sizing(path, language, |sizing| {
+        let is_it =
+            |id: &&String| questions::read_code(id, language).is_ok_and(|read| pattern.matches(&read.parsed.code));
+        let ids: Vec<String> = sizing.candidates.iter().map(|candidate| candidate.id.to_string()).collect();
+        let found: Vec<&String> = ids.iter().filter(is_it).collect();
+        found.first().map(|code| ((*code).clone(), found.len()))
+    })
+    .flatten()
+}
+
+/// Returns what a function finds in the ranking of a project with one axis.
+fn of_sizing<T>(path: &str, language: Language, find: impl FnOnce(&questions::Sizing<'_>) -> T) -> Option<T> {
+    let file = SourceFile::read(Path::new(path), Reads::Project, questions::MEMORY_USUAL, language).ok()?;
+    let projects = file.source().projects(embedded_catalogue(), crate::waiting::progress(), language).ok()?;
+    let [project] = &projects[..] else { return None };
+    Some(find(&questions::size(project)))
+}
+
+/// Returns the codes of the best actuators of a project with one axis, at most `most`: of those that fit, else the one with the
+/// smallest excess.
+pub(super) fn best_codes(path: &str, most: usize, language: Language) -> Vec<String> {
+    let found = of_sizing(path, language, |sizing| {
+        let named = sizing.named().into_iter();
+        let all = named.chain(sizing.fitting().iter()).map(|candidate| candidate.id.to_string());
+        let mut codes: Vec<String> = all.filter(|id| questions::read_code(id, language).is_ok()).collect();
+        let mut known: Vec<String> = Vec::new();
+        codes.retain(|code| {
+            !known.contains(code) && {
+                known.push(code.clone());
+                true
+            }
+        });
+        codes.truncate(most);
+        codes
+    });
+    found.unwrap_or_default()
+}

@@ -1,0 +1,53 @@
+//! A recording in place of a project: the project that begins with it.
+
+use crate::fault::path_text;
+use project::{Edit, edit, written};
+use quantities::Language;
+use questions::FILE_BYTES_MAX;
+use questions::list::{Unanswered, new};
+use std::path::Path;
+use words::file_trouble;
+
+/// Endings of recordings.
+const ENDINGS: [&str; 5] = [".csv", ".csv.gz", ".parquet", ".txt", ".log"];
+
+/// Kind of a project whose mechanism the recording decides.
+const KIND: &str = "recording";
+
+/// Key of a motion that does not return to its beginning.
+pub(super) const SINGLE_MOVE: &str = "axis.single_move";
+
+/// Bytes of a text file that are read to decide whether it is a project.
+const HEAD: usize = 1 << 20;
+
+/// Returns `true` if a file that exists has the ending of a recording and is no project.
+pub(super) fn is_recording(path: &Path) -> bool {
+    let name = path.to_string_lossy().to_lowercase();
+    if !ENDINGS.iter().any(|ending| name.len() > ending.len() && name.ends_with(ending)) || !path.is_file() {
+        return false;
+    }
+    let bytes = std::fs::File::open(path).and_then(|file| disk::read_within(file, HEAD));
+    let keys = bytes.ok().and_then(|bytes| String::from_utf8(bytes).ok()).and_then(|text| written(&text));
+    !keys.unwrap_or_default().iter().any(|key| key.path == "motion[1]" || key.path == "axis[1]")
+}
+
+/// Returns the text of the project that begins with a recording, as `new recording` writes it.
+///
+/// # Errors
+/// A file that is no table.
+pub(super) fn text_of(path: &Path, language: Language) -> Result<String, Unanswered> {
+    let name = path_text(path);
+    let refused = |message: String| Unanswered::File { name: name.clone(), message, is_too_large: false };
+    let most = usize::try_from(FILE_BYTES_MAX).unwrap_or(usize::MAX);
+    let bytes = std::fs::File::open(path).and_then(|file| disk::read_within(file, most));
+    let bytes = bytes.map_err(|error| refused(file_trouble(&error, language)))?;
+    let named = path.file_name().map_or_else(|| name.clone(), |name| path_text(Path::new(name)));
+    let incoming = new::IncomingFile::new(&named, &bytes);
+    let found = new::recorded(KIND, &incoming, (&named, new::USUAL_NAME), language);
+    Ok(found.ok_or_else(|| refused(words::recorded_template::no_table(language).to_owned()))?.text)
+}
+
+/// Returns the text with its motion as a single move, which need not return to its beginning.
+pub(super) fn as_single_move(text: &str) -> Option<String> {
+    edit(text, SINGLE_MOVE, Edit::Value("true")).ok()
+}
