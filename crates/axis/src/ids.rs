@@ -58,6 +58,7 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::NoTable => "recording_no_table",
         Fault::TimeMissing { .. } => "recording_time_missing",
         Fault::CourseMissing { .. } => "recording_course_missing",
+        Fault::UnitWithoutColumn { .. } => "recording_unit_without_column",
         Fault::Ambiguous { .. } => "recording_columns_ambiguous",
         Fault::ClockUnknown { .. } => "recording_clock_unknown",
         Fault::HeadingMissing { .. } => "recording_heading_missing",

@@ -107,7 +107,7 @@ fn catalogue(matches: &ArgMatches, language: Language) -> Result<Arc<dyn Catalog
     }
     let read = |path: &&PathBuf| {
         let name = path_text(path);
-        let bytes = std::fs::File::open(path).and_then(|file| disk::read_within(file, CATALOGUE_MAX_BYTES));
+        let bytes = disk::read_file(path, CATALOGUE_MAX_BYTES);
         match bytes {
             Ok(bytes) => Ok((name, bytes)),
             Err(error) => {

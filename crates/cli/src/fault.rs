@@ -18,11 +18,7 @@ use words::{Worded, terminal, terms};
 /// Reads at most one byte more than a file may have, so that a large file or an endless stream is not read to
 /// its end.
 pub(crate) fn read_bytes(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
-    if path.as_os_str() == "-" {
-        disk::read_within(std::io::stdin().lock(), most)
-    } else {
-        disk::read_within(std::fs::File::open(path)?, most)
-    }
+    if path.as_os_str() == "-" { disk::read_within(std::io::stdin().lock(), most) } else { disk::read_file(path, most) }
 }
 
 /// Returns the answer to a faulty call: the faults, underlined in their texts, and as a record if JSON is requested.

@@ -4,8 +4,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use quantities::{Language, Measure as _, Time, format_number};
 use questions::Progress;
 use questions::list::Unanswered;
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write as _};
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
@@ -78,6 +79,8 @@ impl Waiting {
         }
         if std::io::stderr().is_terminal() {
             waiting.spawn(move |is_done| show(&is_done, progress, language));
+        } else {
+            waiting.spawn(move |is_done| report(&is_done, progress, language));
         }
         waiting
     }
@@ -86,6 +89,41 @@ impl Waiting {
         let (done, is_done) = channel::<()>();
         self.done.push((done, std::thread::spawn(move || work(is_done))));
     }
+}
+
+/// Time after which the rows of a sweep are reported where there is no terminal, and the interval of further reports.
+const FIRST_REPORT: Duration = Duration::from_secs(10);
+const REPORTS: Duration = Duration::from_secs(60);
+
+/// Writes the rows of a sweep as lines, for a log.
+fn report(is_done: &Receiver<()>, progress: &Progress, language: Language) {
+    let begun = Instant::now();
+    let mut interval = FIRST_REPORT;
+    while is_done.recv_timeout(interval) == Err(RecvTimeoutError::Timeout) {
+        interval = REPORTS;
+        if let Some(text) = rows_text(progress, begun, language) {
+            let _ = writeln!(std::io::stderr(), "antrieb: {text}");
+        }
+    }
+}
+
+/// Returns the rows of a sweep that are read or judged; `None` for other work.
+fn rows_text(progress: &Progress, begun: Instant, language: Language) -> Option<String> {
+    let judged = ROWS.get().and_then(|kept| Some((kept, progress.progress().0 as u64, progress.progress().1? as u64)));
+    if let Some((kept, done, all)) = judged {
+        let rate = per_second(done, begun.elapsed().as_secs_f64());
+        return Some(rows_at(kept + done, kept + all, rate, language));
+    }
+    let read = ROWS_READ.load(Ordering::Relaxed);
+    (read > 0).then(|| sweeps::rows_read(&read, language))
+}
+
+/// Number of rows of the table of a sweep that are read.
+static ROWS_READ: AtomicU64 = AtomicU64::new(0);
+
+/// Shows the number of rows read so far.
+pub(crate) fn count_read(rows: u64) {
+    ROWS_READ.store(rows, Ordering::Relaxed);
 }
 
 /// Shows the progress until the work is done.
@@ -106,7 +144,10 @@ fn show(is_done: &Receiver<()>, progress: &Progress, language: Language) {
                 let rate = per_second(done.saturating_sub(first) as u64, seconds);
                 rows_at(kept + done as u64, kept + all as u64, rate, language)
             }
-            _ => message(progress, language),
+            _ => match ROWS_READ.load(Ordering::Relaxed) {
+                0 => message(progress, language),
+                read => sweeps::rows_read(&read, language),
+            },
         };
         bar.set_message(text);
         bar.tick();

@@ -13,7 +13,7 @@ mod temporary;
 mod unfinished;
 
 pub use parts::{Parts, PartsTrouble};
-pub use read::{KeepingFiles, Links, ProjectFiles, read_within};
+pub use read::{KeepingFiles, Links, ProjectFiles, open_regular, read_file, read_within};
 pub use save::{Unsaved, Unwritten, ready, save, save_by};
 pub use unfinished::{LastWords, end};
 #[cfg(unix)]

@@ -141,7 +141,7 @@ impl Parts {
     /// # Errors
     /// Errors of the system; a file with the name of a part that this program did not write.
     pub fn begin(&mut self, mark: &str) -> std::result::Result<(), PartsTrouble> {
-        for name in self.dir.names()?.iter().filter(|name| is_part(name)) {
+        for name in &own_parts(&self.dir)? {
             self.dir.remove(name)?;
         }
         write_whole(&self.dir, MARK, written(mark).as_bytes())?;
@@ -171,20 +171,24 @@ impl Parts {
     /// # Errors
     /// Errors of the system; a file with the name of a part that this program did not write.
     pub fn holds(&self, index: u64) -> std::result::Result<bool, PartsTrouble> {
-        if !self.dir.has(&name(index))? || !self.dir.has(&sum_name(index))? {
+        let Some(stored) = stored(&self.dir, index)? else { return Ok(false) };
+        if !self.dir.has(&name(index))? {
             return Ok(false);
         }
-        let mut stored = Vec::new();
-        self.dir.open_file(&sum_name(index))?.take(1 << 8).read_to_end(&mut stored)?;
+        let file = self.dir.open_file(&name(index))?;
+        // A part of another length is not read: a sparse file may have any.
+        if file.metadata()?.len() != stored.length {
+            return Ok(false);
+        }
         let mut sum = self.sum(index);
-        let (mut file, mut piece) = (self.dir.open_file(&name(index))?, vec![0; 1 << 16]);
+        let (mut file, mut piece) = (file.take(stored.length), vec![0; 1 << 16]);
         loop {
             match file.read(&mut piece)? {
                 0 => break,
                 length => sum.update(piece.get(..length).unwrap_or_default()),
             };
         }
-        Ok(sum.finalize().to_hex().as_bytes() == stored)
+        Ok(sum.finalize().to_hex().as_str() == stored.sum)
     }
 
     /// Returns the checksum of a part before its content.
@@ -197,10 +201,13 @@ impl Parts {
     /// Writes a part with its checksum, completely or not at all.
     ///
     /// # Errors
-    /// Errors of the system.
+    /// Errors of the system; a file with the name of the part that this program did not write.
     pub fn write(&self, index: u64, bytes: &[u8]) -> std::result::Result<(), PartsTrouble> {
+        if self.dir.has(&name(index))? && !self.dir.has(&sum_name(index))? {
+            return Err(PartsTrouble::ForeignFile(name(index)));
+        }
         let sum = self.sum(index).update(bytes).finalize().to_hex();
-        write_whole(&self.dir, &sum_name(index), sum.as_bytes())?;
+        write_whole(&self.dir, &sum_name(index), format!("{sum} {}", bytes.len()).as_bytes())?;
         Ok(write_whole(&self.dir, &name(index), bytes)?)
     }
 
@@ -249,11 +256,50 @@ fn sum_name(index: u64) -> String {
     format!("part-{index:08}.blake3")
 }
 
-fn is_part(name: &str) -> bool {
-    let whole = name.strip_suffix(UNFINISHED).unwrap_or(name);
-    let number = whole.strip_prefix("part-");
-    let number = number.and_then(|rest| rest.strip_suffix(".parquet").or_else(|| rest.strip_suffix(".blake3")));
-    number.is_some_and(|number| number.len() >= 8 && number.bytes().all(|byte| byte.is_ascii_digit()))
+/// Checksum and length of a part, as stored next to it.
+struct Stored {
+    sum: String,
+    length: u64,
+}
+
+/// Returns the stored checksum of a part; `None` without one, or if it is damaged.
+fn stored(dir: &Dir, index: u64) -> Result<Option<Stored>> {
+    if !dir.has(&sum_name(index))? {
+        return Ok(None);
+    }
+    let mut text = Vec::new();
+    dir.open_file(&sum_name(index))?.take(1 << 8).read_to_end(&mut text)?;
+    let read = || {
+        let (sum, length) = std::str::from_utf8(&text).ok()?.split_once(' ')?;
+        let is_sum = sum.len() == 64 && sum.bytes().all(|byte| byte.is_ascii_hexdigit());
+        Some(Stored { sum: sum.to_owned(), length: length.parse().ok().filter(|_| is_sum)? })
+    };
+    Ok(read())
+}
+
+/// Returns the index in the name of a part or of its checksum.
+fn index_of(name: &str) -> Option<u64> {
+    let number = name.strip_prefix("part-")?;
+    let number = number.strip_suffix(".parquet").or_else(|| number.strip_suffix(".blake3"))?;
+    let is_index = number.len() >= 8 && number.bytes().all(|byte| byte.is_ascii_digit());
+    number.parse().ok().filter(|_| is_index)
+}
+
+/// Returns the names of the parts in a folder that this program wrote, and of their checksums, the checksums last: a part
+/// without its checksum is of another hand. An unfinished checksum is known by its name alone.
+fn own_parts(dir: &Dir) -> Result<Vec<String>> {
+    let mut own: [Vec<String>; 2] = Default::default();
+    for found in dir.names()? {
+        let whole = found.strip_suffix(UNFINISHED).unwrap_or(&found);
+        let Some(index) = index_of(whole) else { continue };
+        let is_sum = whole == sum_name(index);
+        let is_own = is_sum && whole != found || dir.has(&sum_name(index)).unwrap_or(false);
+        if is_own && (is_sum || whole == name(index)) {
+            let [parts, sums] = &mut own;
+            if is_sum { sums.push(found) } else { parts.push(found) }
+        }
+    }
+    Ok(own.concat())
 }
 
 /// Returns the content of the mark file.
@@ -297,7 +343,8 @@ fn write_whole(dir: &Dir, name: &str, bytes: &[u8]) -> Result<()> {
 fn empty(dir: &Dir) {
     let names = dir.names().unwrap_or_default();
     let of_mark = |name: &str| name.strip_suffix(UNFINISHED).unwrap_or(name) == MARK;
-    for name in names.iter().filter(|name| is_part(name)).chain(names.iter().filter(|name| of_mark(name))) {
+    let parts = own_parts(dir).unwrap_or_default();
+    for name in parts.iter().chain(names.iter().filter(|name| of_mark(name))) {
         drop(dir.remove(name));
     }
     drop(dir.remove(LOCK));

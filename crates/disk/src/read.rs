@@ -16,6 +16,36 @@ pub fn read_within(source: impl Read, most: usize) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// Opens a regular file. Other files are refused before they are opened: a pipe would block until its writer opens it, and
+/// a device may never end. An entry replaced by a pipe in between does not block either.
+///
+/// # Errors
+/// Errors of the system; [`Unopened::NoRegularFile`].
+pub fn open_regular(path: &Path) -> Result<File> {
+    regular(path)?;
+    let file = opened(path)?;
+    if file.metadata()?.is_file() { Ok(file) } else { Err(Error::other(Unopened::NoRegularFile)) }
+}
+
+#[cfg(unix)]
+fn opened(path: &Path) -> Result<File> {
+    use rustix::fs::{Mode, OFlags, open};
+    Ok(open(path, OFlags::RDONLY | OFlags::CLOEXEC | OFlags::NONBLOCK | OFlags::NOCTTY, Mode::empty())?.into())
+}
+
+#[cfg(not(unix))]
+fn opened(path: &Path) -> Result<File> {
+    File::open(path)
+}
+
+/// Reads at most `most` bytes and one more of a regular file.
+///
+/// # Errors
+/// As [`open_regular`], and errors of the system.
+pub fn read_file(path: &Path, most: usize) -> Result<Vec<u8>> {
+    read_within(open_regular(path)?, most)
+}
+
 /// Permitted targets of links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Links {
@@ -119,7 +149,7 @@ fn regular(path: &Path) -> Result<u64> {
 
 impl Files for ProjectFiles {
     fn open(&self, name: &str) -> Result<Box<dyn Read>> {
-        Ok(Box::new(File::open(self.recording(name)?)?))
+        Ok(Box::new(open_regular(&self.recording(name)?)?))
     }
 
     fn size(&self, name: &str) -> Option<u64> {

@@ -16,7 +16,7 @@ pub struct Unwritten {
     pub trouble: SaveTrouble,
 }
 
-/// Destination of a file once links are followed.
+/// Destination of a file.
 struct Destination<'p> {
     /// Path as given by the user.
     asked: &'p Path,
@@ -150,46 +150,23 @@ fn place(asked: &Path, force: bool) -> Result<Destination<'_>, SaveTrouble> {
     let Some(name) = asked.file_name() else { return Err(system(&ErrorKind::IsADirectory.into())) };
     let plain = folder.join(name);
     let Ok(own) = plain.symlink_metadata() else { return Ok(Destination { asked, target: plain, exists: false }) };
-    let target = if own.is_symlink() {
-        let target = plain.canonicalize().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => SaveTrouble::LinkToNothing,
-            _ => system(&error),
-        })?;
-        if !target.starts_with(&folder) {
-            return Err(SaveTrouble::LinkLeadsAway { target: path_text(&target) });
-        }
-        if !is_of_one_owner(&own, &target) {
-            return Err(SaveTrouble::LinkOfAnother);
-        }
-        target
-    } else {
-        plain
-    };
-    let about = target.metadata().map_err(|error| system(&error))?;
-    if about.is_dir() {
+    // What a link points to need not be what this program wrote, wherever it lies.
+    if own.is_symlink() {
+        return Err(SaveTrouble::IsLink {
+            target: plain.read_link().map_or_else(|_| String::new(), |to| path_text(&to)),
+        });
+    }
+    if own.is_dir() {
         return Err(system(&ErrorKind::IsADirectory.into()));
     }
-    if !about.is_file() {
+    if !own.is_file() {
         return Err(SaveTrouble::NoRegularFile);
     }
     // The mode is checked, not the system: it permits the superuser to write files that he protected himself.
-    if force && about.permissions().readonly() {
+    if force && own.permissions().readonly() {
         return Err(SaveTrouble::WriteProtected);
     }
-    Ok(Destination { asked, target, exists: true })
-}
-
-/// Returns `true` if a link belongs to the owner of its target. In a folder that others may write to, another user could place a
-/// link to a file of this one under the name of an output.
-#[cfg(unix)]
-fn is_of_one_owner(link: &std::fs::Metadata, target: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    target.metadata().is_ok_and(|about| about.uid() == link.uid())
-}
-
-#[cfg(not(unix))]
-fn is_of_one_owner(_: &std::fs::Metadata, _: &Path) -> bool {
-    true
+    Ok(Destination { asked, target: plain, exists: true })
 }
 
 fn stage(place: &Destination<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<NamedTempFile> {
@@ -297,24 +274,24 @@ mod tests {
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 
-    /// A link to a file of another owner is not followed; needs the right to change owners, else only an own link is tried.
+    /// A link is neither followed nor replaced, wherever it points.
     #[cfg(unix)]
     #[test]
-    fn a_link_of_another_user_is_not_followed() {
-        use std::os::unix::fs::{MetadataExt, lchown, symlink};
+    fn a_link_is_not_written() {
+        use std::os::unix::fs::symlink;
         let folder = tempfile::tempdir().unwrap();
-        let (target, link) = (folder.path().join("thesis.md"), folder.path().join("o.csv"));
+        let target = folder.path().join("thesis.md");
         std::fs::write(&target, "a year of work").unwrap();
-        symlink("thesis.md", &link).unwrap();
-        let own = link.symlink_metadata().unwrap().uid();
-        if lchown(&link, Some(own + 1), None).is_ok() {
-            let fault = save(&[(&link, b"x")], &[], true).unwrap_err();
-            assert_eq!((fault.path, fault.trouble), (link.clone(), SaveTrouble::LinkOfAnother));
-            assert_eq!(std::fs::read_to_string(&target).unwrap(), "a year of work");
-            lchown(&link, Some(own), None).unwrap();
+        for (name, to) in [("a.csv", "thesis.md"), ("b.csv", "nothing.md"), ("c.csv", "/dev/null")] {
+            let link = folder.path().join(name);
+            symlink(to, &link).unwrap();
+            for force in [false, true] {
+                let fault = save(&[(&link, b"x")], &[], force).unwrap_err();
+                assert_eq!((fault.path, fault.trouble), (link.clone(), SaveTrouble::IsLink { target: to.to_owned() }));
+            }
+            assert!(link.is_symlink());
         }
-        save(&[(&link, b"x")], &[], true).unwrap();
-        assert_eq!(std::fs::read_to_string(&target).unwrap(), "x");
+        assert_eq!(std::fs::read_to_string(&target).unwrap(), "a year of work");
     }
 
     /// A partly written file is readable by its owner only; a complete one has the mode of any other new file, or of

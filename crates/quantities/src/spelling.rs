@@ -106,7 +106,7 @@ pub(crate) const fn bit(place: usize) -> u64 {
 
 /// Abbreviations of units with the words that they replace.
 const WORDS: &[(&str, &[&str])] = &[
-    ("deg", &["degree", "degrees", "Deg", "DEG", "Grad"]),
+    ("deg", &["degree", "degrees", "Deg", "DEG", "Grad", "Grd"]),
     ("rev", &["turn", "turns", "revolution", "revolutions", "Umdrehung", "Umdrehungen", "Umdr"]),
     ("rad", &["radian", "radians"]),
     ("s", &["sec", "secs", "second", "seconds", "Sek", "Sekunde", "Sekunden"]),

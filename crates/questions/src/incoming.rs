@@ -50,16 +50,7 @@ impl IncomingFile {
     /// Returns its columns and, of a text, its first rows; `None` if it is no table.
     #[must_use]
     pub fn preview(&self) -> Option<Preview> {
-        let (content, mut source) = recording::opened(self.source()).ok()?;
-        match content {
-            Content::Foreign(_) => None,
-            Content::Text | Content::Packed(_) => recording::preview_csv(source, ROWS),
-            Content::Parquet => {
-                let mut bytes = Vec::new();
-                let _ = source.read_to_end(&mut bytes).ok()?;
-                recording::preview_parquet(&recording::Bytes::from(bytes)).ok()
-            }
-        }
+        preview_of(self.source(), recording::MEMORY_USUAL)
     }
 
     /// Returns the files of a project with this one among them.
@@ -79,6 +70,38 @@ impl IncomingFile {
     fn source(&self) -> Box<dyn Read> {
         Box::new(Cursor::new(Arc::clone(&self.bytes)))
     }
+}
+
+/// Returns the columns of a source and, of a text, its first rows; `None` if it is no table, or one in Parquet of more
+/// than `most` bytes.
+fn preview_of(source: Box<dyn Read>, most: u64) -> Option<Preview> {
+    let (content, source) = recording::opened(source).ok()?;
+    match content {
+        Content::Foreign(_) => None,
+        Content::Text | Content::Packed(_) => recording::preview_csv(source, ROWS),
+        Content::Parquet => {
+            let mut bytes = Vec::new();
+            let _ = source.take(most.saturating_add(1)).read_to_end(&mut bytes).ok()?;
+            let is_within = bytes.len() as u64 <= most;
+            is_within.then(|| recording::preview_parquet(&recording::Bytes::from(bytes)).ok()).flatten()
+        }
+    }
+}
+
+/// Returns the columns of a file and, of a text, its first rows. No more of a text is read than that, and no file that
+/// would be too large as a recording.
+///
+/// # Errors
+/// Every reason why the file is no recording.
+pub fn previewed(name: &str, files: &dyn Files) -> Result<Preview, Vec<AxisFault>> {
+    let most = files.grant().memory;
+    let is_small = files.size(name).is_none_or(|size| size <= recording::FILE_BYTES_MAX);
+    let shown = if is_small { files.open(name).ok().and_then(|source| preview_of(source, most)) } else { None };
+    shown.ok_or_else(|| {
+        let faults = read_recording(name, &Layout::default(), files).err().unwrap_or_default();
+        let none = || vec![AxisFault::Recording { name: name.to_owned(), fault: recording::Fault::NoTable }];
+        if faults.is_empty() { none() } else { faults }
+    })
 }
 
 /// Files of a project with one that is not among them yet.

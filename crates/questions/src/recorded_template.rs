@@ -1,6 +1,5 @@
 //! A project file that begins with a recording of the user.
 
-use crate::incoming::IncomingFile;
 use crate::templates::{Template, template, template_kinds};
 use quantities::{Dimension, Language, Unit};
 use recording::{Preview, PreviewColumn, Role};
@@ -14,27 +13,21 @@ const MANUAL: &str = "manual";
 
 /// Returns the project of a kind whose motion is a recording; `named` is the recording as the project names it, `file`
 /// the name of the project. The kind `recording` begins with a joint if the recording has a torque, with a belt if it
-/// is along a line, else with a load. `None` if the kind has no such motion, or the file is no table.
+/// is along a line, else with a load. `None` if the kind has no such motion.
 #[must_use]
-pub fn recorded(
-    kind: &str,
-    incoming: &IncomingFile,
-    (named, file): (&str, &str),
-    language: Language,
-) -> Option<Template> {
-    let preview = incoming.preview()?;
+pub fn recorded(kind: &str, preview: &Preview, (named, file): (&str, &str), language: Language) -> Option<Template> {
     if !begins_with_motion(kind) {
         return None;
     }
     let kind = match kind {
-        RECORDING => base(&preview),
+        RECORDING => base(preview),
         kind => kind,
     };
     let plain = template(kind, file, language)?.text;
     let (head, motion) = plain.split_once("[[motion]]")?;
     let (_, tail) = motion.split_once("\n[requirements]")?;
     let head = without_figures(head);
-    let text = format!("{head}{}\n[requirements]{tail}", segment(&preview, named, language));
+    let text = format!("{head}{}\n[requirements]{tail}", segment(preview, named, language));
     Some(Template { text, recording: None })
 }
 

@@ -28,6 +28,8 @@ pub(crate) struct Ahead<R> {
     current: Option<(u64, Vec<u8>)>,
     /// Read error that occurred after the queued lines.
     failed: Option<Fault>,
+    /// Without a heading, two successive lines hold numbers separated by spaces alone.
+    is_spaced: bool,
 }
 
 /// Position of the heading and the delimiter.
@@ -43,7 +45,7 @@ pub(crate) struct HeadingPlace {
 
 impl<R: Read> Ahead<R> {
     pub(crate) fn new(source: R) -> Self {
-        Self { lines: Lines::new(source), queue: VecDeque::new(), current: None, failed: None }
+        Self { lines: Lines::new(source), queue: VecDeque::new(), current: None, failed: None, is_spaced: false }
     }
 
     /// Searches the heading; the next line is then the heading, or the first row if there is none. Returns `None` for a
@@ -79,6 +81,11 @@ impl<R: Read> Ahead<R> {
                     continue;
                 }
                 bytes += line.len();
+                // A line of delimiters below lines without a number is no row, and states neither names nor units.
+                let has_digit = |(_, line): &(u64, Vec<u8>)| line.iter().any(u8::is_ascii_digit);
+                if is_blank(&line) && !seen.is_empty() && !seen.last().is_some_and(has_digit) {
+                    continue;
+                }
                 if headers.end_with(&line, seen.is_empty()) {
                     seen.clear();
                     continue;
@@ -109,6 +116,8 @@ impl<R: Read> Ahead<R> {
             let rows = |is_row: IsRow| (1..seen.len()).find_map(|row| heading_above(&seen, row, (stated, is_row)));
             rows(is_mixed_row).or_else(|| rows(is_row_with_units))
         });
+        self.is_spaced =
+            found.is_none() && seen.windows(2).any(|pair| pair.iter().all(|(_, line)| is_spaced_row(line)));
         let Some((_, first)) = seen.first() else { return Ok(None) };
         let (start, mut answer) = found.unwrap_or_else(|| {
             (0, HeadingPlace { delimiter: stated.unwrap_or_else(|| delimiter(first)), is_missing: false, notes: None })
@@ -124,6 +133,11 @@ impl<R: Read> Ahead<R> {
             answer.is_missing = false;
         }
         Ok(Some(answer))
+    }
+
+    /// Returns `true` if no heading was found, and two successive lines hold numbers separated by spaces alone.
+    pub(crate) const fn is_spaced(&self) -> bool {
+        self.is_spaced
     }
 
     /// Searches the line of headings of a table with any columns, and returns its delimiter; the next line is then the headings.
@@ -209,6 +223,11 @@ impl<R: Read> Ahead<R> {
     pub(crate) fn unread(&mut self) -> Option<&mut Lines<R>> {
         (self.queue.is_empty() && self.failed.is_none()).then_some(&mut self.lines)
     }
+}
+
+/// Returns `true` if a line holds delimiters alone.
+fn is_blank(line: &[u8]) -> bool {
+    line.iter().all(|byte| DELIMITERS.contains(byte) || byte.is_ascii_whitespace())
 }
 
 /// Returns the delimiter stated by a first line `sep=;`, as written by spreadsheets.

@@ -170,6 +170,15 @@ pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut FaultColl
     if missing(Role::Position) && missing(Role::Speed) && !position_failed && !speed_failed {
         faults.push(Fault::CourseMissing { headers: names(), near: near(&[Role::Position, Role::Speed]) });
     }
+    let has_course = !missing(Role::Position) || !missing(Role::Speed);
+    for (role, failed) in Role::ALL.into_iter().zip(failed) {
+        let spec = layout.column(role);
+        let is_stated = spec.unit.is_some() && !spec.unused && role != Role::Time;
+        // Read without it, the motion would be that of another column.
+        if is_stated && has_course && missing(role) && !failed {
+            faults.push(Fault::UnitWithoutColumn { role, headers: names(), near: near(&[role]) });
+        }
+    }
     (picks, more)
 }
 
@@ -232,6 +241,18 @@ fn surest(headings: &[Heading], taken: &[(usize, Role)], pick: impl Fn(&Heading)
     found
 }
 
+/// Returns the index that a data frame writes as a column, without a heading in a text and with an invented one in Parquet,
+/// with its name in a layout, and `true` if its type states the unit.
+fn index_column(headings: &[Heading]) -> Option<(usize, String, bool)> {
+    let invented = |(index, heading): (usize, &Heading)| {
+        let inner = heading.written.strip_prefix("__index_level_")?.strip_suffix("__")?;
+        inner.bytes().all(|byte| byte.is_ascii_digit()).then(|| (index, heading.written.clone(), true))
+    };
+    let first = headings.first().filter(|heading| heading.written.trim().is_empty() && headings.len() > 1);
+    let nameless = || first.map(|heading| (0, "#1".to_owned(), heading.is_clock));
+    headings.iter().take(PROPOSED_FROM).enumerate().find_map(invented).or_else(nameless)
+}
+
 /// Returns the column that probably has a role: the only one with a unit of the role, else the one whose name contains
 /// or is closest to one of its names.
 fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -> Option<NearColumn> {
@@ -261,7 +282,10 @@ fn proposed(headings: &[Heading], role: Role, is_used: impl Fn(usize) -> bool) -
     let of_clock: Vec<&Heading> = free().filter(|heading| role == Role::Time && heading.is_clock).collect();
     let found = match (with_unit.as_slice(), of_clock.as_slice()) {
         ([one], _) | (_, [one]) => *one,
-        _ => by_name()?,
+        _ => match index_column(headings).filter(|(index, ..)| role == Role::Time && !is_used(*index)) {
+            Some((_, column, has_unit)) => return Some(NearColumn { role, column, has_unit }),
+            None => by_name()?,
+        },
     };
     let has_unit = has_unit(&found) || role == Role::Time && found.is_clock;
     Some(NearColumn { role, column: writable(headings, found)?, has_unit })

@@ -4,8 +4,9 @@ use crate::ahead::{Ahead, is_spaced_row};
 use crate::cells::{CellSplitter, ends_empty};
 use crate::clock::{Clock, is_clock, is_clock_of_unknown_form};
 use crate::collected::FaultCollector;
-use crate::columns::{Heading, Pick, Picks, Said, decide, pick, units_alone, unused};
+use crate::columns::{Heading, Pick, Said, decide, pick, units_alone, unused};
 use crate::csv_faults::{cell_fault, ragged};
+use crate::csv_units::{holds_number, is_row_of_values, unbracketed, unit_row};
 use crate::encoding;
 use crate::faults::{Fault, excerpt};
 use crate::gather::{Gather, SampleUse, check_window};
@@ -13,7 +14,7 @@ use crate::layout::{Layout, Role};
 use crate::limits::{COLUMNS_MAX, FILE_BYTES_MAX, Limit};
 use crate::lines::Lines;
 use crate::memory::Memory;
-use crate::number::{Bad, Decimals, Tick, finite, is_value, plain, with_unit};
+use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
 use crate::plain::{PlainRows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
 use crate::thousands::Thousands;
@@ -123,7 +124,8 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     // Text of a file that is no table is not quoted in faults: it may be a note or a key.
     if !is_table && !faults.none() {
         *faults = FaultCollector::default();
-        faults.push(if is_spaced_row(lines.line()) { Fault::SpacesOnly } else { Fault::NoTable });
+        let is_spaced = is_spaced_row(lines.line()) || lines.is_spaced();
+        faults.push(if is_spaced { Fault::SpacesOnly } else { Fault::NoTable });
         return None;
     }
     if units.is_none() {
@@ -196,7 +198,16 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     wanted.channels = columns.len().saturating_sub(1);
     let used: Vec<usize> =
         wanted.indices.iter().copied().chain(wanted.beside.iter().map(|(index, _)| *index)).collect();
-    let unused = unused(&headings, layout, &used);
+    let mut unused = unused(&headings, layout, &used);
+    // The index of a data frame has no heading.
+    let has_value = |index: usize| first_row.get(index).is_some_and(|cell| !cell.trim_ascii().is_empty());
+    if !found.is_missing
+        && headings.first().is_some_and(|first| first.written.trim().is_empty())
+        && has_value(0)
+        && !used.contains(&0)
+    {
+        unused.insert(0, "#1".to_owned());
+    }
     for (index, name) in std::mem::take(&mut wanted.beside) {
         wanted.indices.push(index);
         wanted.names.push(name);
@@ -220,6 +231,9 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         *faults = FaultCollector::default();
         let column = wanted.names.get(found.column).cloned().unwrap_or_default();
         faults.push(Fault::ThousandsPossible { line: found.place, column, text: found.text.clone() });
+        return None;
+    }
+    if faults.keep_grouped() {
         return None;
     }
     faults.advise(gather.remedies(is_read.is_some()));
@@ -257,6 +271,7 @@ fn read_rows(
             && is_certain
             && wanted.is_plain()
             && wanted.no_rows.is_empty()
+            && wanted.blank.is_none()
             && let Some(lines) = lines.unread()
         {
             plain_rows(lines, sign, wanted, cells, &mut rows, gather, faults)?;
@@ -282,39 +297,6 @@ fn form_of_integers(heading: &Heading, headings: &[Heading]) -> Option<TimeForm>
     has_unit("FILETIME").then_some(TimeForm::HundredsOfNanoseconds)
 }
 
-/// Returns the row as units if no cell in use is a number. A dash beside a unit is none.
-fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
-    let mut texts: Vec<String> = row.iter().map(|cell| unbracketed(&encoding::text(cell))).collect();
-    let used: Vec<&String> =
-        picks.iter().flatten().filter_map(|pick| texts.get(pick.index)).filter(|text| !text.is_empty()).collect();
-    // A missing value in the first sample is no unit.
-    let is_missing = |text: &str| ["na", "n/a", "null", "none", "-"].contains(&text.to_lowercase().as_str());
-    let has_unit = used.iter().any(|text| !is_value(text) && Unit::of(text).is_some());
-    let are_texts = used.iter().all(|text| !is_value(text) && (has_unit || !is_missing(text)));
-    if used.is_empty() || !are_texts {
-        return None;
-    }
-    texts.iter_mut().filter(|text| is_missing(text)).for_each(String::clear);
-    Some(texts)
-}
-
-/// Returns `true` if a cell of the row is a number, with or without a unit.
-fn holds_number(row: &[Vec<u8>]) -> bool {
-    row.iter().any(|cell| is_value(&encoding::text(cell)))
-}
-
-/// Returns `true` if a cell of the row is a number other than `1`, the unit of a ratio.
-fn is_row_of_values(row: &[Vec<u8>]) -> bool {
-    row.iter().map(|cell| encoding::text(cell)).any(|cell| is_value(&cell) && unbracketed(&cell) != "1")
-}
-
-fn unbracketed(text: &str) -> String {
-    let text = text.trim();
-    let inner =
-        [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| text.strip_prefix(*open)?.strip_suffix(*close));
-    inner.unwrap_or(text).trim().to_owned()
-}
-
 /// The columns in use, time first.
 #[derive(Default)]
 struct Wanted {
@@ -337,6 +319,8 @@ struct Wanted {
     thousands: Thousands,
     /// Faults of the lines since the last row that are no rows.
     no_rows: Vec<Fault>,
+    /// Fault of the first of the rows without content before the current line.
+    blank: Option<Fault>,
 }
 
 /// Notation of the times.
@@ -493,6 +477,15 @@ fn row(
         wanted.no_row(Fault::QuoteOpen { line: number }, gather, faults);
         return true;
     };
+    // Rows without content end the export of a range of a spreadsheet; among others the values are missing.
+    if line.iter().all(|byte| *byte == cells.delimiter || byte.is_ascii_whitespace()) {
+        let column = wanted.names.first().cloned().unwrap_or_default();
+        let _ = wanted.blank.get_or_insert(Fault::ValueMissing { at: crate::FileRow::Line(number), column });
+        return true;
+    }
+    if let Some(fault) = wanted.blank.take() {
+        wanted.no_row(fault, gather, faults);
+    }
     // The last line of a scope.
     if count == 1 && wanted.fields > 1 && line.trim_ascii() == b"EOF" {
         return true;
@@ -554,7 +547,15 @@ fn row(
     match tick {
         Err(bad) => {
             let fault = cell_fault(bad, number, name, cell);
-            wanted.no_row(fault, gather, faults);
+            // A number with separators of thousands belongs to a row, however many of them end the file.
+            if matches!(fault, Fault::ThousandsGrouped { .. }) {
+                if !gather.is_over() {
+                    gather.time_failed();
+                    faults.push(fault);
+                }
+            } else {
+                wanted.no_row(fault, gather, faults);
+            }
             return true;
         }
         Ok(tick) => match gather.sample(number, tick, faults) {

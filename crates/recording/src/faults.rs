@@ -182,6 +182,16 @@ pub enum Fault {
         /// Columns that probably hold position or speed.
         near: Vec<NearColumn>,
     },
+    /// The layout states a unit for a role that no column has.
+    #[error("a unit is stated, but no column is the {role:?}")]
+    UnitWithoutColumn {
+        /// Role.
+        role: Role,
+        /// Columns of the file.
+        headers: Vec<String>,
+        /// Column that probably has the role.
+        near: Vec<NearColumn>,
+    },
     /// Several columns could have a role.
     #[error("several columns could be the {role:?}")]
     Ambiguous {

@@ -23,6 +23,7 @@ mod collected;
 mod columns;
 mod csv;
 mod csv_faults;
+mod csv_units;
 mod damage;
 mod encoding;
 mod faults;

@@ -91,7 +91,8 @@ impl Named {
             return None;
         }
         let own = self.bare.rsplit(['.', ':', '!', '|', '\\', '/']).find(|part| !part.trim().is_empty())?;
-        let words: Vec<String> = words(own).into_iter().flat_map(parted).collect();
+        let mut words: Vec<String> = words(own).into_iter().flat_map(parted).collect();
+        let _ = words.drain(..parameter_number(&words));
         let is_commanded = words.iter().any(|word| COMMANDED.contains(&word.as_str()));
         let core: String = words
             .iter()
@@ -101,6 +102,18 @@ impl Named {
             .collect();
         is_name(&core).then_some(if is_commanded { Sureness::Commanded } else { Sureness::Measured })
     }
+}
+
+/// Returns the number of words of a parameter number before a name, as drives write it: `r0063 Drehzahlistwert`,
+/// `S-0-0051 Lageistwert`. A letter with fewer digits is a name, `q1`.
+fn parameter_number(words: &[String]) -> usize {
+    let is_number = |word: &String| word.bytes().all(|byte| byte.is_ascii_digit());
+    let Some((letter, rest)) = words.split_first().filter(|(letter, _)| letter.len() == 1 && !is_number(letter)) else {
+        return 0;
+    };
+    let numbers = rest.iter().take_while(|word| is_number(word)).count();
+    let is_parameter = rest.iter().take(numbers).any(|number| number.len() > 2) && rest.len() > numbers;
+    if is_parameter && letter.is_ascii() { 1 + numbers } else { 0 }
 }
 
 /// Splits a heading into the name and a unit marked as one: `q [deg]`, `q (deg)`, `q {deg}`, `n / 1/min`, `n in 1/min`.

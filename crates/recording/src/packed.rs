@@ -1,8 +1,9 @@
 //! Content detection by the first bytes, and text packed as a whole: `run.csv.gz`, `run.csv.zst`.
 
+use flate2::bufread::GzDecoder;
 use ruzstd::decoding::errors::{FrameDecoderError, ReadFrameHeaderError};
 use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
-use std::io::{Chain, Cursor, Read, Result};
+use std::io::{BufRead, BufReader, Chain, Cursor, ErrorKind, Read, Result};
 
 /// Packing of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -163,8 +164,55 @@ fn sniffed(mut source: Box<dyn Read>) -> Result<(Content, Sniffed)> {
 /// Unpacks a packed file while it is read; the reader bounds the size.
 fn unpacked(source: Box<dyn Read>, packing: Packing) -> Box<dyn Read> {
     match packing {
-        Packing::Gzip => Box::new(flate2::read::MultiGzDecoder::new(source)),
+        Packing::Gzip => Box::new(Members::of(source)),
         Packing::Zstd => Box::new(Frames::of(source)),
+    }
+}
+
+/// Reader of consecutive gzip members. Zeros after the last one fill a block of a tape; anything else there is damage.
+struct Members<R> {
+    /// Current member; `None` after the last one.
+    member: Option<GzDecoder<BufReader<R>>>,
+}
+
+impl<R: Read> Members<R> {
+    fn of(source: R) -> Self {
+        Self { member: Some(GzDecoder::new(BufReader::new(source))) }
+    }
+
+    /// Begins the next member; returns `false` at the end.
+    fn begin(&mut self) -> Result<bool> {
+        let Some(mut source) = self.member.take().map(GzDecoder::into_inner) else { return Ok(false) };
+        loop {
+            let found = source.fill_buf()?;
+            let zeros = found.iter().take_while(|byte| **byte == 0).count();
+            match found.get(zeros) {
+                None if zeros == 0 => return Ok(false),
+                None => source.consume(zeros),
+                Some(0x1f) if zeros == 0 => {
+                    self.member = Some(GzDecoder::new(source));
+                    return Ok(true);
+                }
+                Some(_) => return Err(ErrorKind::InvalidData.into()),
+            }
+        }
+    }
+}
+
+impl<R: Read> Read for Members<R> {
+    fn read(&mut self, room: &mut [u8]) -> Result<usize> {
+        while let Some(member) = self.member.as_mut().filter(|_| !room.is_empty()) {
+            match member.read(room) {
+                Ok(0) => {
+                    let _ = self.begin()?;
+                }
+                Ok(count) => return Ok(count),
+                // A wrong checksum, a damaged header.
+                Err(error) if error.kind() == ErrorKind::InvalidInput => return Err(ErrorKind::InvalidData.into()),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(0)
     }
 }
 
@@ -277,6 +325,36 @@ mod tests {
             let half = Box::new(Cursor::new(packed[..packed.len() / 2].to_vec()));
             assert!(unpacked(half, packing).read_to_end(&mut Vec::new()).is_err(), "a damaged file");
         }
+    }
+
+    /// Members of gzip and zeros after them are read; anything else after them, and a wrong checksum, are damage and no early
+    /// end.
+    #[test]
+    fn bytes_after_the_last_member_are_damage() {
+        let packed = |text: &str| {
+            let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+            gzip.write_all(text.as_bytes()).unwrap();
+            gzip.finish().unwrap()
+        };
+        let read = |bytes: Vec<u8>| {
+            let mut text = String::new();
+            opened(Box::new(Cursor::new(bytes)))
+                .and_then(|(_, mut source)| source.read_to_string(&mut text))
+                .map(|_| text)
+                .map_err(|error| error.kind())
+        };
+        let whole = packed("0,1\n");
+        let with = |more: &[u8]| [&whole[..], more].concat();
+        assert_eq!(read(with(&packed("2,3\n"))).as_deref(), Ok("0,1\n2,3\n"));
+        assert_eq!(read(with(&[0; 10_000])).as_deref(), Ok("0,1\n"));
+        for more in [&b"x"[..], b"\0\0x", b"more text than a header", b"\x1fno member at all"] {
+            assert_eq!(read(with(more)), Err(ErrorKind::InvalidData), "{more:?}");
+        }
+        let mut wrong = whole.clone();
+        let checksum = wrong.len() - 8;
+        wrong[checksum] ^= 1;
+        assert_eq!(read(wrong), Err(ErrorKind::InvalidData));
+        assert_eq!(read(whole[..whole.len() - 3].to_vec()), Err(ErrorKind::UnexpectedEof));
     }
 
     #[test]

@@ -60,6 +60,11 @@ impl Form {
     }
 }
 
+/// Returns `true` if the sign of a number may separate thousands: `1.002`.
+pub(crate) fn may_be_grouped(cell: &str) -> bool {
+    Form::of(cell.trim()) == Some(Form::Grouped)
+}
+
 impl Thousands {
     /// Adds a cell of a column; text that is no number states nothing.
     pub fn note(&mut self, column: usize, cell: &str, place: u64) {

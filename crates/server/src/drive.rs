@@ -1,10 +1,15 @@
 //! The virtual drive over TCP: connections on the loopback to one drive, and its clock.
 
+mod places;
+
 use crate::owner::Owners;
 use crate::serve::{Unserved, end_requested, listening};
+pub use places::CLIENTS_MOST;
+use places::{Client, SILENT_MOST, leaving, silent_leaving};
 use questions::drive::line::{self, Answer, LINE_MOST};
 use questions::drive::room::Drive;
 use questions::drive::{CanNode, Frame, HALF_MS_S, Time, socketcand};
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, VecDeque};
 use std::future::Future;
 use std::io::ErrorKind;
@@ -51,12 +56,6 @@ impl DriveProtocol {
         }
     }
 }
-
-/// Largest number of clients; a further one replaces the longest idle client or is rejected.
-pub const CLIENTS_MOST: usize = 8;
-
-/// Time without a valid request after which a client may be replaced.
-const IDLE_TIME: Duration = Duration::from_secs(10);
 
 /// Time limit of the first request of a client.
 const FIRST_TIME: Duration = Duration::from_secs(60);
@@ -148,42 +147,6 @@ enum Device<'a> {
     Node(Box<CanNode<'a>>),
 }
 
-/// A client.
-struct Client {
-    out: mpsc::Sender<Vec<u8>>,
-    /// The first request was one of the protocol: a command, raw mode.
-    is_known: bool,
-    /// Time of its last valid request.
-    heard: Instant,
-    /// Address of the other end.
-    peer: SocketAddr,
-}
-
-/// Returns the client that leaves for a new one of the user `new`: the longest idle of those idle for [`IDLE_TIME`] and, for the user
-/// who runs the drive, of all others. Otherwise other users share the places: the user with the most of them gives one to a user with
-/// at least two fewer.
-fn leaving(
-    clients: &BTreeMap<u64, Client>,
-    user_of: impl Fn(SocketAddr) -> Option<u32>,
-    new: Option<u32>,
-    own: Option<u32>,
-) -> Option<u64> {
-    let users: BTreeMap<u64, Option<u32>> = clients.iter().map(|(id, client)| (*id, user_of(client.peer))).collect();
-    let is_foreign = |id: &u64| users.get(id).is_some_and(|user| user.is_some() && *user != own);
-    let places = |user: Option<u32>| users.values().filter(|other| **other == user).count();
-    let longest_idle = |leaves: &dyn Fn(&u64, &Client) -> bool| {
-        let found = clients.iter().filter(|(id, client)| leaves(id, client)).min_by_key(|(_, client)| client.heard);
-        found.map(|(id, _)| *id)
-    };
-    let is_own = new.is_some() && new == own;
-    longest_idle(&|id, client| client.heard.elapsed() >= IDLE_TIME || is_own && is_foreign(id)).or_else(|| {
-        let most =
-            users.iter().filter(|(id, _)| is_foreign(id)).map(|(_, user)| *user).max_by_key(|user| places(*user))?;
-        let shares = new.is_some() && places(most) >= places(new) + 2;
-        shares.then(|| longest_idle(&|id, _| users.get(id) == Some(&most))).flatten()
-    })
-}
-
 /// Disconnection of a client, by itself or by the drive.
 struct Leaves;
 
@@ -251,16 +214,45 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Returns `true` if there is a place for a new client; disconnects another one if necessary.
+    /// Returns `true` if there is a place for a new connection; disconnects the oldest silent one if necessary.
     fn has_place(&mut self, peer: SocketAddr) -> bool {
-        if self.clients.len() < CLIENTS_MOST {
-            return true;
+        let silent = self.clients.values().filter(|client| !client.is_known).count();
+        let found = OnceCell::new();
+        let owners = || found.get_or_init(Owners::read);
+        if silent >= SILENT_MOST
+            && let Some(id) = silent_leaving(&self.clients, |peer| owners().user_of(peer), owners().own())
+        {
+            self.handle(Event::Closed(id));
         }
-        let owners = Owners::read();
-        let (new, own) = (owners.user_of(peer), owners.own());
-        let Some(id) = leaving(&self.clients, |peer| owners.user_of(peer), new, own) else { return false };
-        self.handle(Event::Closed(id));
-        true
+        self.known() < CLIENTS_MOST || self.leaving(owners(), peer).is_some()
+    }
+
+    /// Returns the number of clients that have made a request.
+    fn known(&self) -> usize {
+        self.clients.values().filter(|client| client.is_known).count()
+    }
+
+    /// Returns the client that leaves for a new one.
+    fn leaving(&self, owners: &Owners, peer: SocketAddr) -> Option<u64> {
+        leaving(&self.clients, |peer| owners.user_of(peer), owners.user_of(peer), owners.own())
+    }
+
+    /// Begins a request. The first one of a connection makes it a client, which may replace another; without a place it is
+    /// not begun.
+    fn begin_first(&mut self, id: u64, request: &[u8]) -> Result<u64, Leaves> {
+        let Some(client) = self.clients.get(&id) else { return Err(Leaves) };
+        let peer = client.peer;
+        let leaving = if client.is_known || self.known() < CLIENTS_MOST {
+            None
+        } else {
+            Some(self.leaving(&Owners::read(), peer).ok_or(Leaves)?)
+        };
+        let steps = self.begin(id, request)?;
+        let is_client = self.clients.get(&id).is_some_and(|client| client.is_known);
+        if let Some(other) = leaving.filter(|_| is_client) {
+            self.handle(Event::Closed(other));
+        }
+        Ok(steps)
     }
 
     /// Works for one slice on the request at the head of the queue. A request that needs further steps is queued again
@@ -274,7 +266,7 @@ impl<'a> Bench<'a> {
                 self.advance(steps);
                 left - steps
             }
-            None => match self.begin(job.client, &job.request) {
+            None => match self.begin_first(job.client, &job.request) {
                 Ok(steps) => steps,
                 Err(Leaves) => {
                     self.clients.remove(&job.client);
@@ -521,75 +513,4 @@ async fn written(stream: &TcpStream, mut text: &[u8]) -> bool {
         }
     }
     true
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const OWN: u32 = 1000;
-
-    fn peer(port: u16) -> SocketAddr {
-        SocketAddr::from((Ipv4Addr::LOCALHOST, port))
-    }
-
-    /// Returns clients of these users, the port of each its user, and how long each has been idle.
-    fn clients(users: &[(u16, Duration)]) -> BTreeMap<u64, Client> {
-        let now = Instant::now();
-        let client = |(user, idle): &(u16, Duration)| {
-            let heard = now.checked_sub(*idle).unwrap_or(now);
-            Client { out: mpsc::channel(1).0, is_known: true, heard, peer: peer(*user) }
-        };
-        (1..).zip(users.iter().map(client)).collect()
-    }
-
-    fn leaves(clients: &BTreeMap<u64, Client>, new: u32) -> Option<u64> {
-        leaving(clients, |peer| Some(u32::from(peer.port())), Some(new), Some(OWN))
-    }
-
-    /// Clients of another user that are never idle do not keep the user of the drive out.
-    #[test]
-    fn clients_of_another_user_leave_for_those_of_the_user() {
-        let busy = clients(&[(1000, 4), (1000, 3), (1000, 3), (7, 2), (7, 3), (8, 1), (8, 0), (8, 0)].map(idle));
-        assert_eq!(leaves(&busy, OWN), Some(5), "the longest idle of the others");
-        let all_own = clients(&[(1000, 4); 8].map(idle));
-        assert_eq!(leaves(&all_own, OWN), None, "clients of one user do not replace each other");
-        assert_eq!(leaves(&all_own, 7), None, "those of the user who runs the drive stay");
-        let unknown = |new| leaving(&busy, |_| None, new, Some(OWN));
-        assert_eq!([unknown(Some(OWN)), unknown(None)], [None, None], "where the users are unknown");
-    }
-
-    /// A client that has sent no valid request for ten seconds leaves for any other.
-    #[test]
-    fn an_idle_client_leaves_for_any_other() {
-        let one_idle = clients(&[(1000, 9), (1000, 11), (7, 12), (7, 1), (7, 1), (7, 1), (7, 1), (7, 1)].map(idle));
-        for new in [OWN, 7, 8] {
-            assert_eq!(leaves(&one_idle, new), Some(3), "{new}");
-        }
-        assert_eq!(leaving(&one_idle, |_| None, None, None), Some(3));
-    }
-
-    /// Other users take places from each other until each has the same number, and none back: whatever comes in whatever order, no user
-    /// is kept out, and no place is taken that would have to be given back.
-    #[test]
-    fn other_users_share_the_places() {
-        let mut busy = clients(&[(7, 1); 8].map(idle));
-        let mut next = 9;
-        let mut come = |user: u16| {
-            let Some(id) = leaves(&busy, user.into()) else { return false };
-            busy.remove(&id);
-            busy.extend(clients(&[(user, Duration::ZERO)]).into_values().map(|client| (next, client)));
-            next += 1;
-            true
-        };
-        assert_eq!([8; 5].map(&mut come), [true, true, true, true, false], "four each");
-        assert!(!come(7), "a user does not take back what was shared");
-        assert_eq!([9; 3].map(&mut come), [true, true, false], "3, 3 and 2");
-        let held = |user| busy.values().filter(|client| client.peer.port() == user).count();
-        assert_eq!([7, 8, 9].map(held), [3, 3, 2]);
-    }
-
-    fn idle((user, seconds): (u16, u64)) -> (u16, Duration) {
-        (user, Duration::from_secs(seconds))
-    }
 }

@@ -1,14 +1,13 @@
 //! The working folder: project files by name, and the recordings that they name; no access outside of it.
 
 use axis::{Catalogue, Files, Grant, Reach};
-use disk::{KeepingFiles, Links, ProjectFiles, Unwritten, read_within};
+use disk::{KeepingFiles, Links, ProjectFiles, Unwritten, read_file};
 use page::{
     FileEntry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names,
 };
 use project::PROJECT_MAX_BYTES;
 use questions::Progress;
 use std::collections::BTreeMap;
-use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -142,7 +141,7 @@ impl Folder for Workplace {
         if !is_project_name(name) {
             return Err(ErrorKind::NotFound.into());
         }
-        let bytes = read_within(File::open(self.files.files.regular(name)?)?, PROJECT_MAX_BYTES)?;
+        let bytes = read_file(&self.files.files.regular(name)?, PROJECT_MAX_BYTES)?;
         if bytes.len() > PROJECT_MAX_BYTES { Err(ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
     }
 
@@ -178,8 +177,8 @@ impl Folder for Workplace {
                 Ok(()) => return Ok(name),
                 // An identical recording is not written again.
                 Err(SaveFault::Changed) => {
-                    let there = File::open(self.files.files.regular(&name).map_err(SaveFault::Disk)?);
-                    let there = there.and_then(|file| read_within(file, bytes.len())).map_err(SaveFault::Disk)?;
+                    let there = self.files.files.regular(&name).and_then(|path| read_file(&path, bytes.len()));
+                    let there = there.map_err(SaveFault::Disk)?;
                     if there == bytes {
                         return Ok(name);
                     }

@@ -90,10 +90,18 @@ impl Unserved {
     }
 }
 
+/// Number of connections that wait for their acceptance.
+#[cfg(unix)]
+const BACKLOG: i32 = 4096;
+
 /// Opens a listener and returns it with its address.
 pub(crate) fn listening(asked: SocketAddr) -> Result<(TcpListener, SocketAddr), Unserved> {
     let bound = || {
         let listener = TcpListener::bind(asked)?;
+        // Many connections at once overflow the queue of the standard library, and their senders wait for a second. The
+        // system reduces the number to its own limit.
+        #[cfg(unix)]
+        rustix::net::listen(&listener, BACKLOG)?;
         listener.set_nonblocking(true)?;
         let address = listener.local_addr()?;
         Ok((listener, address))

@@ -7,8 +7,6 @@ texts! {
         "not recognised; other columns: {unused}" | "nicht erkannt; übrige Spalten: {unused}";
     no_unit(heading) =
         "unit of \"{heading}\", which the file does not state" | "Einheit von „{heading}“, die die Datei nicht nennt";
-    no_table =
-        "no table with numbers" | "keine Tabelle mit Zahlen";
     not_of_kind(kind) =
         "a project of the kind \"{kind}\" has no recorded motion" | "ein Projekt der Art „{kind}“ hat keine aufgezeichnete Bewegung";
 }

@@ -15,7 +15,8 @@ use beyond::{beyond, damage};
 use counter::counter;
 use foreign::foreign;
 use headings::{
-    LIST_MOST, columns, columns_and_names, header, heading_missing, heading_of_units, list, toml_text, valid_units,
+    LIST_MOST, columns, columns_and_names, header, heading_missing, heading_of_units, list, toml_text,
+    unit_without_column, valid_units,
 };
 use modulo::{position_jumps, turn_begun};
 use quantities::unit::SECOND;
@@ -241,6 +242,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
             ),
             Some(columns_and_names(headers, near, &[Role::Position, Role::Speed], language)),
         ),
+        Fault::UnitWithoutColumn { role, headers, near } => unit_without_column(*role, headers, near, language),
         Fault::Ambiguous { role, columns, numbers } => {
             let (role, key) = (role_text(*role, language), role_key(*role));
             let first = columns.first().map_or("", String::as_str);

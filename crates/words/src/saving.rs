@@ -16,15 +16,11 @@ pub enum SaveTrouble {
     NoRegularFile,
     /// The folder does not exist.
     NoFolder,
-    /// A link leads out of the folder of the given name.
-    LinkLeadsAway {
+    /// The path is a link, through which no file is written.
+    IsLink {
         /// Target of the link.
         target: String,
     },
-    /// The target of a link does not exist.
-    LinkToNothing,
-    /// A link belongs to another user than its target.
-    LinkOfAnother,
     /// The file is the project file or one that the project reads.
     IsInput,
     /// Two files to be written have the same path.
@@ -52,19 +48,12 @@ pub fn save_trouble(trouble: &SaveTrouble, language: Language) -> String {
             "das ist eine Pipe, ein Gerät oder ein Socket; geschrieben werden nur gewöhnliche Dateien",
         ),
         SaveTrouble::NoFolder => ("there is no such folder", "dieser Ordner existiert nicht"),
-        SaveTrouble::LinkLeadsAway { target } => {
+        SaveTrouble::IsLink { target } => {
             return said!(language =>
-                "the link points outside its folder, to {target}; specify that file directly"
-                | "die Verknüpfung zeigt aus ihrem Ordner hinaus auf {target}; diese Datei direkt angeben"
+                "this is a link to {target}; files are not written through a link, specify its target directly"
+                | "das ist eine Verknüpfung auf {target}; durch Verknüpfungen wird nicht geschrieben, das Ziel direkt angeben"
             );
         }
-        SaveTrouble::LinkToNothing => {
-            ("the target of the link does not exist", "das Ziel der Verknüpfung existiert nicht")
-        }
-        SaveTrouble::LinkOfAnother => (
-            "the link belongs to another user than the file to which it points; specify that file directly",
-            "die Verknüpfung gehört einem anderen Benutzer als die Datei, auf die sie zeigt; diese Datei direkt angeben",
-        ),
         SaveTrouble::IsInput => (
             "this call reads the file; specify another file for writing",
             "dieser Aufruf liest die Datei; zum Schreiben eine andere angeben",
@@ -96,8 +85,7 @@ mod tests {
             SaveTrouble::WriteProtected,
             SaveTrouble::NoRegularFile,
             SaveTrouble::NoFolder,
-            SaveTrouble::LinkLeadsAway { target: "/far".to_owned() },
-            SaveTrouble::LinkToNothing,
+            SaveTrouble::IsLink { target: "/far".to_owned() },
             SaveTrouble::IsInput,
             SaveTrouble::Twice,
             SaveTrouble::NotToStdout,

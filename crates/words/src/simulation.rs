@@ -219,7 +219,7 @@ texts! {
     refused_days = "days of operation can be stated for the scenario cycle only" | "Betriebstage sind nur beim Szenario Zyklus zulässig";
     refused_hours = "0 to 24 hours per day, together with --days" | "0 bis 24 Stunden je Tag, zusammen mit --days";
     lines_for_the_project = "lines for the project" | "Zeilen für das Projekt";
-    no_such_trace(name) = "{name} cannot be read" | "{name} kann nicht gelesen werden";
+    trace_unread(name, why) = "{name} cannot be read: {why}" | "{name} kann nicht gelesen werden: {why}";
     trace_too_large(name, most) = "{name} is larger than {most} MiB" | "{name} ist größer als {most} MiB";
     trace_lacks(columns) = "the trace lacks columns: {columns}" | "dem Verlauf fehlen Spalten: {columns}";
     trace_not_a_number(line, column) = "line {line}: the value of {column} is not a number" | "Zeile {line}: der Wert von {column} ist keine Zahl";

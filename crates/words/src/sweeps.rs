@@ -54,8 +54,8 @@ texts! {
         "{folder} exists and was not made by antrieb; it remains unchanged: move it, or write the answers to another file"
         | "{folder} ist schon vorhanden und nicht von antrieb angelegt; es bleibt unverändert: verschieben oder die Antworten in eine andere Datei schreiben";
     parts_foreign_file(file) =
-        "{file}: in place of a part there is a link, a folder or a file of another user; it remains unchanged"
-        | "{file}: anstelle eines Teils steht hier eine Verknüpfung, ein Ordner oder eine Datei eines anderen Benutzers; sie bleibt unverändert";
+        "{file}: in place of a part there is a link, a folder, a file of another user or one without its checksum; it remains unchanged"
+        | "{file}: anstelle eines Teils steht hier eine Verknüpfung, ein Ordner, eine Datei eines anderen Benutzers oder eine ohne Prüfsumme; sie bleibt unverändert";
     parts_busy(folder) =
         "another sweep is writing to the same file; it uses {folder}"
         | "ein anderer Lauf schreibt gerade in dieselbe Datei; er benutzt {folder}";
@@ -91,6 +91,8 @@ texts! {
     carried(names) = "carried into the answer: {names}" | "in die Antwort übernommen: {names}";
     rows_done(done, all, rate, left) =
         "{done} of {all} rows · {rate} rows/s · {left} left" | "{done} von {all} Zeilen · {rate} Zeilen/s · noch {left}";
+    rows_read(rows) =
+        "{rows} rows of the table read" | "{rows} Zeilen der Tabelle gelesen";
     rows_begun(done, all) = "{done} of {all} rows" | "{done} von {all} Zeilen";
     kept(folder) =
         "completed parts are kept in {folder}; the same call continues from them"

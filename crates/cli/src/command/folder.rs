@@ -23,7 +23,7 @@ pub(super) fn text_of(path: &Path) -> Option<String> {
     if let Some(text) = path.to_str().and_then(|word| text_of_kind(word, Language::default())) {
         return Some(text);
     }
-    let bytes = disk::read_within(std::fs::File::open(path).ok()?, PROJECT_MAX_BYTES).ok()?;
+    let bytes = disk::read_file(path, PROJECT_MAX_BYTES).ok()?;
     String::from_utf8(bytes).ok()
 }
 

@@ -39,7 +39,7 @@ impl Table<'_> {
     }
 
     fn file(&self, path: &Path) -> Result<File, Unanswered> {
-        File::open(path).map_err(|error| self.refused(&file_trouble(&error, self.language)))
+        disk::open_regular(path).map_err(|error| self.refused(&file_trouble(&error, self.language)))
     }
 
     /// Opens the bytes of the table.
@@ -75,6 +75,7 @@ impl Table<'_> {
                 Ok(Some(batch)) => {
                     head.check(&batch, rows);
                     rows += batch.num_rows() as u64;
+                    crate::waiting::count_read(rows);
                 }
                 Ok(None) => {
                     head.refuse_empty(rows);

@@ -241,6 +241,45 @@ fn a_flood_keeps_no_one_waiting() {
     assert!(begin.elapsed() < soon, "{:?}", begin.elapsed());
 }
 
+/// Connections that say nothing, at once or one after the other, keep no client out, in either protocol; a client that has
+/// made a request stays.
+#[test]
+fn silent_connections_keep_no_client_out() {
+    for protocol in ["line", "socketcand"] {
+        let drive = Drive::new(&["--time", "stepped", "--protocol", protocol]);
+        let ask = |client: &mut TcpStream| {
+            let (request, answer): (&[u8], &[u8]) = match protocol {
+                "line" => (b"read 6041\n", b"ok 592\n"),
+                _ => (b"< open vcan0 >< rawmode >", b"< ok >< ok >"),
+            };
+            client.write_all(request).unwrap();
+            let mut said = vec![0; answer.len()];
+            client.read_exact(&mut said).unwrap();
+            assert_eq!(String::from_utf8_lossy(&said), String::from_utf8_lossy(answer), "{protocol}");
+        };
+        let connected = || {
+            let mut client = drive.connect();
+            if protocol == "socketcand" {
+                client.read_exact(&mut [0; b"< hi >".len()]).unwrap();
+            }
+            client
+        };
+        let mut first = connected();
+        ask(&mut first);
+        let mut silent: Vec<TcpStream> = (0..200).map(|_| drive.connect()).collect();
+        for _ in 0..5 {
+            let mut client = connected();
+            silent.extend((0..20).map(|_| drive.connect()));
+            let begin = Instant::now();
+            ask(&mut client);
+            assert!(begin.elapsed() < Duration::from_secs(2), "{protocol}: {:?}", begin.elapsed());
+        }
+        if protocol == "line" {
+            ask(&mut first);
+        }
+    }
+}
+
 /// Clients that have said one line and nothing more let another one in after a while, the longest idle one first; one that goes on asking
 /// stays.
 #[test]

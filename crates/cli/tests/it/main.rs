@@ -4,6 +4,7 @@ mod answers;
 mod api;
 mod behaviour;
 mod commission;
+mod doors;
 mod drive;
 mod ends;
 mod export;

@@ -79,22 +79,33 @@ fn mode_and_write_protection_of_a_file_are_kept() {
     assert_eq!(fs::read_to_string(&file).unwrap(), "old");
 }
 
+/// A link in the folder, out of it, to nothing and to a device: nothing is written through it, with `--force` or without, nor
+/// is it replaced.
 #[test]
-fn a_link_is_followed_within_its_folder_only() {
+fn nothing_is_written_through_a_link() {
     let (folder, away) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     let here = folder.path();
     fs::write(here.join("target.svg"), "old").unwrap();
     fs::write(away.path().join("far.svg"), "old").unwrap();
-    symlink("target.svg", here.join("near.svg")).unwrap();
-    symlink(away.path().join("far.svg"), here.join("far.svg")).unwrap();
-    symlink("nothing.svg", here.join("nowhere.svg")).unwrap();
-    assert_eq!(antrieb(here, &curve(&["--svg", "near.svg"])).status.code(), Some(0));
-    assert!(here.join("near.svg").is_symlink());
-    assert!(fs::read_to_string(here.join("target.svg")).unwrap().starts_with("<svg"));
-    refused(here, &curve(&["--svg", "far.svg"]), "outside its folder");
-    refused(here, &curve(&["--svg", "nowhere.svg"]), "does not exist");
-    assert_eq!(fs::read_to_string(away.path().join("far.svg")).unwrap(), "old");
-    assert_eq!(names(here), ["far.svg", "near.svg", "nowhere.svg", "target.svg"]);
+    let targets = [
+        ("near.svg", "target.svg".into()),
+        ("far.svg", away.path().join("far.svg")),
+        ("nowhere.svg", "nothing.svg".into()),
+        ("device.svg", "/dev/null".into()),
+    ];
+    for (link, target) in &targets {
+        symlink(target, here.join(link)).unwrap();
+    }
+    for (link, target) in &targets {
+        let plain = ["curve", "CHA-25A-100-H-M512P", "--svg", link];
+        for call in [&plain[..], &[&plain[..], &["--force"]].concat()] {
+            refused(here, call, "files are not written through a link");
+        }
+        assert_eq!(&here.join(link).read_link().unwrap(), target);
+    }
+    let content = [here.join("target.svg"), away.path().join("far.svg")].map(|path| fs::read_to_string(path).unwrap());
+    assert_eq!(content, ["old", "old"]);
+    assert_eq!(names(here), ["device.svg", "far.svg", "near.svg", "nowhere.svg", "target.svg"]);
 }
 
 /// A picture that cannot be written is not drawn: faults of its path are reported before those of drawing.
@@ -142,9 +153,10 @@ fn two_files_are_never_one() {
     fs::hard_link(here.join("a"), here.join("b")).unwrap();
     symlink("a", here.join("c")).unwrap();
     symlink(".", here.join("d")).unwrap();
-    for (svg, png) in [("a", "a"), ("a", "./a"), ("a", "b"), ("a", "c"), ("new", "new"), ("new", "d/new")] {
+    for (svg, png) in [("a", "a"), ("a", "./a"), ("a", "b"), ("new", "new"), ("new", "d/new")] {
         refused(here, &curve(&["--svg", svg, "--png", png]), "the same file");
     }
+    refused(here, &curve(&["--svg", "a", "--png", "c"]), "a link");
     assert_eq!(fs::read_to_string(here.join("a")).unwrap(), "old");
     assert_eq!(names(here), ["a", "b", "c", "d"]);
 }
@@ -158,9 +170,10 @@ fn what_is_read_is_not_written() {
     }
     symlink("robot-joint.csv", here.join("link.csv")).unwrap();
     let export = |out| ["export", "robot-joint.toml", "--table", "checks", "--force", "--out", out];
-    for out in ["robot-joint.csv", "./robot-joint.csv", "link.csv"] {
+    for out in ["robot-joint.csv", "./robot-joint.csv"] {
         refused(here, &export(out), "this call reads the file");
     }
+    refused(here, &export("link.csv"), "a link");
     let plot = ["plot", "robot-joint.toml", "--figure", "cycle", "--force", "--svg", "robot-joint.toml"];
     refused(here, &plot, "this call reads the file");
     assert!(fs::read_to_string(here.join("robot-joint.toml")).unwrap().starts_with("#"));

@@ -190,6 +190,42 @@ fn a_folder_that_a_killed_run_did_not_place_is_removed_later() {
     assert!(!temporary[0].exists() && temporary[1].join("mine.txt").exists());
 }
 
+/// A file with the name of a part but without its checksum is of another hand: it is neither removed nor replaced.
+#[test]
+fn a_part_without_its_checksum_stays() {
+    let beside = tempfile::tempdir().unwrap();
+    let path = beside.path().join("best.csv.parts");
+    let mut parts = Parts::open(&path).unwrap();
+    parts.begin("run 1").unwrap();
+    parts.write(0, b"first").unwrap();
+    for index in [1, 99_999_999] {
+        fs::write(path.join(name(index)), "").unwrap();
+        assert!(!parts.holds(index).unwrap());
+        assert!(matches!(parts.write(index, b"x"), Err(PartsTrouble::ForeignFile(found)) if found == name(index)));
+    }
+    parts.begin("run 2").unwrap();
+    parts.write(0, b"first").unwrap();
+    parts.remove();
+    assert_eq!(names(&path), [name(1), name(99_999_999)]);
+}
+
+/// A part of another length than its checksum states is not read: a sparse file of 30 GB takes no time.
+#[test]
+fn a_part_of_another_length_is_not_read() {
+    let beside = tempfile::tempdir().unwrap();
+    let path = beside.path().join("best.csv.parts");
+    let mut parts = Parts::open(&path).unwrap();
+    parts.begin("run 1").unwrap();
+    parts.write(0, b"first").unwrap();
+    let file = fs::File::options().write(true).open(path.join(name(0))).unwrap();
+    file.set_len(30 << 30).unwrap();
+    let begun = std::time::Instant::now();
+    assert!(!parts.holds(0).unwrap());
+    assert!(begun.elapsed() < Duration::from_secs(1), "{:?}", begun.elapsed());
+    parts.write(0, b"first").unwrap();
+    assert!(parts.holds(0).unwrap());
+}
+
 /// A part that is damaged, exchanged with another, or of another run is not one of this run.
 #[test]
 fn a_part_is_held_as_it_was_written() {

@@ -5,7 +5,7 @@ use super::{
     Answer, Argument, ArgumentForm, ArgumentKind, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, media,
 };
 use crate::catalogue_template::{CatalogueFormat, catalogue_template};
-pub use crate::incoming::IncomingFile;
+pub use crate::incoming::previewed;
 use crate::reading::Unread;
 pub use crate::recorded_template::{begins_with_motion, recorded};
 use crate::sizing_use::Refusal;

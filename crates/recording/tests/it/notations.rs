@@ -41,6 +41,56 @@ fn whole_numbers_with_separators_of_thousands_are_refused() {
     }
 }
 
+/// A number as spreadsheets write it with a separator of thousands and decimals.
+fn with_decimals(value: f64, places: usize, thousands: &str, decimal: &str) -> String {
+    let text = format!("{value:.places$}");
+    let (whole, part) = text.split_once('.').unwrap_or((&text, ""));
+    let mut grouped = String::new();
+    for (index, digit) in whole.chars().enumerate() {
+        if index > 0 && (whole.len() - index).is_multiple_of(3) {
+            grouped.push_str(thousands);
+        }
+        grouped.push(digit);
+    }
+    if places > 0 { format!("{grouped}{decimal}{part}") } else { grouped }
+}
+
+/// Times that have separators of thousands from some row to the end of the file are no footer: the only remedy is to export them
+/// without, since an earlier end would drop a part of the motion.
+#[test]
+fn grouped_times_to_the_end_are_no_footer() {
+    let text = |scale: f64, count: u32, places, (thousands, decimal): (&str, &str)| {
+        let row = |k: u32| {
+            let t = f64::from(k) * 5.0 * scale;
+            let q = with_decimals(f64::from(k % 90), 2, "", decimal);
+            format!("{};{q}\n", with_decimals(t, places, thousands, decimal))
+        };
+        format!("t [ms];q [deg]\n{}", (0..=count).map(row).collect::<String>())
+    };
+    let signs = [(".", ","), (",", "."), ("'", ","), ("’", "."), ("\u{a0}", ","), ("\u{202f}", ","), (" ", ",")];
+    for signs in signs {
+        for (scale, places) in [(1.0, 2), (1.0, 0), (1000.0, 0), (1000.0, 1)] {
+            // As many rows with separators as a footer may have, fewer, and more.
+            for count in [200, 201, 281, 2000] {
+                let text = text(scale, count, places, signs);
+                let faults = read(&text).unwrap_err();
+                let is_right = |fault: &Fault| matches!(fault.bare(), Fault::ThousandsGrouped { column, .. } if column == "t [ms]");
+                let first = |fault: &Fault| match fault {
+                    Fault::Repeated { first, .. } => is_right(first),
+                    fault => is_right(fault),
+                };
+                assert!(
+                    !faults.is_empty() && faults.iter().all(first),
+                    "{signs:?} {scale} {places} {count}: {faults:?}"
+                );
+            }
+        }
+    }
+    // A value with separators beside a time without is no other matter.
+    let faults = read("t [s];n [1/min]\n0;0,5\n1;999,5\n2;1.000,5\n3;1.001,5\n").unwrap_err();
+    assert!(matches!(faults.as_slice(), [Fault::ThousandsGrouped { .. }, ..]), "{faults:?}");
+}
+
 /// Decimals are read in every notation that shows them.
 #[test]
 fn decimals_are_read_where_a_cell_shows_them() {
@@ -124,4 +174,87 @@ fn unused_headings_are_listed() {
     // Of several the order is that of the file.
     let many = read("t [s],b,q [deg],a,c\n0,x,0,y,z\n1,x,1,y,z\n2,x,2,y,z\n").unwrap();
     assert_eq!(many.unused, ["b", "a", "c"]);
+}
+
+/// Rows of delimiters end the export of a range of a spreadsheet; among other rows the values are missing.
+#[test]
+fn rows_of_delimiters_at_the_end_are_empty() {
+    let rows = "t [s];q [deg];n [deg/s];;;\n0;0;0;;;\n1;1;2;;;\n2;4;2;;;\n";
+    for more in [";;;;;\n", ";;;;;\n;;;;;\n", ";\n", &";;;;;\n".repeat(500), " ; ;;;;\n;;\n"] {
+        let found = read(&format!("{rows}{more}")).unwrap_or_else(|faults| panic!("{more:?}: {faults:?}"));
+        assert_eq!(*found.time_s, [0.0, 1.0, 2.0], "{more:?}");
+    }
+    for more in [";;;;;\n3;6;2;;;\n", ";;;;;\n;;;;;\n3;6;2;;;\n4;8;2;;;\n"] {
+        let faults = read(&format!("{rows}{more}")).unwrap_err();
+        assert!(matches!(faults.as_slice(), [Fault::ValueMissing { .. }]), "{more:?}: {faults:?}");
+    }
+}
+
+/// Lines of delimiters between names, units and rows state nothing.
+#[test]
+fn a_line_of_delimiters_above_the_rows_is_no_heading() {
+    for text in [
+        "Time,Position,Velocity\nSeconds,Degrees,RPM\n,,\n0.0,0.0,0.0\n0.5,1.0,2.0\n1.0,4.0,2.0\n",
+        "Time,Position,Velocity\n,,\ns,deg,1/min\n0.0,0.0,0.0\n0.5,1.0,2.0\n1.0,4.0,2.0\n",
+        "Time [s];Position [deg];Velocity [1/min]\n;;\n;;\n0,0;0,0;0,0\n0,5;1,0;2,0\n1,0;4,0;2,0\n",
+    ] {
+        let found = read(text).unwrap_or_else(|faults| panic!("{text}: {faults:?}"));
+        assert_eq!((*found.time_s).as_ref(), [0.0, 0.5, 1.0], "{text}");
+    }
+}
+
+/// Numbers separated by spaces are named as such below lines of text too.
+#[test]
+fn spaced_rows_below_lines_of_text_are_named() {
+    let faults = read("Rig 7\nOperator: x\nt q n\n0.0 0.0 0.0\n0.1 0.2 0.3\n0.2 0.4 0.6\n").unwrap_err();
+    assert_eq!(faults, [Fault::SpacesOnly]);
+    let faults = read("Rig 7\nOperator: x\nno numbers here\nnor here\n").unwrap_err();
+    assert_eq!(faults, [Fault::NoTable]);
+}
+
+/// The index of a data frame is proposed as the time if no other column is, and reported where it is not used.
+#[test]
+fn the_index_of_a_data_frame_is_proposed_and_reported() {
+    let faults = read(",q [deg],n [deg/s]\n0.0,0,0\n0.5,1,2\n1.0,4,2\n").unwrap_err();
+    let [Fault::TimeMissing { near, .. }] = faults.as_slice() else { panic!("{faults:?}") };
+    assert_eq!((near[0].column.as_str(), near[0].has_unit), ("#1", false));
+    let found = read(",t [s],q [deg],\n0,0.0,0,\n1,0.5,1,\n2,1.0,4,\n").unwrap();
+    assert_eq!(found.unused, ["#1"], "cells without heading at the end hold nothing");
+    let found = read(",t [s],q [deg]\n,0.0,0\n,0.5,1\n,1.0,4\n").unwrap();
+    assert_eq!(found.unused, [""; 0], "nor does an empty column");
+}
+
+/// The number of a parameter is no part of the name.
+#[test]
+fn numbers_of_parameters_stand_before_names() {
+    for (heading, is_known) in [
+        ("r0063 Drehzahlistwert [1/min]", true),
+        ("r0063[0] Drehzahlistwert [1/min]", true),
+        ("S-0-0040 Istgeschwindigkeit [1/min]", true),
+        ("r63 Drehzahlistwert [1/min]", false),
+        ("r0063 [1/min]", false),
+    ] {
+        let found = read(&format!("Zeit [s];{heading}\n0;0\n1;1\n2;2\n"));
+        assert_eq!(found.is_ok(), is_known, "{heading}: {found:?}");
+    }
+}
+
+/// A unit that is stated for a column which is not found is reported: the motion would be that of another column.
+#[test]
+fn a_unit_without_its_column_is_reported() {
+    use quantities::unit::{DEGREE, NEWTON_METRE};
+    use recording::{ColumnSpec, Role};
+    let text = "time [s],axis.s,omega [rad/s],load [N m]\n0,0,0,0\n1,1,2,1\n2,4,2,1\n";
+    let of = |layout: &Layout| read_csv(text.as_bytes(), layout);
+    let unit = |unit| ColumnSpec { unit: Some(unit), ..ColumnSpec::default() };
+    assert!(of(&Layout::default()).is_ok());
+    let layout = Layout { position: unit(&DEGREE), ..Layout::default() };
+    let faults = of(&layout).unwrap_err();
+    assert!(matches!(faults.as_slice(), [Fault::UnitWithoutColumn { role: Role::Position, .. }]), "{faults:?}");
+    let layout = Layout { torque: unit(&NEWTON_METRE), ..Layout::default() };
+    let faults = of(&layout).unwrap_err();
+    let [Fault::UnitWithoutColumn { role: Role::Torque, near, .. }] = faults.as_slice() else { panic!("{faults:?}") };
+    assert_eq!(near[0].column, "load [N m]");
+    let left_out = ColumnSpec { unused: true, ..unit(&DEGREE) };
+    assert!(of(&Layout { position: left_out, ..Layout::default() }).is_ok());
 }

@@ -1,6 +1,6 @@
 //! Names of columns, units, and lines to write.
 
-use super::{quoted, role_key};
+use super::{quoted, role_key, role_text};
 use crate::pick;
 use crate::texts::said;
 use quantities::{Dimension, Language, Unit};
@@ -109,6 +109,27 @@ pub(super) fn heading_of_units(
         Some(said!(language =>
             "write the names above it, or state the columns in the project; by their units: columns = {{ {numbers} }}, units = {{ {units} }}"
             | "die Namen darüber schreiben oder die Spalten im Projekt angeben; nach den Einheiten: columns = {{ {numbers} }}, units = {{ {units} }}"
+        )),
+    )
+}
+
+/// Returns the fault of a unit that is stated for a role without a column, and its hint.
+pub(super) fn unit_without_column(
+    role: Role,
+    headers: &[String],
+    near: &[NearColumn],
+    language: Language,
+) -> (String, Option<String>) {
+    let (name, key) = (role_text(role, language), role_key(role));
+    (
+        said!(language =>
+            "a unit is stated for {name}, but no such column found"
+            | "für {name} ist eine Einheit angegeben, aber keine Spalte gefunden"
+        ),
+        Some(said!(language =>
+            "{}; columns = {{ {key} = \"none\" }} reads the file without one"
+            | "{}; columns = {{ {key} = \"none\" }} liest die Datei ohne eine solche",
+            columns_and_names(headers, near, &[role], language)
         )),
     )
 }

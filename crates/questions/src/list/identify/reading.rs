@@ -8,7 +8,7 @@ use quantities::{Language, format_significant, seen};
 use recording::{Bytes, Content, Fault, Memory, Records};
 use std::io::Read;
 use twin::{IdentifyFault, Observed};
-use words::{identification, recording_text, simulation};
+use words::{file_trouble, identification, recording_text, simulation};
 
 /// Largest size of the file of a run.
 const TRACE_MOST: u64 = 256 << 20;
@@ -73,7 +73,9 @@ struct Columns {
 /// Every fault, each with its line and column.
 pub(super) fn run(inquiry: &Inquiry<'_>, name: &str) -> Result<RecordedRun, Unanswered> {
     let language = inquiry.language;
-    let unread = |_| Unanswered::message(simulation::no_such_trace(&seen(name), language));
+    let unread = |error: std::io::Error| {
+        Unanswered::message(simulation::trace_unread(&seen(name), &file_trouble(&error, language), language))
+    };
     let source = inquiry.source()?;
     let mut memory = Memory::new(source.files.grant().memory).until(Some(inquiry.progress.flag()));
     let (content, file) = source.files.open(name).and_then(recording::opened).map_err(unread)?;
