@@ -324,6 +324,17 @@ impl Call<'_> {
         [file.path().to_owned()].into_iter().chain(recordings).collect()
     }
 
+    /// Returns the files that are read, by the text of the project: without reading a recording, which may take seconds.
+    pub(crate) fn inputs_named(&self) -> Vec<PathBuf> {
+        let Some(file) = self.files.first() else { return Vec::new() };
+        let source = file.source();
+        let (text, _) = project::decoded(&source.bytes);
+        let is_recording = |path: &str| path.ends_with("].file") && path.contains("motion[");
+        let named = project::written(&text).unwrap_or_default().into_iter().filter(|each| is_recording(&each.path));
+        let named = named.filter_map(|each| each.value).map(|name| file.project_files().folder.join(name));
+        [file.path().to_owned()].into_iter().chain(named).collect()
+    }
+
     /// Returns the folder of the project.
     pub(crate) fn project_files(&self) -> Option<disk::ProjectFiles> {
         self.files.first().map(|file| file.project_files().clone())

@@ -21,8 +21,7 @@ const MM_PER_PX: f64 = 25.4 / 96.0;
 /// `antrieb plot PROJECT --figure FIGURE`
 pub(crate) fn plot(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let all = inquiry.source()?.projects(inquiry.catalogue, inquiry.progress, language)?;
-    let inputs = call.inputs(&all);
+    let inputs = call.inputs_named();
     destination(call, &inputs, None)?;
     let args = plot::Args::read(&inquiry.given)?;
     let project = args.drawn(inquiry)?;

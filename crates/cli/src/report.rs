@@ -50,7 +50,7 @@ pub(crate) fn write(
     let args = args::Args::read(&call.given(args::Args::ARGUMENTS)?)?;
     let settings = settings(&args);
     let source = inquiry.source()?;
-    let inputs = call.inputs(&source.projects(inquiry.catalogue, inquiry.progress, language)?);
+    let inputs = call.inputs_named();
     let saver = call.saver(&inputs);
     saver.ready(&[out])?;
     let projects = args.axes(inquiry)?;

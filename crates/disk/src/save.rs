@@ -123,7 +123,7 @@ fn places<'p>(
     let mut places: Vec<Destination<'p>> = Vec::new();
     for asked in paths {
         let place = place(asked, force).map_err(|trouble| unwritten(asked, trouble))?;
-        let is = |other: &Path| other == place.target || same_file::is_same_file(other, &place.target).unwrap_or(false);
+        let is = |other: &Path| other == place.target || is_same_file(other, &place.target);
         if inputs.iter().any(|input| input.canonicalize().is_ok_and(|input| is(&input))) {
             return Err(unwritten(asked, SaveTrouble::IsInput));
         }
@@ -136,6 +136,19 @@ fn places<'p>(
         places.push(place);
     }
     Ok(places)
+}
+
+/// Returns `true` if two paths are one file. Neither is opened: a pipe would block.
+#[cfg(unix)]
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |path: &Path| path.metadata().ok().map(|about| (about.dev(), about.ino()));
+    identity(one).is_some_and(|found| Some(found) == identity(other))
+}
+
+#[cfg(not(unix))]
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    same_file::is_same_file(one, other).unwrap_or(false)
 }
 
 fn place(asked: &Path, force: bool) -> Result<Destination<'_>, SaveTrouble> {

@@ -82,8 +82,7 @@ impl<R: Read> Ahead<R> {
                 }
                 bytes += line.len();
                 // A line of delimiters below lines without a number is no row, and states neither names nor units.
-                let has_digit = |(_, line): &(u64, Vec<u8>)| line.iter().any(u8::is_ascii_digit);
-                if is_blank(&line) && !seen.is_empty() && !seen.last().is_some_and(has_digit) {
+                if is_blank(&line) && seen.last().is_some_and(|(_, last)| !holds_number(last)) {
                     continue;
                 }
                 if headers.end_with(&line, seen.is_empty()) {
@@ -228,6 +227,12 @@ impl<R: Read> Ahead<R> {
 /// Returns `true` if a line holds delimiters alone.
 fn is_blank(line: &[u8]) -> bool {
     line.iter().all(|byte| DELIMITERS.contains(byte) || byte.is_ascii_whitespace())
+}
+
+/// Returns `true` if a cell of a line is a number, by any delimiter.
+fn holds_number(line: &[u8]) -> bool {
+    let numbers = |sign: u8| split(line, sign).is_some_and(|cells| cells.iter().any(|cell| Decimals::is_number(cell)));
+    DELIMITERS.into_iter().any(numbers)
 }
 
 /// Returns the delimiter stated by a first line `sep=;`, as written by spreadsheets.

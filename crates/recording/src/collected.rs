@@ -68,21 +68,6 @@ impl FaultCollector {
         grouped
     }
 
-    /// Keeps only the faults of numbers with separators of thousands and returns `true`, if there are any: they make every
-    /// other fault of a cell doubtful.
-    pub(crate) fn keep_grouped(&mut self) -> bool {
-        let is_grouped = |fault: &Fault| matches!(fault, Fault::ThousandsGrouped { .. });
-        if !self.listed.iter().any(is_grouped) {
-            return false;
-        }
-        self.listed.retain(is_grouped);
-        let kept: Vec<FaultKind> = self.listed.iter().filter_map(Fault::kind).collect();
-        self.kinds.retain(|(kind, _)| kept.contains(kind));
-        self.more = self.kinds.iter().map(|(_, count)| count.saturating_sub(EQUAL_MAX)).sum();
-        self.repeated = self.more;
-        true
-    }
-
     /// Adds ways to read the recording despite faults in columns.
     pub(crate) fn advise(&mut self, remedies: Vec<(String, Remedy)>) {
         self.remedies = remedies;

@@ -17,7 +17,7 @@ use crate::memory::Memory;
 use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
 use crate::plain::{PlainRows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
-use crate::thousands::Thousands;
+use crate::thousands::{Thousands, may_be_grouped};
 use memchr::memchr;
 use quantities::Unit;
 use quantities::unit::SECOND;
@@ -233,9 +233,6 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
         faults.push(Fault::ThousandsPossible { line: found.place, column, text: found.text.clone() });
         return None;
     }
-    if faults.keep_grouped() {
-        return None;
-    }
     faults.advise(gather.remedies(is_read.is_some()));
     gather.advise_order(faults);
     wanted.end(&gather, faults);
@@ -321,6 +318,8 @@ struct Wanted {
     no_rows: Vec<Fault>,
     /// Fault of the first of the rows without content before the current line.
     blank: Option<Fault>,
+    /// Times have separators of thousands.
+    has_grouped_times: bool,
 }
 
 /// Notation of the times.
@@ -359,6 +358,10 @@ impl Wanted {
 
     /// Reports the lines that are no rows at the end of the file.
     fn end(&mut self, gather: &Gather<'_>, faults: &mut FaultCollector) {
+        // The last row that could be read is not the last one of the file.
+        if self.has_grouped_times {
+            self.no_rows.clear();
+        }
         let count = self.no_rows.len() as u64;
         if let Some(last) = gather.last_time()
             && let Some(first) = self.no_rows.first_mut()
@@ -546,11 +549,18 @@ fn row(
     }
     match tick {
         Err(bad) => {
-            let fault = cell_fault(bad, number, name, cell);
+            let fault = match cell_fault(bad, number, name, cell) {
+                // Where the other sign is decimal, one before three digits separates the thousands of rising times.
+                Fault::DecimalMixed { column, text, .. } if may_be_grouped(&text) => {
+                    Fault::ThousandsGrouped { at: crate::FileRow::Line(number), column, text }
+                }
+                fault => fault,
+            };
             // A number with separators of thousands belongs to a row, however many of them end the file.
             if matches!(fault, Fault::ThousandsGrouped { .. }) {
                 if !gather.is_over() {
                     gather.time_failed();
+                    wanted.has_grouped_times = true;
                     faults.push(fault);
                 }
             } else {

@@ -3,7 +3,6 @@
 use crate::encoding;
 use crate::faults::{Fault, FileRow, excerpt};
 use crate::number::{Bad, is_grouped, is_value};
-use crate::thousands::may_be_grouped;
 
 /// Returns the fault of a row with more or fewer cells than the header; commas that separate cells `may_be_twice` decimal signs
 /// as well, where the cells are whole numbers.
@@ -35,8 +34,6 @@ pub(crate) fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Faul
     };
     match bad {
         Bad::Unreadable | Bad::Mixed(_) if is_grouped(&text) => Fault::ThousandsGrouped { at, column, text },
-        // Where the other sign is decimal, one before three digits separates thousands.
-        Bad::Mixed(_) if may_be_grouped(&text) => Fault::ThousandsGrouped { at, column, text },
         Bad::Missing => Fault::ValueMissing { at, column },
         Bad::Unreadable | Bad::OtherUnit(_) => Fault::ValueUnreadable { at, column, text: Some(text) },
         Bad::NotFinite => Fault::ValueNotFinite { at, column, text },

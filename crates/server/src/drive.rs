@@ -9,7 +9,6 @@ use places::{Client, SILENT_MOST, leaving, silent_leaving};
 use questions::drive::line::{self, Answer, LINE_MOST};
 use questions::drive::room::Drive;
 use questions::drive::{CanNode, Frame, HALF_MS_S, Time, socketcand};
-use std::cell::OnceCell;
 use std::collections::{BTreeMap, VecDeque};
 use std::future::Future;
 use std::io::ErrorKind;
@@ -216,15 +215,12 @@ impl<'a> Bench<'a> {
 
     /// Returns `true` if there is a place for a new connection; disconnects the oldest silent one if necessary.
     fn has_place(&mut self, peer: SocketAddr) -> bool {
-        let silent = self.clients.values().filter(|client| !client.is_known).count();
-        let found = OnceCell::new();
-        let owners = || found.get_or_init(Owners::read);
-        if silent >= SILENT_MOST
-            && let Some(id) = silent_leaving(&self.clients, |peer| owners().user_of(peer), owners().own())
+        if self.clients.len() - self.known() >= SILENT_MOST
+            && let Some(id) = silent_leaving(&self.clients)
         {
             self.handle(Event::Closed(id));
         }
-        self.known() < CLIENTS_MOST || self.leaving(owners(), peer).is_some()
+        self.known() < CLIENTS_MOST || self.leaving(&Owners::read(), peer).is_some()
     }
 
     /// Returns the number of clients that have made a request.

@@ -182,7 +182,7 @@ fn a_misspelt_unit_has_a_neighbour_in_either_kind() {
         let [Fault::UnitUnknown { nearest, .. }] = found.as_slice() else { panic!("{found:?}") };
         assert_eq!(nearest.map(|unit| unit.ascii), Some(near));
     }
-    let found = faults("t,q\nsecx,Grd\n0,1\n");
+    let found = faults("t,q\nsecx,Gdr\n0,1\n");
     assert!(matches!(found.as_slice(), [Fault::UnitUnknown { by: KnownBy::UnitRow, .. }, Fault::UnitUnknown { .. }]));
 }
 

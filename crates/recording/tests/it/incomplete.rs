@@ -78,8 +78,7 @@ fn missing_values_come_with_what_can_be_read() {
 /// Lines below the last row are named, and read over once the end is stated as the fault says it.
 #[test]
 fn a_footer_is_read_over_once_the_end_is_stated() {
-    for footer in
-        ["[Statistics]\nNmbOfSamples 400\n", "Max;;31\nMin;;-2\nMean;;\n", "0.80", "\"open;1;2\n", ";;\n", "EOF;x\n"]
+    for footer in ["[Statistics]\nNmbOfSamples 400\n", "Max;;31\nMin;;-2\nMean;;\n", "0.80", "\"open;1;2\n", "EOF;x\n"]
     {
         for heading in ["t [s];q [deg];n [1/min]", "t [ms];q [deg];n [1/min]"] {
             let text = format!("{}{footer}", text(heading, |_| None));

@@ -194,7 +194,7 @@ fn rows_of_delimiters_at_the_end_are_empty() {
 #[test]
 fn a_line_of_delimiters_above_the_rows_is_no_heading() {
     for text in [
-        "Time,Position,Velocity\nSeconds,Degrees,RPM\n,,\n0.0,0.0,0.0\n0.5,1.0,2.0\n1.0,4.0,2.0\n",
+        "Time,Position,Velocity\nseconds,degrees,RPM\n,,\n0.0,0.0,0.0\n0.5,1.0,2.0\n1.0,4.0,2.0\n",
         "Time,Position,Velocity\n,,\ns,deg,1/min\n0.0,0.0,0.0\n0.5,1.0,2.0\n1.0,4.0,2.0\n",
         "Time [s];Position [deg];Velocity [1/min]\n;;\n;;\n0,0;0,0;0,0\n0,5;1,0;2,0\n1,0;4,0;2,0\n",
     ] {
