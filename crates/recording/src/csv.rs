@@ -5,7 +5,7 @@ use crate::cells::{CellSplitter, ends_empty};
 use crate::clock::{Clock, is_clock, is_clock_of_unknown_form};
 use crate::collected::FaultCollector;
 use crate::columns::{Heading, Pick, Said, decide, pick, units_alone, unused};
-use crate::csv_faults::{cell_fault, ragged};
+use crate::csv_faults::{cell_fault, ragged, time_fault};
 use crate::csv_units::{holds_number, is_row_of_values, unbracketed, unit_row};
 use crate::encoding;
 use crate::faults::{Fault, excerpt};
@@ -17,7 +17,7 @@ use crate::memory::Memory;
 use crate::number::{Bad, Decimals, Tick, finite, plain, with_unit};
 use crate::plain::{PlainRows, Written, plain_time};
 use crate::series::{Encoding, KnownBy, Recording};
-use crate::thousands::{Thousands, may_be_grouped};
+use crate::thousands::Thousands;
 use memchr::memchr;
 use quantities::Unit;
 use quantities::unit::SECOND;
@@ -549,13 +549,7 @@ fn row(
     }
     match tick {
         Err(bad) => {
-            let fault = match cell_fault(bad, number, name, cell) {
-                // Where the other sign is decimal, one before three digits separates the thousands of rising times.
-                Fault::DecimalMixed { column, text, .. } if may_be_grouped(&text) => {
-                    Fault::ThousandsGrouped { at: crate::FileRow::Line(number), column, text }
-                }
-                fault => fault,
-            };
+            let fault = time_fault(bad, number, name, cell);
             // A number with separators of thousands belongs to a row, however many of them end the file.
             if matches!(fault, Fault::ThousandsGrouped { .. }) {
                 if !gather.is_over() {

@@ -3,6 +3,7 @@
 use crate::encoding;
 use crate::faults::{Fault, FileRow, excerpt};
 use crate::number::{Bad, is_grouped, is_value};
+use crate::thousands::may_be_grouped;
 
 /// Returns the fault of a row with more or fewer cells than the header; commas that separate cells `may_be_twice` decimal signs
 /// as well, where the cells are whole numbers.
@@ -39,6 +40,16 @@ pub(crate) fn cell_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Faul
         Bad::NotFinite => Fault::ValueNotFinite { at, column, text },
         Bad::Implausible => Fault::ValueImplausible { at, column, text },
         Bad::Mixed(decided) => Fault::DecimalMixed { line, column, text, decided },
+    }
+}
+
+/// Returns the fault of a cell of time. Where the other sign is decimal, one before three digits separates thousands.
+pub(crate) fn time_fault(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
+    match cell_fault(bad, line, column, cell) {
+        Fault::DecimalMixed { column, text, .. } if may_be_grouped(&text) => {
+            Fault::ThousandsGrouped { at: FileRow::Line(line), column, text }
+        }
+        fault => fault,
     }
 }
 
