@@ -4,10 +4,9 @@ use crate::answer::CommandAnswer;
 use crate::call::{Call, named_file};
 use crate::fault::path_text;
 use crate::plot;
+use crate::preview::previewed;
 use crate::table::{Align, TextTable, labelled};
-use crate::waiting::progress;
 use answers::FilesWritten;
-use axis::{Files, Grant, Reach};
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Language, Measure, Torque, format_significant};
 use questions::Candidate;
@@ -15,11 +14,8 @@ use questions::list::bearing::bearing_checks;
 use questions::list::new::Template;
 use questions::list::{Cost, Inquiry, Unanswered, battery, bearing, curve, new};
 use questions::texts::{battery_lines, checked_text, margin_text, unit_text, verdict_text};
-use std::io::Read;
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-use words::{FaultWords as _, curve_title, file_trouble, grade_word, source_text, terminal, terms, title_of_check};
+use words::{curve_title, grade_word, source_text, terminal, terms, title_of_check};
 
 /// `antrieb curve CODE`
 pub(crate) fn curve(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
@@ -121,37 +117,12 @@ fn recorded(call: &Call<'_>, (from, out): (&Path, Option<&Path>), file: &str) ->
         return Err(not_of_kind());
     }
     let name = path_text(from);
-    let refused = |message: String| Unanswered::File { name: name.clone(), message, is_too_large: false };
-    let _ = disk::open_regular(from).map_err(|error| refused(file_trouble(&error, language)))?;
-    let preview = new::previewed(&name, &OneFile(from)).map_err(|faults| {
-        Unanswered::combined(faults.iter().map(|fault| Unanswered::message(fault.text(language))).collect())
-    })?;
+    let preview = previewed(from, language)?;
     // The project names the recording relative to its own folder.
     let folder = out.and_then(Path::parent).unwrap_or(Path::new(""));
     let inside = from.strip_prefix(folder).ok().map(path_text);
     let named = inside.unwrap_or_else(|| named_file(&name));
     new::recorded(&kind, &preview, (&named, file), language).ok_or_else(not_of_kind)
-}
-
-/// A file that the call names, under any name.
-struct OneFile<'p>(&'p Path);
-
-impl Files for OneFile<'_> {
-    fn open(&self, _: &str) -> std::io::Result<Box<dyn Read>> {
-        Ok(Box::new(disk::open_regular(self.0)?))
-    }
-
-    fn size(&self, _: &str) -> Option<u64> {
-        self.0.metadata().ok().map(|about| about.len())
-    }
-
-    fn cancelled(&self) -> Option<Arc<AtomicBool>> {
-        Some(progress().flag())
-    }
-
-    fn grant(&self) -> Grant {
-        Grant { reach: Reach::Anywhere, ..Grant::default() }
-    }
 }
 
 /// `antrieb new KIND`

@@ -31,6 +31,7 @@ mod licences;
 mod mount;
 mod moves;
 mod plot;
+mod preview;
 #[cfg(test)]
 mod reference;
 #[cfg_attr(not(feature = "report"), path = "no_report.rs")]

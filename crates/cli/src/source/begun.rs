@@ -1,9 +1,9 @@
 //! A recording in place of a project: the project that begins with it.
 
 use crate::fault::path_text;
+use crate::preview::previewed;
 use project::{Edit, edit, written};
 use quantities::Language;
-use questions::FILE_BYTES_MAX;
 use questions::list::{Unanswered, new};
 use std::path::Path;
 use words::file_trouble;
@@ -26,7 +26,7 @@ pub(super) fn is_recording(path: &Path) -> bool {
     if !ENDINGS.iter().any(|ending| name.len() > ending.len() && name.ends_with(ending)) || !path.is_file() {
         return false;
     }
-    let bytes = std::fs::File::open(path).and_then(|file| disk::read_within(file, HEAD));
+    let bytes = disk::read_file(path, HEAD);
     let keys = bytes.ok().and_then(|bytes| String::from_utf8(bytes).ok()).and_then(|text| written(&text));
     !keys.unwrap_or_default().iter().any(|key| key.path == "motion[1]" || key.path == "axis[1]")
 }
@@ -36,15 +36,14 @@ pub(super) fn is_recording(path: &Path) -> bool {
 /// # Errors
 /// A file that is no table.
 pub(super) fn text_of(path: &Path, language: Language) -> Result<String, Unanswered> {
-    let name = path_text(path);
-    let refused = |message: String| Unanswered::File { name: name.clone(), message, is_too_large: false };
-    let most = usize::try_from(FILE_BYTES_MAX).unwrap_or(usize::MAX);
-    let bytes = std::fs::File::open(path).and_then(|file| disk::read_within(file, most));
-    let bytes = bytes.map_err(|error| refused(file_trouble(&error, language)))?;
-    let named = path.file_name().map_or_else(|| name.clone(), |name| path_text(Path::new(name)));
-    let incoming = new::IncomingFile::new(&named, &bytes);
-    let found = new::recorded(KIND, &incoming, (&named, new::USUAL_NAME), language);
-    Ok(found.ok_or_else(|| refused(words::recorded_template::no_table(language).to_owned()))?.text)
+    let named = path.file_name().map_or_else(|| path_text(path), |name| path_text(Path::new(name)));
+    let found = new::recorded(KIND, &previewed(path, language)?, (&named, new::USUAL_NAME), language);
+    let refused = || Unanswered::File {
+        name: path_text(path),
+        message: file_trouble(&std::io::ErrorKind::InvalidData.into(), language),
+        is_too_large: false,
+    };
+    Ok(found.ok_or_else(refused)?.text)
 }
 
 /// Returns the text with its motion as a single move, which need not return to its beginning.

@@ -69,6 +69,10 @@ fn no_door_waits_or_reads_without_an_end() {
     fs::write(here.join("line"), vec![b'x'; 40 << 20]).unwrap();
     fs::write(here.join("words"), [&b"a;b\n"[..], &b"x;y\n".repeat(10 << 20)].concat()).unwrap();
     let none = "a pipe, a device or a socket";
+    // A recording in place of a project.
+    for name in ["sparse", "line", "words"] {
+        fs::hard_link(here.join(name), here.join(format!("{name}.csv"))).unwrap();
+    }
     let kinds = [
         ("pipe", none),
         ("socket", none),
@@ -78,6 +82,9 @@ fn no_door_waits_or_reads_without_an_end() {
         ("sparse.parquet", ""),
         ("line", ""),
         ("words", ""),
+        ("sparse.csv", ""),
+        ("line.csv", ""),
+        ("words.csv", ""),
     ];
     for (name, why) in kinds {
         fs::write(here.join("recorded.toml"), recorded(name)).unwrap();
@@ -109,5 +116,7 @@ fn no_door_waits_or_reads_without_an_end() {
     fs::rename(here.join("pipe"), here.join("pipe.toml")).unwrap();
     let _ = refusal(here, &["size", "of.toml"]);
     // The reason is that of a recording in a project.
-    assert!(refusal(here, &["new", "recording", "--from", "line"]).contains("line 1: longer than 64 KiB"));
+    for call in [&["new", "recording", "--from", "line"][..], &["size", "line.csv"]] {
+        assert!(refusal(here, call).contains("line 1: longer than 64 KiB"), "{call:?}");
+    }
 }
