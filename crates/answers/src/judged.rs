@@ -103,8 +103,10 @@ pub struct Reserve {
     pub payload_factor: Option<Number>,
     /// Duration of the whole motion, run faster or slower.
     pub cycle_time: Option<Number>,
-    /// Ambient temperature.
+    /// Highest ambient temperature.
     pub ambient: Option<Number>,
+    /// Lowest ambient temperature for which the data of the actuator hold; `null` without the highest.
+    pub ambient_least: Option<Number>,
     /// Units of cycle time and ambient temperature.
     pub units: Units,
     /// Names of the fields above whose value fits only if an estimate holds, `fits_if_estimate`.
@@ -164,7 +166,8 @@ pub struct Sizing {
     /// Actuators that do not fit, by smallest excess.
     pub rejected: Vec<Rejection>,
     /// Ordering code with the smallest excess among those that do not fit but meet every requirement and are of the
-    /// right class of voltage and place; `null` if there is none.
+    /// right class of voltage and place; where none fits and each is excluded in this way, the one that misses the fewest
+    /// requirements and limits. `null` if there is none.
     pub nearest_miss: Option<String>,
     /// Project's own actuator.
     pub own: Option<Assessed>,

@@ -180,6 +180,12 @@ impl<'m> Call<'m> {
 }
 
 impl Call<'_> {
+    /// Returns the remarks on the values that the call states in place of the project, one a line.
+    #[cfg(feature = "report")]
+    pub(crate) fn changes(&self) -> impl Iterator<Item = &str> {
+        self.changes.lines()
+    }
+
     /// Converts the call to the question of its command.
     pub(crate) fn inquiry(&self, entry: &Entry) -> Result<Inquiry<'_>, Unanswered> {
         let sources: Vec<ReferencedText<'_>> = self.files.iter().map(File::source).collect();

@@ -12,7 +12,7 @@ use questions::list::Unanswered;
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 use value::{FACTORS, Fault, NAMED_KEYS_MOST, with_point};
-use words::{Usage, UsageHint, sweeps, terminal, usage_hint, usage_text};
+use words::{Usage, UsageHint, sweeps, terminal, unpadded, usage_hint, usage_text};
 
 /// Quantities that a call may scale.
 pub(crate) const SCALED: [&str; 4] = ["load", "payload", "time", "distance"];
@@ -336,7 +336,8 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
         _ => further(number),
     };
     let done = done.filter(|done| done != text || number == 1.0);
-    done.map(|done| (done, format!("{what} × {number}")))
+    let said = || format!("{} × {}", words::spoken::scaled_name(what, language), unpadded(number, 9, language));
+    done.map(|done| (done, said()))
         .ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
 }
 

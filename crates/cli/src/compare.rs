@@ -11,7 +11,7 @@ use questions::texts::{ValuesInRow, governing_text, margin_text, standing_text, 
 use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
 use words::{
-    ERRATUM_MARK, check_title, evidence_text, figure_term, marked, symbol_shown, terminal, terms, verdict_word,
+    ERRATUM_MARK, check_title, erratum_line, figure_term, marked, symbol_shown, terminal, terms, verdict_word,
     without_limit,
 };
 
@@ -99,9 +99,11 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
         for index in part {
             match row.checks.get(*index).and_then(Option::as_ref) {
                 Some(check) => {
-                    let better = if row.better == Some(*index) { '*' } else { ' ' };
+                    let margin = margin_text(check, language);
+                    // A check without a utilisation is none with the lowest.
+                    let better = if row.better == Some(*index) && margin != "–" { '*' } else { ' ' };
                     cells.push(values.value(check, language));
-                    cells.push(format!("{better}{} {}", margin_text(check, language), sign(check)));
+                    cells.push(format!("{better}{margin} {}", sign(check)));
                 }
                 None => cells.extend(["–".to_owned(), "–  ".to_owned()]),
             }
@@ -124,7 +126,7 @@ fn figures(found: &Comparison<'_>, language: Language) -> String {
     }
     let mut out = table.render();
     for id in errata_of(&found.data) {
-        out.push_str(&paragraph(&format!("{ERRATUM_MARK} {id}: "), evidence_text(id, language)));
+        out.push_str(&paragraph(&format!("{ERRATUM_MARK} "), &erratum_line(id, language)));
     }
     out
 }

@@ -8,7 +8,9 @@ use questions::answer::sheet_note_text;
 use questions::list::data::{Sheet, SheetMarks, SheetNote, SheetSection};
 use questions::list::{Inquiry, Unanswered, data, torsion};
 use std::fmt::Write as _;
-use words::{condition_text, describe_uncovered, evidence_text, row_sign, symbol_term, table_title, terminal, terms};
+use words::{
+    condition_text, describe_uncovered, erratum_line, erratum_place_of, row_sign, symbol_term, table_title, terminal, terms,
+};
 
 /// `antrieb data CODE`
 pub(crate) fn sheet(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
@@ -20,7 +22,7 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
     let mut out = format!("{}\n", sheet.code);
     for what in &sheet.uncovered {
         out.push_str(&paragraph(
-            &format!("[{}] antrieb: ", questions::texts::uncovered_mark(*what)),
+            &format!("[{}] {}: ", questions::texts::uncovered_mark(*what), terminal::not_of_the_manual(language)),
             &describe_uncovered(*what, language),
         ));
     }
@@ -32,7 +34,7 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
         out.push('\n');
     }
     for id in errata {
-        out.push_str(&paragraph(&format!("* {id}: "), evidence_text(id, language)));
+        out.push_str(&paragraph("* ", &erratum_line(id, language)));
     }
     out
 }
@@ -63,23 +65,24 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
     }
     out.push_str(&table.render());
     for (mark, note) in notes.sorted() {
-        out.push_str(&paragraph(&format!("[{mark}] {}", by(&note)), &sheet_note_text(&note, language)));
+        out.push_str(&paragraph(&format!("[{mark}] {}", by(&note, language)), &sheet_note_text(&note, language)));
     }
     for note in &section.notices {
-        let head = if note.is_ours() { by(note) } else { format!("{}: ", terminal::note(language)) };
+        let head = if note.is_ours() { by(note, language) } else { format!("{}: ", terminal::note(language)) };
         out.push_str(&paragraph(&head, &sheet_note_text(note, language)));
     }
     if !section.errata.is_empty() {
         let head = terminal::errata_of_this_table(language);
         let see = terminal::see(language);
-        let text = format!("{} ({see} antrieb errata {})", section.errata.join(", "), section.table.id);
+        let places: Vec<String> = section.errata.iter().map(|id| erratum_place_of(id, language)).collect();
+        let text = format!("{} ({see} antrieb errata {})", places.join("; "), section.table.id);
         out.push_str(&labelled(head, &text));
     }
 }
 
 /// Returns the author of a note that is not from the manual.
-fn by(note: &SheetNote) -> String {
-    if note.is_ours() { "antrieb: ".to_owned() } else { String::new() }
+fn by(note: &SheetNote, language: Language) -> String {
+    if note.is_ours() { format!("{}: ", terminal::not_of_the_manual(language)) } else { String::new() }
 }
 
 /// `antrieb torsion CODE --torque "60 N m"`

@@ -4,7 +4,7 @@ use crate::answer::CommandAnswer;
 use crate::call::Call;
 use crate::table::paragraph;
 use answers::{Erratum, ErratumStatus};
-use quantities::{Language, Unit};
+use quantities::{Language, Unit, with_symbol};
 use questions::list::{Inquiry, Unanswered, errata};
 use std::fmt::Write as _;
 use words::{decimal, erratum_kind, erratum_status, terminal};
@@ -37,7 +37,7 @@ fn describe(out: &mut String, erratum: &Erratum, language: Language) {
     let unit = Unit::of(erratum.unit).map_or(erratum.unit, |unit| unit.symbol_in(language));
     let shown = |text: &str| {
         let text = if text.is_empty() || text == "-" { "–".to_owned() } else { decimal(text, language) };
-        if unit.is_empty() || text == "–" { text } else { format!("{text} {unit}") }
+        if text == "–" { text } else { with_symbol(&text, unit) }
     };
     let mut line = |head: &str, text: &str| {
         out.push_str(&paragraph(&format!("  {head:<10} "), text));

@@ -20,7 +20,7 @@ use questions::{Candidate, Check, Demand, Fit, Objection, Reserve, Sizing, Verdi
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use words::{
-    ERRATUM_MARK, check_missing, evidence_text, grade_word, marked, note_text, ranking_rule, ratios_text, source_text,
+    ERRATUM_MARK, check_missing, erratum_line, grade_word, marked, note_text, ranking_rule, ratios_text, source_text,
     terminal, terms, title_of_check, verdict_word,
 };
 
@@ -166,7 +166,7 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         let masses = shown.filter_map(|candidate| candidate.parameters.mass.known());
         let errata: BTreeSet<&str> = masses.flat_map(|mass| mass.errata).copied().collect();
         for id in errata {
-            out.push_str(&paragraph(&format!("{ERRATUM_MARK} {id}: "), evidence_text(id, language)));
+            out.push_str(&paragraph(&format!("{ERRATUM_MARK} "), &erratum_line(id, language)));
         }
         if fitting > top {
             let more = fitting - top;

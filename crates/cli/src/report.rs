@@ -19,7 +19,7 @@ use questions::{Candidate, Draw, ProductId, Progress, Refusal, Rejected, Sizing,
 use report::{AxisContent, Change, Content, DiagramPlace, Settings};
 use std::borrow::Cow;
 use std::path::Path;
-use words::terminal;
+use words::{terminal, without_keys};
 
 /// Figures of the report in addition to the map of candidates, each with its place.
 const FIGURES: [(DiagramPlace, &str, Figure); 4] = [
@@ -48,7 +48,8 @@ pub(crate) fn write(
         return Err(Unanswered::message(terminal::report_is_a_pdf(&path_text(out), language)));
     }
     let args = args::Args::read(&call.given(args::Args::ARGUMENTS)?)?;
-    let settings = settings(&args);
+    let altered = call.changes().map(|line| without_keys(line, language).into_owned()).collect();
+    let settings = Settings { altered, ..settings(&args) };
     let source = inquiry.source()?;
     let inputs = call.inputs_named();
     let saver = call.saver(&inputs);
@@ -153,6 +154,7 @@ fn settings(args: &args::Args) -> Settings {
         changes: args.changes.iter().map(change).collect(),
         pdf_a: args.archive,
         full: args.full,
+        altered: Vec::new(),
     }
 }
 

@@ -4,7 +4,7 @@ use crate::table::labelled;
 use quantities::Language;
 use questions::texts::reserve_lines;
 use questions::{Candidate, Reserve};
-use words::{assumption_text, terminal, terms};
+use words::{assumption_text, terms};
 
 /// Returns the assumptions.
 pub(crate) fn assumptions_text(assumptions: &[axis::Assumption], language: Language) -> String {
@@ -12,10 +12,9 @@ pub(crate) fn assumptions_text(assumptions: &[axis::Assumption], language: Langu
     assumptions.iter().map(|assumption| labelled(head, &assumption_text(*assumption, language))).collect()
 }
 
-/// Returns the assumption that the answer is about the best actuator; empty if one is stated.
+/// Returns the assumption about the actuator of the answer; empty if one is stated.
 pub(crate) fn best_text(candidate: &Candidate<'_>, language: Language) -> String {
-    let text = || labelled(terms::assumed(language), &terminal::best_of_the_ranking(&candidate.id, language));
-    candidate.is_best_of_ranking.then(text).unwrap_or_default()
+    candidate.how_named(language).map(|text| labelled(terms::assumed(language), &text)).unwrap_or_default()
 }
 
 /// Returns the permissible change of each quantity with all others unchanged; for an actuator that does not fit, also

@@ -1,17 +1,26 @@
 //! Numbers and words of figures.
 
-use quantities::{Language, Unit};
+use plot::Label;
+use quantities::{Language, Unit, grouped, with_symbol};
 use questions::Candidate;
 use words::{percent_text, pictures};
 
 /// Writes a value with four digits and its unit.
 pub(crate) fn amount(si: f64, unit: &Unit, language: Language) -> String {
-    let number = unit.figure(si, 4, language);
-    match unit.symbol_in(language) {
-        "1" => number,
-        symbol @ ("°" | "′") => format!("{number}{symbol}"),
-        symbol => format!("{number} {symbol}"),
+    with_symbol(&grouped(&unit.figure(si, 4, language)), unit.symbol_in(language))
+}
+
+/// Returns a text as a label, each symbol with an index in it (`f_w`) set as such.
+pub(crate) fn with_symbols(text: &str) -> Label {
+    let mut label = Label::default();
+    for (place, word) in text.split(' ').enumerate() {
+        let label_so_far = if place > 0 { label.text(" ") } else { label };
+        let is_symbol = word.split_once('_').is_some_and(|(base, index)| {
+            (1..=2).contains(&base.chars().count()) && index.chars().all(char::is_alphanumeric)
+        });
+        label = if is_symbol { label_so_far.and_symbol(word) } else { label_so_far.text(word) };
     }
+    label
 }
 
 /// Writes a share in percent.

@@ -186,10 +186,18 @@ fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart
             }
         }
     }
+    // Curves of one voltage look alike, those of another do not.
+    let mut voltages: Vec<Option<f64>> = Vec::new();
     for curve in &plane.sagged {
         let points = points_of(&curve.points);
+        let voltage = curve.voltage.map(|volts| volts.si());
+        let place = voltages.iter().position(|known| *known == voltage).unwrap_or_else(|| {
+            voltages.push(voltage);
+            voltages.len() - 1
+        });
+        let dash = if place.is_multiple_of(2) { Dash::Dotted } else { Dash::DashDotted };
         for part in driving(&points) {
-            let line = Line::new(part).tone(Tone::ShortTime).width(Width::Thin).dash(Dash::Dotted);
+            let line = Line::new(part).tone(Tone::ShortTime).width(Width::Thin).dash(dash);
             let name = with_voltage(pictures::the_same_at_less_voltage(language), curve, language);
             chart = chart.with(line.label(name).class("short-time-sagged"));
         }

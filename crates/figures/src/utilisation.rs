@@ -1,8 +1,8 @@
 //! Bars of the utilisation of every check.
 
 use crate::drawing::{Chart, Drawing, Figure};
-use crate::labels::{amount, listed, percent};
-use plot::{Bar, BarChart, Label, PlaneAxis};
+use crate::labels::{amount, listed, percent, with_symbols};
+use plot::{Bar, BarChart, PlaneAxis};
 use quantities::Language;
 use questions::texts::{by_importance, checked_text, counts_text, margin_share, verdict_text};
 use questions::{Candidate, Check, CheckId, Direction, Objection, Verdict};
@@ -88,9 +88,7 @@ fn bar(check: &Check, language: Language) -> Bar {
         let short = without_keys(&named, language);
         let reason = check_missing(missing, language);
         let reason = without_keys(&reason, language);
-        let text = Label::from(format!("{}: ", terms::missing(language)));
-        let is_symbol = short.contains('_') && !short.contains(' ');
-        let text = if is_symbol { text.and_symbol(&short) } else { text.text(&short) };
+        let text = with_symbols(&format!("{}: {short}", terms::missing(language)));
         return bar.text(text).tooltip(&format!("{reason} {numbers}"));
     }
     // A recommendation or a class that is met has no utilisation to compare with others.

@@ -113,7 +113,14 @@ pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
         });
     let over = [along(0.4 * centre, -48.0), along(0.4 * centre, -36.0)];
     let far = [along(0.8 * payload, -68.0), along(0.8 * payload, -52.0)];
-    let inside = [along(64.0, 10.0), along(64.0, 46.0)];
+    // The call-outs of mass and inertia stand apart: that of a shaped arm between its centre and the payload.
+    let at_j = match (is_shaped, (centre - 64.0).abs() < 34.0) {
+        (true, _) => 0.5 * (centre + payload),
+        (false, true) if centre + 60.0 < payload => centre + 40.0,
+        (false, true) => centre - 40.0,
+        (false, false) => 64.0,
+    };
+    let inside = [along(at_j, 10.0), along(at_j, 46.0)];
     drawing = if is_shaped {
         drawing.calls("length", "l", far[0], far[1]).calls("shape", "J", inside[0], inside[1]).calls(
             "payload_distance",
@@ -141,11 +148,13 @@ pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
             |it| it.arrow([weight[0], weight[1] + 10.0], [weight[0], weight[1] + 12.0 + 30.0 * share]),
         );
     }
+    // On the other side of the horizontal line, and beyond the call-out of the mass.
+    let beyond = if lean > 0.0 { -0.35 } else { (lean + 46.0_f64.atan2(centre) + 0.5).max(0.35) };
     if lean.abs() > 0.05 {
         drawing = drawing.sweep(Look::Arrow, axis, 56.0, [0.0, lean]);
     }
     drawing
-        .calls("start_angle", "φ_0", polar(axis, 56.0, 0.5 * lean), polar(axis, 82.0, 0.5 * lean - 0.24))
+        .calls("start_angle", "φ_0", polar(axis, 56.0, 0.5 * lean), polar(axis, 76.0, beyond))
         .calls("friction_torque", "T_L", [66.0, 86.0], [34.0, 52.0])
         .calls("viscous_friction", "d", [62.0, 134.0], [26.0, 152.0])
         .calls("external_torque", "T_x", [86.0, 75.0], [64.0, 30.0])

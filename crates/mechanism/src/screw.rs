@@ -38,7 +38,7 @@ pub(crate) fn drawing(figures: &MechanismValues) -> Drawing {
             },
         )
         .calls("inertia", "J", [340.0, 102.0], [336.0, 158.0])
-        .calls("inclination", "γ", [12.0, 102.0], [14.0, 158.0])
+        .calls("inclination", "γ", [358.0, 140.0], [374.0, 160.0])
         .calls("friction_torque", "T_L", [104.0, 92.0], [106.0, 62.0])
         .calls("viscous_friction", "d", [106.0, 112.0], [100.0, 164.0])
         .calls("external_torque", "T_x", [93.0, 78.0], [76.0, 34.0])

@@ -1,6 +1,6 @@
 //! Ticks at 1, 2 and 5 times a power of ten.
 
-use quantities::{Language, format_number};
+use quantities::{Language, format_number, grouped};
 
 /// Largest magnitude of data on an axis; differences of larger values would overflow.
 pub(crate) const LARGEST: f64 = 1e290;
@@ -59,7 +59,7 @@ impl Ticks {
 
     pub(crate) fn label(&self, value: f64, language: Language) -> String {
         let decimals = if value == 0.0 { 0 } else { self.decimals };
-        format_number(multiple(value, -self.exponent), decimals, language)
+        grouped(&format_number(multiple(value, -self.exponent), decimals, language))
     }
 }
 

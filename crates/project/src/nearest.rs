@@ -130,6 +130,11 @@ pub(crate) fn in_another_table(written: &str) -> Option<Hint> {
     found.next().filter(|_| found.next().is_none())
 }
 
+/// Iterates over the digits of a name.
+fn digits(name: &str) -> impl Iterator<Item = char> {
+    name.chars().filter(char::is_ascii_digit)
+}
+
 /// Returns "did you mean …", or the whole list if no name is near.
 #[must_use]
 pub fn nearest(written: &str, valid: &[&str]) -> Hint {
@@ -145,7 +150,9 @@ pub fn nearest(written: &str, valid: &[&str]) -> Hint {
         .iter()
         .map(|name| (strsim::damerau_levenshtein(&written.to_lowercase(), &name.to_lowercase()), *name))
         .min()
-        .filter(|(distance, name)| *distance * 2 <= name.chars().count());
+        .filter(|(distance, name)| *distance * 2 <= name.chars().count())
+        // Another number is another value and no slip of letters: IP70 is not IP00.
+        .filter(|(_, name)| digits(name).eq(digits(&written)));
     match near {
         Some((_, name)) => Hint::DidYouMean(name.to_owned()),
         None => Hint::valid(valid),

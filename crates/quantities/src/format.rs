@@ -48,6 +48,9 @@ pub fn format_significant(value: f64, digits: usize, language: Language) -> Stri
     format_number(value, usize::try_from(decimals).unwrap_or(0), language)
 }
 
+/// Life \[h\] above which only the order of magnitude is stated: more than a century.
+const LIFE_MOST_H: f64 = 1e6;
+
 impl Unit {
     /// Formats a computed figure, given in SI, in this unit with a count of significant digits
     /// ([`format_significant`]); one below the resolution of its quantity ([`resolution_si`](crate::Dimension::resolution_si)) is 0.
@@ -55,6 +58,10 @@ impl Unit {
     pub fn figure(&self, si: f64, digits: usize, language: Language) -> String {
         if self.is_below_resolution(self.from_si(si)) {
             return "0".to_owned();
+        }
+        // A life beyond every machine: its digits say nothing.
+        if self.symbol == "h" && self.from_si(si) > LIFE_MOST_H {
+            return "> 10⁶".to_owned();
         }
         format_significant(self.from_si(si), digits, language)
     }
@@ -75,6 +82,51 @@ impl Unit {
             (Language::De, "rev/s²") => "U/s²",
             (Language::De | Language::En, symbol) => symbol,
         }
+    }
+}
+
+/// Narrow no-break space between groups of digits.
+const GROUP: char = '\u{202f}';
+
+/// Returns a number, as text, with the digits before its decimal mark in groups of three if there are five or more
+/// (ISO 80000-1).
+///
+/// ```
+/// use quantities::grouped;
+/// assert_eq!([grouped("43300"), grouped("−19200,5"), grouped("3500")], ["43\u{202f}300", "−19\u{202f}200,5", "3500"]);
+/// ```
+#[must_use]
+pub fn grouped(number: &str) -> String {
+    let from = number.find(|sign: char| sign.is_ascii_digit()).unwrap_or(number.len());
+    let (sign, rest) = number.split_at(from);
+    let end = rest.find(|sign: char| !sign.is_ascii_digit()).unwrap_or(rest.len());
+    let (whole, decimals) = rest.split_at(end);
+    if whole.len() < 5 {
+        return number.to_owned();
+    }
+    let mut text = sign.to_owned();
+    for (index, digit) in whole.chars().enumerate() {
+        if index > 0 && (whole.len() - index).is_multiple_of(3) {
+            text.push(GROUP);
+        }
+        text.push(digit);
+    }
+    text + decimals
+}
+
+/// Returns a number, as text, with the symbol of its unit behind it: a space between them, none before the degree sign of
+/// an angle (ISO 80000-1), and the number alone without a unit.
+///
+/// ```
+/// use quantities::with_symbol;
+/// assert_eq!([with_symbol("17.9", "°"), with_symbol("38", "°C"), with_symbol("2", "1")], ["17.9°", "38 °C", "2"]);
+/// ```
+#[must_use]
+pub fn with_symbol(number: &str, symbol: &str) -> String {
+    match symbol {
+        "" | "1" => number.to_owned(),
+        "°" | "′" | "″" => format!("{number}{symbol}"),
+        _ => format!("{number} {symbol}"),
     }
 }
 

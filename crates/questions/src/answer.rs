@@ -36,6 +36,7 @@ pub(crate) use errata::{cited_erratum, cited_once};
 pub use errata::{errata, erratum};
 pub use facts::facts;
 pub use fault::{code_worded, fault, faults, file_fault, not_in_glossary, option_fault, refusal_text, table_faults};
+pub use inputs::input_words;
 pub use judged::{candidate, fit, judgement, objections, reserve, sizing, tolerance};
 pub use motion::motion;
 pub use mount::mount;

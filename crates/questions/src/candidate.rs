@@ -3,8 +3,9 @@
 use actuator::Parameters;
 use configurator::{BrokenRule, Product, ProductId, Unmet};
 use order_code::Field;
+use quantities::Language;
 use sizing::{Check, Checked, Fit, Judgement, Standing, Verdict};
-use words::Counts;
+use words::{Counts, terminal};
 
 /// Reason against a candidate other than a failing check.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +52,13 @@ impl Candidate<'_> {
     #[must_use]
     pub const fn fit(&self) -> Fit {
         self.standing.fit
+    }
+
+    /// Returns the text that states how an answer came to this actuator; `None` if one is stated.
+    #[must_use]
+    pub fn how_named(&self, language: Language) -> Option<String> {
+        let text = if self.fits() { terminal::best_of_the_ranking } else { terminal::smallest_excess_of_the_ranking };
+        self.is_best_of_ranking.then(|| text(&self.id, language))
     }
 
     /// Returns `true` if no check fails, regardless of objections.

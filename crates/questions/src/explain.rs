@@ -3,7 +3,7 @@
 use crate::answer::cited_erratum;
 use answers::{Derivation, Id, Node, Number};
 use provenance::{Grade, Source};
-use quantities::{Language, Unit};
+use quantities::{Language, Unit, with_symbol};
 use sizing::Check;
 use sizing::derivation::{Formula, How, Part, Step};
 use words::{found_condition, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term, unpadded};
@@ -15,7 +15,7 @@ const DIGITS: usize = 6;
 #[must_use]
 pub fn node_amount(node: &Node, language: Language) -> String {
     let (number, unit) = number_and_unit(node, language);
-    if unit == "1" { number } else { format!("{number} {unit}") }
+    with_symbol(&number, unit)
 }
 
 /// Returns the number of a figure as text, and the symbol of its unit; `1` for a ratio.
@@ -49,10 +49,7 @@ pub fn derivation(check: &Check, language: Language) -> Derivation {
 
 fn amount(value: f64, unit: &Unit, language: Language) -> String {
     let number = if unit.is_below_resolution(value) { "0".to_owned() } else { number_text(value, language) };
-    match unit.symbol_in(language) {
-        "1" => number,
-        symbol => format!("{number} {symbol}"),
-    }
+    with_symbol(&number, unit.symbol_in(language))
 }
 
 fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> Option<Node> {

@@ -69,10 +69,13 @@ impl<'p> Sizing<'p> {
     }
 
     /// Returns the rejected candidate with the smallest excess, among those that meet the requirements of the project
-    /// and are of the right class: an actuator for another voltage or temperature range is no alternative.
+    /// and are of the right class: an actuator for another voltage or temperature range is no alternative. Where none
+    /// fits and each is excluded in this way, the one that misses the fewest requirements and limits.
     #[must_use]
     pub fn nearest_miss(&self) -> Option<&Candidate<'p>> {
-        self.rejected().iter().find(|candidate| may_be_near(candidate))
+        let fewest = || self.rejected().iter().min_by_key(|candidate| misses(candidate));
+        let near = self.rejected().iter().find(|candidate| may_be_near(candidate));
+        near.or_else(|| fewest().filter(|_| self.fitting == 0))
     }
 
     /// Returns the best candidate, if one fits.
@@ -81,12 +84,10 @@ impl<'p> Sizing<'p> {
         self.fitting().first()
     }
 
-    /// Returns the candidate that every answer about the axis names: the best, else the one with the smallest excess;
-    /// where each is excluded by a requirement, the one that misses the fewest requirements and limits.
+    /// Returns the candidate that every answer about the axis names: the best, else the one with the smallest excess.
     #[must_use]
     pub fn named(&self) -> Option<&Candidate<'p>> {
-        let fewest = || self.rejected().iter().min_by_key(|candidate| misses(candidate));
-        self.answer().or_else(|| self.nearest_miss()).or_else(fewest)
+        self.answer().or_else(|| self.nearest_miss())
     }
 
     /// Returns the verdict on the best candidate, the user's own actuator included.

@@ -19,7 +19,7 @@ use configurator::{BrokenRule, ProductId, Unmet};
 use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND, YEAR,
 };
-use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
+use quantities::{Language, Measure, ThermodynamicTemperature, Time, Unit, format_number, format_significant, with_symbol};
 use recording::{ColumnRead, KnownBy};
 use sizing::{Amount, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{
@@ -246,7 +246,7 @@ impl ValuesInRow {
     pub fn value(&self, check: &Check, language: Language) -> String {
         let value = checked_text(check.id, check.value, language);
         match check.value {
-            Some(figure) if self.common.is_none() => format!("{value} {}", unit_text(Some(figure), language)),
+            Some(figure) if self.common.is_none() => with_symbol(&value, unit_text(Some(figure), language)),
             _ => value,
         }
     }
@@ -324,15 +324,13 @@ fn excess_text(check: &Check, language: Language) -> String {
 /// Formats an instant in seconds, with three digits.
 #[must_use]
 pub fn instant_text(instant: Time, language: Language) -> String {
-    SECOND.figure(instant.si(), 3, language)
+    // Within a microsecond of the start: the search for the maximum ends there.
+    SECOND.figure(if instant.si().abs() < 1e-6 { 0.0 } else { instant.si() }, 3, language)
 }
 
 /// Returns a number with the symbol of its unit; a plain number without.
 fn with_unit_text(number: &str, figure: Option<Amount>, language: Language) -> String {
-    match figure.map_or("1", |figure| figure.unit.symbol_in(language)) {
-        "1" => number.to_owned(),
-        symbol => format!("{number} {symbol}"),
-    }
+    with_symbol(number, figure.map_or("1", |figure| figure.unit.symbol_in(language)))
 }
 
 /// The figures of a demand: symbol, value, unit.
@@ -348,6 +346,11 @@ pub fn demand_figures(demand: &Demand, language: Language) -> [(&'static str, St
         ("n_peak", speed(demand.speed_peak.si()), rpm),
         ("ED", format_number(PERCENT.from_si(demand.duty_factor), 2, language), PERCENT.symbol),
     ]
+}
+
+/// Returns the lowest ambient temperature for which the data of an actuator hold.
+pub(crate) fn ambient_least(candidate: &Candidate<'_>) -> Option<ThermodynamicTemperature> {
+    candidate.parameters.ambient_range.known().map(|range| range.value.0)
 }
 
 /// Returns the largest permissible changes of one quantity each, and for a candidate that does not fit the limits of
@@ -374,7 +377,13 @@ pub fn reserve_lines(
         add(terminal::cycle_time(&number(reach.value.si()), language), reach.proviso);
     }
     if let Some(reach) = reserve.ambient {
-        add(terminal::ambient(&number(DEGREE_CELSIUS.from_si(reach.value.si())), language), reach.proviso);
+        let celsius = |at: ThermodynamicTemperature| unpadded(DEGREE_CELSIUS.from_si(at.si()), 4, language);
+        let most = celsius(reach.value);
+        let text = match ambient_least(candidate) {
+            Some(least) => terminal::ambient_between(&celsius(least), &most, language),
+            None => terminal::ambient(&most, language),
+        };
+        add(text, reach.proviso);
     }
     let mut lines = Vec::new();
     if !parts.is_empty() {
@@ -405,7 +414,7 @@ pub fn mend_text(mend: &GearingProposal, language: Language) -> String {
     let what = if mend.adds_stage() {
         words::stage_by_its_keys(mend.unit.from_si(mend.si), language)
     } else {
-        format!("{} {} {}", mend.path, value(), mend.unit.symbol_in(language)).trim_end_matches(" 1").to_owned()
+        format!("{} {}", mend.path, with_symbol(&value(), mend.unit.symbol_in(language)))
     };
     match proviso_text(mend.proviso.estimate, mend.proviso.rating, language) {
         Some(proviso) => format!("{what} ({}, {proviso})", mend.code),
@@ -453,7 +462,7 @@ pub fn torsion_lines(id: &ProductId, answer: &TorsionAnswer, language: Language)
 /// Returns the life of the encoder battery and the resulting replacement dates, one per line.
 #[must_use]
 pub fn battery_lines(battery: &BatteryLife, language: Language) -> Vec<String> {
-    let years = |time: Time| format_significant(time.in_unit(&YEAR), 3, language);
+    let years = |time: Time| unpadded(time.in_unit(&YEAR), 3, language);
     let grade = grade_word(battery.life.grade, language);
     let outlives = battery.capped.then(|| words::upkeep::battery_outlives_encoder(language).to_owned());
     let lines = [

@@ -51,6 +51,8 @@ struct Head {
     customer: String,
     order: String,
     changes: Vec<Change>,
+    /// Values in place of those of the project file.
+    altered: Vec<String>,
     program: String,
     hash_project: String,
     hash_catalogue: String,
@@ -94,6 +96,7 @@ impl ReportDocument {
             customer: settings.customer.clone(),
             order: settings.order.clone(),
             changes: settings.changes.iter().map(|change| shown_change(change, &shown)).collect(),
+            altered: settings.altered.iter().map(|line| shown::tied(line)).collect(),
             program: first.dossier.fingerprints.program.clone(),
             hash_project: checks::once(dossiers().map(|dossier| &dossier.fingerprints.project)).join(", "),
             hash_catalogue: first.dossier.fingerprints.catalogue.clone(),

@@ -107,6 +107,9 @@ pub enum DiagramPlace {
 /// their size.
 const TEXT_WIDTH_MM: f64 = 168.0;
 
+/// Width of one of two diagrams side by side \[mm\].
+const HALF_WIDTH_MM: f64 = 81.0;
+
 impl DiagramPlace {
     /// Sizes at which the diagram is drawn \[mm\], the highest first; `height` is the height that suits its content.
     ///
@@ -116,14 +119,18 @@ impl DiagramPlace {
         let heights: &[f64] = match self {
             Self::Motion => &[188.0, 172.0, 158.0, 146.0, 128.0, 110.0],
             Self::TorqueSpeed => &[116.0, 104.0, 91.0],
-            Self::OutputBearing => &[75.0, 68.0, 61.0],
-            Self::Gear => &[67.0, 57.0, 49.0],
+            // Side by side, of one height.
+            Self::OutputBearing | Self::Gear => &[62.0],
             Self::Tolerances => &[88.0, 74.0, 61.0],
             Self::Alternatives => &[78.0, 70.0, 61.0, 53.0],
         };
         let own = heights.first().is_none_or(|highest| height < *highest).then_some(height);
         let lower = heights.iter().copied().filter(|lower| *lower < height);
-        own.into_iter().chain(lower).map(|height| (TEXT_WIDTH_MM, height)).collect()
+        let width = match self {
+            Self::OutputBearing | Self::Gear => HALF_WIDTH_MM,
+            _ => TEXT_WIDTH_MM,
+        };
+        own.into_iter().chain(lower).map(|height| (width, height)).collect()
     }
 }
 
@@ -165,6 +172,8 @@ pub struct Settings {
     pub pdf_a: bool,
     /// Appendices with every derivation, the sources of every figure and every rejected code.
     pub full: bool,
+    /// Values in place of those of the project file, stated for this report alone.
+    pub altered: Vec<String>,
 }
 
 /// A line of the list of changes.

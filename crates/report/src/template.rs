@@ -4,6 +4,7 @@
 pub(crate) const FILES: &[(&str, &str)] = &[
     ("main.typ", include_str!("../template/main.typ")),
     ("line-breaks.typ", LINE_BREAKS),
+    ("symbols.typ", SYMBOLS),
     ("style.typ", include_str!("../template/style.typ")),
     ("cover.typ", include_str!("../template/cover.typ")),
     ("inputs.typ", include_str!("../template/inputs.typ")),
@@ -20,9 +21,10 @@ pub(crate) const FILES: &[(&str, &str)] = &[
 
 /// Name and text of every source file of the checklists, which are a separate document.
 pub(crate) const CHECKLIST: &[(&str, &str)] =
-    &[("line-breaks.typ", LINE_BREAKS), ("checklist.typ", include_str!("../template/checklist.typ"))];
+    &[("line-breaks.typ", LINE_BREAKS), ("symbols.typ", SYMBOLS), ("checklist.typ", include_str!("../template/checklist.typ"))];
 
 const LINE_BREAKS: &str = include_str!("../template/line-breaks.typ");
+const SYMBOLS: &str = include_str!("../template/symbols.typ");
 
 #[cfg(test)]
 mod tests {

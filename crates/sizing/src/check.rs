@@ -40,6 +40,15 @@ impl Direction {
         if self.keeps(value, limit) { share.min(1.0) } else { share }
     }
 
+    /// Returns the required relation of a value to its limit: ≤ or ≥.
+    #[must_use]
+    pub const fn required(self) -> &'static str {
+        match self {
+            Self::AtMost => "≤",
+            Self::AtLeast => "≥",
+        }
+    }
+
     /// Returns the true relation between a value and its limit: ≤, >, ≥ or <.
     #[must_use]
     pub fn relation(self, passes: bool, value: f64, limit: f64) -> &'static str {

@@ -118,6 +118,12 @@ impl Judgement {
         self.governing().map_or(0.0, Check::severity)
     }
 
+    /// Returns the number of failing checks.
+    #[must_use]
+    pub fn failing(&self) -> usize {
+        self.checks.iter().filter(|check| check.verdict == Verdict::Fail).count()
+    }
+
     /// Returns `true` if gravity or tension acts on the axis and nothing holds it without power.
     #[must_use]
     pub fn leaves_load_unheld(&self) -> bool {

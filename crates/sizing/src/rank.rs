@@ -15,6 +15,8 @@ pub struct Standing {
     pub size: u32,
     /// Utilisation of the governing check, see [`Judgement::utilisation`].
     pub utilisation: f64,
+    /// Number of failing checks.
+    pub failing: usize,
     /// Mass \[kg\], for ties; infinite if unknown.
     pub mass_kg: f64,
 }
@@ -28,6 +30,7 @@ impl Standing {
             holds: !judgement.leaves_load_unheld(),
             size,
             utilisation: judgement.utilisation(),
+            failing: judgement.failing(),
             mass_kg: mass_kg.unwrap_or(f64::INFINITY),
         }
     }
@@ -37,8 +40,9 @@ impl Standing {
 /// tension without power first, then those within every limit before those inside the band of an estimate, whose
 /// utilisation is above one; then the smaller frame size, or the lower mass
 /// where products without frame sizes compete; then the lower utilisation, i.e. the larger margin; then the
-/// lower mass. Among those that do not fit, the one whose governing check is exceeded least comes first, then the
-/// smaller frame size; one that every check would pass has an excess of zero.
+/// lower mass. Among those that do not fit, the one whose governing check is exceeded least comes first, to a tenth of a
+/// percent as it is printed; then the one with the fewest failing checks, then the smaller frame size; one that every
+/// check would pass has an excess of zero.
 ///
 /// Equal standings keep their original order, that of the catalogue.
 #[must_use]
@@ -54,8 +58,10 @@ pub struct RankKey {
     unheld: bool,
     /// The candidate is inside the band of an estimate.
     inside_band: bool,
-    /// Excess; zero for a fitting candidate.
+    /// Excess in tenths of a percent; zero for a fitting candidate.
     miss: u64,
+    /// Number of failing checks; zero for a fitting candidate.
+    failing: usize,
     size: u32,
     utilisation: u64,
     mass: u64,
@@ -65,13 +71,14 @@ impl RankKey {
     /// Returns the key of a candidate.
     #[must_use]
     pub fn of(standing: &Standing) -> Self {
-        let Standing { fit, holds, size, utilisation, mass_kg } = *standing;
+        let Standing { fit, holds, size, utilisation, failing, mass_kg } = *standing;
         let fits = fit.fits();
         Self {
             unfit: !fits,
             unheld: fits && !holds,
             inside_band: fit == Fit::FitsIfEstimate,
-            miss: if fits { 0 } else { in_order(utilisation.max(1.0)) },
+            miss: if fits { 0 } else { in_order((utilisation.max(1.0) * 1000.0).round()) },
+            failing: if fits { 0 } else { failing },
             size,
             utilisation: in_order(utilisation),
             mass: in_order(mass_kg),
@@ -120,7 +127,7 @@ mod tests {
             (true, true) => Fit::FitsIfEstimate,
             (true, false) => Fit::Fits,
         };
-        Standing { fit, holds: true, size, utilisation, mass_kg }
+        Standing { fit, holds: true, size, utilisation, failing: 1, mass_kg }
     }
 
     #[test]
@@ -150,6 +157,15 @@ mod tests {
             ]
         );
     }
+
+    #[test]
+    fn of_equal_excess_as_printed_the_one_with_fewer_failing_checks_comes_first() {
+        let of = |utilisation, failing| Standing { failing, ..standing(false, 58, utilisation, 32.0) };
+        assert_eq!(rank(&of(1.867_9, 1), &of(1.867_6, 3)), Ordering::Less, "both print 186.8 %");
+        assert_eq!(rank(&of(1.861, 3), &of(1.867_9, 1)), Ordering::Less);
+        assert_eq!(rank(&of(f64::INFINITY, 1), &of(f64::MAX, 1)), Ordering::Greater);
+    }
+
     #[test]
     fn numbers_keep_their_order() {
         let rising =

@@ -286,7 +286,7 @@ impl Row<'_> {
         let (is_unheld, is_inside_band, size) = first;
         let fit = if is_inside_band { Fit::FitsIfEstimate } else { Fit::Fits };
         let key = |utilisation: f64, mass_kg: f64| {
-            RankKey::of(&Standing { fit, holds: !is_unheld, size, utilisation, mass_kg })
+            RankKey::of(&Standing { fit, holds: !is_unheld, size, utilisation, failing: 0, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
         let candidate = |open: &Open| {
@@ -333,13 +333,14 @@ impl Row<'_> {
     /// Returns the group with the smallest excess among those that do not fit: without those that the place of
     /// installation excludes, or `elsewhere` these alone, with the check that excludes them.
     fn miss(&self, open: &[Open], bounds: &[Bounds], elsewhere: bool) -> Option<Ranked> {
-        let key = |group: &Group, utilisation: f64, mass_kg: f64| {
-            RankKey::of(&Standing { fit: Fit::DoesNotFit, holds: true, size: group.size, utilisation, mass_kg })
+        let key = |group: &Group, utilisation: f64, failing: usize, mass_kg: f64| {
+            let fit = Fit::DoesNotFit;
+            RankKey::of(&Standing { fit, holds: true, size: group.size, utilisation, failing, mass_kg })
         };
         let mut best: Option<(RankKey, usize, Ranked)> = None;
         let candidate = |open: &Open| {
             let (group, bounds) = self.group(open, bounds)?;
-            (elsewhere || !bounds.is_of_another_place()).then(|| (key(group, bounds.least_failing(), 0.0), group))
+            (elsewhere || !bounds.is_of_another_place()).then(|| (key(group, bounds.least_failing(), 0, 0.0), group))
         };
         let mut candidates: Vec<(RankKey, &Group)> = open.iter().filter_map(candidate).collect();
         while let Some(at) = least_of(&candidates, |(key, _)| *key) {
@@ -361,7 +362,7 @@ impl Row<'_> {
             }
             let utilisation = judgement.utilisation();
             let Some(member) = self.lightest(group) else { continue };
-            let key = key(group, utilisation, member.mass_kg);
+            let key = key(group, utilisation, judgement.failing(), member.mass_kg);
             if best.as_ref().is_none_or(|(other, entrant, _)| (key, member.entrant) < (*other, *entrant)) {
                 let named = excluding.or_else(|| judgement.worst_failure());
                 let utilisation = named.map_or(utilisation, Check::severity);

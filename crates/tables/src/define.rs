@@ -11,6 +11,7 @@ use quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND, WATT,
 };
 use quantities::{Measure, Unit};
+use questions::answer::input_words;
 use questions::{Sample, course, moves};
 use words::{Word, assumption_text, law_text, tables, terms, without_keys};
 
@@ -23,12 +24,12 @@ impl Subject<'_> {
     #[must_use]
     pub fn table(&self, name: &str, format: Format) -> Option<Table> {
         Some(match name {
-            "inputs" => self.inputs(),
+            "inputs" => self.inputs(format),
             "assumptions" => self.assumptions(),
             "demand" => results::demand(self),
             "motion" => self.motion(),
             "candidates" => results::candidates(self),
-            "checks" => results::checks(self),
+            "checks" => results::checks(self, format),
             "course" => self.course(format),
             _ => return None,
         })
@@ -40,10 +41,14 @@ impl Subject<'_> {
         NAMES.iter().filter_map(|name| self.table(name, Format::Workbook)).collect()
     }
 
-    fn inputs(&self) -> Table {
+    fn inputs(&self, format: Format) -> Table {
         let l = self.language;
+        // Readers of a workbook do not have the project file; programs read its keys.
+        let is_read = format == Format::Workbook;
+        let (key, key_about): (Word, Word) =
+            if is_read { (tables::input, tables::input_about) } else { (tables::key, tables::key_about) };
         let columns = vec![
-            column("path", tables::key, ColumnContent::Text, None, tables::key_about, l),
+            column("path", key, ColumnContent::Text, None, key_about, l),
             column("written", tables::written, ColumnContent::Text, None, tables::written_about, l),
             column("value", terms::value, ColumnContent::Number, None, tables::value_of_input_about, l),
             column("tolerance", tables::tolerance, ColumnContent::Number, None, tables::tolerance_about, l),
@@ -57,9 +62,11 @@ impl Subject<'_> {
                 let (value, unit) = input
                     .amount
                     .map_or((Cell::Empty, Cell::Empty), |(value, unit)| (Cell::number(value), Cell::unit(unit, l)));
+                let [path, written] =
+                    if is_read { input_words(&input, l) } else { [input.path.clone(), input.written.clone()] };
                 vec![
-                    Cell::text(input.path),
-                    Cell::text(input.written),
+                    Cell::text(path),
+                    Cell::text(written),
                     value,
                     input.half_width.map_or(Cell::Empty, Cell::number),
                     unit,
@@ -93,7 +100,7 @@ impl Subject<'_> {
             column("segment", terms::segment, ColumnContent::Count, None, tables::segment_about, l),
             column("law", terms::law, ColumnContent::Text, None, tables::law_about, l),
             column("start", tables::from, ColumnContent::Number, Some(&SECOND), tables::from_about, l),
-            column("duration", terms::time, ColumnContent::Number, Some(&SECOND), terms::duration, l),
+            column("duration", terms::duration, ColumnContent::Number, Some(&SECOND), terms::duration, l),
             number("distance", terms::distance, distance),
             number("speed", speed_title, speed),
             number("acceleration", terms::acceleration, acceleration),

@@ -1,6 +1,7 @@
 //! Tables of the results: demand, candidates, checks.
 
 use crate::cell::Cell;
+use crate::format::Format;
 use crate::subject::{Subject, column, titled};
 use crate::table::{Column, ColumnContent, Derived, Table};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
@@ -168,9 +169,9 @@ fn errata_of(candidate: &Candidate<'_>) -> Vec<&'static str> {
     shown.concat()
 }
 
-pub(crate) fn checks(subject: &Subject<'_>) -> Table {
+pub(crate) fn checks(subject: &Subject<'_>, format: Format) -> Table {
     let l = subject.language;
-    let columns = vec![
+    let mut columns = vec![
         code(l),
         column("check", tables::check_id, ColumnContent::Id, None, tables::check_id_about, l),
         column("title", terms::check, ColumnContent::Text, None, tables::check_title_about, l),
@@ -198,7 +199,15 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
             .map(|check| check_row(&name, check, l))
             .collect::<Vec<_>>()
     };
-    let rows = shown.iter().flat_map(of_each).collect();
+    let mut rows: Vec<Vec<Cell>> = shown.iter().flat_map(of_each).collect();
+    // Identifiers are for programs.
+    if let Some(id) = columns.iter().position(|column| column.kind == ColumnContent::Id && format == Format::Workbook) {
+        columns.remove(id);
+        for row in &mut rows {
+            row.remove(id);
+        }
+    }
+    let rows = rows.into_iter().collect();
     let mut table = subject.made("checks", terms::checks, tables::checks_about, columns, rows);
     let of = |name: &str| table.column(name);
     if let (Some(column), Some(value), Some(limit), Some(direction), Some(margin)) =

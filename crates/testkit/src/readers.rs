@@ -16,11 +16,13 @@ pub fn identifiers(text: &str) -> BTreeSet<String> {
     let words = text.split(|sign: char| !is_part(sign));
     let words = words.map(|word| word.trim_matches(|sign: char| matches!(sign, '.' | ':' | '-' | '/' | '[' | ']')));
     let known = known();
+    let docs = words.clone().filter(|word| word.starts_with("docs/")).map(str::to_owned);
     let found = words.filter(|word| !word.contains(['"', '/', ':'])).filter_map(|word| {
-        let is_one = known.contains(word) || is_snake(word) || is_dotted(word);
+        // `m_brake` is the row of a table and no symbol that the manual has.
+        let is_one = known.contains(word) || is_snake(word) || is_dotted(word) || word.ends_with("_brake");
         is_one.then(|| word.to_owned())
     });
-    found.collect()
+    found.chain(docs).collect()
 }
 
 /// Identifiers of documents and of tables that are not numbered.

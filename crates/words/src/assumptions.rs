@@ -8,7 +8,7 @@ use project::KeyDefault;
 use quantities::unit::{
     DEGREE, MILLIMETRE, MILLISECOND, NEWTON_METRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
 };
-use quantities::{Language, Unit, format_number, format_significant};
+use quantities::{Language, Unit, format_number, format_significant, with_symbol};
 
 /// Returns a default that the user did not confirm, as text.
 #[must_use]
@@ -146,8 +146,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "keine Masse der Schwinge angegeben (rocker_mass): 0 angenommen",
         ),
         Assumption::Default(KeyDefault::AxisLevel) => (
-            "no tilt of the axis of rotation given (axis_tilt): horizontal, with the whole weight",
-            "keine Neigung der Drehachse angegeben (axis_tilt): waagerecht, mit der ganzen Gewichtskraft",
+            "no tilt of the axis of rotation given (axis_tilt): horizontal, with the full gravity torque",
+            "keine Neigung der Drehachse angegeben (axis_tilt): waagerecht, mit dem vollen Lastmoment der Gewichtskraft",
         ),
         Assumption::Default(KeyDefault::StartsAtZero) => (
             "no position at the beginning of the motion given (start_angle): 0°, or the first position of a recording or cam table",
@@ -266,12 +266,12 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "keine Neigung der Achse angegeben (axis_tilt): der Flansch zeigt nach oben",
         ),
         Assumption::NoPayloadInDwell => (
-            "no payload given for a dwell that follows a move with one: nothing is carried in it; if the payload stays, state it in the dwell too (motion.payload)",
-            "für eine Rast nach einer Bewegung mit Nutzlast ist keine angegeben: in ihr wird nichts getragen; bleibt die Nutzlast, ist sie auch in der Rast anzugeben (motion.payload)",
+            "dwell without a stated payload after a move with one: computed without payload; if the payload stays, state it in the dwell too (motion.payload)",
+            "Rast ohne angegebene Nutzlast nach einer Bewegung mit Nutzlast: ohne Nutzlast gerechnet; bleibt die Nutzlast, ist sie auch in der Rast anzugeben (motion.payload)",
         ),
         Assumption::PayloadInertiaWeightless => (
-            "the additional moment of inertia of a segment (payload_inertia) adds no weight to the flange loads",
-            "das zusätzliche Massenträgheitsmoment eines Abschnitts (payload_inertia) geht nicht als Gewicht in die Flanschlasten ein",
+            "the moment of inertia of the payload (payload_inertia) adds no weight to the flange loads",
+            "das Massenträgheitsmoment der Nutzlast (payload_inertia) geht nicht als Gewicht in die Flanschlasten ein",
         ),
         Assumption::Default(KeyDefault::WheelWeightless) => (
             "no mass of pulley, pinion or crank given (bearing.wheel_mass): parts rotating with the flange are assumed to have no mass",
@@ -314,7 +314,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
 }
 
 fn figure(si: f64, unit: &'static Unit, language: Language) -> String {
-    format!("{} {}", format_significant(unit.from_si(si), 3, language), unit.symbol_in(language))
+    with_symbol(&format_significant(unit.from_si(si), 3, language), unit.symbol_in(language))
 }
 
 /// Returns the value of `standstill` in a line of a project file that sets speeds up to this one to zero.

@@ -5,7 +5,7 @@ use crate::texts::said;
 use mechanism::BodyError;
 use project::{BodyKind, BodyShape};
 use quantities::unit::{KILOGRAM, KILOGRAM_PER_CUBIC_METRE, MILLIMETRE};
-use quantities::{Language, Measure, Unit, format_significant};
+use quantities::{Language, Measure, Unit, format_significant, with_symbol};
 
 /// Returns the name of the shape of a body.
 #[must_use]
@@ -26,7 +26,7 @@ pub const fn shape_title(shape: &BodyShape, language: Language) -> &'static str 
 /// Returns the fault of an impossible body, in one sentence.
 pub(super) fn fault(error: &BodyError, language: Language) -> String {
     let positive = |key: &str, si: f64, unit: &Unit, or_zero: bool| {
-        let value = format!("{} {}", format_significant(unit.from_si(si), 4, language), unit.symbol_in(language));
+        let value = with_symbol(&format_significant(unit.from_si(si), 4, language), unit.symbol_in(language));
         if or_zero {
             said!(language =>
                 "`{key}` must not be negative, not {value}"

@@ -14,10 +14,10 @@ pub fn describe_field(field: Field, language: Language) -> &'static str {
         Field::Size => ("size and version", "Baugröße und Version"),
         Field::Ratio => ("reduction ratio", "Untersetzung"),
         Field::Winding => ("motor winding and connectors", "Motorwicklung und Stecker"),
-        Field::Feedback => ("motor feedback", "Motorgeber"),
+        Field::Feedback => ("motor encoder", "Motorgeber"),
         Field::Brake => ("brake", "Bremse"),
         Field::Option1 => ("option 1 (sensor)", "Option 1 (Sensor)"),
-        Field::Option2 => ("option 2 (cable, connector)", "Option 2 (Kabel, Stecker)"),
+        Field::Option2 => ("option 2 (cable, connector)", "Option 2 (Leitung, Stecker)"),
         Field::Special => ("special design", "Sonderausführung"),
     };
     if language == Language::De { de } else { en }
@@ -59,7 +59,7 @@ pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) 
             | "{field} {token} gibt es nicht für Baugröße {size} (Tabelle {table})"
         ),
         Rule::PairNotListed => said!(language =>
-            "winding {} is not available with feedback {token} (table {table})"
+            "winding {} is not available with encoder {token} (table {table})"
             | "Wicklung {} ist nicht mit Geber {token} lieferbar (Tabelle {table})", code.winding
         ),
         Rule::NotInOrderingTables => said!(language =>
@@ -67,11 +67,11 @@ pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) 
             | "Wicklung {token} ist in der Matrix 12.1, aber in keiner Bestelltabelle enthalten (Tabelle {table}); beim Hersteller erfragen"
         ),
         Rule::OnlyWith { feedback, longer: "" } => said!(language =>
-            "option {token} is available with feedback {feedback} only (table {table})"
+            "option {token} is available with encoder {feedback} only (table {table})"
             | "Option {token} ist nur mit Geber {feedback} lieferbar (Tabelle {table})"
         ),
         Rule::OnlyWith { feedback, longer } => said!(language =>
-            "option {token} is available for size {size} with feedback {feedback} only, and with a longer housing (table {table}, footnote {longer})"
+            "option {token} is available for size {size} with encoder {feedback} only, and with a longer housing (table {table}, footnote {longer})"
             | "Option {token} ist bei Baugröße {size} nur mit Geber {feedback} und größerer Baulänge lieferbar (Tabelle {table}, Fußnote {longer})"
         ),
     }

@@ -22,6 +22,7 @@ texts! {
     object = "object" | "Objekt";
     type_of_data = "type" | "Typ";
     rounding = "before rounding" | "vor dem Runden";
+    item = "check item" | "Prüfpunkt";
     expected = "expected" | "erwartet";
     measured = "measured" | "gemessen";
     likely_cause(cause) = "likely cause: {cause}" | "wahrscheinliche Ursache: {cause}";

@@ -2,7 +2,7 @@
 
 use super::condition_text;
 use crate::texts::said;
-use crate::{capitalised, evidence_text, pick, row_name};
+use crate::{capitalised, document_short, evidence_text, pick, row_name};
 use catalogue::{Erratum, ErratumKind};
 use quantities::Language;
 
@@ -46,6 +46,8 @@ pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     if !erratum.table.is_empty() {
         parts.push(match erratum.table.strip_prefix("glossary-") {
             Some(symbol) => said!(language => "glossary, {symbol}" | "Glossar, {symbol}"),
+            // A table of another document has the name of its file.
+            None if erratum.table.starts_with(char::is_alphabetic) => published_in(erratum.table, language),
             None => said!(language => "table {}" | "Tabelle {}", erratum.table),
         });
     }
@@ -66,6 +68,11 @@ pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
     }
     parts.retain(|part| !part.is_empty());
     parts.join(", ")
+}
+
+/// Returns the short name of the document with a table that is not in the manual.
+fn published_in(table: &'static str, language: Language) -> String {
+    catalogue::table(table).map_or_else(|| table.to_owned(), |found| document_short(found.source, language).to_owned())
 }
 
 /// Returns the place of an erratum in words, and its evidence.

@@ -218,8 +218,8 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ),
     ("from the axis to its end", "von der Drehachse bis zum Ende"),
     (
-        "a vertical axis; otherwise horizontal, with the whole weight",
-        "senkrechte Achse; sonst waagerecht, mit der ganzen Gewichtskraft",
+        "a vertical axis; otherwise horizontal, with the full gravity torque",
+        "senkrechte Achse; sonst waagerecht, mit dem vollen Lastmoment der Gewichtskraft",
     ),
     ("above the horizontal when the motion begins", "über der Waagerechten zu Beginn der Bewegung"),
     ("of the payload of a segment, from the axis", "Abstand der Nutzlast eines Abschnitts von der Drehachse"),

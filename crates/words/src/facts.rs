@@ -41,7 +41,7 @@ pub const fn step_title(step: LifeStep, language: Language) -> &'static str {
         LifeStep::BeforePower => ("before the power is switched on", "vor dem Einschalten"),
         LifeStep::FirstMotion => ("first motion", "erste Bewegung"),
         LifeStep::AfterADay => ("after one day of operation", "nach einem Betriebstag"),
-        LifeStep::InService => ("in service", "im Betrieb"),
+        LifeStep::InService => ("in operation", "im Betrieb"),
         LifeStep::Shutdown => ("shutting down and maintenance", "Stillsetzen und Wartung"),
         LifeStep::Disposal => ("taking out of service", "Außerbetriebnahme"),
     };

@@ -7,7 +7,7 @@ use crate::texts::said;
 use crate::toml_syntax;
 use project::{ColumnDimensions, Diagnostic, Expected, Fault, Hint, Range};
 use quantities::unit::DEGREE;
-use quantities::{Language, Unit, format_number, format_significant};
+use quantities::{Language, Unit, format_number, format_significant, with_symbol};
 use std::ops::Range as Span;
 
 /// A fault as text, with its place.
@@ -337,14 +337,14 @@ pub(crate) fn file_fault_text(fault: &Fault, language: Language) -> String {
             | "die Umdrehungen für einen Hub hängen von der Höhe ab, bei der er beginnt; diese ist nicht bekannt: für jeden Abschnitt davor den Weg angeben"
         ),
         Fault::NoWeb => said!(language =>
-            "a run of the web requires a winder" | "ein Bahnlauf erfordert einen Wickler"
+            "a web run requires a winder" | "ein Bahnlauf erfordert einen Wickler"
         ),
         Fault::WebNotAlone => said!(language =>
-            "a run of the web goes from the initial roll to the full one or to the core: beside it there are dwells only"
+            "a web run goes from the initial roll to the full one or to the core: beside it there are dwells only"
             | "ein Bahnlauf reicht vom Anfangswickel bis zum vollen Wickel oder zur Hülse: daneben sind nur Rasten möglich"
         ),
         Fault::WebSpeed => said!(language =>
-            "`speed` of a run of the web is a line speed greater than zero"
+            "`speed` of a web run is a line speed greater than zero"
             | "`speed` eines Bahnlaufs ist eine Bahngeschwindigkeit größer als null"
         ),
         Fault::WebTooShort { length_m, ramps_m } => {
@@ -511,7 +511,7 @@ fn bound_text(bound: f64, language: Language) -> String {
 }
 
 pub(crate) fn shown(si: f64, unit: &Unit, language: Language) -> String {
-    format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol_in(language))
+    with_symbol(&format_significant(unit.from_si(si), 5, language), unit.symbol_in(language))
 }
 
 /// Returns the German name of a type of TOML.

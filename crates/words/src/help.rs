@@ -71,7 +71,7 @@ texts! {
         "Time of the event, such as \"300 ms\"; default: at the highest speed of the axis"
         | "Zeitpunkt des Ereignisses, etwa \"300 ms\"; ohne Angabe bei der höchsten Drehzahl der Achse";
     simulate_reaction =
-        "Stop reaction of the drive (ramp)" | "Stillsetzreaktion des Servoreglers (Rampe)";
+        "Stop reaction of the drive; default: ramp" | "Stillsetzreaktion des Servoreglers; ohne Angabe ramp (Rampe)";
     simulate_failure =
         "Type of encoder failure in the encoder scenario; default: signal loss"
         | "Art des Geberausfalls im Geberszenario; ohne Angabe Signalverlust";
@@ -167,7 +167,7 @@ texts! {
         | "Datenblatt eines Antriebs, jeder Wert mit Quelltabelle";
     wiring =
         "Connectors, pins and cables of one actuator, and check of a pin list"
-        | "Stecker, Stifte und Kabel eines Antriebs, dazu Vergleich einer Stiftliste";
+        | "Stecker, Stifte und Leitungen eines Antriebs, dazu Vergleich einer Stiftliste";
     wiring_check =
         "Compare this list (CSV: connector, pin, signal; optionally colour and shield) with the manual; - is standard input"
         | "Diese Liste (CSV: Stecker, Stift, Signal; wahlweise Farbe und Schirm) mit der Anleitung vergleichen; - ist die Standardeingabe";
@@ -383,7 +383,7 @@ texts! {
     shapes_all =
         "All: mass or density; distance from the axis of rotation (0), angle (0), count evenly spaced (1).\n(length), (height): with density, or with axis=perpendicular."
         | "Alle: mass oder density; distance von der Drehachse (0), angle (0), count gleichmäßig verteilt (1).\n(length), (height): mit density oder axis=perpendicular.";
-    inertia = "Moment of inertia of solid bodies" | "Massenträgheitsmoment fester Körper";
+    inertia = "Moment of inertia of solid bodies" | "Massenträgheitsmoment von Vollkörpern";
     inertia_body =
         "Each body in quotes, for example \"disc diameter=200mm length=20mm density=7850kg/m^3\""
         | "Jeder Körper in Anführungszeichen, etwa \"disc diameter=200mm length=20mm density=7850kg/m^3\"";

@@ -110,10 +110,10 @@ texts! {
     load_later = "Optional: it can also be stated later." | "Optional: Die Angabe kann auch später folgen.";
     load_missing = "The load is missing: choose its mechanism" | "Die Last fehlt: die Mechanik wählen";
     line_missing =
-        "a motion along a line needs a constant travel per turn"
+        "a motion along a line needs a constant travel per revolution"
         | "eine Bewegung längs einer Geraden erfordert einen festen Weg je Umdrehung";
     mechanism_about =
-        "Its travel per turn relates the recording along a line to the output."
+        "Its travel per revolution relates the recording along a line to the output."
         | "Ihr Weg je Umdrehung rechnet die Aufzeichnung längs einer Geraden auf den Abtrieb um.";
     state_mechanism = "State the mechanism first." | "Zuerst die Mechanik angeben.";
     still_open = "Still open in the project afterwards" | "Danach im Projekt noch offen";

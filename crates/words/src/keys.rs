@@ -19,12 +19,14 @@ use quantities::Language;
 #[must_use]
 pub fn key_text(key: &Key, language: Language) -> String {
     let about = about_text(key.about, language);
-    let assumed = if key.note.is_some() {
-        said!(language => ", listed as assumed" | ", als Annahme ausgewiesen")
-    } else {
-        "".into()
+    let is_assumed = key.note.is_some();
+    let assumed =
+        if is_assumed { said!(language => ", listed as assumed" | ", als Annahme ausgewiesen") } else { "".into() };
+    let Some(default) = key.default.map(|default| default()) else {
+        // What concerns the author of the file stands after a semicolon: a label ends there.
+        let tail = said!(language => "; if not stated, listed as assumed" | "; ohne Angabe als Annahme ausgewiesen");
+        return if is_assumed && !about.contains(';') { format!("{about}{tail}") } else { format!("{about}{assumed}") };
     };
-    let Some(default) = key.default.map(|default| default()) else { return format!("{about}{assumed}") };
     let is_number = default.parse::<f64>().is_ok();
     let mark = language.decimal_mark().to_string();
     let default = if is_number { default.replace('.', &mark) } else { default };
@@ -249,8 +251,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Segment(SegmentName::law) => ("motion law", "Bewegungsgesetz"),
         About::Segment(SegmentName::speed) => (
-            "maximum speed, at the output or along the guide; negative for the return move",
-            "maximale Drehzahl am Abtrieb oder Geschwindigkeit längs der Führung; negativ für den Rückweg",
+            "maximum speed; at the output or along the guide, negative for the return move",
+            "Höchstgeschwindigkeit; Drehzahl am Abtrieb oder Geschwindigkeit längs der Führung, negativ für den Rückweg",
         ),
         About::Segment(SegmentName::accelerate) => (
             "t_1, acceleration time from standstill",
@@ -319,12 +321,12 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "even: die Zeilen haben gleichen Abstand, um den die Zeitstempel streuen; ohne Angabe die Zeitstempel, wie sie dastehen",
         ),
         About::Segment(SegmentName::payload) => (
-            "additional mass in this segment; added to the masses of the mechanism",
-            "zusätzliche Masse in diesem Abschnitt; wird zu den Massen der Mechanik addiert",
+            "payload in this segment; added to the masses of the mechanism",
+            "Nutzlast in diesem Abschnitt; wird zu den Massen der Mechanik addiert",
         ),
         About::Segment(SegmentName::payload_inertia) => (
-            "additional moment of inertia at the output in this segment; added to that of the mechanism",
-            "zusätzliches Massenträgheitsmoment am Abtrieb in diesem Abschnitt; wird zu dem der Mechanik addiert",
+            "moment of inertia of the payload at the output in this segment; added to that of the mechanism",
+            "Massenträgheitsmoment der Nutzlast am Abtrieb in diesem Abschnitt; wird zu dem der Mechanik addiert",
         ),
         About::Segment(SegmentName::process_force) => (
             "additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism",
@@ -436,8 +438,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::Requirements(RequirementsName::supply) => ("DC link voltage; without it, the terminal voltage is not checked", "Zwischenkreisspannung; ohne Angabe wird die Klemmenspannung nicht geprüft"),
         About::Requirements(RequirementsName::mains) => (
-            "mains voltage instead of the DC link voltage, line to line, rms; each check uses the less favourable limit",
-            "Netzspannung anstelle der Zwischenkreisspannung, Leiter-Leiter, effektiv; in jedem Nachweis gilt der ungünstigere Grenzwert",
+            "mains voltage, line to line, rms; instead of the DC link voltage; each check uses the less favourable limit",
+            "Netzspannung, Leiter-Leiter, effektiv; anstelle der Zwischenkreisspannung; in jedem Nachweis gilt der ungünstigere Grenzwert",
         ),
         About::Requirements(RequirementsName::mains_phases) => (
             "number of mains phases; default: three",
@@ -579,7 +581,7 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "bewusst weggelassene Angaben: was davon abhängt, wird nicht geprüft",
         ),
         About::Requirements(RequirementsName::option_1) => ("sensor option", "Option 1 (Sensor)"),
-        About::Requirements(RequirementsName::option_2) => ("cable and connector option", "Option 2 (Kabel/Stecker)"),
+        About::Requirements(RequirementsName::option_2) => ("option 2 (cable, connector)", "Option 2 (Leitung, Stecker)"),
     };
     pick(language, en, de)
 }

@@ -10,10 +10,10 @@ use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
     SECOND,
 };
-use quantities::{Language, Measure, Unit, format_significant};
+use quantities::{Language, Measure, Unit, format_significant, with_symbol};
 
 fn shown(si: f64, unit: &Unit, language: Language) -> String {
-    format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol_in(language))
+    with_symbol(&format_significant(unit.from_si(si), 5, language), unit.symbol_in(language))
 }
 
 /// Returns the name of a load that acts in a segment.
@@ -33,7 +33,7 @@ pub fn law_text(law: SegmentLaw, language: Language) -> &'static str {
     let (en, de) = match law {
         SegmentLaw::Law(Law::Trapezoid) | SegmentLaw::Manual => ("trapezoid", "Trapez"),
         SegmentLaw::Law(Law::Triangle) => ("triangle", "Dreieck"),
-        SegmentLaw::Law(Law::Jerk) => ("limited jerk", "ruckbegrenzt"),
+        SegmentLaw::Law(Law::Jerk) => ("jerk-limited", "ruckbegrenzt"),
         SegmentLaw::Law(Law::Polynomial5) => ("polynomial 3-4-5", "Polynom 3-4-5"),
         SegmentLaw::Law(Law::ModifiedSine) => ("modified sine", "mod. Sinuslinie"),
         SegmentLaw::Law(Law::ModifiedTrapezoid) => ("modified trapezoid", "mod. Trapez"),
@@ -44,7 +44,7 @@ pub fn law_text(law: SegmentLaw, language: Language) -> &'static str {
         SegmentLaw::Recorded => ("recording", "Aufzeichnung"),
         SegmentLaw::Points => ("cam table", "Kurventabelle"),
         SegmentLaw::Open => ("polynomial 3-4-5, assumed", "Polynom 3-4-5, angenommen"),
-        SegmentLaw::Web => ("run of the web", "Bahnlauf"),
+        SegmentLaw::Web => ("web run", "Bahnlauf"),
     };
     pick(language, en, de)
 }
@@ -82,13 +82,13 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
             (
                 if is_over {
                     said!(language =>
-                        "the stated quantities overdetermine this move ({given} stated)"
-                        | "diese Bewegung ist durch die Angaben überbestimmt ({given} Größen angegeben)"
+                        "the stated quantities overdetermine this move (quantities stated: {given})"
+                        | "diese Bewegung ist durch die Angaben überbestimmt (angegebene Größen: {given})"
                     )
                 } else {
                     said!(language =>
-                        "the stated quantities do not determine this move ({given} stated)"
-                        | "diese Bewegung ist durch die Angaben nicht bestimmt ({given} Größen angegeben)"
+                        "the stated quantities do not determine this move (quantities stated: {given})"
+                        | "diese Bewegung ist durch die Angaben nicht bestimmt (angegebene Größen: {given})"
                     )
                 },
                 Some(said!(language => "state {needed}" | "anzugeben: {needed}")),

@@ -29,10 +29,13 @@ pub fn fit_word(kind: FitKind, language: Language) -> String {
     pick(language, en, de).to_owned()
 }
 
-/// Returns the name of a load case of a joint.
+/// Returns the name of a load case of a joint; `is_of_a_limit`: its moment is not a load of the axis but what the bearing permits.
 #[must_use]
-pub fn load_case_title(case: LoadCase, language: Language) -> String {
+pub fn load_case_title(case: LoadCase, is_of_a_limit: bool, language: Language) -> String {
     let (en, de) = match case {
+        LoadCase::StaticMoment if is_of_a_limit => {
+            ("permissible static tilting moment of the bearing", "zulässiges statisches Kippmoment des Lagers")
+        }
         LoadCase::Peak => ("peak torque in the joint", "Spitzendrehmoment in der Verbindung"),
         LoadCase::Collision => ("collision", "Kollision"),
         LoadCase::Brake => ("holding or emergency stop by the brake", "Halten oder Not-Halt durch die Bremse"),

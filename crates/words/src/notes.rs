@@ -3,6 +3,7 @@
 use super::results::{evidence_text, with_unit};
 use crate::erratum_place_of;
 use crate::texts::said;
+use crate::unpadded;
 use mechanism::Rope;
 use quantities::unit::{
     AMPERE, ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, MILLIMETRE, MINUTE, NEWTON_METRE,
@@ -47,8 +48,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
             small_swings(*count, [*largest, *least], *share, language)
         }
         Note::RatingOfInterchangeableGear => said!(language =>
-            "gear rating taken from an interchangeable gear of another manufacturer with the same T_R; the manual states none; as a limit it is advice and rejects no actuator"
-            | "Getriebewerte eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine; als Grenze sind sie nur ein Hinweis und schließen keinen Antrieb aus"
+            "gear rating taken from an interchangeable gear of another manufacturer with the same T_R; the manual states none; for information only, no actuator is rejected by it"
+            | "Getriebewerte eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine; nur zur Information, kein Antrieb wird dadurch ausgeschlossen"
         ),
         Note::RatingByStrongerGear => said!(language =>
             "gear rating estimated: rated torque of the manufacturer's stronger gear series divided by 1.3; the manual states none"
@@ -212,7 +213,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             )
         }
         Note::HangingLoad => said!(language =>
-            "axis under gravity or tension load: the built-in holding brake is not a safety brake; an additional mechanical brake is required to protect persons"
+            "gravity- or tension-loaded axis: the built-in holding brake is not a safety brake; an additional mechanical brake is required to protect persons"
             | "schwerkraft- bzw. zugbelastete Achse: die eingebaute Haltebremse ist keine Sicherheitsbremse; zum Schutz von Personen ist eine zusätzliche mechanische Bremse erforderlich"
         ),
         Note::Sag(angle) => {
@@ -253,7 +254,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             | "im Stillstand ohne Halten der Last (motion.hold = \"free\") bleibt sie nur stehen, wenn die Reibung das Lastmoment übersteigt"
         ),
         Note::NothingHoldsWithoutPower => said!(language =>
-            "axis under gravity or tension load and actuator without brake: the load is not held when the power is off. Choose an actuator with brake, or secure the load by other means"
+            "gravity- or tension-loaded axis and actuator without brake: the load is not held when the power is off. Choose an actuator with brake, or secure the load by other means"
             | "schwerkraft- bzw. zugbelastete Achse und Antrieb ohne Bremse: im stromlosen Zustand wird die Last nicht gehalten. Einen Antrieb mit Bremse wählen oder die Last anderweitig sichern"
         ),
         Note::DwellTooShortForBrake { shortest, needed } => {
@@ -307,11 +308,11 @@ pub fn note_text(note: &Note, language: Language) -> String {
             | "die Position ist über den Weg nicht absolut: nach dem Einschalten muss referenziert werden"
         ),
         Note::BatteryExchange { recommended, latest } => {
-            let year = |si| with_unit(si, &YEAR, 2, language);
+            let year = |si| unpadded(YEAR.from_si(si), 2, language);
             let (recommended, latest) = (year(recommended.si()), year(latest.si()));
             said!(language =>
-                "the encoder with its battery should be replaced after {recommended}, and must be replaced at the latest {latest} after delivery"
-                | "der Geber mit Batterie soll nach {recommended} ersetzt werden (Empfehlung), spätestens {latest} nach Lieferung"
+                "the encoder with its battery should be replaced after {recommended} years, and must be replaced at the latest {latest} years after delivery"
+                | "der Geber mit Batterie soll nach {recommended} Jahren ersetzt werden (Empfehlung), spätestens {latest} Jahre nach Lieferung"
             )
         }
         Note::ApprovalNeeded => said!(language =>

@@ -347,7 +347,7 @@ texts! {
     full_window = "Show picture in full window" | "Bild im ganzen Fenster zeigen";
     copy_svg = "Copy SVG" | "SVG kopieren";
     copy_data = "Copy data" | "Daten kopieren";
-    without_limit_head = "Shown without a limit" | "Ohne Grenze gezeigt";
+    without_limit_head = "No limit stated" | "Ohne angegebene Grenze";
     why_not = "Rejected actuators" | "Verworfene Antriebe";
     map = "Map" | "Übersichtsdiagramm";
     sort_by(column) = "Sort by {column}" | "Nach {column} ordnen";

@@ -3,9 +3,12 @@
 use crate::pick;
 use crate::project_file::short_label;
 use crate::schema::schema_text;
-use project::input_label;
+use project::{KEYS, Key, input_label};
 use quantities::Language;
 use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::ops::Range;
+use std::sync::LazyLock;
 
 /// Returns the text with each key of the project file replaced by its purpose; a key in parentheses after its words is
 /// left out, and so is an option of the command line in parentheses: `(--storage)`.
@@ -38,11 +41,12 @@ fn without_options(text: &str) -> Cow<'_, str> {
 
 /// Returns the text without names of keys.
 fn without_names(text: &str, language: Language) -> Cow<'_, str> {
-    if !text.contains(['.', '_']) && !ASIDES.iter().any(|aside| text.contains(aside)) {
-        return Cow::Borrowed(text);
-    }
-    if let Some((before, behind)) = ASIDES.iter().find_map(|aside| text.split_once(aside)) {
+    if let Some(aside) = aside(text) {
+        let (before, behind) = (text.get(..aside.start).unwrap_or_default(), text.get(aside.end..).unwrap_or_default());
         return Cow::Owned(without_names(&format!("{before}{behind}"), language).into_owned());
+    }
+    if !text.contains(['.', '_']) {
+        return Cow::Borrowed(text);
     }
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
@@ -110,8 +114,31 @@ fn end_of_aside(behind: &str) -> Option<&str> {
     behind.strip_prefix(')')
 }
 
-/// Keys of one word behind their purpose: elsewhere such a word may be an ordinary one.
-const ASIDES: [&str; 3] = [" (inclination)", " (inertia)", " (payload)"];
+/// Returns the place of the first parenthesis that holds names of keys alone, with the blank before it: ` (winding)`,
+/// ` (time, distance)`. Elsewhere such a word may be an ordinary one.
+fn aside(text: &str) -> Option<Range<usize>> {
+    static NAMES: LazyLock<BTreeSet<&'static str>> = LazyLock::new(|| {
+        fn walk(keys: &'static [Key], names: &mut BTreeSet<&'static str>) {
+            for key in keys {
+                names.insert(key.name);
+                walk(key.kind.keys(true), names);
+            }
+        }
+        let mut names = BTreeSet::new();
+        walk(KEYS, &mut names);
+        names
+    });
+    let mut from = 0;
+    while let Some(start) = text.get(from..)?.find(" (").map(|at| from + at) {
+        let inside = start + " (".len();
+        let length = text.get(inside..)?.find(')')?;
+        if text.get(inside..inside + length)?.split(", ").all(|word| NAMES.contains(word)) {
+            return Some(start..inside + length + 1);
+        }
+        from = inside;
+    }
+    None
+}
 
 /// Tables whose keys appear in texts without their table.
 const BARE: [&str; 9] = [
@@ -163,6 +190,8 @@ mod tests {
         assert_eq!(de("Neigung (axis_tilt): oben"), "Neigung: oben");
         assert_eq!(de("ein Jahr (--inspect), zwei (--hours-per-day) oder mehr"), "ein Jahr, zwei oder mehr");
         assert_eq!(de("Neigung (inclination): waagerecht (arm_mass)"), "Neigung: waagerecht");
+        assert_eq!(de("Wickelrichtung (winding), Durchmesser (start_diameter)"), "Wickelrichtung, Durchmesser");
+        assert_eq!(de("weder Dauer noch Weg (time, distance)"), "weder Dauer noch Weg");
         assert_eq!(de("nicht angegeben: bearing.belt_tension"), "nicht angegeben: statische Trumkraft des Riemens F_v");
         assert_eq!(de("nicht angegeben: bearing.wheel_mass"), "nicht angegeben: Masse des Rads am Flansch");
         let assumed = crate::terminal::best_of_the_ranking(&"CODE", Language::De);

@@ -20,7 +20,7 @@ use headings::{
 };
 use modulo::{position_jumps, turn_begun};
 use quantities::unit::SECOND;
-use quantities::{Language, Measure, Time, format_significant};
+use quantities::{Language, Measure, Time, format_significant, with_symbol};
 use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
 
 pub use tables::table_text;
@@ -501,7 +501,7 @@ fn seconds(time: Time, language: Language) -> String {
 /// Formats a time with all digits of the file.
 fn stamp(stamp: Stamp, language: Language) -> String {
     let number = stamp.value.to_string().replace('.', pick(language, ".", ","));
-    format!("{number} {}", stamp.unit.symbol_in(language))
+    with_symbol(&number, stamp.unit.symbol_in(language))
 }
 
 /// Returns the word of the file for a role.

@@ -3,7 +3,7 @@
 use crate::texts::texts;
 
 texts! {
-    feedback_not_permitted = "feedback not permitted" | "Geber nicht zugelassen";
+    feedback_not_permitted = "encoder not permitted" | "Geber nicht zugelassen";
     hollow_shaft_too_narrow = "hollow shaft bore too small" | "Hohlwellendurchmesser zu klein";
     too_long = "too long" | "zu lang";
     too_heavy = "too heavy" | "zu schwer";

@@ -94,7 +94,6 @@ pub fn limit_of_zero(id: CheckId, language: Language) -> Option<&'static str> {
 
 /// Keys whose word is the title of a check.
 const CHECKS: &[(&str, CheckId)] = &[
-    ("r_ambient", CheckId::Ambient),
     ("speed_mean", CheckId::MeanSpeed),
     ("speed_peak", CheckId::PeakSpeed),
     ("torque_peak", CheckId::PeakTorque),
@@ -113,6 +112,8 @@ texts! {
     changes = "Changes" | "Änderungen";
     change = "Change" | "Änderung";
     c_data = "Data of the selected actuator" | "Daten des gewählten Antriebs";
+    c_data_and_plane =
+        "Selected actuator: torque-speed plane and data" | "Gewählter Antrieb: Drehmoment-Drehzahl-Ebene und Daten";
     data_text =
         "Values of the manual, corrected where an erratum applies; the number in the last column is the table of the manual."
         | "Angaben des Herstellers, mit Druckfehlern berichtigt; die letzte Spalte nennt die Tabelle der Anleitung.";
@@ -142,11 +143,13 @@ texts! {
     duty_text =
         "derived from the cycle according to IEC 60034-1; the checks use the cycle itself"
         | "aus dem Zyklus nach IEC 60034-1 abgeleitet; die Nachweise verwenden den Zyklus selbst";
+    altered =
+        "Computed with values that differ from the project file:" | "Gerechnet mit Werten, die von der Projektdatei abweichen:";
     unnamed = "Axis without name" | "Achse ohne Namen";
     own_actuator = "Actuator from the project, not from the catalogue" | "Antrieb aus dem Projekt, nicht aus dem Katalog";
     exceeded = "Limits exceeded" | "Überschrittene Grenzen";
     unmet = "Requirements not met" | "Nicht erfüllte Anforderungen";
-    without_limit = "without a required limit" | "ohne geforderte Grenze";
+    without_limit = "no limit stated" | "keine Grenze angegeben";
     governing_check = "Governing check" | "Maßgebender Nachweis";
     highest_utilisation = "Highest utilisation" | "Höchste Auslastung";
     duty = "Duty factor" | "Einschaltdauer";
@@ -177,8 +180,8 @@ texts! {
         "Segments of one cycle."
         | "Abschnitte eines Zyklus.";
     loads_text =
-        "Loads as they act. Process forces and torques include the constant ones of the mechanism; payloads act in addition to its masses. Positive against the positive direction."
-        | "Lasten, wie sie wirken. Prozesskräfte und äußere Momente enthalten die konstanten der Mechanik; Nutzlasten wirken zusätzlich zu ihren Massen. Positiv entgegen der positiven Richtung.";
+        "Loads as they act. Process forces and torques include the constant ones of the mechanism; payloads act in addition to its masses. They count as positive when they act against the positive direction of motion."
+        | "Lasten, wie sie wirken. Prozesskräfte und äußere Momente enthalten die konstanten der Mechanik; Nutzlasten wirken zusätzlich zu ihren Massen. Positiv sind sie, wenn sie gegen die positive Bewegungsrichtung wirken.";
     s_recordings = "Recorded motion" | "Aufgezeichnete Bewegung";
     file = "File" | "Datei";
     samples = "Samples" | "Abtastwerte";
@@ -199,6 +202,7 @@ texts! {
     moves = "Torques of each move" | "Drehmomente der einzelnen Bewegungen";
     one_move = "Move" | "Bewegung";
     governing = "governing" | "maßgebend";
+    r_ambient = "Permissible ambient temperature" | "Zulässige Umgebungstemperatur";
     r_load_factor = "All masses and inertias, factor" | "Alle Massen und Trägheitsmomente, Faktor";
     r_payload_factor = "Payloads, factor" | "Nutzlasten, Faktor";
     r_cycle_time = "Cycle time of the whole motion" | "Zykluszeit der ganzen Bewegung";
@@ -209,7 +213,6 @@ texts! {
     legend =
         "The mark in the bar is the limit, 100 %. Bars beyond it are hatched. An outlined bar belongs to a recommendation or a class that is not met; it does not count towards the highest utilisation."
         | "Der Strich im Balken ist die Grenze, 100 %. Balken darüber sind schraffiert. Ein Balken im Umriss gehört zu einer Empfehlung oder Klasse, die nicht eingehalten ist; er zählt nicht zur höchsten Auslastung.";
-    no_limit = "no limit stated" | "keine Grenze angegeben";
     s_fitting = "Suitable actuators" | "Geeignete Antriebe";
     s_nearest = "Rejected actuators with the smallest excess" | "Verworfene Antriebe mit der geringsten Überschreitung";
     judged = "evaluated" | "bewertet";
@@ -244,14 +247,14 @@ texts! {
         | "Unabhängige Berechnung ohne Verbindung zum Hersteller der Antriebe und nicht von ihm geprüft. Die Verantwortung für Eingaben und Verwendung der Ergebnisse liegt bei den Unterzeichnenden.";
     v_open = "Fits; data missing" | "Geeignet; es fehlen Angaben";
     v_fits_text =
-        "All checks were performed, none failed."
-        | "Alle Nachweise sind geführt, keiner ist verletzt.";
+        "All checks were made; all are passed."
+        | "Alle Nachweise sind geführt und erfüllt.";
     v_open_text =
-        "No check performed has failed. The result is valid only after the open points have been settled."
-        | "Kein geführter Nachweis ist verletzt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
+        "All checks made are passed. The result is valid only after the open points have been settled."
+        | "Alle geführten Nachweise sind erfüllt. Das Ergebnis gilt erst nach Klärung der offenen Punkte.";
     v_if_estimate = "Fits if the estimate holds" | "Geeignet, sofern die Schätzung zutrifft";
     v_if_estimate_text =
-        "All checks performed pass, the following only if the estimate holds: have them confirmed by the manufacturer, or state a curve:"
+        "All checks made are passed, the following only if the estimate holds: have them confirmed by the manufacturer, or state a curve:"
         | "Alle geführten Nachweise sind erfüllt, die folgenden nur, wenn die Schätzung zutrifft; vom Hersteller bestätigen lassen oder eine Kennlinie angeben:";
     v_if_rating =
         "Fits unless the gear rating of another manufacturer applies"
@@ -292,7 +295,7 @@ texts! {
         "Only if the manufacturer states a limit may the following rule it out:"
         | "Nur bei Angabe des Herstellers können ihn ausschließen:";
     s_tightest = "Checks with the highest utilisation" | "Nachweise mit der höchsten Auslastung";
-    reserve_alone = "Reserve (single changes)" | "Reserve (jeweils nur eine Größe geändert)";
+    reserve_alone = "Reserves and limits (single changes)" | "Reserven und Grenzen (jeweils nur eine Größe geändert)";
     s_answers = "Results" | "Ergebnisse";
     not_sought = "Not searched" | "Nicht gesucht";
     reserve_needed = "Single changes that would make it fit" | "Einzeländerungen, mit denen er geeignet wäre";
@@ -321,10 +324,10 @@ texts! {
     own_inertia = "J own, each" | "J eigen je Körper";
     steiner = "J Steiner, each" | "J Steiner je Körper";
     together = "J total" | "J gesamt";
-    travel = "travel per turn of the actuator" | "Weg je Umdrehung des Antriebs";
+    travel = "travel per revolution of the actuator" | "Weg je Umdrehung des Antriebs";
     on_the_line = "Linear" | "Längs der Führung";
     on_the_line_text =
-        "Linear: the same value converted with the travel per turn, without losses."
+        "Linear: the same value converted with the travel per revolution, without losses."
         | "Längs der Führung: derselbe Wert, mit dem Weg je Umdrehung umgerechnet, ohne Verluste.";
     open_text =
         "Data are missing. These checks count neither as passed nor as failed; they must be settled by other means before signing."
@@ -333,7 +336,7 @@ texts! {
     can_reject = "rules out the actuator" | "schließt den Antrieb aus";
     can_reject_by_own_limit =
         "rules out only if the manufacturer states it" | "schließt nur bei Herstellerangabe aus";
-    can_advise = "advice only" | "nur Hinweis";
+    can_advise = "note only" | "nur Hinweis";
     each_text =
         "Value required by the axis, then limit of the actuator. For the full derivation see the command “antrieb explain”."
         | "Geforderter Wert der Achse, dann Grenze des Antriebs. Vollständige Herleitung mit dem Befehl „antrieb explain“.";
@@ -368,5 +371,5 @@ texts! {
     repeat_text =
         "Identical program, project and catalogue give an identical report, byte for byte."
         | "Gleiches Programm, gleiches Projekt und gleicher Katalog ergeben Byte für Byte denselben Bericht.";
-    advice_many = "advice" | "Hinweise";
+    advice_many = "notes" | "Hinweise";
 }

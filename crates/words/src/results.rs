@@ -2,11 +2,11 @@
 
 use crate::derivation::symbol_shown;
 use crate::texts::said;
-use crate::{document_short, pick, terminal, terms};
+use crate::{document_short, pick, terminal, terms, typeset};
 use actuator::CurveKind;
 use provenance::{CellRef, Grade, MANUAL, Source};
 use quantities::unit::MINUTE;
-use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
+use quantities::{Language, Measure, Time, Unit, format_number, format_significant, with_symbol};
 use sizing::{Check, CheckId, Fit, Part, Verdict};
 
 /// Returns the title of a part of the actuator above its checks.
@@ -57,13 +57,13 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::BearingAxial => ("bearing, axial load", "Lager, Axiallast"),
         CheckId::BearingRadial => ("bearing, radial load", "Lager, Radiallast"),
         CheckId::BearingTiltingMoment => ("bearing, tilting moment", "Lager, Kippmoment"),
-        CheckId::BearingStaticMoment => ("bearing, moment at rest", "Lager, Moment im Stillstand"),
+        CheckId::BearingStaticMoment => ("bearing, static equivalent tilting moment", "Lager, statisch äquivalentes Kippmoment"),
         CheckId::BearingLife => ("bearing life", "Lagerlebensdauer"),
         CheckId::BearingStatic => ("bearing, static safety", "Lager, statische Sicherheit"),
         CheckId::TiltAngle => ("tilt angle", "Kippwinkel"),
         CheckId::Ambient => ("ambient temperature", "Umgebungstemperatur"),
         CheckId::Altitude => ("installation altitude", "Aufstellhöhe"),
-        CheckId::Protection => ("degree of protection IP", "Schutzart IP"),
+        CheckId::Protection => ("degree of protection", "Schutzart"),
         CheckId::Humidity => ("highest relative humidity", "höchste relative Luftfeuchte"),
         CheckId::HumidityMin => ("lowest relative humidity", "niedrigste relative Luftfeuchte"),
         CheckId::Vibration => ("vibration", "Vibration"),
@@ -85,7 +85,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::DcLink => ("DC link", "Zwischenkreis"),
         CheckId::Regeneration => ("regeneration", "Rückspeisung"),
         CheckId::FeedbackRange => ("absolute range", "Absolutbereich des Gebers"),
-        CheckId::FeedbackResolution => ("feedback resolution", "Auflösung des Gebers"),
+        CheckId::FeedbackResolution => ("encoder resolution", "Auflösung des Gebers"),
         CheckId::Battery => ("encoder battery", "Geberbatterie"),
         CheckId::ScrewJointLoad => ("bolted joint, load", "Schraubenverbindung, Last"),
         CheckId::ScrewJointHousing => ("bolted joint, housing", "Schraubenverbindung, Gehäuse"),
@@ -125,8 +125,8 @@ pub fn curve_title(kind: &CurveKind, language: Language) -> String {
 pub fn verdict_word(verdict: Verdict, language: Language) -> String {
     let (en, de) = match verdict {
         Verdict::Pass => ("pass", "erfüllt"),
-        Verdict::Fail => ("FAIL", "nicht erfüllt"),
-        Verdict::Advice => ("advice", "Hinweis"),
+        Verdict::Fail => ("fail", "nicht erfüllt"),
+        Verdict::Advice => ("note", "Hinweis"),
         Verdict::NotChecked => ("not checked", "nicht geprüft"),
     };
     pick(language, en, de).to_owned()
@@ -136,8 +136,7 @@ pub fn verdict_word(verdict: Verdict, language: Language) -> String {
 #[must_use]
 pub fn verdict_count(verdict: Verdict, count: usize, language: Language) -> String {
     match (verdict, language) {
-        (Verdict::Advice, Language::De) if count != 1 => format!("{count} Hinweise"),
-        (Verdict::Fail, Language::En) => format!("{count} fail"),
+        (Verdict::Advice, _) if count != 1 => format!("{count} {}", pick(language, "notes", "Hinweise")),
         _ => format!("{count} {}", verdict_word(verdict, language)),
     }
 }
@@ -314,7 +313,7 @@ pub fn counts_text(counts: &Counts, language: Language) -> String {
 /// Returns the verdict of a check with a value but without a limit of the project: it is only shown.
 #[must_use]
 pub fn without_limit(language: Language) -> String {
-    said!(language => "no limit stated" | "ohne Grenze")
+    said!(language => "no limit stated" | "keine Grenze angegeben")
 }
 
 /// Returns the term for a symbol, from the glossary; the symbol itself if the glossary has none.
@@ -333,7 +332,7 @@ const CONDITIONS: [(&str, &str); 24] = [
     ("no load", "ohne Last"),
     ("incremental", "inkrementell"),
     ("commutation", "Kommutierung"),
-    ("salt spray", "Salzsprühtest"),
+    ("salt spray", "Salzsprühnebelprüfung"),
     ("joint faces completely degreased, friction coefficient", "Fügeflächen vollständig entfettet, Reibungszahl"),
     ("part 2", "Teil 2"),
     ("warning", "Warnung"),
@@ -354,6 +353,17 @@ const CONDITIONS: [(&str, &str); 24] = [
 /// Returns the condition of a table row as text.
 #[must_use]
 pub fn condition_text(condition: &str, language: Language) -> String {
+    // The rows of the published curves have identifiers.
+    let curve = match condition {
+        "continuous" => Some(("continuous duty", "Dauerbetrieb")),
+        "s3_50" => Some(("S3 50 %", "S3 50 %")),
+        "s3_25" => Some(("S3 25 %", "S3 25 %")),
+        "maximum" => Some(("short-time duty", "Kurzzeitbetrieb")),
+        _ => None,
+    };
+    if let Some((en, de)) = curve {
+        return pick(language, en, de).to_owned();
+    }
     let (crossed, four) =
         pick(language, ("crossed roller", "four-point contact"), ("Kreuzrollenlager", "Vierpunktlager"));
     let mut text = condition.replace("degC", "°C");
@@ -368,7 +378,7 @@ pub fn condition_text(condition: &str, language: Language) -> String {
         let named = named.replace("ratio=", "i = ").replace("winding=", "winding ");
         text = with_points(&named);
     }
-    text
+    typeset(&text).into_owned()
 }
 
 /// Replaces the decimal commas of the manual by points.
@@ -414,7 +424,7 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
 
 pub(super) fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
     let number = format_significant(unit.from_si(si), digits, language);
-    if unit.symbol == "1" { number } else { format!("{number} {}", unit.symbol_in(language)) }
+    with_symbol(&number, unit.symbol_in(language))
 }
 
 /// Returns the evidence for an erratum.
@@ -500,6 +510,10 @@ pub fn row_sign(symbol: &str) -> Option<String> {
 /// Returns the name of a table row: its symbol, else its term.
 #[must_use]
 pub fn row_name(symbol: &str, language: Language) -> String {
+    // The tables have two values of the same symbol, without brake and with.
+    if let Some(sign) = symbol.strip_suffix("_brake").and_then(row_sign) {
+        return said!(language => "{sign} with brake" | "{sign} mit Bremse");
+    }
     row_sign(symbol).unwrap_or_else(|| symbol_term(symbol, language))
 }
 

@@ -37,6 +37,7 @@ texts! {
         | "Zwilling allein aus Katalogdaten: die gemessene Reibung solcher Getriebe weicht um bis zu 15 % (viskos) und 40 % (trocken) ab; gemessene Werte im Projekt ersetzen die Katalogdaten.";
     quantity = "quantity" | "Größe";
     limit = "limit" | "Grenze";
+    stability = "stability" | "Stabilität";
     time_s = "time s" | "Zeit s";
     event = "event" | "Ereignis";
     loop_head = "loop" | "Regelkreis";

@@ -416,6 +416,18 @@ const SCALED: &[(&str, &[&str])] = &[
     ("distance", &["weg", "wege", "winkel", "hub", "travel", "stroke"]),
 ];
 
+/// Returns the name of a quantity that a call may scale; its word on the command line if there is none.
+#[must_use]
+pub fn scaled_name(word: &str, language: Language) -> &str {
+    match word {
+        "load" => crate::records::load(language),
+        "payload" => crate::terms::payload(language),
+        "time" => crate::terms::time(language),
+        "distance" => crate::terms::distance(language),
+        _ => word,
+    }
+}
+
 /// Returns the quantity that a call may scale, by another word for it.
 #[must_use]
 pub fn scaled(word: &str) -> Option<&'static str> {

@@ -103,6 +103,8 @@ texts! {
     candidates_about =
         "candidates in ranking order, with the utilisation of every check"
         | "Kandidaten in der Rangfolge mit der Auslastung jedes Nachweises";
+    input = "quantity" | "Größe";
+    input_about = "table and purpose of the value in the project file" | "Tabelle und Bedeutung des Werts in der Projektdatei";
     check_id = "id" | "Kennung";
     check_id_about = "id of the check" | "Kennung des Nachweises";
     check_title_about = "title of the check" | "Titel des Nachweises";
@@ -160,7 +162,7 @@ texts! {
     sheets = "Sheets" | "Blätter";
     how_to_read_it = "Legend" | "Legende";
     legend_fine = "up to 80 % of a limit, or passed" | "bis 80 % einer Grenze oder erfüllt";
-    legend_near = "above 80 % of a limit, or advice" | "über 80 % einer Grenze oder Hinweis";
+    legend_near = "above 80 % of a limit, or a note" | "über 80 % einer Grenze oder Hinweis";
     legend_over = "above a limit, or failed" | "über einer Grenze oder nicht erfüllt";
     legend_open =
         "no utilisation: data are missing (not checked), or no limit is stated"

@@ -4,11 +4,11 @@ use crate::texts::texts;
 
 texts! {
     battery(life, grade) =
-        "encoder battery: life {life} a in operation ({grade}, model battery)"
-        | "Geberbatterie: Lebensdauer {life} a im Betrieb ({grade}, Modell Batterie)";
+        "encoder battery: life {life} years in operation ({grade}, model battery)"
+        | "Geberbatterie: Lebensdauer {life} Jahre im Betrieb ({grade}, Modell Batterie)";
     battery_exchange(recommended, latest) =
-        "replacement of the encoder: recommended after {recommended} a, at the latest {latest} a after delivery"
-        | "Austausch des Gebers: empfohlen nach {recommended} a, spätestens {latest} a nach Lieferung";
+        "replacement of the encoder: recommended after {recommended} years, at the latest {latest} years after delivery"
+        | "Austausch des Gebers: empfohlen nach {recommended} Jahren, spätestens {latest} Jahre nach Lieferung";
     recording_not_written(recording, kind) =
         "{recording} is not written to standard output; use `antrieb new {kind} --out FILE` to write both files"
         | "{recording} wird nicht auf die Standardausgabe geschrieben; `antrieb new {kind} --out DATEI` schreibt beide Dateien";
@@ -146,7 +146,9 @@ texts! {
     payload_factor(factor) = "payload × {factor}" | "Nutzlast × {factor}";
     load_factor(factor) = "all masses and inertias × {factor}" | "alle Massen und Trägheitsmomente × {factor}";
     cycle_time(time) = "cycle time {time} s" | "Zykluszeit {time} s";
-    ambient(ambient) = "ambient temperature {ambient} °C" | "Umgebungstemperatur {ambient} °C";
+    ambient(ambient) = "ambient temperature up to {ambient} °C" | "Umgebungstemperatur bis {ambient} °C";
+    ambient_between(least, most) =
+        "ambient temperature from {least} to {most} °C" | "Umgebungstemperatur von {least} bis {most} °C";
     values_set(values) = "set: {values}" | "gesetzt: {values}";
     call_understood(call) = "understood as: {call}" | "verstanden als: {call}";
     changed_for_this_call(change) = "for this call: {change}" | "für diesen Aufruf: {change}";
@@ -190,6 +192,10 @@ texts! {
         "{part} stands for {count} actuators of the ranking: the best of them, {code}"
         | "{part} steht für {count} Antriebe der Rangfolge: der beste davon, {code}";
     option_assumed(option) = "not stated, assumed: {option}" | "nicht angegeben, angenommen: {option}";
+    not_of_the_manual = "note (not from the manual)" | "Anmerkung (nicht aus der Anleitung)";
+    smallest_excess_of_the_ranking(id) =
+        "no actuator is stated (--code) and none fits: the one with the smallest excess, {id}"
+        | "kein Antrieb angegeben (--code) und keiner geeignet: der mit der geringsten Überschreitung, {id}";
     compared_with_the_best(ids) =
         "compared with the best of the ranking: {ids}" | "verglichen mit den besten der Rangfolge: {ids}";
     no_own_actuator =

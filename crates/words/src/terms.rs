@@ -7,7 +7,7 @@ texts! {
     acting_external_torque = "acting external torque" | "wirkendes äußeres Moment";
     acting_process_force = "acting process force" | "wirkende Prozesskraft";
     actuator_with_hollow_shaft = "servo actuator with hollow shaft" | "Servoantrieb mit Hohlwelle";
-    advice = "advice" | "Hinweis";
+    advice = "note" | "Hinweis";
     assumed = "assumed" | "angenommen";
     assumptions = "assumptions" | "Annahmen";
     axis = "axis" | "Achse";

@@ -15,7 +15,7 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
     let kg = |si: f64| format!("{} {}", format_number(KILOGRAM.from_si(si), 1, language), KILOGRAM.symbol);
     match unmet {
         Unmet::Feedback(feedback) => said!(language =>
-            "feedback {feedback} is not permitted"
+            "encoder {feedback} is not permitted"
             | "Geber {feedback} ist nicht zugelassen"
         ),
         Unmet::Brake(Brake::Without) => {

@@ -25,9 +25,9 @@ texts! {
     same_colour(colour, pins) =
         "colour {colour} on pins {pins}: wire by pin, not by colour"
         | "Farbe {colour} an den Stiften {pins}: nach Stift verdrahten, nicht nach Farbe";
-    at_the_end_of_a_cable = "at the end of a cable" | "am Kabelende";
+    at_the_end_of_a_cable = "at the end of a cable" | "am Leitungsende";
     in_the_housing = "in the housing" | "im Gehäuse";
-    cables = "cables" | "Kabel";
+    cables = "cables" | "Leitungen";
     no_cables = "the manual lists no cable for this ordering code" | "die Anleitung nennt für diese Bestellbezeichnung keine Leitung";
     material_number = "material number" | "Materialnummer";
     length = "length" | "Länge";
@@ -162,7 +162,7 @@ pub fn signal_meaning(signal: WiringSignal, language: Language) -> String {
             said!(language => "cosine winding of the resolver" | "Kosinuswicklung des Resolvers")
         }
         SignalMeaning::Excitation => said!(language => "excitation of the resolver" | "Erregung des Resolvers"),
-        SignalMeaning::Shield => said!(language => "inner shield of the cable" | "innerer Schirm des Kabels"),
+        SignalMeaning::Shield => said!(language => "inner shield of the cable" | "innerer Schirm der Leitung"),
     };
     match signal.polarity {
         None => text,
@@ -303,6 +303,6 @@ pub const fn severity_word(severity: Severity, language: Language) -> &'static s
     match severity {
         Severity::Danger => pick(language, "danger", "Gefahr"),
         Severity::Fault => pick(language, "fault", "Fehler"),
-        Severity::Advice => pick(language, "advice", "Hinweis"),
+        Severity::Advice => pick(language, "note", "Hinweis"),
     }
 }

@@ -105,7 +105,9 @@ fn section(section: &SheetSection, errata: &mut Vec<&'static str>, language: Lan
         } }
     }).collect();
     mention(&section.errata);
-    let by = |note: &SheetNote| if note.is_ours() { "antrieb: " } else { "" };
+    let by = |note: &SheetNote| {
+        if note.is_ours() { format!("{}: ", terminal::not_of_the_manual(l)) } else { String::new() }
+    };
     html! {
         h4 { (table_title(section.table, l)) }
         p.small { (capitalised(terminal::table(l))) " " (section.table.id) ", " (grade_word(Grade::Printed, l)) }

@@ -65,16 +65,16 @@ pub fn explanations(
     }
 }
 
-/// Returns the assumptions of an answer about one actuator: also that it is the best, where none is named.
+/// Returns the assumptions of an answer about one actuator: also how it was chosen, where none is stated.
 pub(super) fn assumptions_about(
     project: &AxisProject,
     candidate: &Candidate<'_>,
     language: Language,
 ) -> Vec<AssumptionEntry> {
-    let best = candidate.is_best_of_ranking.then(|| AssumptionEntry {
+    let best = candidate.how_named(language).map(|why| AssumptionEntry {
         key: None,
         value: Some(candidate.id.to_string()),
-        why: words::terminal::best_of_the_ranking(&candidate.id, language),
+        why,
     });
     best.into_iter().chain(assumptions(project, language)).collect()
 }

@@ -17,7 +17,7 @@ use installation::wiring::{CableLength, CableRole};
 use order_code::Field;
 use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
-use quantities::{Language, Measure, Unit, format_number};
+use quantities::{Language, Measure, Unit, format_number, with_symbol};
 use sizing::{Checked, Reserve};
 use words::{
     Counts, capitalised, check_missing, describe_token, document_note, document_title, records, short, source_text,
@@ -257,7 +257,7 @@ fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::S
         let number = |value: f64| unpadded(unit.from_si(value), 4, language);
         datum.known().map_or_else(
             || "–".to_owned(),
-            |known| format!("{} {}", number(known.value.si()), unit.symbol_in(language)),
+            |known| with_symbol(&number(known.value.si()), unit.symbol_in(language)),
         )
     }
     let count = joint.count.known().map_or_else(String::new, |count| format!("{:.0} × ", count.value));

@@ -58,6 +58,24 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
     tables
 }
 
+/// Returns a value of the project for a reader without the file: table and purpose of its key, and the value as text.
+#[must_use]
+pub fn input_words(input: &Input, language: Language) -> [String; 2] {
+    let own = input.path.strip_prefix("axis[").and_then(|rest| rest.split_once("].")).map(|(_, inside)| inside);
+    let path = own.unwrap_or(&input.path);
+    let (table, name) = path.rsplit_once('.').unwrap_or(("", path));
+    let value = value(&Input { path: path.to_owned(), ..input.clone() }, name, language);
+    // `points[2][1]`: the purpose of the list, and the place in it.
+    let (list, place) = path.split_at(path.find('[').filter(|at| *at > table.len()).unwrap_or(path.len()));
+    let purpose = match (value.label.as_str(), label(list, language)) {
+        ("", Some(list)) => format!("{} {}", short_label(&list), place.replace("][", ", ").replace(['[', ']'], "")),
+        ("", None) => body_key(name, language).unwrap_or(name).to_owned(),
+        (label, _) => label.to_owned(),
+    };
+    let title = table_title(table, language);
+    [if table.is_empty() { purpose } else { format!("{title}: {purpose}") }, value.text]
+}
+
 /// Adds a key of a body to the line of the body: the shape, or the quantity with its value.
 fn body_part(values: &mut Vec<answers::Input>, line: &str, (input, name): (&Input, &str), language: Language) {
     let value = value(input, line, language);
@@ -179,7 +197,12 @@ pub(super) fn mechanism(project: &AxisProject, inputs: &[Input], language: Langu
     let values = inputs.iter().map(|input| (input.path.as_str(), input.written.as_str()));
     let drawing = load.id().drawing(&axis::drawn_figures(values, &table));
     let is_shown = |it: &CallOut| it.is_of_bearing || is_stated(it.key);
-    let symbols = drawing.call_outs.iter().filter(|it| is_shown(it));
+    // A word, such as the shape of an arm, is no quantity with a symbol.
+    let is_word = |it: &CallOut| {
+        let own = inputs.iter().find(|input| input.path == format!("{table}.{}", it.key));
+        own.is_some_and(|input| input.amount.is_none() && input.written.parse::<f64>().is_err())
+    };
+    let symbols = drawing.call_outs.iter().filter(|it| is_shown(it) && !is_word(it));
     let symbols = symbols.map(|it| SketchSymbol { key: it.key.to_owned(), symbol: it.symbol.to_owned() });
     Mechanism {
         kind: key.to_owned(),

@@ -6,7 +6,7 @@ use super::motion;
 use crate::gearing_proposals::GearingProposal;
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, Sizing};
-use crate::texts::{objection_text, unsought_text};
+use crate::texts::{ambient_least, objection_text, unsought_text};
 use crate::tolerance::{Assessment, PointKind};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, Make, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
@@ -193,7 +193,11 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language)
         payload_factor: reserve.payload_factor.map(|reach| Number(reach.value)),
         cycle_time: reserve.cycle_time.map(|reach| Number::in_unit(reach.value.si(), &SECOND)),
         ambient: reserve.ambient.map(|reach| Number::in_unit(reach.value.si(), &DEGREE_CELSIUS)),
-        units: Units::of(&[("cycle_time", &SECOND), ("ambient", &DEGREE_CELSIUS)]),
+        ambient_least: reserve
+            .ambient
+            .and_then(|_| ambient_least(candidate))
+            .map(|least| Number::in_unit(least.si(), &DEGREE_CELSIUS)),
+        units: Units::of(&[("cycle_time", &SECOND), ("ambient", &DEGREE_CELSIUS), ("ambient_least", &DEGREE_CELSIUS)]),
         if_estimate: names(|proviso| proviso.estimate),
         unless_rating: names(|proviso| proviso.rating),
         not_sought: reserve.unsought.map(|unsought| NotSought {

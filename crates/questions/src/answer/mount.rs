@@ -221,6 +221,7 @@ fn case(found: &CaseAnswer, language: Language) -> JointCase {
     let holds = |slip: Option<quantities::Ratio>| slip.is_some_and(|slip| Direction::AtMost.keeps(slip.si(), 1.0));
     let verdict_together =
         together.map_or(Verdict::NotChecked, |joint| if holds(joint.slip) { Verdict::Pass } else { Verdict::Advice });
+    let is_of_a_limit = found.moment.known().is_some_and(|moment| matches!(moment.source, Source::Cell(_)));
     let missing = match (found.case, &found.torque) {
         (LoadCase::Collision, Datum::NotPrinted) => Some("T_M"),
         (LoadCase::Brake, Datum::NotPrinted) => Some("T_Br"),
@@ -229,7 +230,7 @@ fn case(found: &CaseAnswer, language: Language) -> JointCase {
     };
     JointCase {
         case: Id(found.case),
-        title: load_case_title(found.case, language),
+        title: load_case_title(found.case, is_of_a_limit, language),
         torque: number(&found.torque, &NEWTON_METRE),
         torque_source: source(&found.torque, language),
         torque_errata: errata_of(&found.torque),

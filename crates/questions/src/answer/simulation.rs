@@ -260,9 +260,7 @@ fn parameter_title(key: &str, language: Language) -> String {
 
 fn notes(run: &Simulated<'_>, language: Language) -> Vec<String> {
     let mut notes = vec![simulation::band(language).to_owned()];
-    if run.candidate.is_best_of_ranking {
-        notes.push(words::terminal::best_of_the_ranking(&run.candidate.id, language));
-    }
+    notes.extend(run.candidate.how_named(language));
     if let Some(volt) = run.supply_assumed_v {
         notes.push(simulation::supply_assumed(&format_significant(volt, 3, language), language));
     }

@@ -3,6 +3,7 @@
 use super::parts::{NOTHING, grid, hazards, plain, significant, unit_shown};
 use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
 use provenance::Grade;
+use sizing::Verdict;
 use quantities::{Language, format_number};
 use words::{
     ERRATUM_MARK, capitalised, erratum_line, grade_word, marked, mounting, row_sign, step_title, terminal, terms,
@@ -140,8 +141,12 @@ fn joined(chapter: &mut Chapter, joint: &Joint, language: Language) {
             percent(case.utilisation_together)
         }
     };
-    // A case without a torque is judged by the moment alone.
-    let verdict = |case: &JointCase| if of_moment_alone(case) { case.verdict_together } else { case.verdict };
+    // A case without a torque is judged by the moment alone, and one whose torque alone holds by both together.
+    let verdict = |case: &JointCase| match (*case.verdict, *case.verdict_together) {
+        (Verdict::Pass, Verdict::Advice | Verdict::Fail) => case.verdict_together,
+        _ if of_moment_alone(case) => case.verdict_together,
+        _ => case.verdict,
+    };
     let source = |case: &JointCase| {
         let grade = case.grade.map(|grade| grade_word(*grade, language).to_owned());
         let parts = [grade, case.torque_source.clone(), case.moment_source.clone(), case.missing.clone()];

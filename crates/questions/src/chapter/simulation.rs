@@ -23,7 +23,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
 
     let quantity = capitalised(simulation::quantity(language));
     let value = capitalised(words::terms::value(language));
-    let unit = words::terms::unit(language);
+    let unit = capitalised(words::terms::unit(language));
 
     section(&mut chapter, simulation::verdicts(language));
     grid(
@@ -33,8 +33,8 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
             (Column::wide(&quantity), &|each| each.title.clone()),
             (Column::numbers(&value), &|each| number(each.value)),
             (Column::numbers(capitalised(simulation::limit(language))), &|each| number(each.limit)),
-            (Column::text(unit), &|each| unit_shown(each.unit, language)),
-            (Column::text(""), &|each| verdict_word(*each.verdict, language)),
+            (Column::text(&unit), &|each| unit_shown(each.unit, language)),
+            (Column::text(capitalised(words::terms::verdict(language))), &|each| verdict_word(*each.verdict, language)),
         ],
     );
 
@@ -46,7 +46,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
             &[
                 (Column::wide(&quantity), &|figure| figure.title.clone()),
                 (Column::numbers(&value), &|figure| number(figure.value)),
-                (Column::text(unit), &|figure| unit_shown(figure.unit, language)),
+                (Column::text(&unit), &|figure| unit_shown(figure.unit, language)),
             ],
         );
     };
@@ -81,7 +81,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
                 (Column::text(&quantity), &|row| row.title.clone()),
                 (Column::numbers(capitalised(simulation::sizing_said(language))), &|row| number(Some(row.sizing))),
                 (Column::numbers(capitalised(simulation::twin_shows(language))), &|row| number(Some(row.twin))),
-                (Column::text(unit), &|row| unit_shown(row.unit, language)),
+                (Column::text(&unit), &|row| unit_shown(row.unit, language)),
                 (Column::wide(capitalised(simulation::why(language))), &|row| {
                     reason([row.sizing, row.twin].map(|value| number(Some(value))), &row.why)
                 }),
@@ -98,7 +98,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
             (Column::numbers(capitalised(simulation::phase_margin(language))), &|each| number(each.phase_margin)),
             (Column::numbers(capitalised(simulation::gain_margin(language))), &|each| number(each.gain_margin)),
             (Column::numbers(capitalised(simulation::bandwidth(language))), &|each| number(each.bandwidth)),
-            (Column::text(""), &|each| {
+            (Column::text(capitalised(simulation::stability(language))), &|each| {
                 let stable = if each.stable { simulation::stable } else { simulation::unstable };
                 stable(language).to_owned()
             }),
@@ -119,7 +119,7 @@ pub fn simulation(record: &Simulation, language: Language) -> Chapter {
                 format!("{} (twin.measured.{})", each.title, each.key)
             }),
             (Column::numbers(&value), &|each| number(each.value)),
-            (Column::text(unit), &|each| unit_shown(each.unit, language)),
+            (Column::text(&unit), &|each| unit_shown(each.unit, language)),
             (Column::wide(capitalised(simulation::source_head(language))), &|each| {
                 let grade = each.grade.map_or("", |grade| grade_word(*grade, language));
                 format!("{grade}, {}", each.source.as_deref().unwrap_or_default())

@@ -25,7 +25,10 @@ pub fn wiring(record: &Wiring, drawings: Vec<Picture>, language: Language) -> Ch
     chapter.points(record.not_available.iter().map(|each| absent(each.table, each.text)).collect());
     chapter.section(capitalised(terms::remarks(language)));
     let remark = |note: &answers::WiringNote| {
-        let by = if note.by == NoteBy::Antrieb { "antrieb: " } else { "" };
+        let by = match note.by {
+            NoteBy::Antrieb => format!("{}: ", terminal::not_of_the_manual(language)),
+            _ => String::new(),
+        };
         let table = note.table.map(|table| format!(" ({} {table})", terminal::table(language)));
         format!("{by}{}{}", note.text, table.unwrap_or_default())
     };

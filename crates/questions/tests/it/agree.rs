@@ -123,7 +123,10 @@ fn nearest(project: &AxisProject, sizing: &Sizing<'_>) -> Option<ProductId> {
     let full = sizing.rejected().iter().filter_map(|each| check(project, &code(each)).ok());
     let near = full
         .filter(|each| each.objections.is_empty() && !each.judgement.checks.iter().any(|check| of_the_place(check)));
-    near.min_by_key(|each| (RankKey::of(&each.standing), catalogue_place(each))).map(|each| each.id)
+    let near = near.min_by_key(|each| (RankKey::of(&each.standing), catalogue_place(each))).map(|each| each.id);
+    // Where each is excluded by a requirement or by the place, the one that misses the fewest.
+    let fewest = || sizing.rejected().iter().min_by_key(|each| each.objections.len() + failing(each).len());
+    near.or_else(|| fewest().filter(|_| sizing.fitting().is_empty()).map(|each| each.id.clone()))
 }
 
 fn catalogue_place(candidate: &Candidate<'_>) -> usize {

@@ -32,6 +32,7 @@ mod limits;
 mod list;
 mod mains;
 mod manual_glossary;
+mod named_everywhere;
 mod neighbours;
 mod not_stated;
 mod own_actuator;

@@ -231,7 +231,12 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
     ]
     .into_iter()
     .filter_map(|(what, name, value, unit)| {
-        let value = shown.figure(value?, unit);
+        let most = shown.figure(value?, unit);
+        let value = match (reserve.ambient_least, what) {
+            (Some(least), Reserve::Ambient) => format!("{} … {most}", shown.number(least)),
+            (None, Reserve::Ambient) => format!("≤ {most}"),
+            _ => most,
+        };
         let proviso = proviso(reserve.if_estimate.contains(&name), reserve.unless_rating.contains(&name));
         Some(Reserved { what, key: String::new(), value, proviso })
     });

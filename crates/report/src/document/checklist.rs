@@ -4,7 +4,7 @@ use crate::form::{FieldKind, FormField};
 use answers::{CommissionEntry, CommissionList, Commissioning, Fact};
 use quantities::{Language, Unit};
 use serde::Serialize;
-use words::{ERRATUM_MARK, capitalised, commission, erratum_line, grade_word, signal_word as word, terms};
+use words::{ERRATUM_MARK, capitalised, commission, erratum_line, grade_word, signal_word as word};
 
 /// Data that the template of the checklists uses.
 #[derive(Serialize)]
@@ -79,7 +79,7 @@ impl CheckListDocument {
             serial_number: capitalised(commission::serial_number(language)),
             signature: capitalised(commission::signature(language)),
             hazards_title: capitalised(commission::hazards(language)),
-            what: capitalised(terms::check(language)),
+            what: capitalised(commission::item(language)),
             expected: capitalised(commission::expected(language)),
             measured: capitalised(commission::measured(language)),
             page: commission::page(language),

@@ -31,6 +31,8 @@ struct CheckRow {
     line: [String; 2],
     /// The sign that is true between value and limit.
     relation: &'static str,
+    /// Required relation of the value to the limit.
+    required: &'static str,
     /// Utilisation, where [`CheckId::shows_utilisation`].
     utilisation: Option<f64>,
     /// `true` if the utilisation is a margin; that of a recommendation or of a voltage class is not.
@@ -145,11 +147,12 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Formatt
         relation: both
             .filter(|_| of_zero.is_none())
             .map_or("", |(value, limit)| check.direction.relation(passes, value.0, limit.0)),
+        required: both.filter(|_| of_zero.is_none()).map_or("", |_| check.direction.required()),
         utilisation: utilisation.and_then(Number::written),
         margin: *check.verdict == Verdict::Fail || check.margin,
         is_of_another_gear: is_of_another_gear(check),
         percent: utilisation.map(|share| shown.share(share)).unwrap_or_default(),
-        at: check.at.map(|at| shown.figure(at, "s")).unwrap_or_default(),
+        at: check.at.map(|at| shown.instant(at)).unwrap_or_default(),
         grade: check.grade.map_or("", |grade| shown.grade(*grade)),
         sources: once(&check.sources),
         notes,

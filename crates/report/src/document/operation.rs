@@ -3,6 +3,7 @@
 use super::ends::Ends;
 use super::shown::{Formatter, tied};
 use answers::{Dossier, Number, SegmentLoad};
+use quantities::{grouped, with_symbol};
 use serde::Serialize;
 use words::{capitalised, marked, typeset};
 
@@ -52,9 +53,9 @@ pub(super) struct DataSheet {
     has_doubts: bool,
 }
 
-fn row(number: Option<usize>, load: &SegmentLoad, shown: &Formatter) -> LoadRow {
-    let text = |value: Option<Number>| value.map(|value| shown.number(value)).unwrap_or_default();
-    let values = [
+/// Returns the values of a row of the loads, in the order of [`LoadRow::values`].
+const fn values(load: &SegmentLoad) -> [Option<Number>; 10] {
+    [
         Some(load.duration),
         Some(load.torque_peak),
         Some(load.torque_rms),
@@ -65,13 +66,27 @@ fn row(number: Option<usize>, load: &SegmentLoad, shown: &Formatter) -> LoadRow 
         load.power_peak,
         load.energy_taken,
         load.energy_returned,
-    ];
-    LoadRow { number, values: values.map(text) }
+    ]
+}
+
+/// Returns the rows of the segments, and that of the whole cycle.
+fn rows(segments: &[SegmentLoad], cycle: &SegmentLoad, shown: &Formatter) -> (Vec<LoadRow>, LoadRow) {
+    let all: Vec<[Option<Number>; 10]> = segments.iter().chain([cycle]).map(values).collect();
+    let columns: Vec<Vec<String>> = (0..10)
+        .map(|column| shown.column(&all.iter().map(|row| row.get(column).copied().flatten()).collect::<Vec<_>>()))
+        .collect();
+    let row = |place: usize| LoadRow {
+        number: (place < segments.len()).then_some(place + 1),
+        values: std::array::from_fn(|column| {
+            columns.get(column).and_then(|cells| cells.get(place)).cloned().unwrap_or_default()
+        }),
+    };
+    ((0..segments.len()).map(row).collect(), row(segments.len()))
 }
 
 pub(super) fn operation(dossier: &Dossier, shown: &Formatter) -> Option<CycleData> {
     let found = dossier.operation.as_ref()?;
-    let segments = found.segments.iter().enumerate().map(|(place, load)| row(Some(place + 1), load, shown));
+    let (segments, cycle) = rows(&found.segments, &found.cycle, shown);
     let mut facts = Vec::new();
     let mut add = |key, symbol, value: Option<String>| {
         facts.extend(value.map(|value| OperationFact { key, symbol, value }));
@@ -90,8 +105,8 @@ pub(super) fn operation(dossier: &Dossier, shown: &Formatter) -> Option<CycleDat
     let ratio = (found.inertia_own.0 > 0.0).then(|| shown.number(Number(found.inertia_load.0 / found.inertia_own.0)));
     add("inertia_ratio", "J_L/J_out", ratio);
     Some(CycleData {
-        segments: Ends::of(segments, None),
-        cycle: row(None, &found.cycle, shown),
+        segments: Ends::of(segments.into_iter(), None),
+        cycle,
         facts,
         duty: format!("{}, {}", found.duty.id, found.duty.name),
         duty_reason: capitalised(found.duty.reason),
@@ -102,11 +117,29 @@ pub(super) fn data_sheet(dossier: &Dossier) -> DataSheet {
     let row = |line: &answers::DataLine| DataRow {
         symbol: line.symbol,
         name: tied(&typeset(&capitalised(&line.name))),
-        value: tied(&marked(with_unit(&typeset(&line.value), line.unit.as_str()), line.errata)),
+        value: tied(&marked(with_unit(&each_grouped(&typeset(&line.value)), line.unit.as_str()), line.errata)),
         table: line.table,
     };
     let lines = &dossier.data_sheet;
     DataSheet { rows: lines.iter().map(row).collect(), has_doubts: lines.iter().any(|line| !line.errata.is_empty()) }
+}
+
+/// Returns a value with each of its numbers in groups of digits: `42 000 (checks: 29 600)`.
+fn each_grouped(value: &str) -> String {
+    let is_of_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | ',');
+    let mut out = String::with_capacity(value.len());
+    let mut rest = value;
+    while let Some(at) = rest.find(|sign: char| sign.is_ascii_digit()) {
+        let (before, number) = rest.split_at(at);
+        let end = number.find(|sign: char| !is_of_number(sign)).unwrap_or(number.len());
+        let (number, behind) = number.split_at(end);
+        out.push_str(before);
+        // Digits behind a letter or a hyphen belong to a name: `KTY 84-130`, `M23`.
+        let is_name = before.ends_with(|sign: char| sign.is_alphabetic() || matches!(sign, '-' | '_'));
+        out.push_str(&if is_name { number.to_owned() } else { grouped(number) });
+        rest = behind;
+    }
+    out + rest
 }
 
 /// A printed value with its unit: `16·10³ Nm/rad`, `24 V ±10 %`.
@@ -116,7 +149,7 @@ fn with_unit(value: &str, unit: &str) -> String {
         // The unit is that of the number, not of its tolerance in per cent.
         (Some((number, tolerance)), unit) if tolerance.ends_with('%') => format!("{number} {unit} ±{tolerance}"),
         (_, unit) if unit.starts_with("10") => format!("{value}·{unit}"),
-        (_, unit) => format!("{value} {unit}"),
+        (_, unit) => with_symbol(value, unit),
     }
 }
 

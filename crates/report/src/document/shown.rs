@@ -2,7 +2,7 @@
 
 use answers::{Grade, Number};
 use chrono::NaiveDate;
-use quantities::{Language, Unit, format_number, format_significant};
+use quantities::{Language, Unit, format_number, format_significant, grouped};
 use words::percent_text;
 
 /// Formatter of numbers, units and dates for one language.
@@ -53,6 +53,9 @@ fn unit_at(text: &str) -> Option<&str> {
     (word == "%" || Unit::of(word).is_some()).then_some(word)
 }
 
+/// Life \[h\] above which only the order of magnitude is stated: more than a century.
+const LIFE_MOST_H: f64 = 1e6;
+
 impl Formatter {
     /// Formats a number with four significant digits.
     pub(super) fn number(&self, value: Number) -> String {
@@ -73,7 +76,7 @@ impl Formatter {
         let text = if percent != 0.0 && percent.abs() < 0.05 {
             format!("<{THIN}{}", format_number(0.1, 1, self.0))
         } else {
-            grouped_decimals(&percent_text(share, self.0))
+            grouped(&percent_text(share, self.0))
         };
         format!("{text}{THIN}%")
     }
@@ -93,16 +96,32 @@ impl Formatter {
         let number = if is_rounding { "0".to_owned() } else { self.number(value) };
         match unit.as_str() {
             "" => number,
+            // A life beyond every machine: its digits say nothing.
+            "h" if value.0 > LIFE_MOST_H => format!(">{THIN}10⁶{THIN}h"),
             "°" => format!("{number}°"),
             _ => format!("{number}{THIN}{unit}"),
         }
+    }
+
+    /// Formats an instant \[s\] of the cycle; one within a microsecond of its start is 0.
+    pub(super) fn instant(&self, at: Number) -> String {
+        self.figure(if at.0.abs() < 1e-6 { Number(0.0) } else { at }, "s")
+    }
+
+    /// Formats the values of a column, each to the last digit of the largest with four significant digits: what is below
+    /// is noise beside it.
+    pub(super) fn column(&self, values: &[Option<Number>]) -> Vec<String> {
+        let largest = values.iter().flatten().map(|value| value.0.abs()).fold(0.0, f64::max);
+        let step = if largest > 0.0 { 10.0_f64.powf(largest.log10().floor() - 3.0) } else { 0.0 };
+        let rounded = |value: &Number| if step > 0.0 { Number((value.0 / step).round() * step) } else { *value };
+        values.iter().map(|value| value.as_ref().map(|value| self.number(rounded(value))).unwrap_or_default()).collect()
     }
 
     /// Formats a mass \[kg\], with a decimal as the manual states it: `3,0` next to `2,3`.
     pub(super) fn mass(&self, value: Number) -> String {
         let tenths = value.0 * 10.0;
         let is_stated = (tenths - tenths.round()).abs() < 1e-9 * tenths.abs().max(1.0);
-        if is_stated { grouped_decimals(&format_number(value.0, 1, self.0)) } else { self.number(value) }
+        if is_stated { grouped(&format_number(value.0, 1, self.0)) } else { self.number(value) }
     }
 
     /// Converts an angle or a speed of the output to travel or speed along a line; `None` for other units.
@@ -130,29 +149,6 @@ impl Formatter {
     pub(super) fn date(&self, date: NaiveDate) -> String {
         words::report::date(date, self.0)
     }
-}
-
-/// Groups the digits of a whole number with five or more digits in threes (ISO 80000-1).
-fn grouped(number: &str) -> String {
-    let (sign, digits) = number.strip_prefix('−').map_or(("", number), |rest| ("−", rest));
-    if digits.len() < 5 || !digits.bytes().all(|digit| digit.is_ascii_digit()) {
-        return number.to_owned();
-    }
-    let mut text = sign.to_owned();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(THIN);
-        }
-        text.push(digit);
-    }
-    text
-}
-
-/// Groups the digits before the decimal mark; the decimals stay unchanged.
-fn grouped_decimals(number: &str) -> String {
-    let end = number.find([',', '.']).unwrap_or(number.len());
-    let (whole, decimals) = number.split_at(end);
-    format!("{}{decimals}", grouped(whole))
 }
 
 #[cfg(test)]

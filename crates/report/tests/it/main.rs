@@ -2,6 +2,7 @@
 
 mod another_series;
 mod checklist;
+mod laden;
 mod pages;
 mod readers;
 mod report;

@@ -3,7 +3,7 @@
 use super::{place, quoted};
 use crate::texts::said;
 use quantities::unit::{DEGREE, MILLIMETRE};
-use quantities::{Angle, Language, Measure, format_significant};
+use quantities::{Angle, Language, Measure, format_significant, with_symbol};
 use recording::{Along, Fault, FileRow};
 
 pub(super) fn turn_begun(at: FileRow, jump: Angle, has_speed: bool, language: Language) -> (String, Option<String>) {
@@ -34,7 +34,7 @@ pub(super) fn position_jumps(fault: &Fault, language: Language) -> (String, Opti
         Along::Turning => &DEGREE,
         Along::Line => &MILLIMETRE,
     };
-    let size = format!("{} {}", format_significant(unit.from_si(*size), 4, language), unit.symbol_in(language));
+    let size = with_symbol(&format_significant(unit.from_si(*size), 4, language), unit.symbol_in(language));
     let more = match count {
         1 => String::new(),
         count => said!(language => " ({count} such jumps)" | " (insgesamt {count} solche Sprünge)"),

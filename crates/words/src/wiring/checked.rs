@@ -143,7 +143,7 @@ pub const fn difference_action(finding: &PinFinding, language: Language) -> &'st
             | PinDifference::Missing { group: SignalGroup::Earth },
             _,
         ) => (
-            "connect the protective conductor to PE before switching on any voltage",
+            "connect the protective earth to PE before switching on any voltage",
             "Schutzleiter vor jedem Einschalten mit PE verbinden",
         ),
         (

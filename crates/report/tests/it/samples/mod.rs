@@ -148,6 +148,7 @@ pub fn settings() -> Settings {
         }],
         pdf_a: true,
         full: false,
+        altered: Vec::new(),
     }
 }
 

@@ -45,7 +45,9 @@ pub fn are_readable(name: &str, content: &Content, letters: &[report::Letter]) {
             let columns = recordings.filter_map(|segment| segment.recording.as_ref()).flat_map(|each| &each.columns);
             let columns = columns.map(|column| column.name.as_str());
             let names = content.axes.iter().map(|axis| axis.dossier.judgement.axis.as_str()).chain(columns);
-            let own = names.filter(|name| !name.is_empty()).fold(text.clone(), |text, name| text.replace(name, ""));
+            // A name may go on in the next line.
+            let joined = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            let own = names.filter(|name| !name.is_empty()).fold(joined, |text, name| text.replace(name, ""));
             faults.extend(english(&own).into_iter().filter(|found| !of_a_title(found)));
         }
     }
