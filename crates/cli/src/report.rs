@@ -48,7 +48,9 @@ pub(crate) fn write(
         return Err(Unanswered::message(terminal::report_is_a_pdf(&path_text(out), language)));
     }
     let args = args::Args::read(&call.given(args::Args::ARGUMENTS)?)?;
-    let altered = call.changes().map(|line| without_keys(line, language).into_owned()).collect();
+    // Without the words that the terminal has before each change.
+    let made = |line: &'_ str| line.split_once(": ").map_or(line, |(_, made)| made).to_owned();
+    let altered = call.changes().map(|line| without_keys(&made(line), language).into_owned()).collect();
     let settings = Settings { altered, ..settings(&args) };
     let source = inquiry.source()?;
     let inputs = call.inputs_named();
