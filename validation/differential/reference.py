@@ -73,7 +73,7 @@ def stated(project):
 
 
 def bearing(project, actuator, cycle, load, time):
-    """Eq. 74.1 to 76.4 with the loads of every instant; moments are averaged as the forces, the stated ones apart."""
+    """Eq. 74.1 to 76.4 with the loads of every instant; the moment that acts is averaged as the forces."""
     common, offset = project["bearing"], actuator["R"]
     flange = Flange(project, load, offset)
     derived = common.get("mechanism", "ignore") != "ignore"
@@ -81,7 +81,7 @@ def bearing(project, actuator, cycle, load, time):
     loads = list(stated(project))
     power = {"C": 10 / 3, "F": 3.0}[actuator["bearing"]]
     # The largest while the gear turns, and while it rests.
-    sums, turning, resting, travelled = np.zeros(5), np.zeros(3), None, 0.0
+    sums, turning, resting, travelled = np.zeros(3), np.zeros(3), None, 0.0
     for p in parts:
         f_r, f_a, l_r, l_a, counts = loads[p.piece.segment]
         stated_r, stated_a = l_r + f_r * offset, l_a
@@ -103,10 +103,9 @@ def bearing(project, actuator, cycle, load, time):
             turning = np.maximum(turning, largest)
         weight = np.abs(p.speed)
         travelled += p.integral(weight)
-        averaged = radial + f_r, axial + f_a, moment, stated_r + 0 * weight, stated_a + 0 * weight
-        sums += [p.integral(weight * x**power) for x in averaged]
-    f_r, f_a, *moments = (sums / travelled) ** (1 / power)
-    radial = f_r + 2 * sum(moments) / actuator["d_p"]
+        sums += [p.integral(weight * (x + 0 * weight) ** power) for x in whole]
+    f_r, f_a, moment = (sums / travelled) ** (1 / power)
+    radial = f_r + 2 * moment / actuator["d_p"]
     x, y = (1.0, 0.45) if f_a <= 1.5 * radial else (0.67, 0.67)
     n_av = travelled / (2 * pi) / time * 60
     equivalent = common["load_factor"] * (x * radial + y * f_a)

@@ -44,8 +44,8 @@ const FALLING: f64 = 0.9;
 const ABOVE_STEP: f64 = 1.5;
 
 /// Bound of the noise that the difference over two intervals carries from the first sample at rest into the last of the move,
-/// in standard deviations of that at rest: 1.2 of its own.
-const CARRIED: f64 = 0.85;
+/// in standard deviations of that at rest: 1.4 of its own.
+const CARRIED: f64 = 1.0;
 
 /// Largest speed of the first sample at rest relative to the speed at rest.
 const AT_REST: f64 = 1.5;
@@ -55,6 +55,13 @@ const SLOW_MOST: f64 = 10.0 * SWING_MOST;
 
 /// Smallest share of the recording of slow motions that are reported.
 const SLOW_LEAST: f64 = 0.02;
+
+/// Largest slope at the end of a rest relative to the next one if the motion starts without a jump of the speed: a quarter
+/// with a jump of the acceleration, a half with one of the speed.
+const STARTS: f64 = 0.3;
+
+/// Smallest standard deviation of uncorrelated noise relative to the largest speed at rest if that is white noise.
+const WHITE: f64 = 0.3;
 
 /// Number of samples after a move whose largest speed is that at rest there.
 const LEVEL_OF: usize = 24;
@@ -112,8 +119,6 @@ pub(crate) struct Slow {
     pub(crate) is_long: bool,
     /// The axis is at rest.
     pub(crate) is_rest: bool,
-    /// Both ends are known to a sample: the moves there are smooth.
-    pub(crate) is_sharp: bool,
 }
 
 /// Returns the slow stretches of a motion between its moves, with the verdict whether the axis rests.
@@ -138,7 +143,7 @@ pub(crate) fn slow(time: &[f64], speed: &[f64], position: Option<&[f64]>, differ
     let mut found = Vec::new();
     for run in runs(speed, 0..speed.len(), SPEED_MOST * most) {
         let between = between_moves(speed, &run, differentiated);
-        let Some((samples, is_sharp)) = between.filter(|(samples, _)| samples.len() >= REST_LEAST) else { continue };
+        let Some(samples) = between.filter(|samples| samples.len() >= REST_LEAST) else { continue };
         let (Some(times), Some(speeds)) = (time.get(samples.clone()), speed.get(samples.clone())) else { continue };
         let speed_rad_s = largest(speeds);
         if speed_rad_s == 0.0 {
@@ -153,7 +158,7 @@ pub(crate) fn slow(time: &[f64], speed: &[f64], position: Option<&[f64]>, differ
             && place_rad <= RETURNS * way
             && place_rad <= (SWING_MOST * travel).min(SWING_MOST_DEG.to_radians()).max(2.0 * step);
         let is_rest = is_long && (swings || place_rad <= DRIFT_MOST * travel);
-        found.push(Slow { samples, speed_rad_s, place_rad, is_long, is_rest, is_sharp });
+        found.push(Slow { samples, speed_rad_s, place_rad, is_long, is_rest });
     }
     found
 }
@@ -162,7 +167,7 @@ pub(crate) fn slow(time: &[f64], speed: &[f64], position: Option<&[f64]>, differ
 ///
 /// Between two equal positions of a rest nothing moves, so that the speed at both is zero; the slope over two intervals
 /// contains that of the move beside. A position that leaves the rest by a step of its column or less may belong to a slow
-/// motion, and keeps its slope.
+/// motion, and one that jumps needs the slope for its travel: both keep it.
 pub(crate) fn stop_at_rests(speed: &mut [f64], position: &[f64]) {
     let step = Grid::of(position).step;
     let rests: Vec<Range<usize>> =
@@ -170,12 +175,14 @@ pub(crate) fn stop_at_rests(speed: &mut [f64], position: &[f64]) {
     let at = |index: Option<usize>| index.and_then(|index| position.get(index)).copied();
     for rest in rests {
         let (first, last) = (rest.start.checked_sub(1), Some(rest.end));
-        for (end, inside, beyond) in [
+        for (end, inside, next) in [
             (first, Some(rest.start), first.and_then(|first| first.checked_sub(1))),
             (last, rest.end.checked_sub(1), last.map(|last| last + 1)),
         ] {
-            let (Some(at_end), Some(inside), Some(beyond)) = (at(end), at(inside), at(beyond)) else { continue };
-            let is_end = at_end == inside && (beyond - at_end).abs() > ABOVE_STEP * step;
+            let (Some(at_end), Some(inside), Some(beyond)) = (at(end), at(inside), at(next)) else { continue };
+            let slope = |index: Option<usize>| index.and_then(|index| speed.get(index)).map_or(0.0, |w| w.abs());
+            let starts = slope(end) <= STARTS * slope(next);
+            let is_end = at_end == inside && starts && (beyond - at_end).abs() > ABOVE_STEP * step;
             if let Some(speed) = end.filter(|_| is_end).and_then(|end| speed.get_mut(end)) {
                 *speed = 0.0;
             }
@@ -198,20 +205,18 @@ fn turns(speeds: &[f64]) -> usize {
     moving().zip(moving().skip(1)).filter(|(one, other)| (**one < 0.0) != (**other < 0.0)).count()
 }
 
-/// Returns a run of slow samples without the ends of the moves before and after it, and whether both are smooth; `None` if
-/// nothing is left.
-fn between_moves(speed: &[f64], run: &Range<usize>, differentiated: bool) -> Option<(Range<usize>, bool)> {
+/// Returns a run of slow samples without the ends of the moves before and after it; `None` if nothing is left.
+fn between_moves(speed: &[f64], run: &Range<usize>, differentiated: bool) -> Option<Range<usize>> {
     let speeds = speed.get(run.clone())?;
     let noise = noise(speeds);
     let ends = Ends { noise, carried: if differentiated { CARRIED * noise } else { 0.0 }, quiet: quiet(speeds) };
     let outside = SMOOTH.min(run.start);
     let from_before = speed.get(run.start - outside..run.end)?;
-    let (first, is_smooth) = ends.of_move(from_before.iter().copied(), outside);
+    let first = ends.of_move(from_before.iter().copied(), outside);
     let beyond = SMOOTH.min(speed.len() - run.end);
     let from_after = speed.get(run.start..run.end + beyond)?;
-    let (last, is_smooth_after) = ends.of_move(from_after.iter().rev().copied(), beyond);
-    let is_sharp = is_smooth && is_smooth_after;
-    (first + last < speeds.len()).then(|| (run.start + first..run.end - last, is_sharp))
+    let last = ends.of_move(from_after.iter().rev().copied(), beyond);
+    (first + last < speeds.len()).then(|| run.start + first..run.end - last)
 }
 
 /// Speeds of a run of slow samples by which the ends of the moves at it are found.
@@ -225,14 +230,14 @@ struct Ends {
 }
 
 impl Ends {
-    /// Returns the number of slow samples that belong to the move before them, and whether it is smooth; the first `outside`
-    /// speeds are those of the move.
+    /// Returns the number of slow samples that belong to the move before them; the first `outside` speeds are those of the
+    /// move.
     ///
     /// A smooth move is continued by the cubic through its last four samples, to within a tenth of the speeds at rest after
     /// it. A move with noise ends by [`Self::of_noisy_move`].
-    fn of_move(&self, speeds: impl ExactSizeIterator<Item = f64> + Clone, outside: usize) -> (usize, bool) {
+    fn of_move(&self, speeds: impl ExactSizeIterator<Item = f64> + Clone, outside: usize) -> usize {
         let count = speeds.len() - outside;
-        let Some(moving) = speeds.clone().take(outside).last() else { return (0, true) };
+        let Some(moving) = speeds.clone().take(outside).last() else { return 0 };
         let roughly = self.of_noisy_move(moving, speeds.clone().skip(outside), count);
         let level = speeds.clone().skip(outside + roughly).take(LEVEL_OF).fold(0.0_f64, |most, w| most.max(w.abs()));
         let bend = bend(speeds.clone().take(outside));
@@ -243,10 +248,12 @@ impl Ends {
             let first = speeds.clone().nth(outside + end).unwrap_or(0.0);
             first.abs() <= AT_REST * level + bend
         };
-        let Some(end) = smooth.filter(is_at_rest) else { return (roughly, false) };
+        let Some(end) = smooth.filter(is_at_rest) else { return roughly };
         // The last sample of a move that ends between two samples has half of its second difference at most.
         let last = end.checked_sub(1).and_then(|last| speeds.clone().nth(outside + last));
-        (end - usize::from(last.is_some_and(|last| last.abs() <= level.min(0.5 * bend))), true)
+        let is_rest = last.is_some_and(|last| last.abs() <= level.min(0.5 * bend));
+        // Of white noise the last sample of the move has a part.
+        end - usize::from(is_rest) + usize::from(self.carried > WHITE * level)
     }
 
     /// Returns the number of slow samples that belong to the move before them: those up to the first at zero or with the other

@@ -127,9 +127,9 @@ fn small_disturbances_at_rest_are_rest() {
             let white: Vec<f64> = cycle.time.iter().map(|_| noise.normal()).collect();
             let off = rms(&disturbed(&cycle, &|k, _| size * white[k], false)) / exact - 1.0;
             sum += off / 6.0;
-            assert!(off.abs() < 2e-3, "white {size}: {off:e}");
+            assert!(off.abs() < 2.5e-3, "white {size}: {off:e}");
         }
-        assert!(sum.abs() < 1e-3, "white {size}: {sum:e} on average");
+        assert!(sum.abs() < 2e-3, "white {size}: {sum:e} on average");
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
 }

@@ -218,14 +218,8 @@ pub(crate) fn rests(
             _ => 0.0,
         };
     }
-    for settled in slow(time, speed, position, differentiated).into_iter().filter(|slow| slow.is_rest) {
-        let rest = settled.samples;
-        // Recorded speeds show the first change of sign without the noise of their neighbours.
-        if settled.is_sharp && differentiated {
-            found.retain(|part| part.end <= rest.start || rest.end <= part.start);
-        }
-        found.push(rest);
-    }
+    let settled = slow(time, speed, position, differentiated).into_iter().filter(|slow| slow.is_rest);
+    found.extend(settled.map(|slow| slow.samples));
     Some(joined(found))
 }
 

@@ -256,6 +256,8 @@ pub struct Identification {
     /// Payloads and process torques that segments add to the first, relative to the stated ones, and half the 95 % interval;
     /// `None` if none differ or the run does not separate them. The estimates take the stated ones.
     pub payload: Option<[f64; 2]>,
+    /// Correlation coefficient of the positions of run and cycle at the best shift in time, if the run does not follow the cycle.
+    pub other_motion: Option<f64>,
     /// Angle of the mechanism at position 0 of the run beyond the stated one, and half its 95 % interval \[rad\]; `None` if the
     /// segments add no different weights to a load under gravity. The estimates take all weights at it.
     pub offset_rad: Option<[f64; 2]>,
@@ -430,6 +432,7 @@ pub fn identify_while(
         windows: windows.all.len(),
         at_limit: windows.all.iter().filter(|window| window.limited).count(),
         position_step_rad: strokes.grain.quantum_rad,
+        other_motion: followed.and_then(|followed| followed.deviation()),
         shift_s: followed.filter(|_| differs).map(|followed| followed.shift_s),
         are_lags_estimated: [delays.torque, delays.current].map(|lag| lag.is_some() || !held.is_empty()),
         torque_delay: delays.torque.and_then(Lag::delay),

@@ -23,6 +23,9 @@ texts! {
     position_offset(offset, half) =
         "position_rad counts from another zero than the mechanism of the project: at 0 the mechanism stands at {offset}° (± {half}°). The weights of load and payloads are estimated with this offset; there is no line for the angle of the weight."
         | "position_rad zählt von einem anderen Nullpunkt als die Mechanik des Projekts: bei 0 steht die Mechanik bei {offset}° (± {half}°). Die Gewichte von Last und Nutzlasten sind mit diesem Versatz geschätzt; für den Winkel des Gewichts gibt es keine Zeile.";
+    follows_no_cycle(correlation) =
+        "The run does not follow the cycle of the project (correlation of the positions {correlation}): it is another motion, or time_s has another scale, which would not show otherwise: times 10 % too large make the inertia 21 % too large."
+        | "Der Lauf folgt nicht dem Zyklus des Projekts (Korrelation der Positionen {correlation}): Er ist eine andere Bewegung, oder time_s hat einen anderen Maßstab, was sonst nicht auffiele: Um 10 % zu große Zeiten machen das Massenträgheitsmoment um 21 % zu groß.";
     assumed_rotor(inertia, spread) =
         "Assumed: rotor and wave generator have {inertia} kgm² at the output (table, less the share of the flange), standard deviation {spread} %."
         | "Angenommen: Rotor und Wave Generator haben {inertia} kgm² am Abtrieb (Tabelle abzüglich des Flanschanteils), Standardabweichung {spread} %.";

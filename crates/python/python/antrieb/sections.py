@@ -1962,7 +1962,7 @@ class Bearing(Section):
             pressure_angle: Pressure angle of pinion and rack in the normal section. Angle such as `"20 deg"`, above zero.
             helix_angle: Helix angle of the teeth; default: spur teeth, listed as assumed. Angle such as `"15 deg"`, zero or more.
             wheel_mass: Mass of the wheel on the flange: pulley, pinion or crank; default: massless, listed as assumed. Mass such as `"1.2 kg"`, zero or more.
-            axis_tilt: Tilt of the rotation axis from the vertical, for the weight of the wheel. Angle such as `"90 deg"`.
+            axis_tilt: Tilt of the rotation axis from the vertical, for the weight of the wheel and of the roll of a winder; winder, default: 90 deg, a horizontal axis, listed as assumed. Angle such as `"90 deg"`.
         """
         self._begin(
             radial_force=radial_force,

@@ -214,6 +214,9 @@ fn notes(found: &twin::Identification, mechanism: &Mechanism, extras: &[Extra], 
             notes.push(identification::payloads_off(&number(share, 3), &number(half, 1), language));
         }
     }
+    if let Some(correlation) = found.other_motion {
+        notes.push(identification::follows_no_cycle(&number(correlation, 3), language));
+    }
     if let Some([offset, half]) = offset(found) {
         let [offset, half] = [(offset, 3), (half, 1)].map(|(angle, digits)| number(angle.to_degrees(), digits));
         notes.push(identification::position_offset(&offset, &half, language));

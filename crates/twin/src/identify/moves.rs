@@ -105,6 +105,12 @@ impl<'a> Followed<'a> {
         self.correlation > FOLLOWS
     }
 
+    /// Returns the correlation coefficient of a run that does not follow the motion, mirrored or not.
+    pub(super) fn deviation(&self) -> Option<f64> {
+        let most = self.both.into_iter().fold(self.correlation, f64::max);
+        (most <= FOLLOWS).then_some(most)
+    }
+
     /// Returns the sign of the position relative to the motion: +1, −1 if only the mirrored run follows it.
     pub(super) fn direction(&self) -> Option<f64> {
         if self.own.is_some_and(|own| own < -FOLLOWS) {

@@ -561,6 +561,21 @@ fn a_position_in_coarse_steps_is_refused() {
     }
 }
 
+/// A run at another pace than the cycle is no doubt, but named: a scale of the time shows nowhere else.
+#[test]
+fn a_run_at_another_pace_is_named() {
+    let [wheel, ..] = loads();
+    let motion = moves(&EXCITING);
+    let run = measured(&recorded(&wheel, &motion, &none(), 1), 1);
+    assert_eq!(said(&run, &wheel, &motion, &none()).other_motion, None);
+    let mut slow = run;
+    slow.speed_rad_s = None;
+    slow.time_s.iter_mut().for_each(|time| *time *= 1.1);
+    slow.motor_rad_s.iter_mut().for_each(|speed| *speed /= 1.1);
+    let found = said(&slow, &wheel, &motion, &none());
+    assert!(found.other_motion.is_some_and(|correlation| correlation < 0.99), "{:?}", found.other_motion);
+}
+
 /// A position that counts from another zero than the mechanism leaves the loads as they are planted: own weight and payloads
 /// act at one offset, which is named. Without an offset none counts.
 #[test]
