@@ -155,7 +155,8 @@ class Demand(Record):
     """The demand; if the manual's equations describe the axis, their figures together with the exact integrals."""
 
     mode: DemandMode
-    """`integral` if the manual's equations do not describe the axis: then the figures are those of the integrals, and
+    """`integral` if the manual's equations do not describe the axis, also if a move brakes in another time than it
+accelerates: then the figures are those of the integrals, and
 the three torques, `moves` and `integral` are omitted."""
     T_rms: float | None
     """Effective torque in Nm."""
@@ -3864,7 +3865,7 @@ Fit = Literal["fits", "fits_if_estimate", "does_not_fit"]
 
 `does_not_fit`: A check fails, or a requirement is not met"""
 
-CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "resonance_speed", "error_budget", "brake_holding", "brake_emergency", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
+CheckId = Literal["peak_torque", "peak_speed", "mean_speed", "continuous_torque", "peak_current", "demagnetisation", "drive_current", "drive_current_peak", "drive_peak_time", "voltage", "inertia_ratio", "rope_tension", "gear_mean_torque", "gear_life", "torsion", "natural_frequency", "bearing_axial", "bearing_radial", "bearing_tilting_moment", "bearing_static_moment", "bearing_life", "bearing_static", "tilt_angle", "ambient", "altitude", "protection", "humidity", "humidity_min", "vibration", "shock", "mounting", "torque_speed_trace", "thermal", "overload_i2t", "gear_mean_input_speed", "collision_torque", "collision_number", "resonance_speed", "error_budget", "deviation", "brake_holding", "brake_applications", "brake_emergency", "brake_stops", "dc_link", "regeneration", "feedback_range", "feedback_resolution", "battery", "screw_joint_load", "screw_joint_housing", "application"]
 
 DemandMode = Literal["manual", "integral"]
 """Method by which the figures of a demand are computed.
