@@ -99,6 +99,9 @@ def arrays(table: Table, value: str, x: str | None, y: str | None) -> Grid:
     rest = iter(varied)
     x = next(rest) if x is None else x
     y = next(rest) if y is None else y
+    for name in (x, y):
+        if any(isinstance(value, (list, dict)) for value in columns[name]):
+            raise TypeError(f"arrays: column {name!r} holds lists or structures, which are no axis of a picture")
     xs, ys = ([*dict.fromkeys(columns[name])] for name in (x, y))
     places = {pair: at for at, pair in enumerate(zip(columns[x], columns[y], strict=True))}
     if len(places) < len(table):

@@ -49,6 +49,44 @@ def contents(project: an.Project) -> dict[str, bytes]:
     return {str(each.name): next(iter(each._recordings.values())) for each in project.axes}
 
 
+TYPED = '''
+import antrieb as an
+from typing import assert_type
+
+axis = an.Axis("a", an.Arm(mass="6 kg", length="0.5 m"), [an.Move("modified_sine", distance="90 deg", time="0.8 s"), an.Return(time="0.6 s")])
+robot = an.axes_from_arrays([0.0, 1.0, 2.0], [0.0, 1.0, 0.0], torque=[1.0, 2.0, 1.0])
+for each in an.size(robot):
+    assert_type(each, an.answers.Sizing)
+    assert_type(each.best.code, str | None)
+assert_type(an.size([axis, axis]), an.answers.AxesOfSizing)
+assert_type(an.size(robot, axis="J1"), an.answers.Sizing)
+assert_type(an.size(axis), an.answers.Sizing)
+assert_type(an.simulate(axis, "C", format="svg"), an.Picture)
+assert_type(an.simulate(axis, "C", format="csv"), str)
+assert_type(an.simulate(axis, "C", format="parquet"), bytes)
+assert_type(an.simulate(axis, "C"), an.answers.Simulation)
+assert_type(an.size(an.load("x.toml")), an.answers.Sizing | an.answers.AxesOfSizing)
+print(an.size(axis).best.checks["thermal"].explain(), len(an.size(axis)), "C" in an.size(axis))
+best = an.size(axis).best
+if best:
+    print(best.code)
+'''
+
+
+@unittest.skipUnless(importlib.util.find_spec("mypy"), "needs mypy")
+class Types(unittest.TestCase):
+    """The types of answers as type checkers read them."""
+
+    def test_the_type_of_an_answer_is_that_of_its_project(self) -> None:
+        checkers = [[sys.executable, "-m", "mypy", "--strict"], [sys.executable, "-m", "basedpyright", "--pythonpath", sys.executable]]
+        for checker in checkers:
+            with self.subTest(checker[2]), tempfile.TemporaryDirectory() as folder:
+                pathlib.Path(folder, "typed.py").write_text(TYPED, encoding="utf-8")
+                pathlib.Path(folder, "pyrightconfig.json").write_text('{"typeCheckingMode": "strict"}', encoding="utf-8")
+                done = subprocess.run([*checker, "typed.py"], cwd=folder, capture_output=True, check=False, text=True)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
 @unittest.skipUnless(HAS_LIBRARIES, "needs the libraries of tables")
 class Times(unittest.TestCase):
     """Times of every library and unit: read with their unit where a time is meant, refused elsewhere."""
@@ -336,7 +374,10 @@ class Rows(unittest.TestCase):
             self.assertEqual(an.sweep(axis(), {MASS: [1.0], "label": own})["label"], own)
         for masses in ([decimal.Decimal("1.5"), decimal.Decimal(2)], [decimal.Decimal("1.5"), 2], [decimal.Decimal("1.5"), 2.0], [1.5, decimal.Decimal(2)]):
             self.assertEqual(an.sweep(axis(), {MASS: masses}), an.sweep(axis(), {MASS: [1.5, 2.0]}))
-        self.assertTrue(an.sweep(axis(), {MASS: [1.0, 2.0], "motion.1.payload": ["1 kg"] * 2, "id": [[1], [2]]}, inputs=True).arrays(x=MASS, y="id").z)
+        listed = an.sweep(axis(), {MASS: [1.0, 2.0], "motion.1.payload": ["1 kg", "2 kg"], "id": [[1], [2]]}, inputs=True)
+        self.assertTrue(listed.arrays(x=MASS, y="motion[1].payload [kg]").z)
+        with self.assertRaisesRegex(TypeError, "id.*lists"):
+            listed.arrays(x=MASS, y="id")
         grid = an.sweep(axis(), {MASS: pd.Series([1.0, 2.0]), "id": pa.array([datetime.date(2020, 1, 1), datetime.date(2021, 1, 1)])}, grid=True)
         self.assertEqual(grid["id"], [datetime.date(2020, 1, 1), datetime.date(2021, 1, 1)] * 2)
         expected = an.sweep(axis(), {MASS: [1.0, 2.0]})
