@@ -327,7 +327,8 @@ def _whole(value: Any, name: str) -> None:
 def each_of(value: Any, name: str) -> list[Any]:
     """One value, or those of a list, a tuple, an array or a series; a text is one value."""
     if isinstance(value, (Set, bytes, bytearray, memoryview)):
-        raise TypeError(f"{argument(name)}: a text or a list of texts is expected, not {type(value).__name__}")
+        own: Any = type(value)  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        raise TypeError(f"{argument(name)}: a text or a list of texts is expected, not {own.__name__}")
     is_one = isinstance(value, (str, bytes, Mapping, os.PathLike, Q)) or hasattr(value, "magnitude") or not isinstance(value, Iterable)
     return [value] if is_one else listed(value, argument(name))  # pyright: ignore[reportUnknownArgumentType, reportArgumentType]
 

@@ -100,7 +100,7 @@ def arrays(table: Table, value: str, x: str | None, y: str | None) -> Grid:
     x = next(rest) if x is None else x
     y = next(rest) if y is None else y
     for name in (x, y):
-        if any(isinstance(value, (list, dict)) for value in columns[name]):
+        if any(type(value) in (list, dict) for value in columns[name]):
             raise TypeError(f"arrays: column {name!r} holds lists or structures, which are no axis of a picture")
     xs, ys = ([*dict.fromkeys(columns[name])] for name in (x, y))
     places = {pair: at for at, pair in enumerate(zip(columns[x], columns[y], strict=True))}
@@ -118,7 +118,7 @@ def arrays(table: Table, value: str, x: str | None, y: str | None) -> Grid:
 
 def _distinct(value: Any) -> Any:
     """A value that can be compared with others: lists and structures by their text."""
-    return repr(value) if isinstance(value, (list, dict)) else value
+    return repr(value) if type(value) in (list, dict) else value
 
 
 def _shown(table: Table) -> tuple[list[str], list[list[str]]]:
