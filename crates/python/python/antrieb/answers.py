@@ -42,7 +42,8 @@ class Sizing(Record):
     """Actuators that do not fit, by smallest excess."""
     nearest_miss: str | None = None
     """Ordering code with the smallest excess among those that do not fit but meet every requirement and are of the
-right class of voltage and place; `null` if there is none."""
+right class of voltage and place; where none fits and each is excluded in this way, the one that misses the fewest
+requirements and limits. `null` if there is none."""
     own: Assessed | None = None
     """Project's own actuator."""
     would_fit_with: Rows[WouldFit] | None = None
@@ -748,7 +749,9 @@ fit, all together; only if nothing but these limits rejects it."""
     cycle_time: float | None = None
     """Duration of the whole motion, run faster or slower."""
     ambient: float | None = None
-    """Ambient temperature."""
+    """Highest ambient temperature."""
+    ambient_least: float | None = None
+    """Lowest ambient temperature for which the data of the actuator hold; `null` without the highest."""
     units: Units
     """Units of cycle time and ambient temperature."""
     if_estimate: list[str]

@@ -657,7 +657,7 @@ def simulate(
         axis: Only this axis of a project with several.
         scenario: Scenario; default: that of the project, otherwise the cycle.
         at: Time of the event, such as "300 ms"; default: at the highest speed of the axis.
-        reaction: Stop reaction of the drive (ramp).
+        reaction: Stop reaction of the drive; default: ramp.
         failure: Type of encoder failure in the encoder scenario; default: signal loss.
         cycles: Number of cycles simulated (1). 1 to 100000.
         cold: Start at ambient temperature instead of in thermal steady state.

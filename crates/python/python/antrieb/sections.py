@@ -369,7 +369,7 @@ class Screw(Mechanism):
         """Args:
             lead: Travel per revolution. Lead such as `"10 mm"`, above zero.
             mass: Moved mass. Mass such as `"3.2 kg"`, zero or more.
-            inertia: Moment of inertia of the parts rotating with the output, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            inertia: Moment of inertia of the parts rotating with the output; if not stated, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             inclination: Angle of the positive direction above the horizontal; 90 deg is upwards; default: horizontal, listed as assumed. Angle such as `"90 deg"`.
             counterweight: Counterweight; moves with the load and reduces it by its weight; on a hoist with as many falls as the load. Mass such as `"3.2 kg"`, zero or more.
             friction_force: Friction force of seals and guides. Force such as `"500 N"`, zero or more.
@@ -454,7 +454,7 @@ class Belt(Mechanism):
         """Args:
             pulley_diameter: Pitch diameter of the driving pulley or pinion. Length such as `"50 mm"`, above zero.
             mass: Moved mass. Mass such as `"3.2 kg"`, zero or more.
-            inertia: Moment of inertia of the parts rotating with the output, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            inertia: Moment of inertia of the parts rotating with the output; if not stated, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             inclination: Angle of the positive direction above the horizontal; 90 deg is upwards; default: horizontal, listed as assumed. Angle such as `"90 deg"`.
             counterweight: Counterweight; moves with the load and reduces it by its weight; on a hoist with as many falls as the load. Mass such as `"3.2 kg"`, zero or more.
             friction_force: Friction force of seals and guides. Force such as `"500 N"`, zero or more.
@@ -536,7 +536,7 @@ class Conveyor(Mechanism):
         """Args:
             roller_diameter: Diameter of the driving roller. Length such as `"50 mm"`, above zero.
             mass: Moved mass. Mass such as `"3.2 kg"`, zero or more.
-            inertia: Moment of inertia of the parts rotating with the output, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            inertia: Moment of inertia of the parts rotating with the output; if not stated, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             inclination: Angle of the positive direction above the horizontal; 90 deg is upwards; default: horizontal, listed as assumed. Angle such as `"90 deg"`.
             friction_force: Friction force of seals and guides. Force such as `"500 N"`, zero or more.
             friction_coefficient: Friction coefficient of the guide; default 0. 0 to 10.
@@ -619,7 +619,7 @@ class SliderCrank(Mechanism):
             crank: Crank radius. Length such as `"50 mm"`, above zero.
             rod: Rod length, longer than the crank. Length such as `"200 mm"`, above zero.
             mass: Moved mass. Mass such as `"3.2 kg"`, zero or more.
-            inertia: Moment of inertia of the parts rotating with the output, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            inertia: Moment of inertia of the parts rotating with the output; if not stated, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             inclination: Angle of the positive direction above the horizontal; 90 deg is upwards; default: horizontal, listed as assumed. Angle such as `"90 deg"`.
             start_angle: Position at the beginning of the motion; default: zero, listed as assumed. Angle such as `"90 deg"`.
             angle: Another name of `start_angle`.
@@ -795,7 +795,7 @@ class Hoist(Mechanism):
             drum_diameter: Drum diameter to the rope centre. Length such as `"320 mm"`, above zero.
             falls: Number of rope falls carrying the load; default 1. 1 to 32.
             mass: Load with hook and lower block. Mass such as `"3.2 kg"`, zero or more.
-            inertia: Moment of inertia of the drum and the parts rotating with it, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            inertia: Moment of inertia of the drum and the parts rotating with it; if not stated, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             rope_mass: Mass of all falls at position zero; default: neglected, listed as assumed. Mass such as `"4 kg"`, zero or more.
             hanging: Length of each fall at position zero. Length such as `"6 m"`, above zero.
             sheave_efficiency: Efficiency of one sheave; default 1, listed as assumed. 0.5 to 1.
@@ -890,7 +890,7 @@ class Winder(Mechanism):
             width: Width of the web. Length such as `"600 mm"`, above zero.
             density: Density of the wound material. Density such as `"900 kg/m^3"`, above zero.
             tension: Web tension, also at standstill. Force such as `"120 N"`, zero or more.
-            inertia: Moment of inertia of core and shaft, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            inertia: Moment of inertia of core and shaft; if not stated, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
             viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
             external_torque: Constant torque at the output against the positive direction; does not change sign with the motion. Torque such as `"5 N m"`.
@@ -975,7 +975,7 @@ class ScissorLift(Mechanism):
             arm_angle: Angle of the arms above the horizontal at position zero. Angle such as `"20 deg"`.
             mass: Platform with its permanent load. Mass such as `"3.2 kg"`, zero or more.
             arm_mass: Total mass of all arms; default: neglected, listed as assumed. Mass such as `"60 kg"`, zero or more.
-            inertia: Moment of inertia of screw and coupling, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            inertia: Moment of inertia of screw and coupling; if not stated, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Process force along the guide, against the positive direction; does not change sign with the motion. Force such as `"500 N"`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
             viscous_friction: Viscous friction at the output, proportional to the speed. Viscous friction such as `"0.5 N m s/rad"`, zero or more.
@@ -1085,16 +1085,16 @@ class FourBar(Mechanism):
             coupler: Length of the coupler. Length such as `"350 mm"`, above zero.
             rocker: Length of the rocker. Length such as `"250 mm"`, above zero.
             crossed: True: coupler and rocker crossed.
-            inertia: Moment of inertia of the crank and the parts rotating with it, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
-            coupler_mass: Mass of the coupler, listed as assumed. Mass such as `"3.2 kg"`, zero or more.
+            inertia: Moment of inertia of the crank and the parts rotating with it; if not stated, listed as assumed. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            coupler_mass: Mass of the coupler; if not stated, listed as assumed. Mass such as `"3.2 kg"`, zero or more.
             coupler_centre: Distance of the coupler's centre of mass from the crank pin. Length such as `"175 mm"`, zero or more.
             coupler_inertia: Moment of inertia of the coupler about its centre of mass. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
-            rocker_mass: Mass of the rocker, for its weight, listed as assumed. Mass such as `"3.2 kg"`, zero or more.
+            rocker_mass: Mass of the rocker, for its weight; if not stated, listed as assumed. Mass such as `"3.2 kg"`, zero or more.
             rocker_centre: Distance of the rocker's centre of mass from its pivot. Length such as `"125 mm"`, zero or more.
             rocker_inertia: Moment of inertia of the rocker and its load about its pivot. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             rocker_torque: Torque on the rocker against its positive direction. Torque such as `"5 N m"`.
             axis_tilt: Tilt of the axes from the vertical; default: 90 deg, an upright linkage, listed as assumed. Angle such as `"90 deg"`.
-            inclination: Angle of the fixed link above the horizontal, from crank to rocker, listed as assumed. Angle such as `"90 deg"`.
+            inclination: Angle of the fixed link above the horizontal, from crank to rocker; if not stated, listed as assumed. Angle such as `"90 deg"`.
             start_angle: Position at the beginning of the motion; default: zero, listed as assumed. Angle such as `"90 deg"`.
             angle: Another name of `start_angle`.
             friction_torque: T_L, friction torque at the output; opposes every motion; zero if no friction is stated, listed as assumed. Torque such as `"5 N m"`, zero or more.
@@ -1333,14 +1333,14 @@ class Move(Segment):
     ) -> None:
         """Args:
             law: Motion law.
-            speed: Maximum speed, at the output or along the guide; negative for the return move. Rotational speed or Velocity such as `"40 1/min"`.
+            speed: Maximum speed; at the output or along the guide, negative for the return move. Rotational speed or Velocity such as `"40 1/min"`.
             distance: Travel; negative for the reverse direction. Angle or Length such as `"90 deg"`.
             time: Duration of the segment. Time such as `"0.1 s"`, zero or more.
             acceleration: Maximum acceleration and deceleration. Angular acceleration or Acceleration such as `"42 rad/s^2"`, above zero.
             jerk: Maximum jerk. Angular jerk or Jerk such as `"900 rad/s^3"`, above zero.
             end_speed: Speed at the end of the segment; default: standstill. Rotational speed or Velocity such as `"40 1/min"`.
-            payload: Additional mass in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
-            payload_inertia: Additional moment of inertia at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            payload: Payload in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
+            payload_inertia: Moment of inertia of the payload at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism. Force such as `"500 N"`.
             process_torque: Additional process torque in this segment; at the output, against the positive direction, added to external_torque. Torque such as `"5 N m"`.
             bearing: Loads on the output flange in this segment; they replace all loads of [bearing], those not stated here are zero.
@@ -1409,13 +1409,13 @@ class Return(ReturnMove):
     ) -> None:
         """Args:
             law: Motion law.
-            speed: Maximum speed, at the output or along the guide; negative for the return move. Rotational speed or Velocity such as `"40 1/min"`.
+            speed: Maximum speed; at the output or along the guide, negative for the return move. Rotational speed or Velocity such as `"40 1/min"`.
             time: Duration of the segment. Time such as `"0.1 s"`, zero or more.
             acceleration: Maximum acceleration and deceleration. Angular acceleration or Acceleration such as `"42 rad/s^2"`, above zero.
             jerk: Maximum jerk. Angular jerk or Jerk such as `"900 rad/s^3"`, above zero.
             end_speed: Speed at the end of the segment; default: standstill. Rotational speed or Velocity such as `"40 1/min"`.
-            payload: Additional mass in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
-            payload_inertia: Additional moment of inertia at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            payload: Payload in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
+            payload_inertia: Moment of inertia of the payload at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism. Force such as `"500 N"`.
             process_torque: Additional process torque in this segment; at the output, against the positive direction, added to external_torque. Torque such as `"5 N m"`.
             bearing: Loads on the output flange in this segment; they replace all loads of [bearing], those not stated here are zero.
@@ -1482,13 +1482,13 @@ class Manual(Segment):
         bearing: FlangeLoads | None = None,
     ) -> None:
         """Args:
-            speed: Maximum speed, at the output or along the guide; negative for the return move. Rotational speed or Velocity such as `"40 1/min"`.
+            speed: Maximum speed; at the output or along the guide, negative for the return move. Rotational speed or Velocity such as `"40 1/min"`.
             accelerate: T_1, acceleration time from standstill. Time such as `"0.1 s"`, zero or more.
             run: T_2, time at constant speed. Time such as `"0.1 s"`, zero or more.
             brake: T_3, braking time to standstill. Time such as `"0.1 s"`, zero or more.
             pause: T_p, pause after the move. Time such as `"0.1 s"`, zero or more.
-            payload: Additional mass in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
-            payload_inertia: Additional moment of inertia at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            payload: Payload in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
+            payload_inertia: Moment of inertia of the payload at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism. Force such as `"500 N"`.
             process_torque: Additional process torque in this segment; at the output, against the positive direction, added to external_torque. Torque such as `"5 N m"`.
             bearing: Loads on the output flange in this segment; they replace all loads of [bearing], those not stated here are zero.
@@ -1550,8 +1550,8 @@ class Dwell(Segment):
             time: Duration of the segment. Time such as `"0.1 s"`, zero or more.
             cycle: Cycle time up to which this dwell lasts, in place of its duration. Time such as `"2 s"`, above zero.
             hold: Means of holding the load at standstill; default motor, listed as assumed.
-            payload: Additional mass in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
-            payload_inertia: Additional moment of inertia at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            payload: Payload in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
+            payload_inertia: Moment of inertia of the payload at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism. Force such as `"500 N"`.
             process_torque: Additional process torque in this segment; at the output, against the positive direction, added to external_torque. Torque such as `"5 N m"`.
             bearing: Loads on the output flange in this segment; they replace all loads of [bearing], those not stated here are zero.
@@ -1644,8 +1644,8 @@ class Recorded(Segment):
             gaps: Allow: long gaps between samples are intended.
             held_values: Interpolate: of values held over several rows one for each update is used; default: every row as it stands.
             time_stamps: Even: the rows are evenly spaced, their time stamps scatter about it; default: the time stamps as they stand.
-            payload: Additional mass in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
-            payload_inertia: Additional moment of inertia at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            payload: Payload in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
+            payload_inertia: Moment of inertia of the payload at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism. Force such as `"500 N"`.
             process_torque: Additional process torque in this segment; at the output, against the positive direction, added to external_torque. Torque such as `"5 N m"`.
             bearing: Loads on the output flange in this segment; they replace all loads of [bearing], those not stated here are zero.
@@ -1727,8 +1727,8 @@ class Points(Segment):
     ) -> None:
         """Args:
             end_speed: Speed at the end of the segment; default: standstill. Rotational speed or Velocity such as `"40 1/min"`.
-            payload: Additional mass in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
-            payload_inertia: Additional moment of inertia at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            payload: Payload in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
+            payload_inertia: Moment of inertia of the payload at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism. Force such as `"500 N"`.
             process_torque: Additional process torque in this segment; at the output, against the positive direction, added to external_torque. Torque such as `"5 N m"`.
             bearing: Loads on the output flange in this segment; they replace all loads of [bearing], those not stated here are zero.
@@ -1758,7 +1758,7 @@ class Points(Segment):
 
 
 class Web(Segment):
-    """A segment by the law `web`: run of the web."""
+    """A segment by the law `web`: web run."""
 
     __slots__ = ()
     _TABLE = "motion"
@@ -1798,11 +1798,11 @@ class Web(Segment):
         bearing: FlangeLoads | None = None,
     ) -> None:
         """Args:
-            speed: Maximum speed, at the output or along the guide; negative for the return move. Rotational speed or Velocity such as `"40 1/min"`.
+            speed: Maximum speed; at the output or along the guide, negative for the return move. Rotational speed or Velocity such as `"40 1/min"`.
             accelerate: T_1, acceleration time from standstill. Time such as `"0.1 s"`, zero or more.
             brake: T_3, braking time to standstill. Time such as `"0.1 s"`, zero or more.
-            payload: Additional mass in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
-            payload_inertia: Additional moment of inertia at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
+            payload: Payload in this segment; added to the masses of the mechanism. Mass such as `"3.2 kg"`, zero or more.
+            payload_inertia: Moment of inertia of the payload at the output in this segment; added to that of the mechanism. Moment of inertia such as `"1.3 kg m^2"`, zero or more.
             process_force: Additional process force in this segment; along the guide, against the positive direction, added to the process force of the mechanism. Force such as `"500 N"`.
             process_torque: Additional process torque in this segment; at the output, against the positive direction, added to external_torque. Torque such as `"5 N m"`.
             bearing: Loads on the output flange in this segment; they replace all loads of [bearing], those not stated here are zero.
@@ -3054,7 +3054,7 @@ class Axis(BaseAxis):
             price_max: Maximum price with its currency; compared with the prices of catalogue files.
             lead_time_max: Maximum lead time; compared with those of catalogue files. Time such as `"60 d"`, above zero.
             supply: DC link voltage; without it, the terminal voltage is not checked, listed as assumed. Voltage such as `"560 V"`, above zero.
-            mains: Mains voltage instead of the DC link voltage, line to line, rms; each check uses the less favourable limit. Effective voltage such as `"400 V"`, above zero.
+            mains: Mains voltage, line to line, rms; instead of the DC link voltage; each check uses the less favourable limit. Effective voltage such as `"400 V"`, above zero.
             mains_phases: Number of mains phases; default: three.
             mains_deviation: Relative deviation of the mains voltage in both directions; default 0.1. 0 to 0.5.
             modulation_reserve: Share of U_DC/√2 that the drive can provide as fundamental; default 0.9, listed as assumed. 0.5 to 1.
@@ -3093,7 +3093,7 @@ class Axis(BaseAxis):
             special_application: Field of application that requires the manufacturer's approval (section 2.4); default: none, listed as assumed.
             leave_out: Data left out knowingly: what depends on them is not checked.
             option_1: Sensor option.
-            option_2: Cable and connector option.
+            option_2: Option 2 (cable, connector).
         """
         self._begin(
             name=name,
