@@ -337,8 +337,7 @@ fn scale(text: &str, change: &str, prefix: &str, language: Language) -> Result<(
     };
     let done = done.filter(|done| done != text || number == 1.0);
     let said = || format!("{} × {}", words::spoken::scaled_name(what, language), unpadded(number, 9, language));
-    done.map(|done| (done, said()))
-        .ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
+    done.map(|done| (done, said())).ok_or_else(|| (terminal::scale_not_possible(&what, language), None))
 }
 
 fn is_segment(path: &str) -> bool {

@@ -9,7 +9,8 @@ use questions::list::data::{Sheet, SheetMarks, SheetNote, SheetSection};
 use questions::list::{Inquiry, Unanswered, data, torsion};
 use std::fmt::Write as _;
 use words::{
-    condition_text, describe_uncovered, erratum_line, erratum_place_of, row_sign, symbol_term, table_title, terminal, terms,
+    condition_text, describe_uncovered, erratum_line, erratum_place_of, row_sign, symbol_term, table_title, terminal,
+    terms,
 };
 
 /// `antrieb data CODE`

@@ -30,7 +30,7 @@ pub(crate) fn explain(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandA
 fn derivations(project: &AxisProject, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
     let mut out = String::new();
     for check in checks {
-        let _ = writeln!(out, "{}: {}", candidate.id, heading(check, language));
+        out.push_str(&paragraph("", &format!("{}: {}", candidate.id, heading(check, language))));
         out.push_str(&text(check, language));
         out.push('\n');
     }

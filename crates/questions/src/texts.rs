@@ -19,7 +19,9 @@ use configurator::{BrokenRule, ProductId, Unmet};
 use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND, YEAR,
 };
-use quantities::{Language, Measure, ThermodynamicTemperature, Time, Unit, format_number, format_significant, with_symbol};
+use quantities::{
+    Language, Measure, ThermodynamicTemperature, Time, Unit, format_number, format_significant, with_symbol,
+};
 use recording::{ColumnRead, KnownBy};
 use sizing::{Amount, Check, CheckId, Demand, Fit, Proviso, Reserve, SAMPLES_ANEW, Unsought, Verdict};
 use words::{

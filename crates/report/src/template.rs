@@ -20,8 +20,11 @@ pub(crate) const FILES: &[(&str, &str)] = &[
 ];
 
 /// Name and text of every source file of the checklists, which are a separate document.
-pub(crate) const CHECKLIST: &[(&str, &str)] =
-    &[("line-breaks.typ", LINE_BREAKS), ("symbols.typ", SYMBOLS), ("checklist.typ", include_str!("../template/checklist.typ"))];
+pub(crate) const CHECKLIST: &[(&str, &str)] = &[
+    ("line-breaks.typ", LINE_BREAKS),
+    ("symbols.typ", SYMBOLS),
+    ("checklist.typ", include_str!("../template/checklist.typ")),
+];
 
 const LINE_BREAKS: &str = include_str!("../template/line-breaks.typ");
 const SYMBOLS: &str = include_str!("../template/symbols.typ");

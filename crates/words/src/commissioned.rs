@@ -235,8 +235,8 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
         ),
         Band::Din44081 => ("limits of DIN 44081", "Grenzen nach DIN 44081"),
         Band::Friction => (
-            "estimate: identification of a joint with such a gear deviated by 40 % (constant part) and 15 % (speed-dependent part) from the catalogue (CompliantJointToolbox, issue 44); docs/theory/current.md, band of the no-load current",
-            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation um 40 % (konstanter Anteil) und 15 % (drehzahlabhängiger Anteil) vom Katalog ab (CompliantJointToolbox, Issue 44); docs/theorie/current.md, Abschnitt „Band des Leerlaufstroms“",
+            "estimate: identification of a joint with such a gear deviated by 40 % (constant part) and 15 % (speed-dependent part) from the catalogue (CompliantJointToolbox, issue 44); theory of the motor current, “Band of the no-load current”",
+            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation um 40 % (konstanter Anteil) und 15 % (drehzahlabhängiger Anteil) vom Katalog ab (CompliantJointToolbox, Issue 44); Theorie des Motorstroms, Abschnitt „Band des Leerlaufstroms“",
         ),
         Band::Ours => {
             ("band assumed by antrieb; no source states one", "von antrieb angenommenes Band; keine Quelle nennt eines")

@@ -94,7 +94,7 @@ pub use measured_keys::{measured_key_text, measured_label};
 pub use models::{MODELS, chapter_name, model_name};
 pub use motion::{law_text, segment_load};
 pub use notes::note_text;
-pub use plain::without_keys;
+pub use plain::{purpose_of, without_keys};
 pub use print::{
     cell_text, decimal, document_note, document_short, document_title, erratum_readings, own_and_foreign, short,
     table_note, table_title, term_remark, typeset, word_meaning,

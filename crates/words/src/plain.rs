@@ -1,9 +1,10 @@
 //! Texts for readers without the project file: a signed report, a distributed workbook.
 
+use crate::keys::about_text;
 use crate::pick;
 use crate::project_file::short_label;
 use crate::schema::schema_text;
-use project::{KEYS, Key, input_label};
+use project::{KEYS, Key, input_label, key_at};
 use quantities::Language;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -21,6 +22,13 @@ pub fn without_keys(text: &str, language: Language) -> Cow<'_, str> {
         Cow::Borrowed(text) => without_names(text, language),
         Cow::Owned(text) => Cow::Owned(without_names(&text, language).into_owned()),
     }
+}
+
+/// Returns the purpose of a key of the project file in a few words; the key itself if there is none.
+#[must_use]
+pub fn purpose_of(key: &str, language: Language) -> String {
+    let of_a_table = || key_at(key).map(|key| short_label(about_text(key.about, language)));
+    label(key, language).or_else(of_a_table).unwrap_or_else(|| key.to_owned())
 }
 
 /// Returns the text without the options of the command line that fill a parenthesis.
@@ -196,6 +204,8 @@ mod tests {
         assert_eq!(de("nicht angegeben: bearing.wheel_mass"), "nicht angegeben: Masse des Rads am Flansch");
         let assumed = crate::terminal::best_of_the_ranking(&"CODE", Language::De);
         assert_eq!(de(&assumed), "kein Antrieb angegeben: der beste der Rangfolge, CODE");
+        assert_eq!(purpose_of("stage.ratio", Language::De), de("stage.ratio"));
+        assert!(!purpose_of("mechanism.hoist.counterweight", Language::En).contains('.'));
         let time = de("Projekt motion[3].time");
         assert!(time.ends_with("(Abschnitt 3)") && !time.contains("motion"), "{time}");
     }

@@ -93,11 +93,8 @@ pub fn limit_of_zero(id: CheckId, language: Language) -> Option<&'static str> {
 }
 
 /// Keys whose word is the title of a check.
-const CHECKS: &[(&str, CheckId)] = &[
-    ("speed_mean", CheckId::MeanSpeed),
-    ("speed_peak", CheckId::PeakSpeed),
-    ("torque_peak", CheckId::PeakTorque),
-];
+const CHECKS: &[(&str, CheckId)] =
+    &[("speed_mean", CheckId::MeanSpeed), ("speed_peak", CheckId::PeakSpeed), ("torque_peak", CheckId::PeakTorque)];
 
 texts! {
     report = "Sizing report" | "Auslegungsbericht";
@@ -207,7 +204,7 @@ texts! {
     r_payload_factor = "Payloads, factor" | "Nutzlasten, Faktor";
     r_cycle_time = "Cycle time of the whole motion" | "Zykluszeit der ganzen Bewegung";
     r_limits = "Limits of the project, all changed together" | "Grenzen des Projekts, gemeinsam geändert";
-    r_gearing = "Another ratio, with the actuator that then fits" | "Andere Übersetzung, mit dem dann geeigneten Antrieb";
+    r_gearing = "Another value, with the actuator that then fits" | "Anderer Wert, mit dem dann geeigneten Antrieb";
     with = "with" | "mit";
     missing = "Missing" | "Fehlende Angabe";
     legend =

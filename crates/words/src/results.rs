@@ -57,7 +57,9 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::BearingAxial => ("bearing, axial load", "Lager, Axiallast"),
         CheckId::BearingRadial => ("bearing, radial load", "Lager, Radiallast"),
         CheckId::BearingTiltingMoment => ("bearing, tilting moment", "Lager, Kippmoment"),
-        CheckId::BearingStaticMoment => ("bearing, static equivalent tilting moment", "Lager, statisch äquivalentes Kippmoment"),
+        CheckId::BearingStaticMoment => {
+            ("bearing, static equivalent tilting moment", "Lager, statisch äquivalentes Kippmoment")
+        }
         CheckId::BearingLife => ("bearing life", "Lagerlebensdauer"),
         CheckId::BearingStatic => ("bearing, static safety", "Lager, statische Sicherheit"),
         CheckId::TiltAngle => ("tilt angle", "Kippwinkel"),

@@ -90,6 +90,8 @@ fn faults(place: &str, text: &str, language: Language) -> Vec<String> {
     found.retain(|each| !catalogue::errata().iter().any(|known| known.id.contains(each.as_str())));
     // In brackets of a derivation a key has no room for its words: it names the line of the file.
     found.retain(|each| words::without_keys(each, language) == each.as_str());
+    // Symbols of the tables are what `antrieb data` lists and `antrieb glossary` explains: `L_brake`.
+    found.retain(|each| !catalogue::glossary().iter().any(|term| term.symbol == each.as_str()));
     // A table of parameters names the key of each, to be typed.
     found.retain(|each| !each.starts_with("twin.measured."));
     // The extension of a packed table.

@@ -255,10 +255,9 @@ fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::S
     fn shown<Q: Measure>(datum: &Datum<Q>, unit: &Unit, language: Language) -> String {
         // A printed figure is not shown with more digits than it has.
         let number = |value: f64| unpadded(unit.from_si(value), 4, language);
-        datum.known().map_or_else(
-            || "–".to_owned(),
-            |known| with_symbol(&number(known.value.si()), unit.symbol_in(language)),
-        )
+        datum
+            .known()
+            .map_or_else(|| "–".to_owned(), |known| with_symbol(&number(known.value.si()), unit.symbol_in(language)))
     }
     let count = joint.count.known().map_or_else(String::new, |count| format!("{:.0} × ", count.value));
     let size = joint.size.known().map_or("–", |size| size.value.as_ref());

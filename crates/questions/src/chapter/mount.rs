@@ -3,8 +3,8 @@
 use super::parts::{NOTHING, grid, hazards, plain, significant, unit_shown};
 use answers::{Chapter, CitedErratum, Column, Joint, JointCase, Mount, MountValue, Number, Pilot, TableCell};
 use provenance::Grade;
-use sizing::Verdict;
 use quantities::{Language, format_number};
+use sizing::Verdict;
 use words::{
     ERRATUM_MARK, capitalised, erratum_line, grade_word, marked, mounting, row_sign, step_title, terminal, terms,
     typeset, verdict_word,

@@ -88,7 +88,7 @@ mod tests {
             ("", Some(None)),
             ("2025-13-45", None),
             ("2026-02-29", None),
-            ("21.11.2026", None),
+            ("21.11.2026", Some(Some("2026-11-21"))),
             ("yesterday", None),
         ] {
             let of_export = day(Args::ARGUMENTS, text).and_then(|given| Args::read(&given)).map(|found| found.date);

@@ -193,7 +193,7 @@ fn many_small_swings_are_reported() {
         assert_eq!(life.verdict, Verdict::Advice, "{asked}");
         let worded = words::note_text(life.notes.first().unwrap(), Language::En);
         assert!(
-            worded.starts_with("200 swivel motions of up to 2.00 ° per cycle, 82 % of the total travel"),
+            worded.starts_with("200 swivel motions of up to 2.00° per cycle, 82 % of the total travel"),
             "{worded}"
         );
         let small = of(&project(moves(&[4.0, -4.0]), asked), CheckId::BearingLife);

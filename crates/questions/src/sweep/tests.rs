@@ -33,7 +33,13 @@ fn sized(text: &str) -> Result<Best, String> {
     let finite = |utilisation: f64| utilisation.is_finite().then_some(utilisation);
     let [fit, fit_if_estimate] = sizing.counts().map(|count| u32::try_from(count).unwrap());
     let governing = |candidate: &crate::Candidate<'_>| candidate.governing().map(|check| check.id);
-    let found = match (sizing.answer(), sizing.nearest_miss()) {
+    // Where the place or a requirement excludes each code, a row names the check of the place.
+    let is_excluded = |candidate: &&crate::Candidate<'_>| {
+        let of_the_place =
+            |check: &sizing::Checked| check.verdict == sizing::Verdict::Fail && check.id.is_of_the_place();
+        !candidate.objections.is_empty() || candidate.judgement.checks.iter().any(of_the_place)
+    };
+    let found = match (sizing.answer(), sizing.nearest_miss().filter(|miss| !is_excluded(miss))) {
         (Some(answer), _) => Best {
             fit,
             fit_if_estimate,

@@ -20,7 +20,8 @@ fn where_each_is_excluded_every_answer_names_the_same() {
              accelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n[requirements]\n{requirement}\n"
         );
         let project = questions::read(&text).unwrap();
-        let found = size::ranking(&project, 3, questions::Draw { samples: None, seed: 1 }, &Progress::endless()).unwrap();
+        let found =
+            size::ranking(&project, 3, questions::Draw { samples: None, seed: 1 }, &Progress::endless()).unwrap();
         let record = found.record(Language::En);
         let named = record.nearest_miss.clone();
         assert!(record.answer.is_none() && named.is_some(), "{requirement}: {:?}", record.nearest_miss);

@@ -10,8 +10,9 @@ use super::origins::{DerivationLines, UsedSource, derived, sources};
 use super::shown::{Formatter, tied};
 use crate::{AxisContent, Diagram, DiagramPlace};
 use answers::{Check, Dossier, Fit, Item, Number, ScrewJoint, Tolerance, Verdict};
+use quantities::Language;
 use serde::Serialize;
-use words::{capitalised, erratum_place_of, marked, proviso_text};
+use words::{capitalised, erratum_place_of, marked, proviso_text, purpose_of};
 
 /// Data of the chapters of one axis, for the template.
 #[derive(Serialize)]
@@ -242,13 +243,13 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
     });
     let limits = judgement.reserve.limits.iter().flatten().map(|limit| Reserved {
         what: Reserve::Limits,
-        key: words_of(&limit.key, &content.dossier),
+        key: words_of(&limit.key, &content.dossier, shown.0),
         value: shown.figure(limit.value, limit.unit),
         proviso: "",
     });
     let gearing = content.dossier.sizing.would_fit_with.iter().map(|found| Reserved {
         what: Reserve::Gearing,
-        key: words_of(&found.key, &content.dossier),
+        key: words_of(&found.key, &content.dossier, shown.0),
         value: format!("{} ({})", shown.figure(found.value, found.unit), found.code),
         proviso: proviso(found.if_estimate, found.unless_rating),
     });
@@ -291,15 +292,15 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Format
     }
 }
 
-/// Returns the label of a key of the project with the title of its table; the key itself if the inputs have no label.
-fn words_of(key: &str, dossier: &Dossier) -> String {
+/// Returns the label of a key of the project with the title of its table; its purpose if the inputs have none.
+fn words_of(key: &str, dossier: &Dossier, language: Language) -> String {
     let inside = key.split_once("].").filter(|(axis, _)| axis.starts_with("axis[")).map_or(key, |(_, inside)| inside);
     let found = dossier.inputs.iter().find_map(|table| {
         let name = inside.strip_prefix(table.key.as_str())?.strip_prefix('.')?;
         let value = table.values.iter().find(|value| value.name == name)?;
         (!value.label.is_empty()).then(|| format!("{} ({})", capitalised(&value.label), table.title))
     });
-    found.unwrap_or_else(|| key.to_owned())
+    found.unwrap_or_else(|| capitalised(&purpose_of(inside, language)))
 }
 
 fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Formatter) -> Scatter {
@@ -326,14 +327,14 @@ fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Format
             values: worst
                 .values
                 .iter()
-                .map(|each| [words_of(&each.quantity, dossier), shown.figure(each.value, each.unit)])
+                .map(|each| [words_of(&each.quantity, dossier, shown.0), shown.figure(each.value, each.unit)])
                 .collect(),
         },
         influence: found
             .influence
             .iter()
             .map(|each| Influence {
-                quantity: words_of(&each.quantity, dossier),
+                quantity: words_of(&each.quantity, dossier, shown.0),
                 share: each.share.written().unwrap_or_default(),
                 percent: shown.share(each.share),
             })

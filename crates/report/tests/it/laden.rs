@@ -86,8 +86,13 @@ fn an_axis_with_every_requirement_takes_nine_pages_and_no_text_stands_on_another
     for (name, axis) in AXES {
         for (number, demands) in DEMANDS.iter().enumerate() {
             // Only an arm carries its payload at a distance of its own.
-            let demands = if name == "arm" { (*demands).to_owned() } else { demands.replace("payload_overhang = \"120 mm\"\n", "") };
-            let text = format!("format = 1\n[axis]\nname = \"Axis of a plant with a long name – {name}\"\n{axis}{demands}");
+            let demands = if name == "arm" {
+                (*demands).to_owned()
+            } else {
+                demands.replace("payload_overhang = \"120 mm\"\n", "")
+            };
+            let text =
+                format!("format = 1\n[axis]\nname = \"Axis of a plant with a long name – {name}\"\n{axis}{demands}");
             for content in samples::made_in(&text, None, &Language::ALL, true) {
                 let what = format!("{name}, demands {number}, {:?}", content.language);
                 let settings = Settings { pdf_a: false, ..Settings::default() };
@@ -98,7 +103,9 @@ fn an_axis_with_every_requirement_takes_nine_pages_and_no_text_stands_on_another
                 // What a user types is of no use on paper, nor is the name of a row of our data.
                 samples::read::are_readable(&what, &content, &report::letters(&content, &settings).unwrap());
                 let content = with_mounting(content);
-                faults.extend(report::overlaps(&content, &settings).unwrap().into_iter().map(|each| format!("{what}: {each:?}")));
+                faults.extend(
+                    report::overlaps(&content, &settings).unwrap().into_iter().map(|each| format!("{what}: {each:?}")),
+                );
             }
         }
     }

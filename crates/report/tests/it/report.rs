@@ -165,7 +165,11 @@ fn every_number_of_a_check_stands_in_the_report_as_it_is_in_the_answer(sample: S
             Some(unit) => quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol_in(sample.language)),
         };
         for value in [check.value, check.limit].into_iter().flatten() {
-            let figure = format!("{}{unit}", printed(value.0, sample.language));
+            // A life above a million hours is no statement of its digits.
+            let figure = match unit {
+                "h" if value.0 > 1e6 => ">10⁶h".to_owned(),
+                _ => format!("{}{unit}", printed(value.0, sample.language)),
+            };
             assert!(text.contains(&dense(&figure)), "{}, {}: {figure}", sample.name, check.title);
             numbers += 1;
         }

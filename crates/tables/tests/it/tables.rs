@@ -387,7 +387,9 @@ fn a_recommendation_or_a_class_that_is_met_has_no_utilisation_in_a_table() {
         for row in checks.rows.iter() {
             // A workbook has no identifiers; a check with several titles is that of its usual one.
             let title = row[of("title")].as_text().unwrap();
-            let Some(id) = CheckId::ALL.iter().find(|id| words::check_title(**id, Language::En) == title) else { continue };
+            let Some(id) = CheckId::ALL.iter().find(|id| words::check_title(**id, Language::En) == title) else {
+                continue;
+            };
             let verdict = row[of("verdict")].as_text().unwrap();
             let [utilisation, margin] = ["utilisation", "margin"].map(|column| row[of(column)].as_number());
             if id.has_margin() {
