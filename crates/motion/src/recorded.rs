@@ -9,7 +9,7 @@ use crate::resolution::{
     MadeUp, NOTABLE, Spurious, SteppedColumn, made_up, made_up_by_updates, mean_interval, median_interval,
 };
 use crate::settled::{SlowMotion, slow_motion, stop_at_rests};
-use crate::smoothing::{end_error, smooth_by};
+use crate::smoothing::{end_error, slope_error, slope_error_at_end, smooth_by};
 use crate::standstill::{Alternating, RestNoise, alternating, rests, still};
 use crate::threshold::set_to_rest;
 use crate::timing::{SpeedOverTime, evenly_spaced, with_time};
@@ -537,35 +537,6 @@ pub(crate) fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
         slopes.push(if d1 == 0.0 { 0.0 } else { d1 + h1 * (d1 - d0) / (h0 + h1) });
     }
     slopes
-}
-
-/// Returns the error of the slope at the first sample from the third difference of four samples: the first four or,
-/// with smoothing, those that divide the window there into thirds.
-///
-/// The parabola through three samples deviates from the slope of a cubic by h_0 (h_0 + h_1) y'''/6; that of least
-/// squares over a half window W by W² y'''/10.
-fn slope_error(time: &[f64], values: &[f64], half_window: f64) -> f64 {
-    let first = time.first().copied().unwrap_or(0.0);
-    let later = |share: f64, least: usize| {
-        time.partition_point(|t| (t - first).abs() < share * half_window * (1.0 - 1e-9)).max(least)
-    };
-    let at = [0, later(1.0 / 3.0, 1), later(2.0 / 3.0, 2), later(1.0, 3)];
-    let point = |index: usize| time.get(index).copied().zip(values.get(index).copied());
-    let [Some((t0, y0)), Some((t1, y1)), Some((t2, y2)), Some((t3, y3))] = at.map(point) else { return 0.0 };
-    let (d01, d12, d23) = ((y1 - y0) / (t1 - t0), (y2 - y1) / (t2 - t1), (y3 - y2) / (t3 - t2));
-    let third = ((d23 - d12) / (t3 - t1) - (d12 - d01) / (t2 - t0)) / (t3 - t0);
-    // The third difference is a sixth of the mean third derivative over the samples, between which it may vary as in a
-    // motion law: hence a factor of two.
-    (2.0 * third * if half_window > 0.0 { 0.6 * half_window * half_window } else { (t1 - t0) * (t2 - t0) }).abs()
-}
-
-/// Returns [`slope_error`] at the last sample.
-fn slope_error_at_end(time: &[f64], values: &[f64], half_window: f64) -> f64 {
-    // Only samples within the window, or the last four, are reversed.
-    let last = time.last().copied().unwrap_or(0.0);
-    let from = time.partition_point(|t| last - t > half_window).min(time.len().saturating_sub(4)).saturating_sub(1);
-    let turned = |values: &[f64]| values.get(from..).unwrap_or_default().iter().rev().copied().collect::<Vec<f64>>();
-    slope_error(&turned(time), &turned(values), half_window)
 }
 
 /// Returns the trapezoidal integral, which is exact for a speed linear between the samples.

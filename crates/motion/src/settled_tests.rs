@@ -134,7 +134,7 @@ fn small_disturbances_at_rest_are_rest() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// From positions alone the sampling interval does not lengthen the motion: the first and the last sample of a rest are at
+/// The sampling interval does not lengthen the motion from positions alone: the first and the last sample of a rest are at
 /// rest.
 #[test]
 fn a_rest_loses_no_sample() {

@@ -3,7 +3,7 @@
 mod of_curve;
 
 use crate::axis::Axis;
-use crate::check::{Amount, Check, CheckId, Verdict};
+use crate::check::{CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, cite};
 use crate::electrics::Electrics;
 use crate::list::{Case, Outcome};
@@ -16,7 +16,7 @@ use actuator::{
 };
 use derivation::{Finding, Workings};
 use numeric::at_most;
-use of_curve::OfCurve;
+use of_curve::{OfCurve, within_the_curve};
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
@@ -485,33 +485,6 @@ pub(crate) fn peak_current(case: &Case<'_>, work: &mut Workings) -> Outcome {
 pub(crate) fn demagnetisation(case: &Case<'_>, work: &mut Workings) -> Outcome {
     let limit = case.actuator.current_demagnetisation.require("I_E")?;
     current_check(case, (CheckId::Demagnetisation, "I_E", limit), work)
-}
-
-/// Checks I_peak ≤ I_max where no instant exceeds the current of the published short-time curve, `share` of which is used at
-/// most: above I_max the curve permits the torque, but a drive that is set to I_max does not deliver it.
-fn within_the_curve(
-    case: &Case<'_>,
-    currents: &Currents<'_>,
-    (limit, share): (&Sourced<ElectricCurrent>, f64),
-    work: &mut Workings,
-) -> Check {
-    let peak = currents.peak(case.axis);
-    let current = currents.extreme(&peak).abs();
-    currents.explain_peak(&peak, None, (case.axis, case.actuator), work);
-    work.value("I_peak");
-    work.given("I_max", &AMPERE, limit);
-    work.limit("I_max");
-    let mut notes = currents.notes.clone();
-    if !at_most(current, limit.value.si()) {
-        notes.push(Note::PermittedByCurve(Amount { si: current / share, unit: &AMPERE }));
-    }
-    Comparison {
-        at: Some(Time::from_si(peak.time_s)),
-        grade: currents.grade.worst(limit.grade),
-        notes,
-        ..Comparison::with(CheckId::PeakCurrent, &AMPERE, current, Source::Model { name: "current" }, limit)
-    }
-    .answer(Verdict::Advice)
 }
 
 fn current_check(

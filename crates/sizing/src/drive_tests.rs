@@ -143,7 +143,7 @@ fn a_plateau_at_the_continuous_current_is_not_above_it() {
     }
 }
 
-/// Each rating of the drive has a check of its own: the one that is exceeded fails, the others keep their values.
+/// Every rating of the drive has a check of its own: the one that is exceeded fails, the others keep their values.
 #[test]
 fn each_rating_has_a_check_of_its_own() {
     use CheckId::{DriveCurrent, DriveCurrentPeak, DrivePeakTime};

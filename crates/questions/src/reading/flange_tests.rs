@@ -221,7 +221,7 @@ fn static_safety_takes_the_largest_loads_together() {
     assert!(size(&read(&text)).candidates.first().unwrap().id.order_code().is_some());
 }
 
-/// Where force and moment act in different segments, the life follows from the mean of the moment that acts, not from the
+/// The life follows, also where force and moment act in different segments, from the mean of the moment that acts, not from the
 /// means of its parts: eq. 74.1 to 75.3 by hand.
 #[test]
 fn the_life_follows_from_the_moment_that_acts() {

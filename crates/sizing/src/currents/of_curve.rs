@@ -1,7 +1,16 @@
 //! Current that the manufacturer's short-time curve permits.
 
+use super::Currents;
+use crate::check::{Amount, Check, CheckId, Verdict};
+use crate::comparison::Comparison;
+use crate::list::Case;
+use crate::notes::Note;
 use actuator::{CurvePoint, FrictionAt, MotorCurrent};
-use quantities::Measure;
+use derivation::Workings;
+use numeric::at_most;
+use provenance::{Source, Sourced};
+use quantities::unit::AMPERE;
+use quantities::{ElectricCurrent, Measure, Time};
 
 /// Limit of the manufacturer's short-time curve, which may permit more than the stated I_max.
 #[derive(Clone, Copy)]
@@ -50,4 +59,31 @@ impl OfCurve<'_> {
         corners.dedup();
         corners
     }
+}
+
+/// Checks I_peak ≤ I_max where no instant exceeds the current of the published short-time curve, `share` of which is used at
+/// most: above I_max the curve permits the torque, but a drive that is set to I_max does not deliver it.
+pub(super) fn within_the_curve(
+    case: &Case<'_>,
+    currents: &Currents<'_>,
+    (limit, share): (&Sourced<ElectricCurrent>, f64),
+    work: &mut Workings,
+) -> Check {
+    let peak = currents.peak(case.axis);
+    let current = currents.extreme(&peak).abs();
+    currents.explain_peak(&peak, None, (case.axis, case.actuator), work);
+    work.value("I_peak");
+    work.given("I_max", &AMPERE, limit);
+    work.limit("I_max");
+    let mut notes = currents.notes.clone();
+    if !at_most(current, limit.value.si()) {
+        notes.push(Note::PermittedByCurve(Amount { si: current / share, unit: &AMPERE }));
+    }
+    Comparison {
+        at: Some(Time::from_si(peak.time_s)),
+        grade: currents.grade.worst(limit.grade),
+        notes,
+        ..Comparison::with(CheckId::PeakCurrent, &AMPERE, current, Source::Model { name: "current" }, limit)
+    }
+    .answer(Verdict::Advice)
 }

@@ -148,7 +148,6 @@ fn notes() {
         |permitted| Note::BrakeStop(Box::new(BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted }));
     let all = [
         Note::FrictionTemperatures { cold: q(293.0), settled: Some(q(333.0)) },
-        Note::FrictionTemperatures { cold: q(293.0), settled: None },
         Note::FrictionExtrapolated { low: x(0.5), high: x(2.0) },
         Note::UntilWarm,
         Note::LargestCurrentElsewhere { current: q(3.0), time: q(0.5) },

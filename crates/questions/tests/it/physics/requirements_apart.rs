@@ -1,4 +1,4 @@
-//! Each requirement of the project has a check of its own: no row of a table stands for two of them.
+//! Checks of the requirements: every one of them has a check of its own: no row of a table stands for two of them.
 
 use super::{checks, read};
 use sizing::{CheckId, Verdict};
