@@ -29,7 +29,6 @@ pub struct Judgement {
 /// Result of a check in a judgement. Most belong to one actuator and are stored in place: an allocation for each would take
 /// a third of the time of a ranking.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "the large variant is the common one")]
 pub enum Checked {
     /// Result for one actuator.
     Own(Check),

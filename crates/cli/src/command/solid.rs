@@ -63,7 +63,7 @@ impl Bodies {
         };
         let has_bore = |(number, from): (usize, &usize)| {
             let to = places.get(number + 1).copied().unwrap_or(words.len());
-            words.get(*from..to).is_some_and(|words| words.iter().any(|word| is_bore(word)))
+            words.get(*from..to).is_some_and(|words| words.iter().any(&is_bore))
         };
         Self { bores: places.iter().enumerate().map(has_bore).collect(), ..Self::default() }
     }
