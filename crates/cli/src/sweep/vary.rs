@@ -240,15 +240,18 @@ fn of_motion(
 ) -> Result<Option<Column>, Fault> {
     let Some(meaning) = motion::meaning(word) else { return Ok(None) };
     let is_stated = all.iter().any(|each| each.path.starts_with(prefix) && each.path.ends_with(".cycle"));
-    if meaning == motion::MotionWord::Cycle && !is_stated {
+    // The call that states the word with one value before it is varied.
+    let set_first = || {
         let set = typed([
             "--set",
             &format!("{word}={}", values.last(&values.unit)),
             &*format!("--{VARY}"),
             &format!("{word}={}", seen(stated)),
         ]);
-        let hint = usage_hint(&UsageHint::Calls(vec![set]), language);
-        return Err((sweeps::vary_no_cycle(&seen(word), language), Some(hint)));
+        usage_hint(&UsageHint::Calls(vec![set]), language)
+    };
+    if meaning == motion::MotionWord::Cycle && !is_stated {
+        return Err((sweeps::vary_no_cycle(&seen(word), language), Some(set_first())));
     }
     let unit = match &*values.unit {
         "" => motion::unit(text, (prefix, word)).unwrap_or_default(),
@@ -269,14 +272,7 @@ fn of_motion(
         return Err((sweeps::vary_unit(&seen(word), language), Some(hint)));
     }
     if found.iter().any(|(_, value)| value.is_empty()) {
-        let set = typed([
-            "--set",
-            &format!("{word}={}", values.last(&values.unit)),
-            &*format!("--{VARY}"),
-            &format!("{word}={}", seen(stated)),
-        ]);
-        let hint = usage_hint(&UsageHint::Calls(vec![set]), language);
-        return Err((sweeps::vary_replaces(&seen(word), language), Some(hint)));
+        return Err((sweeps::vary_replaces(&seen(word), language), Some(set_first())));
     }
     let own = |path: &String| path.strip_prefix(prefix).unwrap_or(path).to_owned();
     let is_back = |value: &String| value.starts_with('-');
