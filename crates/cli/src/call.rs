@@ -9,7 +9,7 @@ use crate::fault::{memory, path_text};
 use crate::save::Saver;
 use crate::source::SourceFile as File;
 use crate::waiting::{progress, waited_s};
-use axis::{AxisProject, Catalogue};
+use axis::Catalogue;
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use project::{BODY_SHAPES, CATALOGUE_MAX_BYTES};
@@ -281,8 +281,8 @@ impl Call<'_> {
     }
 
     /// Returns the writer of the files of the call, which protects those that it reads.
-    pub(crate) fn saver<'c>(&self, inputs: &'c [PathBuf]) -> Saver<'c> {
-        Saver { inputs, force: self.flag("force"), language: self.language }
+    pub(crate) fn saver(&self) -> Saver {
+        Saver { inputs: self.inputs(), force: self.flag("force"), language: self.language }
     }
 
     /// Returns the answer as a record.
@@ -322,23 +322,25 @@ impl Call<'_> {
         self.entry.files().any(|file| self.path(file.option).is_some())
     }
 
-    /// Returns the files that are read: the project and its recordings. None of them is written.
-    pub(crate) fn inputs<'p>(&self, projects: impl IntoIterator<Item = &'p AxisProject>) -> Vec<PathBuf> {
-        let Some(file) = self.files.first() else { return Vec::new() };
-        let recordings = projects.into_iter().flat_map(|project| &project.recordings);
-        let recordings = recordings.map(|read| file.project_files().folder.join(&read.file));
-        [file.path().to_owned()].into_iter().chain(recordings).collect()
-    }
-
-    /// Returns the files that are read, by the text of the project: without reading a recording, which may take seconds.
-    pub(crate) fn inputs_named(&self) -> Vec<PathBuf> {
-        let Some(file) = self.files.first() else { return Vec::new() };
-        let source = file.source();
-        let (text, _) = project::decoded(&source.bytes);
-        let is_recording = |path: &str| path.ends_with("].file") && path.contains("motion[");
-        let named = project::written(&text).unwrap_or_default().into_iter().filter(|each| is_recording(&each.path));
-        let named = named.filter_map(|each| each.value).map(|name| file.project_files().folder.join(name));
-        [file.path().to_owned()].into_iter().chain(named).collect()
+    /// Returns every file that the call reads: those that it names, and those that its projects name. None of them is written.
+    ///
+    /// No recording is read for it, which may take seconds.
+    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
+        let is_written = |name: &str| self.entry.files().any(|file| file.option == name);
+        let named = self.matches.ids().map(clap::Id::as_str).filter(|name| !is_written(name)).flat_map(|name| {
+            let paths = self.matches.try_get_many::<PathBuf>(name).ok().flatten().into_iter().flatten();
+            let is_file =
+                self.entry.arguments.iter().any(|each| each.name == name && matches!(each.kind, ArgumentKind::File));
+            let words = if is_file { self.texts(name) } else { Vec::new() };
+            paths.cloned().chain(words.into_iter().map(PathBuf::from)).collect::<Vec<_>>()
+        });
+        let of_projects = self.files.iter().flat_map(|file| {
+            let source = file.source();
+            let (text, _) = project::decoded(&source.bytes);
+            let folder = &file.project_files().folder;
+            project::files_named(&text).into_iter().map(|name| folder.join(name)).collect::<Vec<_>>()
+        });
+        named.chain(of_projects).collect()
     }
 
     /// Returns the folder of the project.

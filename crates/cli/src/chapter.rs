@@ -21,11 +21,11 @@ use words::{curve_title, grade_word, source_text, terminal, terms, title_of_chec
 pub(crate) fn curve(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     if plot::is_asked(call) {
-        plot::destination(call, &[], None)?;
+        plot::destination(call, None)?;
     }
     let (code, plane) = curve::found(inquiry)?;
     if plot::is_asked(call) {
-        return plot::draw(&figures::curves(&code, &plane, language), call, &[]);
+        return plot::draw(&figures::curves(&code, &plane, language), call);
     }
     let mut out = format!("{code}\n");
     for curve in &plane.curves {
@@ -160,7 +160,7 @@ pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     }
     let mut files: Vec<(&Path, &[u8])> = vec![(out, template.text.as_bytes())];
     files.extend(beside.iter().map(|(path, text)| (path.as_path(), text.as_bytes())));
-    call.saver(&[]).save(&files)?;
+    call.saver().save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
         return Ok(CommandAnswer { talk, ..CommandAnswer::record(&FilesWritten { files: paths }) });

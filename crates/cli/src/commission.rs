@@ -61,7 +61,7 @@ pub(crate) fn commission(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Comma
 /// Writes the requested files, all or none.
 fn write(files: &[(&Path, Vec<u8>)], code: &OrderCode, call: &Call<'_>) -> Result<CommandAnswer, Unanswered> {
     let to_write: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (*path, bytes.as_slice())).collect();
-    call.saver(&[]).save(&to_write)?;
+    call.saver().save(&to_write)?;
     let code = code.to_string();
     let records: Vec<CommissionWritten> = files
         .iter()

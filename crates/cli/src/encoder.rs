@@ -19,7 +19,7 @@ pub(crate) fn encoder(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandA
     };
     if let (Some(file), Some((code, trace))) = (file, trace) {
         let text = trace.vcd(&code.to_string());
-        call.saver(&[]).save(&[(file, text.as_bytes())])?;
+        call.saver().save(&[(file, text.as_bytes())])?;
         record.trace = Some(path_text(file));
     }
     let text = || with_file(&chapter::encoder(&record, language), record.trace.as_deref(), language);

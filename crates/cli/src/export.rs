@@ -27,8 +27,7 @@ pub(crate) fn export(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAn
         return Err(Unanswered::message(terminal::name_one_table(&NAMES.join(", "), language)));
     }
     let source = inquiry.source()?;
-    let inputs = call.inputs_named();
-    let saver = call.saver(&inputs);
+    let saver = call.saver();
     if let Some(file) = file {
         saver.ready(&[file])?;
     }

@@ -9,7 +9,7 @@ use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
 use quantities::format_number;
 use quantities::unit::MILLIMETRE;
 use questions::list::{Inquiry, Unanswered, plot};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use words::terminal;
 
 /// Pixels of a PNG to the CSS pixel: 192 dpi.
@@ -21,8 +21,7 @@ const MM_PER_PX: f64 = 25.4 / 96.0;
 /// `antrieb plot PROJECT --figure FIGURE`
 pub(crate) fn plot(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
-    let inputs = call.inputs_named();
-    destination(call, &inputs, None)?;
+    destination(call, None)?;
     let args = plot::Args::read(&inquiry.given)?;
     let project = args.drawn(inquiry)?;
     let figure = args.figure.as_deref().and_then(Figure::of_id).unwrap_or(Figure::TorqueSpeed);
@@ -30,7 +29,7 @@ pub(crate) fn plot(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnsw
     let candidate = args.candidate(&project, inquiry)?;
     let drawing = figures::draw(figure, &project, &candidate, by, progress(), language)
         .map_err(|fault| Unanswered::message(fault.message(waited_s(), language)))?;
-    Ok(draw(&drawing, call, &inputs)?.fits(candidate.fits()))
+    Ok(draw(&drawing, call)?.fits(candidate.fits()))
 }
 
 /// Returns `true` if a picture is requested.
@@ -40,16 +39,16 @@ pub(crate) fn is_asked(call: &Call<'_>) -> bool {
 
 /// Checks that the picture can be written to its files before it is computed, and that none of them is `other`, a
 /// further file that the call writes.
-pub(crate) fn destination(call: &Call<'_>, inputs: &[PathBuf], other: Option<&Path>) -> Result<(), Unanswered> {
+pub(crate) fn destination(call: &Call<'_>, other: Option<&Path>) -> Result<(), Unanswered> {
     if call.path("png").is_some_and(|path| path.as_os_str() == "-") {
         return Err(Unanswered::message(terminal::png_needs_a_file(call.language)));
     }
     let files: Vec<&Path> = other.into_iter().chain(call.file("svg")).chain(call.path("png")).collect();
-    call.saver(inputs).ready(&files)
+    call.saver().ready(&files)
 }
 
 /// Draws the picture and writes it to the files that [`destination`] has checked, or to standard output.
-pub(crate) fn draw(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Result<CommandAnswer, Unanswered> {
+pub(crate) fn draw(drawing: &Drawing, call: &Call<'_>) -> Result<CommandAnswer, Unanswered> {
     let language = call.language;
     let picture = drawing.render(&style(drawing, call)?);
     let png = call.path("png");
@@ -61,7 +60,7 @@ pub(crate) fn draw(drawing: &Drawing, call: &Call<'_>, inputs: &[PathBuf]) -> Re
     }
     let svg = call.file("svg").map(|path| (path, picture.svg().as_bytes()));
     let files: Vec<(&Path, &[u8])> = svg.into_iter().chain(png.map(|path| (path, pixels.as_slice()))).collect();
-    call.saver(inputs).save(&files)?;
+    call.saver().save(&files)?;
     let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if call.as_json {
         return Ok(CommandAnswer::record(&described(drawing, &picture, &paths)));

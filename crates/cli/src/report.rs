@@ -53,8 +53,7 @@ pub(crate) fn write(
     let altered = call.changes().map(|line| without_keys(&made(line), language).into_owned()).collect();
     let settings = Settings { altered, ..settings(&args) };
     let source = inquiry.source()?;
-    let inputs = call.inputs_named();
-    let saver = call.saver(&inputs);
+    let saver = call.saver();
     saver.ready(&[out])?;
     let projects = args.axes(inquiry)?;
     let with_installation = args.installation;

@@ -18,19 +18,19 @@ pub(crate) fn not_to_stdout(path: &Path, language: Language) -> Unanswered {
 }
 
 /// Writer of the files of a call.
-pub(crate) struct Saver<'c> {
+pub(crate) struct Saver {
     /// Files that are read and must not be written.
-    pub(crate) inputs: &'c [PathBuf],
+    pub(crate) inputs: Vec<PathBuf>,
     /// Replaces an existing file.
     pub(crate) force: bool,
     pub(crate) language: Language,
 }
 
-impl Saver<'_> {
+impl Saver {
     /// Writes files, all or none; a signal removes unfinished ones.
     pub(crate) fn save(&self, files: &[(&Path, &[u8])]) -> Result<(), Unanswered> {
         disk::end_on_signals();
-        disk::save(files, self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
+        disk::save(files, &self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
     }
 
     /// Writes a file piece by piece.
@@ -40,7 +40,7 @@ impl Saver<'_> {
         write: impl FnOnce(&mut std::fs::File) -> Result<(), Unanswered>,
     ) -> Result<(), Unanswered> {
         disk::end_on_signals();
-        disk::save_by(file, self.inputs, self.force, write).map_err(|why| match why {
+        disk::save_by(file, &self.inputs, self.force, write).map_err(|why| match why {
             disk::Unsaved::Unwritten(why) => unwritten(&why, self.language),
             disk::Unsaved::Other(why) => why,
         })
@@ -48,6 +48,6 @@ impl Saver<'_> {
 
     /// Checks that files can be written, before they are computed.
     pub(crate) fn ready(&self, files: &[&Path]) -> Result<(), Unanswered> {
-        disk::ready(files, self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
+        disk::ready(files, &self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
     }
 }

@@ -21,12 +21,11 @@ pub(crate) fn simulate(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     let is_trace = |format: &Format| matches!(format, Format::Csv | Format::Parquet);
     let format = file.map(|file| Format::of(file).filter(is_trace).ok_or_else(ending)).transpose()?;
     let axes = args.axes(inquiry)?;
-    let inputs = call.inputs(axes.iter().map(|(_, project)| project));
-    let saver = call.saver(&inputs);
+    let saver = call.saver();
     // As with `plot`: without a file the picture goes to standard output.
     let draws = plot::is_asked(call) || args.figure.is_some();
     if draws {
-        plot::destination(call, &inputs, file)?;
+        plot::destination(call, file)?;
     } else if let Some(file) = file {
         saver.ready(&[file])?;
     }
@@ -56,7 +55,7 @@ pub(crate) fn simulate(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
     }
     if let Some(run) = runs.first().filter(|_| draws) {
         let drawing = figures::of_a_run(args.figure.as_deref(), run, language);
-        return Ok(plot::draw(&drawing, call, &inputs)?.fits(fits));
+        return Ok(plot::draw(&drawing, call)?.fits(fits));
     }
     let data = if call.as_json {
         written(&Answered::of(records, Fit::of(fits)))

@@ -115,11 +115,7 @@ fn into_file(
     let text = source.text(language)?;
     let projects = source.projects(inquiry.catalogue, inquiry.progress, language);
     let products = run::products(&**inquiry.catalogue, projects.as_deref().unwrap_or_default());
-    let mut inputs = call.inputs(projects.as_deref().unwrap_or_default());
-    if let TableRows::File(path) = &table.rows {
-        inputs.push(path.to_path_buf());
-    }
-    let saver = call.saver(&inputs);
+    let mut saver = call.saver();
     let place = format_of(call, out).and_then(|answers| saver.ready(&[out]).map(|()| answers));
     let opened = table.open(0, PART).map(|batches| (table, batches));
     let ready = match opened {
@@ -147,9 +143,7 @@ fn into_file(
     let recordings = sweep.recordings();
     let run = SweepRun { table: &table, project: text, products, recordings, files: &project_files, options };
     // Files that the table names are protected too.
-    let inputs: Vec<PathBuf> =
-        inputs.into_iter().chain(run.recordings.iter().map(|name| project_files.folder.join(name))).collect();
-    let saver = call.saver(&inputs);
+    saver.inputs.extend(run.recordings.iter().map(|name| project_files.folder.join(name)));
     saver.ready(&[out])?;
     let lines = sweep.rows_within(call.memory(), PART);
     let parts = SweepParts::of(&run, out, run.mark()?, lines, call.flag("force"))?;

@@ -25,7 +25,7 @@ pub(crate) fn upkeep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAn
     let name = call.label("name")?;
     if let Some(file) = file {
         let bytes = tables::calendar(&plan, &record, name.as_deref(), language);
-        call.saver(&[]).save(&[(file, bytes.as_bytes())])?;
+        call.saver().save(&[(file, bytes.as_bytes())])?;
         record.calendar = Some(path_text(file));
     }
     let text = || with_file(&chapter::upkeep(&record, language), record.calendar.as_deref(), language);

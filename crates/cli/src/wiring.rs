@@ -34,8 +34,8 @@ fn draw(found: &questions::list::wiring::CodeWiring, call: &Call<'_>) -> Result<
     if connector.pins.is_empty() {
         return Err(Unanswered::message(wiring::no_pins_to_draw(language)));
     }
-    plot::destination(call, &[], None)?;
-    plot::draw(&figures::mating_face(&found.code, connector, figures::PinTexts::Full, language), call, &[])
+    plot::destination(call, None)?;
+    plot::draw(&figures::mating_face(&found.code, connector, figures::PinTexts::Full, language), call)
 }
 
 /// `antrieb wiring CODE --check FILE`

@@ -477,6 +477,33 @@ pub fn written(text: &str) -> Option<Vec<Written>> {
     Some(found)
 }
 
+/// Returns the names of the files that a project names, recordings and catalogue files, independent of the validity of its values.
+#[must_use]
+pub fn files_named(text: &str) -> Vec<String> {
+    fn of(table: &dyn TableLike, found: &mut Vec<String>) {
+        for (name, item) in table.iter() {
+            match item {
+                Item::Value(value) if matches!(name, "file" | "files") => {
+                    let entries = value.as_array().into_iter().flat_map(|array| array.iter());
+                    found.extend(entries.chain([value]).filter_map(Value::as_str).map(str::to_owned));
+                }
+                Item::Value(Value::Array(array)) => {
+                    array.iter().filter_map(Value::as_inline_table).for_each(|entry| of(entry, found));
+                }
+                Item::Value(Value::InlineTable(inside)) => of(inside, found),
+                Item::Table(inside) => of(inside, found),
+                Item::ArrayOfTables(tables) => tables.iter().for_each(|entry| of(entry, found)),
+                Item::Value(_) | Item::None => {}
+            }
+        }
+    }
+    let mut found = Vec::new();
+    if let Ok(document) = Document::parse(text) {
+        of(document.as_table(), &mut found);
+    }
+    found
+}
+
 fn of_table(table: &dyn TableLike, path: &str, found: &mut Vec<Written>) {
     fn add(table: &dyn TableLike, path: String, span: Option<Span<usize>>, found: &mut Vec<Written>) {
         found.push(Written { path: path.clone(), value: None, span: span.unwrap_or_default() });

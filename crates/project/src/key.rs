@@ -315,6 +315,23 @@ mod tests {
         }
     }
 
+    /// The commands protect the files that a project names: each key whose example is a file is one of theirs.
+    #[test]
+    fn every_key_that_names_a_file_is_known_to_name_one() {
+        let mut found = Vec::new();
+        all(KEYS, "", "", &mut found);
+        let is_file = |text: &str| [".csv\"", ".toml\"", ".parquet\""].iter().any(|ending| text.contains(ending));
+        let texts: Vec<&String> = found.iter().filter(|text| is_file(text)).collect();
+        assert!(texts.len() >= 2, "{texts:?}");
+        for text in texts {
+            assert_eq!(crate::files_named(text).len(), 1, "{text}");
+        }
+        let several = "motion = [{ law = \"recorded\", file = \"a.csv\" }]\naxis = [{ motion = [{ file = 1 }] }]\n\
+            [catalogue]\nfiles = [\"b.csv\", \"c.toml\"]\n";
+        assert_eq!(crate::files_named(several), ["a.csv", "b.csv", "c.toml"]);
+        assert!(crate::files_named("a =").is_empty());
+    }
+
     /// Optional keys of mechanisms whose absence is no default that a user should see: their assumption belongs to another
     /// key, their part does not exist unless it is stated, or it is required where it has an effect.
     const NOT_LISTED: [&str; 27] = [

@@ -99,7 +99,9 @@ pub use bodies::{BODY_SHAPES, BodyKind, BodyShape, BodyText, read_bodies};
 pub use catalogue_file::{CATALOGUE_KEYS, CATALOGUE_MAX_BYTES, ReadCatalogue, read_catalogue};
 pub use cycle::{FilledCycle, Unfilled, cycle_filled};
 pub use diagnostic::{Diagnostic, offset, place};
-pub use edit::{Edit, EditFault, Written, edit, edit_measured, edit_values, key_at, measured_key_at, written};
+pub use edit::{
+    Edit, EditFault, Written, edit, edit_measured, edit_values, files_named, key_at, measured_key_at, written,
+};
 pub use encoding::decoded;
 pub use fault::{Expected, Fault, FileTrouble, Range, Unopened};
 pub use heading::{Counted, Heading, Objection, is_label, nearest_heading, truth};

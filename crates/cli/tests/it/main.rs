@@ -11,6 +11,7 @@ mod export;
 mod files;
 mod german_figures;
 mod hostile;
+mod inputs;
 mod meanings;
 mod readers;
 mod refusals;
