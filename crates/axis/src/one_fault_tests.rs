@@ -143,3 +143,59 @@ fn one_damaged_value_is_one_fault() {
     assert!(tried > 1500, "{tried}");
     assert!(wrong.is_empty(), "{} of {tried}\n{}", wrong.len(), wrong.join("\n"));
 }
+
+/// Collects the words of each key that is a choice, wherever it stands.
+fn choices(keys: &'static [Key], found: &mut Vec<(&'static str, &'static [&'static str])>) {
+    for key in keys {
+        if let Kind::OneOf(words) = key.kind {
+            found.push((key.name, words));
+        }
+        choices(key.kind.keys(false), found);
+    }
+}
+
+/// A word that is none of a key that decides which others are needed is one fault: until it is known, no other key is missing
+/// or out of place. The words are at any distance from the valid ones.
+#[test]
+fn an_unknown_choice_is_one_fault() {
+    let mut known = Vec::new();
+    choices(KEYS, &mut known);
+    let (mut tried, mut wrong, mut seen) = (0, Vec::new(), BTreeSet::new());
+    for text in EXAMPLES.iter().map(|text| (*text).to_owned()).chain(generated()) {
+        let sound = faults(&text);
+        let lines: Vec<&str> = text.lines().collect();
+        for (index, line) in lines.iter().enumerate() {
+            let code = line.split('#').next().unwrap_or_default().trim_end();
+            let Some((key, value)) = code.split_once(" = ") else { continue };
+            let word = value.trim_matches('"');
+            let Some((name, words)) = known.iter().find(|(name, words)| *name == key && words.contains(&word)) else {
+                continue;
+            };
+            // Every choice of every table once, with all words.
+            let table = lines[..index].iter().rev().find(|line| line.starts_with('[')).copied().unwrap_or_default();
+            if !seen.insert((table.to_owned(), *name, word.to_owned())) {
+                continue;
+            }
+            let bent = words.iter().flat_map(|word| {
+                let (first, rest) = word.split_at(1);
+                let middle = word.len() / 2;
+                [format!("{word}{first}"), rest.to_owned(), word[..middle].to_owned(), format!("{first}x{rest}")]
+            });
+            let other = ["sinus", "none", "x", "cam", "linear", "spline", "continous"].map(str::to_owned);
+            for written in bent.chain(other).filter(|written| !words.contains(&written.as_str())) {
+                let damaged = format!("{key} = \"{written}\"");
+                let mut all = lines.clone();
+                all[index] = &damaged;
+                let found = faults(&(all.join("\n") + "\n"));
+                let new: Vec<&(usize, &str)> = found.difference(&sound).collect();
+                tried += 1;
+                // A synonym of a choice is none of the listed words and no fault.
+                if !(new.is_empty() || new.len() == 1 && new[0].0 == index + 1) {
+                    wrong.push(format!("{table} {damaged}: {new:?}"));
+                }
+            }
+        }
+    }
+    assert!(tried > 1000 && seen.len() > 30, "{tried} of {}", seen.len());
+    assert!(wrong.is_empty(), "{} of {tried}\n{}", wrong.len(), wrong.join("\n"));
+}

@@ -307,13 +307,15 @@ impl<'t> Reader<'t> {
     ) -> Option<ValueCell> {
         let dimension = one_of(dimensions, text)?;
         match quantities::parse_toleranced(dimension, text) {
-            Err(error) => {
-                let inner = inside(self.text(), &span, text, error.span());
-                let also = dimensions.iter().copied().filter(|other| *other != dimension).collect();
-                // The bounds of a recording are not those of its clock.
-                let is_bound = [".from", ".to"].iter().any(|key| path.ends_with(key));
-                let hint = (is_bound && is_clock(text)).then_some(Hint::TimeOfClock);
-                self.fault(inner, Fault::Quantity { path: path.to_owned(), error, also }, hint);
+            Err(_) => {
+                for error in quantities::quantity_faults(dimension, text) {
+                    let inner = inside(self.text(), &span, text, error.span());
+                    let also = dimensions.iter().copied().filter(|other| *other != dimension).collect();
+                    // The bounds of a recording are not those of its clock.
+                    let is_bound = [".from", ".to"].iter().any(|key| path.ends_with(key));
+                    let hint = (is_bound && is_clock(text)).then_some(Hint::TimeOfClock);
+                    self.fault(inner, Fault::Quantity { path: path.to_owned(), error, also }, hint);
+                }
                 None
             }
             Ok((reading, half)) => {
@@ -461,10 +463,8 @@ impl<'t> Reader<'t> {
         let is = |written: &str, name: &str| written == name || written.replace(is_invisible, "") == name;
         let find = |name: &str| table.iter().find(|(key, _)| is(key.get_ref(), name));
         let Some(kind) = find(variants.by).and_then(|(_, value)| value.get_ref().as_str()) else { return };
-        // A misspelt kind is reported elsewhere; its missing keys are those of the kind that was probably meant.
-        let near = |name: &str| strsim::damerau_levenshtein(name, &shortened(kind, WORD_SHOWN));
-        let nearest = variants.kinds.iter().min_by_key(|(name, ..)| near(name));
-        let Some((_, needed, allowed)) = nearest.filter(|(name, ..)| near(name) * 2 <= name.len()) else { return };
+        // An unknown kind is reported elsewhere; until it is known, no key can be missing that only some kinds need.
+        let Some((_, needed, allowed)) = variants.kinds.iter().find(|(name, ..)| *name == kind) else { return };
         let is_silent = self.torn || !self.report.is_listed(span.start) || self.has_nameless(table, variants.keys);
         if !is_silent {
             let missing: Vec<&str> = needed.iter().filter(|name| find(name).is_none()).copied().collect();
@@ -473,9 +473,6 @@ impl<'t> Reader<'t> {
                 let fault = Fault::MissingKey { path: joined(path, name), list: false };
                 self.fault(span.start..span.start + usize::from(!span.is_empty()), fault, hint.map(Hint::Example));
             }
-        }
-        if !variants.kinds.iter().any(|(name, ..)| *name == kind) {
-            return;
         }
         let belongs = |name: &str| {
             name == variants.by || [*needed, *allowed, variants.shared].iter().any(|names| names.contains(&name))

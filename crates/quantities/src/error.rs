@@ -143,4 +143,22 @@ impl QuantityError {
             | Self::ToleranceOfOffsetScale { span } => span.clone(),
         }
     }
+
+    /// Returns the place of the offending part of the text, to change it.
+    pub(crate) const fn span_mut(&mut self) -> &mut Range<usize> {
+        match self {
+            Self::Empty { span, .. }
+            | Self::NumberMissing { span, .. }
+            | Self::NumberUnreadable { span, .. }
+            | Self::DecimalComma { span, .. }
+            | Self::NotFinite { span, .. }
+            | Self::UnitMissing { span, .. }
+            | Self::UnitUnknown { span, .. }
+            | Self::WrongQuantity { span, .. }
+            | Self::FlywheelEffect { span, .. }
+            | Self::ToleranceMissing { span }
+            | Self::ToleranceNegative { span }
+            | Self::ToleranceOfOffsetScale { span } => span,
+        }
+    }
 }

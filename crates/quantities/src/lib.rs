@@ -45,7 +45,7 @@ pub use measure::{
 };
 pub use parse::{Reading, parse, parse_as};
 pub use seen::{is_unseen, seen};
-pub use tolerance::{HalfWidth, PLUS_MINUS, parse_toleranced, without_tolerance};
+pub use tolerance::{HalfWidth, PLUS_MINUS, parse_toleranced, quantity_faults, without_tolerance};
 pub use units::Unit;
 pub use uom::si::f64::{
     Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, Area, ElectricCurrent, ElectricPotential,

@@ -4,6 +4,7 @@ use crate::dimension::Dimension;
 use crate::error::QuantityError;
 use crate::parse::{Reading, parse, parse_at};
 use crate::unit::{DEGREE_CELSIUS, PERCENT};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// Notations of "plus or minus"; the first is the usual sign, the others are for keyboards.
@@ -62,6 +63,49 @@ pub fn parse_toleranced(expected: Dimension, text: &str) -> Result<(Reading, Opt
         return Err(QuantityError::NotFinite { span, found });
     }
     Ok((reading, Some(HalfWidth { si: si.abs(), span })))
+}
+
+/// Returns every fault of a quantity that may have a tolerance: a faulty number does not hide a faulty unit after it.
+///
+/// ```
+/// use quantities::{Dimension, QuantityError, quantity_faults};
+///
+/// let faults = quantity_faults(Dimension::Torque, "0,3 foo");
+/// assert!(matches!(faults[..], [QuantityError::DecimalComma { .. }, QuantityError::UnitUnknown { .. }]));
+/// ```
+#[must_use]
+pub fn quantity_faults(expected: Dimension, text: &str) -> Vec<QuantityError> {
+    // A number of the value and one of the half-width.
+    const NUMBERS: usize = 2;
+    let mut faults = Vec::new();
+    let mut text = Cow::Borrowed(text);
+    let mut replaced: Vec<Range<usize>> = Vec::new();
+    while let Err(mut error) = parse_toleranced(expected, &text) {
+        // A number that was replaced is its fault's place as a whole.
+        if let Some(number) = replaced.iter().find(|number| number.contains(&error.span().start)) {
+            let span = error.span_mut();
+            *span = number.start..span.end.max(number.end);
+        }
+        let span = error.span();
+        let written = text.get(span.clone()).unwrap_or_default();
+        let is_number = match error {
+            QuantityError::DecimalComma { .. } => true,
+            QuantityError::NumberUnreadable { .. } => {
+                written.starts_with(|c: char| c.is_ascii_digit() || "+-−".contains(c))
+            }
+            _ => false,
+        };
+        let is_last = !is_number || faults.len() == NUMBERS;
+        faults.push(error);
+        if is_last {
+            break;
+        }
+        // A number of the same length, so that the places of further faults are those of the text as written.
+        let (before, after) = (text.get(..span.start).unwrap_or_default(), text.get(span.end..).unwrap_or_default());
+        text = Cow::Owned(format!("{before}{:<width$}{after}", 1, width = span.len()));
+        replaced.push(span);
+    }
+    faults
 }
 
 /// Returns the part of a text before the tolerance.

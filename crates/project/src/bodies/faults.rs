@@ -138,13 +138,18 @@ impl<'t> Faults<'t> {
             }
             Err(error) => error,
         };
-        let span = if pair.value.is_empty() {
-            pair.value_span.clone()
-        } else {
-            let inner = error.span();
-            pair.value_span.start + inner.start..pair.value_span.start + inner.end
-        };
-        self.fault(span, Fault::Quantity { path: pair.key.to_owned(), error, also: Vec::new() }, None);
+        // A tolerance, where none may be, is a fault of its own.
+        let all = quantities::quantity_faults(dimension, pair.value);
+        let all = if all.first() == Some(&error) { all } else { vec![error] };
+        for error in all {
+            let span = if pair.value.is_empty() {
+                pair.value_span.clone()
+            } else {
+                let inner = error.span();
+                pair.value_span.start + inner.start..pair.value_span.start + inner.end
+            };
+            self.fault(span, Fault::Quantity { path: pair.key.to_owned(), error, also: Vec::new() }, None);
+        }
         None
     }
 

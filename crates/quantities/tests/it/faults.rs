@@ -196,3 +196,49 @@ fn a_flywheel_effect_is_read_by_its_name_only() {
         assert_eq!(parse(Dimension::MomentOfInertia, text).map(|reading| reading.si), Ok(si), "{text}");
     }
 }
+
+/// Returns the kind of fault and the text at its place, for every fault of a quantity.
+fn all_faults(dimension: Dimension, text: &str) -> Vec<(&'static str, String)> {
+    let of = |error: &QuantityError| match error {
+        QuantityError::DecimalComma { .. } => "comma",
+        QuantityError::NumberUnreadable { .. } => "number",
+        QuantityError::UnitUnknown { .. } => "unit",
+        QuantityError::UnitMissing { .. } => "no unit",
+        QuantityError::WrongQuantity { .. } => "quantity",
+        _ => "other",
+    };
+    let faults = quantities::quantity_faults(dimension, text);
+    faults.iter().map(|error| (of(error), text[error.span()].to_owned())).collect()
+}
+
+/// A faulty number does not hide what follows it, and every fault keeps its place.
+#[test]
+fn a_faulty_number_does_not_hide_a_faulty_unit() {
+    let units = [
+        (" foo", Some("unit")),
+        ("foo", Some("unit")),
+        (" kg", Some("quantity")),
+        (" N m", None),
+        (" ± 10 %", Some("no unit")),
+    ];
+    for (number, kind) in
+        [("0,3", "comma"), ("-0,3", "comma"), ("−1,5e3", "comma"), ("1 000", "number"), ("1.000,5", "number")]
+    {
+        for (unit, fault) in units {
+            let text = format!(" {number}{unit}");
+            let found = all_faults(Dimension::Torque, &text);
+            let kinds: Vec<&str> = found.iter().map(|(kind, _)| *kind).collect();
+            assert_eq!(kinds, std::iter::once(kind).chain(fault).collect::<Vec<_>>(), "{text}: {found:?}");
+            assert_eq!(found[0].1, number, "{text}");
+            if fault.is_some_and(|fault| fault != "no unit") {
+                assert_eq!(found[1].1, unit.trim(), "{text}");
+            }
+        }
+    }
+    assert_eq!(
+        all_faults(Dimension::Torque, "1,5 N m ± 0,1 foo"),
+        [("comma", "1,5".to_owned()), ("comma", "0,1".to_owned()), ("unit", "foo".to_owned())]
+    );
+    assert!(all_faults(Dimension::Torque, "1.5 N m ± 10 %").is_empty());
+    assert_eq!(all_faults(Dimension::Torque, "about 5 N m").len(), 1);
+}
