@@ -86,6 +86,8 @@ pub enum Assumption {
     RecordedPositionDifferentiated,
     /// The recorded position is that of a modulo axis; its jumps of one revolution are removed.
     RecordedModulo,
+    /// An end of the part of a recording lies beside its samples.
+    RecordedWindow(WindowEnd),
     /// Noise of a recorded speed at rest is treated as zero.
     RecordedRest(RestNoise),
     /// Slow motion of a recording between its moves that may be meant as rest.
@@ -105,6 +107,17 @@ pub enum Assumption {
     SplineThroughPoints(Spline),
 }
 
+/// End of the part of a recording in use (`from`, `to`) that is no instant of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WindowEnd {
+    /// `true` for the start, `false` for the end.
+    pub is_start: bool,
+    /// Stated instant \[s\].
+    pub stated_s: f64,
+    /// Instant of the first or the last sample in use \[s\].
+    pub used_s: f64,
+}
+
 /// Steps of a position, as an example.
 const STEPS: MadeUp = MadeUp {
     column: SteppedColumn::Position,
@@ -116,7 +129,7 @@ const STEPS: MadeUp = MadeUp {
 
 impl Assumption {
     /// Assumptions in their order, with example arguments.
-    pub const ALL: [Self; 89] = [
+    pub const ALL: [Self; 91] = [
         Self::Default(KeyDefault::NoFriction),
         Self::Default(KeyDefault::AmbientWithinRange),
         Self::ConditionsWithinRange,
@@ -185,6 +198,8 @@ impl Assumption {
         Self::RecordedTorqueOfMotor,
         Self::RecordedPositionDifferentiated,
         Self::RecordedModulo,
+        Self::RecordedWindow(WindowEnd { is_start: true, stated_s: 1.0005, used_s: 1.001 }),
+        Self::RecordedWindow(WindowEnd { is_start: false, stated_s: 12.5, used_s: 12.4995 }),
         Self::RecordedRest(RestNoise { speed_rad_s: 1e-3, duration_s: 9.0, place_rad: 2e-5 }),
         Self::RecordedSlow(SlowMotion { speed_rad_s: 4e-3, place_rad: 2e-3, duration_s: 3.0 }),
         Self::RecordedAlternating(Alternating { share: 0.15, speed_rad_s: 0.02 }),

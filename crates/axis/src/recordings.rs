@@ -14,6 +14,9 @@ use std::sync::Arc;
 /// output.
 const SEGMENT_BYTES: u64 = 4 * 8;
 
+/// Least bytes of a sample of a recording: its time and one quantity.
+const SAMPLE_BYTES: u64 = 2 * 8;
+
 /// A recording with the name of its file.
 #[derive(Clone, Debug)]
 pub struct RecordingRead {
@@ -33,6 +36,8 @@ pub(crate) struct Recordings<'f> {
     files: &'f dyn Files,
     reach: Reach,
     memory: Memory,
+    /// Bytes of a sample of a file, with those of the segment that names it.
+    sample_bytes: u64,
     /// Recordings by file and layout; `None` for a refused one.
     read: Vec<(String, Layout, Option<Found>)>,
     /// Files examined without a valid layout.
@@ -46,6 +51,7 @@ impl<'f> Recordings<'f> {
             files,
             reach,
             memory: Memory::new(memory).until(files.cancelled()),
+            sample_bytes: SAMPLE_BYTES + SEGMENT_BYTES,
             read: Vec::new(),
             examined: Vec::new(),
         }
@@ -175,6 +181,14 @@ impl<'f> Recordings<'f> {
                 use recording::{
                     Damage, Fault::LineTooLong, Fault::NoHeader, Fault::NoTable, Fault::ParquetUnreadable,
                 };
+                // A text that is too long is not begun; a packed one has no length before it is unpacked.
+                if content == Content::Text
+                    && let Some(size) = size
+                {
+                    let counted = open().map_err(unopened)?;
+                    recording::refuse_long(counted, size, layout, (&self.memory, self.sample_bytes))
+                        .map_err(refused)?;
+                }
                 let read = recording::read_csv_within(source, layout, &mut self.memory);
                 return read.map_err(|faults| match faults.as_slice() {
                     // A damaged file is recognised by its name if it is no table of text either.
@@ -212,7 +226,9 @@ impl<'f> Recordings<'f> {
 /// # Errors
 /// Every fault of the file.
 pub fn read_recording(name: &str, layout: &Layout, files: &dyn Files) -> Result<Recording, Vec<AxisFault>> {
-    Recordings::new(files).read_file(name, layout)
+    let mut recordings = Recordings::new(files);
+    recordings.sample_bytes = SAMPLE_BYTES;
+    recordings.read_file(name, layout)
 }
 
 /// Returns true if a file is Parquet by its first bytes, packed or not.
@@ -230,7 +246,7 @@ fn unreadable(name: &str, faults: Vec<recording::Fault>) -> Vec<AxisFault> {
 mod tests {
     use super::*;
     use crate::{AxisProject, NoCatalogue};
-    use std::cell::RefCell;
+    use std::cell::{Cell, RefCell};
 
     const TEXT: &str = "t [s],q [deg],M [Nm]\n0,0,1\n1,0,1\n2,0,1\n";
 
@@ -312,6 +328,116 @@ mod tests {
             ),
             "{found:?}"
         );
+    }
+
+    /// A recording of 60 million rows, made while it is read.
+    struct Long {
+        block: Vec<u8>,
+        opened: Cell<u64>,
+    }
+
+    struct Rows {
+        block: Vec<u8>,
+        at: usize,
+        left: u64,
+    }
+
+    impl Read for Rows {
+        fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+            let from = &self.block[self.at..];
+            let count = from.len().min(into.len()).min(usize::try_from(self.left).unwrap());
+            into[..count].copy_from_slice(&from[..count]);
+            self.at = (self.at + count) % self.block.len();
+            self.left -= count as u64;
+            Ok(count)
+        }
+    }
+
+    impl Files for Long {
+        fn open(&self, _: &str) -> std::io::Result<Box<dyn Read>> {
+            self.opened.set(self.opened.get() + 1);
+            // Only the first opening is read as a recording, the second to count.
+            let left = if self.opened.get() == 1 { 4096 } else { self.size("").unwrap() };
+            Ok(Box::new(Rows { block: self.block.clone(), at: 0, left }))
+        }
+
+        fn size(&self, _: &str) -> Option<u64> {
+            Some(60_000_000 * 10)
+        }
+    }
+
+    fn read(lines: &str, content: &str) -> Result<Vec<AxisProject>, Vec<AxisFault>> {
+        let text = format!(
+            "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"recorded\"\nfile = 'a.csv'\n{lines}"
+        );
+        let read =
+            AxisProject::read_all(&text, &Shelf::of(content, Grant::default()), &NoCatalogue::shared(), &|_, _| None);
+        read.map_err(|faults| faults.into_iter().map(|each| each.fault).collect())
+    }
+
+    /// A position in counts is an angle once the counts of a revolution are stated, by any number of them.
+    #[test]
+    fn counts_are_an_angle_with_their_number_in_a_revolution() {
+        for counts in [4096.0, 131_072.0, 13_107_200.0, 1e9] {
+            for heading in ["q [counts]", "Position [inc]", "Lage (Inkremente)"] {
+                let row = |k: u32| {
+                    format!("{},{}\n", f64::from(k) * 0.1, (0.5 * counts * f64::from(k * (20 - k)) / 100.0).round())
+                };
+                let content = format!("t [s],{heading}\n{}", (0..=20).map(row).collect::<String>());
+                let refused = read("", &content).err().unwrap_or_default();
+                assert!(
+                    matches!(refused[..], [AxisFault::Recording { fault: recording::Fault::UnitUnknown { .. }, .. }]),
+                    "{heading}: {refused:?}"
+                );
+                let lines = format!("units = {{ position = \"rev\" }}\nrecorded_ratio = {{ position = {counts} }}\n");
+                let found = read(&lines, &content).unwrap_or_else(|why| panic!("{heading}: {why:?}"));
+                let positions = found[0].axis.motion.recordings()[0].recorded.position_rad();
+                let [low, high] = positions
+                    .iter()
+                    .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(*q), high.max(*q)]);
+                assert!((high - low - std::f64::consts::PI).abs() < 1e-2, "{counts}: {}", high - low);
+            }
+        }
+    }
+
+    /// An end of the part in use that is no instant of a sample is stated with the instant that is used.
+    #[test]
+    fn an_end_between_samples_is_stated() {
+        let row = |k: u32| format!("{},{}\n", f64::from(k) * 0.1, k * (20 - k));
+        let content = format!("t [s],q [deg]\n{}", (0..=20).map(row).collect::<String>());
+        for (lines, ends) in [
+            ("from = \"0.3 s\"\nto = \"1.5 s\"\n", vec![]),
+            ("from = \"300 ms\"\nto = \"1.54 s\"\n", vec![(false, 1.54, 1.5)]),
+            ("from = \"0.201 s\"\nto = \"1.599 s\"\n", vec![(true, 0.201, 0.3), (false, 1.599, 1.5)]),
+            ("from = \"-1 s\"\n", vec![(true, -1.0, 0.0)]),
+            ("", vec![]),
+        ] {
+            let found = read(lines, &content).unwrap();
+            let of = |each: &crate::Assumption| match each {
+                crate::Assumption::RecordedWindow(end) => Some(*end),
+                _ => None,
+            };
+            let found: Vec<crate::WindowEnd> = found[0].assumptions.iter().filter_map(of).collect();
+            assert_eq!(found.len(), ends.len(), "{lines}: {found:?}");
+            for (end, (is_start, stated, used)) in found.iter().zip(ends) {
+                assert_eq!((end.is_start, end.stated_s), (is_start, stated), "{lines}");
+                assert!((end.used_s - used).abs() < 1e-9, "{lines}: {end:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_recording_of_too_many_rows_is_not_begun() {
+        let files = Long { block: b"0.001,0.5\n".repeat(1 << 17), opened: Cell::default() };
+        let found = read_recording("a.csv", &Layout::default(), &files).map(drop).unwrap_err();
+        assert_eq!(
+            found,
+            [AxisFault::Recording {
+                name: "a.csv".to_owned(),
+                fault: recording::Fault::TooManySamples { most: recording::SAMPLES_MAX }
+            }]
+        );
+        assert_eq!(files.opened.get(), 2);
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! Side of the gear at which a recording was taken.
 
-use crate::assumption::Assumption;
+use crate::assumption::{Assumption, WindowEnd};
 use crate::fault::AxisReport;
 use crate::source::SegmentSource;
 use project::sections::{Ratios, Segment, Stated, StatedField};
 use project::{Fault, shortened};
+use quantities::Measure;
 use recording::{Along, Recording, Role, Series};
 
 /// Longest heading in a fault, in characters.
@@ -50,6 +51,9 @@ fn stated(ratios: Option<&Ratios>, role: Role) -> Option<&Stated<f64>> {
 /// Smallest and largest ratio without its sign.
 const RATIO_BOUNDS: (f64, f64) = (1e-4, 1e4);
 
+/// Largest ratio of a position or a speed: counts of an encoder for each revolution of the output.
+const COUNTS_MOST: f64 = 1e10;
+
 /// Roles with a side, and their keys.
 const SIDED: [(Role, &str); 3] = [(Role::Position, "position"), (Role::Speed, "speed"), (Role::Torque, "torque")];
 
@@ -69,7 +73,7 @@ pub(crate) fn ratios(segment: SegmentSource<'_>, report: &mut AxisReport<'_>) ->
     let stated = |role: Role| stated(segment.recorded_ratio.get(), role);
     let ratio = |role: Role| stated(role).and_then(Stated::value);
     for (role, _) in SIDED {
-        let magnitude = RATIO_BOUNDS;
+        let magnitude = (RATIO_BOUNDS.0, if role == Role::Torque { RATIO_BOUNDS.1 } else { COUNTS_MOST });
         if let Some(field) = stated(role).filter(|field| field.value().is_some_and(|ratio| ratio.abs() < magnitude.0)) {
             report.fault(field.span(), Fault::RatioTooSmall { path: field.path(), magnitude }, None);
         }
@@ -123,4 +127,24 @@ pub(crate) fn assumptions(segments: &[SegmentSource<'_>], found: &mut Vec<Assump
     found.extend(recordings().any(differences).then_some(Assumption::RecordedPositionDifferentiated));
     let is_modulo = |(_, recording): (&Segment, &Recording)| recording.revolutions_removed > 0;
     found.extend(recordings().any(is_modulo).then_some(Assumption::RecordedModulo));
+    for end in recordings().flat_map(|(segment, recording)| window_ends(segment, recording)) {
+        if !found.contains(&Assumption::RecordedWindow(end)) {
+            found.push(Assumption::RecordedWindow(end));
+        }
+    }
+}
+
+/// Returns the ends of a window that lie beside the samples, which begin and end it.
+fn window_ends(segment: &Segment, recording: &Recording) -> impl Iterator<Item = WindowEnd> + use<> {
+    /// Largest distance of an end from a sample relative to the mean interval; a time is written with limited digits.
+    const NEAR: f64 = 0.01;
+    let duration_s = recording.time_s.last().copied().unwrap_or_default();
+    #[allow(clippy::cast_precision_loss, reason = "counts of samples")]
+    let interval_s = duration_s / (recording.time_s.len() as f64 - 1.0).max(1.0);
+    let first_s = recording.first_time.si();
+    let ends = [(true, segment.from.value(), first_s), (false, segment.to.value(), first_s + duration_s)];
+    ends.into_iter().filter_map(move |(is_start, stated, used_s)| {
+        let end = WindowEnd { is_start, stated_s: stated?.si(), used_s };
+        ((end.stated_s - used_s).abs() > NEAR * interval_s).then_some(end)
+    })
 }

@@ -53,10 +53,10 @@ section! {
 
 section! {
     /// Ratios between the shaft at which a quantity is recorded and the output: 1 at the output, negative where it turns
-    /// the other way.
+    /// the other way. A position in counts has so many of them for each revolution of the output.
     Ratios, RatiosName of About::Ratios {
-        position: f64 => within(-1e4, 1e4), example("80");
-        speed: f64 => within(-1e4, 1e4), example("80");
+        position: f64 => within(-1e10, 1e10), example("80");
+        speed: f64 => within(-1e10, 1e10), example("80");
         torque: f64 => within(-1e4, 1e4), example("80");
     }
 }

@@ -48,7 +48,9 @@ const SYMBOLS: &[Symbol] = &[
     ("K", 1.0, [0, 0, 0, 0, 1, 0], true),
     ("rad", 1.0, [0, 0, 0, 0, 0, 1], true),
     ("deg", TURN / 360.0, [0, 0, 0, 0, 0, 1], true),
+    // A gon in English, a degree in German.
     ("grad", TURN / 400.0, [0, 0, 0, 0, 0, 1], true),
+    ("grad", TURN / 360.0, [0, 0, 0, 0, 0, 1], true),
     ("gon", TURN / 400.0, [0, 0, 0, 0, 0, 1], true),
     ("arcmin", TURN / 21_600.0, [0, 0, 0, 0, 0, 1], false),
     ("arcsec", TURN / 1_296_000.0, [0, 0, 0, 0, 0, 1], true),

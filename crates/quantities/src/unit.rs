@@ -154,7 +154,10 @@ with_stiffnesses! {
             RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", [], (is radian_per_second);
             DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", ["dps"], (is degree_per_second);
             DEGREE_PER_MINUTE: "deg/min", "°/min", "deg/min", [], (times degree() / 60.0);
+            MILLIDEGREE_PER_SECOND: "mdeg/s", "m°/s", "mdeg/s", [], (times degree() / 1e3);
             MILLIRADIAN_PER_SECOND: "mrad/s", "mrad/s", "mrad/s", [], (over 1e3);
+            ARCMINUTE_PER_SECOND: "arcmin/s", "arcmin/s", "arcmin/s", ["′/s"], (times arcminute());
+            ARCSECOND_PER_SECOND: "arcsec/s", "arcsec/s", "arcsec/s", ["″/s"], (times arcminute() / 60.0);
             ///
             /// Never written 1/s, which some read as rad/s.
             REVOLUTION_PER_SECOND: "rev/s", "rev/s", "rev/s", ["U/s", "r/s", "rps"], (is revolution_per_second);
@@ -350,6 +353,9 @@ with_stiffnesses! {
             MILLIRADIAN: "mrad", "mrad", "mrad", [], (over 1e3);
             ARCMINUTE: "arcmin", "arcmin", "arcmin", ["′"], (is minute);
             ARCSECOND: "arcsec", "arcsec", "arcsec", ["″"], (is second);
+            ///
+            /// 400 gon are a revolution.
+            GON: "gon", "gon", "gon", [], (times TAU / 400.0);
             REVOLUTION: "rev", "rev", "rev", [], (is revolution);
         }
         Power [Power power] {

@@ -21,6 +21,7 @@ mod cells;
 mod clock;
 mod collected;
 mod columns;
+mod counted;
 mod csv;
 mod csv_faults;
 mod csv_units;
@@ -47,6 +48,7 @@ mod side;
 mod thousands;
 mod tools;
 
+pub use counted::refuse_long;
 pub use csv::{read_csv, read_csv_within};
 pub use encoding::read_text;
 pub use faults::{Damage, Fault, FileRow, NearColumn, Remedy, Stamp};

@@ -2,7 +2,7 @@
 
 use crate::pick;
 use crate::texts::said;
-use axis::{Assumption, Overrun};
+use axis::{Assumption, Overrun, WindowEnd};
 use motion::{Alternating, MadeUp, Remark, SlowMotion, Spline, Spurious, SteppedColumn};
 use project::KeyDefault;
 use quantities::unit::{
@@ -27,6 +27,7 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         }
         Assumption::RecordedSlow(slow) => return slow_text(&slow, language),
         Assumption::RecordedAlternating(alternating) => return alternating_text(&alternating, language),
+        Assumption::RecordedWindow(end) => return window_text(&end, language),
         Assumption::RecordedKey(remark) => return key_text(remark, language),
         Assumption::Motionless(segment, hidden_rad_s) => return motionless_text(segment, hidden_rad_s, language),
         Assumption::Overruns(overrun) => return overrun_text(&overrun, language),
@@ -337,6 +338,29 @@ fn slow_text(slow: &SlowMotion, language: Language) -> String {
         "for {time} the recorded axis moves by up to {place} only, at up to {speed}: this counts as motion with friction; if the axis is at rest there, state standstill = \"{key} 1/min\""
         | "die aufgezeichnete Achse bewegt sich über {time} nur um bis zu {place}, mit bis zu {speed}: das zählt als Bewegung mit Reibung; steht die Achse dort, standstill = \"{key} 1/min\" angeben"
     )
+}
+
+/// Returns the remark on an end of the part of a recording in use that lies beside the samples.
+fn window_text(end: &WindowEnd, language: Language) -> String {
+    // As many digits as show the difference.
+    let apart = 0.01 * (end.stated_s - end.used_s).abs();
+    let of = |value: f64| {
+        let off = |digits: usize| (format!("{value:.digits$}").parse::<f64>().unwrap_or(0.0) - value).abs();
+        let digits = (0..12).find(|digits| off(*digits) <= apart).unwrap_or(12);
+        with_symbol(&format_number(value, digits, language), SECOND.symbol_in(language))
+    };
+    let (stated, used) = (of(end.stated_s), of(end.used_s));
+    if end.is_start {
+        said!(language =>
+            "the recording has no sample at from = {stated}: it is used from its next sample on, at {used}"
+            | "die Aufzeichnung hat bei from = {stated} keinen Abtastwert: sie gilt ab dem nächsten, bei {used}"
+        )
+    } else {
+        said!(language =>
+            "the recording has no sample at to = {stated}: it is used up to its last sample before, at {used}"
+            | "die Aufzeichnung hat bei to = {stated} keinen Abtastwert: sie gilt bis zum letzten davor, bei {used}"
+        )
+    }
 }
 
 /// Returns the remark on speeds that change their sign from sample to sample, with the key that makes them rest.

@@ -6,6 +6,7 @@ mod counter;
 mod foreign;
 mod headings;
 mod modulo;
+mod scaled;
 mod tables;
 
 use crate::pick;
@@ -23,6 +24,7 @@ use quantities::unit::SECOND;
 use quantities::{Language, Measure, Time, format_significant, with_symbol};
 use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
 
+pub use scaled::role_key;
 pub use tables::table_text;
 
 /// Returns the fault of a file of a recording, in one sentence.
@@ -279,26 +281,29 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
                 "{} is not a known unit ({}, {})"
                 | "{} ist keine bekannte Einheit ({}, {})", q(text), q(column), known_by(*by, language)
             ),
-            Some(match nearest {
-                Some(unit) => said!(language => "did you mean {}?" | "ist {} gemeint?", q(unit.ascii)),
-                None => {
-                    let (valid, key) = (valid_units(*role, language), role_key(*role));
-                    said!(language =>
-                        "{valid}; regardless of the file, units = {{ {key} = \"…\" }} states it in the project"
-                        | "{valid}; unabhängig von der Datei gibt units = {{ {key} = \"…\" }} sie im Projekt an"
-                    )
-                }
+            scaled::of_column(*role, text, language).or_else(|| {
+                Some(match nearest {
+                    Some(unit) => said!(language => "did you mean {}?" | "ist {} gemeint?", q(unit.ascii)),
+                    None => {
+                        let (valid, key) = (valid_units(*role, language), role_key(*role));
+                        said!(language =>
+                            "{valid}; regardless of the file, units = {{ {key} = \"…\" }} states it in the project"
+                            | "{valid}; unabhängig von der Datei gibt units = {{ {key} = \"…\" }} sie im Projekt an"
+                        )
+                    }
+                })
             }),
         ),
         Fault::UnitWrong { role, column, unit, by } => {
             let (measures, by) = (unit.dimension.name(language), known_by(*by, language));
+            let of_share = scaled::of_column(*role, unit.ascii, language);
             let (unit, column, role_name) = (q(unit.ascii), q(column), role_text(*role, language));
             (
                 said!(language =>
                     "{unit} is a unit of {measures}, {column} is read as {role_name} ({by})"
                     | "{unit} ist eine Einheit für {measures}, {column} wird als {role_name} gelesen ({by})"
                 ),
-                Some(valid_units(*role, language)),
+                of_share.or_else(|| Some(valid_units(*role, language))),
             )
         }
         Fault::UnitContradiction { column, units: [first, second], by: [first_by, second_by] } => {
@@ -502,17 +507,6 @@ fn seconds(time: Time, language: Language) -> String {
 fn stamp(stamp: Stamp, language: Language) -> String {
     let number = stamp.value.to_string().replace('.', pick(language, ".", ","));
     with_symbol(&number, stamp.unit.symbol_in(language))
-}
-
-/// Returns the word of the file for a role.
-#[must_use]
-pub const fn role_key(role: Role) -> &'static str {
-    match role {
-        Role::Time => "time",
-        Role::Position => "position",
-        Role::Speed => "speed",
-        Role::Torque => "torque",
-    }
 }
 
 /// Returns the quantity in a column of a recording.

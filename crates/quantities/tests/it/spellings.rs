@@ -246,7 +246,7 @@ fn a_spelling_does_not_change_its_meaning() {
         (Temperature, &["C", "F", "deg", "°", "R"]),
         (TemperatureInterval, &["degC", "degF"]),
         (AngularVelocity, &["1/s", "Hz", "s^-1"]),
-        (Angle, &["U", "r", "min", "sec", "m", "'", "grad", "gon"]),
+        (Angle, &["U", "r", "min", "sec", "m", "'", "grad"]),
         (Time, &["m s", "m·s", "Ms"]),
         (Length, &["mm/rev", "in/rev"]),
         (Lead, &["mm/rad", "rev/mm", "1/in"]),

@@ -123,6 +123,12 @@ pub fn of_rows(
     let text = source.text(language)?;
     let projects = source.projects(inquiry.catalogue, inquiry.progress, language);
     let (name, rows) = rows;
+    // The rows that the call states are counted before any of them is judged.
+    let count = rows.lines().count().saturating_sub(1);
+    if count > ROWS_MOST {
+        let too_many = Unanswered::message(sweeps::too_many_rows(&count, &ROWS_MOST, language));
+        return Err(Unanswered::combined(projects.err().into_iter().chain([too_many]).collect()));
+    }
     let lines = Lines::open(Cursor::new(rows.as_bytes().to_vec()));
     let lines = lines.map_err(|broken| refused(name, broken.text(language)))?;
     let head = |keys: &[&str], options| Head::read(text, projects, keys, options);
