@@ -63,6 +63,15 @@ const STARTS: f64 = 0.3;
 /// Smallest standard deviation of uncorrelated noise relative to the largest speed at rest if that is white noise.
 const WHITE: f64 = 0.3;
 
+/// Largest number of samples by which the increments of a position correct the end of a rest.
+const SHIFT_MOST: usize = 2;
+
+/// Largest ratio of the last increment of a move to the one before if none is hidden in the noise, see [`by_increments`].
+const HIDDEN_NONE: f64 = 0.25;
+
+/// Ratio of the second increment of a move with a continuous acceleration to the first.
+const SEVENTH: f64 = 7.0;
+
 /// Number of samples after a move whose largest speed is that at rest there.
 const LEVEL_OF: usize = 24;
 
@@ -143,6 +152,10 @@ pub(crate) fn slow(time: &[f64], speed: &[f64], position: Option<&[f64]>, differ
     let mut found = Vec::new();
     for run in runs(speed, 0..speed.len(), SPEED_MOST * most) {
         let between = between_moves(speed, &run, differentiated);
+        let between = between.map(|samples| match position.filter(|_| differentiated) {
+            Some(position) => by_increments(&samples, &run, position),
+            None => samples,
+        });
         let Some(samples) = between.filter(|samples| samples.len() >= REST_LEAST) else { continue };
         let (Some(times), Some(speeds)) = (time.get(samples.clone()), speed.get(samples.clone())) else { continue };
         let speed_rad_s = largest(speeds);
@@ -217,6 +230,41 @@ fn between_moves(speed: &[f64], run: &Range<usize>, differentiated: bool) -> Opt
     let from_after = speed.get(run.start..run.end + beyond)?;
     let last = ends.of_move(from_after.iter().rev().copied(), beyond);
     (first + last < speeds.len()).then(|| run.start + first..run.end - last)
+}
+
+/// Returns the samples at rest of a position with noise, from the first to the last one beside which it stays: where the first
+/// increment of the move is seen, it shows the end to the sample, other than the difference over two intervals.
+///
+/// a > 4 σ and a < b/4, or a > 28 σ
+///
+/// # Symbols
+/// a, b amounts of the increments of the move next to the rest and before it, σ standard deviation of those at rest
+/// # Valid
+/// The increments of a move grow from rest as 1, 3, 5 with a jump of the acceleration and as 1, 7, 19 without: none is hidden where
+/// the ratio is below a quarter, or where a seventh would be seen. Elsewhere the end is known to an interval only, and T_rms of n ends
+/// to ½ n h M²/∫M² dt with the torque M at the end, since friction acts or does not act in it.
+fn by_increments(samples: &Range<usize>, run: &Range<usize>, position: &[f64]) -> Range<usize> {
+    let step = |at: usize| Some((position.get(at + 1)? - position.get(at)?).abs());
+    let inside: Vec<f64> = (samples.start..samples.end.saturating_sub(1)).filter_map(step).collect();
+    let limit = ABOVE_NOISE * OF_MEDIAN * median(inside);
+    if limit <= 0.0 {
+        return samples.clone();
+    }
+    // The first sample of the rest, by the increment behind it and the two before it.
+    let is_first = |[quiet, last, before]: [Option<f64>; 3]| {
+        let (Some(quiet), Some(last), Some(before)) = (quiet, last, before) else { return false };
+        quiet <= limit && last > limit && (last < HIDDEN_NONE * before || last > SEVENTH * limit)
+    };
+    let first =
+        (samples.start.saturating_sub(SHIFT_MOST).max(run.start)..=samples.start + SHIFT_MOST).rev().find(|at| {
+            let below = |by: usize| at.checked_sub(by).and_then(step);
+            is_first([step(*at), below(1), below(2)])
+        });
+    let last = samples.end.saturating_sub(1);
+    let last_of = (last.saturating_sub(SHIFT_MOST)..=(last + SHIFT_MOST).min(run.end.saturating_sub(1)))
+        .find(|at| is_first([at.checked_sub(1).and_then(step), step(*at), step(at + 1)]));
+    let found = first.unwrap_or(samples.start)..last_of.map_or(samples.end, |last| last + 1);
+    if found.is_empty() { samples.clone() } else { found }
 }
 
 /// Speeds of a run of slow samples by which the ends of the moves at it are found.

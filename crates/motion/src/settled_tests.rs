@@ -177,3 +177,38 @@ fn a_slow_motion_is_named() {
         assert!(slow.duration_s > 3.9 && slow.place_rad > 1e-4, "{name}: {slow:?}");
     }
 }
+
+/// White noise at rest of up to a thousandth of the largest speed changes T_rms by less than a thousandth where speeds are recorded;
+/// from positions alone by no more than an interval of friction at each of the four ends, and by less than 10⁻⁴ where the first increment
+/// of a move is seen.
+#[test]
+fn white_noise_at_rest_changes_the_effective_torque_within_its_bound() {
+    let mut wrong = Vec::new();
+    for h in [0.001, 0.002, 0.005] {
+        let cycle = cycle(h);
+        let exact = [false, true].map(|with_speed| rms(&disturbed(&cycle, &|_, _| 0.0, with_speed)));
+        let most = cycle.speed.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+        // ½ n h M²/∫M² dt with four ends, the friction of 20 Nm and twice the mean square of a move and a rest.
+        let bound = 0.5 * 4.0 * h * 400.0 / (2.0 * (MOVE + REST) * rms_of_the_law().powi(2));
+        // Increment of the first interval of a move, q ≈ 10 (t/T)³ of the way.
+        let first = 10.0 * WAY * (h / MOVE).powi(3);
+        for share in [1e-6, 1e-5, 1e-4, 3e-4, 1e-3] {
+            let mut noise = Noise(11);
+            for _ in 0..10 {
+                let white: Vec<f64> = cycle.time.iter().map(|_| noise.normal()).collect();
+                // The difference over two intervals has the share of the largest speed.
+                let size = share * most * 2.0 * h / std::f64::consts::SQRT_2;
+                let of_position = rms(&disturbed(&cycle, &|k, _| size * white[k], false)) / exact[0] - 1.0;
+                let is_seen = first > 8.0 * size;
+                let speed: Vec<f64> = (0..cycle.time.len())
+                    .map(|k| cycle.speed[k] + if cycle.rest[k].is_some() { share * most * white[k] } else { 0.0 })
+                    .collect();
+                let of_speed = rms(&of(&cycle.time, &cycle.position, Some(&speed))) / exact[1] - 1.0;
+                if of_speed.abs() > 1e-3 || of_position.abs() > if is_seen { 1e-4 } else { 1.1 * bound } {
+                    wrong.push(format!("{h} s, {share:e}: {of_speed:e}, {of_position:e} of {bound:e}, seen {is_seen}"));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}: {wrong:#?}", wrong.len());
+}
