@@ -29,7 +29,7 @@ const CALLS: [(&str, &str, &str, &[&str], &[Kind]); 19] = [
     ("encoder --vcd", "encoder CHA-25A-50-H-C1024", "vcd", &["vcd"], &[]),
     ("upkeep --ical", "upkeep CHA-25A-50-H-C1024 --delivered 2026-01-01", "ical", &["ics"], &[]),
     ("new", "new recording --from {recording}", "out", &["csv", "toml"], &[Kind::Recording]),
-    ("commission --for", "commission CHA-25A-50-H-C1024 --for sinamics", "out", &["txt"], &[]),
+    ("commission --out", "commission CHA-25A-50-H-C1024 --for sinamics", "out", &["txt"], &[]),
     ("commission --blank", "commission CHA-25A-50-H-C1024", "blank", &["toml"], &[]),
     ("commission --checklist", "commission CHA-25A-50-H-C1024", "checklist", &["pdf"], &[]),
 ];
@@ -108,7 +108,9 @@ fn no_command_writes_a_file_that_it_reads() {
             let err = String::from_utf8_lossy(&output.stderr);
             assert!(contents() == before, "{question}: {words} {written} {} has replaced an input: {err}", names[of]);
             assert_eq!(output.status.code(), Some(2), "{words} {written} {}: {err}", names[of]);
-            assert!(err.contains("this call reads the file"), "{words} {written} {}: {err}", names[of]);
+            // A project with the ending of a table is refused as one.
+            let is_told = kind == Kind::Project && ["csv", "parquet"].contains(ending);
+            assert!(is_told || err.contains("this call reads the file"), "{words} {written} {}: {err}", names[of]);
         }
     }
 }
