@@ -149,8 +149,7 @@ with_stiffnesses! {
             ///
             /// A rotational speed: 1/min means revolutions per minute, 2π/60 rad/s.
             REVOLUTION_PER_MINUTE: "1/min", "min⁻¹", "1/min",
-                ["min^-1", "rpm", "rev/min", "U/min", "r/min", "tr/min", "Upm"],
-                (is revolution_per_minute);
+                ["min^-1", "rpm", "rev/min", "U/min", "r/min", "tr/min", "Upm"], (is revolution_per_minute);
             RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", [], (is radian_per_second);
             DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", ["dps"], (is degree_per_second);
             DEGREE_PER_MINUTE: "deg/min", "°/min", "deg/min", [], (times degree() / 60.0);
@@ -171,8 +170,7 @@ with_stiffnesses! {
             ///
             /// A drive states so the ramp of a speed.
             REVOLUTION_PER_MINUTE_PER_SECOND: "1/min/s", "min⁻¹/s", "1/min/s",
-                ["min^-1/s", "rpm/s", "rev/min/s", "U/min/s", "r/min/s"],
-                (times per_minute());
+                ["min^-1/s", "rpm/s", "rev/min/s", "U/min/s", "r/min/s"], (times per_minute());
             THOUSAND_REVOLUTIONS_PER_MINUTE_PER_SECOND: "krpm/s", "krpm/s", "krpm/s", [], (times 1e3 * per_minute());
         }
         AngularJerk [AngularJerk angular_jerk] {
@@ -181,8 +179,7 @@ with_stiffnesses! {
         }
         MomentOfInertia [MomentOfInertia moment_of_inertia] {
             KILOGRAM_SQUARE_METRE: "kg m^2", "kgm²", "kgm^2",
-                ["N m s^2", "N m s^2/rad", "N m/(rad/s^2)"],
-                (is kilogram_square_meter);
+                ["N m s^2", "N m s^2/rad", "N m/(rad/s^2)"], (is kilogram_square_meter);
             TONNE_SQUARE_METRE: "t m^2", "t m²", "t m^2", [], (times 1e3);
             ///
             /// The unit of the tables for what turns with the motor.
@@ -208,18 +205,15 @@ with_stiffnesses! {
             ///
             /// 1 slug is accelerated with 1 ft/s² by 1 lbf.
             SLUG_SQUARE_FOOT: "slug ft^2", "slug ft²", "slug ft^2",
-                ["lbf ft s^2", "ft lbf s^2", "lb ft s^2", "ft lb s^2"],
-                (times POUND_FORCE_N * FOOT_M);
+                ["lbf ft s^2", "ft lbf s^2", "lb ft s^2", "ft lb s^2"], (times POUND_FORCE_N * FOOT_M);
             ///
             /// 1 lbf in per 1 rad/s².
             POUND_FORCE_INCH_SECOND_SQUARED: "lbf in s^2", "lbf in s²", "lbf in s^2",
-                ["in lbf s^2", "lb in s^2", "in lb s^2"],
-                (times POUND_FORCE_N * INCH_M);
+                ["in lbf s^2", "lb in s^2", "in lb s^2"], (times POUND_FORCE_N * INCH_M);
             ///
             /// 1 ozf in per 1 rad/s².
             OUNCE_FORCE_INCH_SECOND_SQUARED: "ozf in s^2", "ozf in s²", "ozf in s^2",
-                ["in ozf s^2", "oz in s^2", "in oz s^2"],
-                (times POUND_FORCE_N / OUNCES * INCH_M);
+                ["in ozf s^2", "oz in s^2", "in oz s^2"], (times POUND_FORCE_N / OUNCES * INCH_M);
             ///
             /// 1 kgf m per 1 rad/s².
             KILOGRAM_FORCE_METRE_SECOND_SQUARED: "kgf m s^2", "kgf m s²", "kgf m s^2", ["kp m s^2"],

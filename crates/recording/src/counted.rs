@@ -30,20 +30,17 @@ pub fn refuse_long(
     (memory, sample_bytes): (&Memory, u64),
 ) -> Result<(), Fault> {
     let has_window = layout.from.is_some() || layout.to.is_some();
-    let kept = (SAMPLES_MAX as u64).min(memory.left() / sample_bytes.max(1));
-    let most = if has_window { ROWS_MAX } else { kept };
-    if size / ROW_BYTES_LEAST <= most {
+    let most = if has_window { ROWS_MAX } else { SAMPLES_MAX as u64 };
+    let kept = if has_window { most } else { most.min(memory.left() / sample_bytes.max(1)) };
+    if size / ROW_BYTES_LEAST <= kept {
         return Ok(());
     }
     let rows = rows_up_to(source, most + OTHER_LINES_MOST + 1).saturating_sub(OTHER_LINES_MOST);
-    if rows <= most {
-        return Ok(());
+    match has_window {
+        true => Limit::Rows.hold(rows, most),
+        false if rows > most => Err(Fault::too_many_samples()),
+        false => memory.clone().take(rows.saturating_mul(sample_bytes)),
     }
-    if has_window {
-        return Limit::Rows.hold(rows, most);
-    }
-    memory.clone().take(rows.saturating_mul(sample_bytes))?;
-    Err(Fault::too_many_samples())
 }
 
 /// Returns the number of lines that are neither empty nor comments, at most `most`; those of a source that ends with an error as far
@@ -90,7 +87,9 @@ mod tests {
         assert!(matches!(refused(12_000, 48 * 10_000, &plain), Some(Fault::Beyond { limit: Limit::Memory, .. })));
         assert_eq!(refused(12_000, 48 * 10_000, &window), None, "an unknown share of a window is kept");
         let all = SAMPLES_MAX as u64;
-        assert_eq!(refused(all + 2000, u64::MAX, &plain), Some(Fault::too_many_samples()));
+        for memory in [48 * 10_000, u64::MAX] {
+            assert_eq!(refused(all + 2000, memory, &plain), Some(Fault::too_many_samples()));
+        }
         assert_eq!(refused(all, u64::MAX, &plain), None);
     }
 }

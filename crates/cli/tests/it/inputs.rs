@@ -10,9 +10,12 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// Commands that write a file: question, arguments before the option of the file, the option, endings of the file, and the files
-/// that the call reads. In an argument, `{x}` is the name of an input of that kind.
-const CALLS: [(&str, &str, &str, &[&str], &[Kind]); 19] = [
+/// Question, arguments before the option of the file, the option, endings of the file, and the files that the call reads. In an
+/// argument, `{x}` is the name of an input of that kind.
+type WritingCall = (&'static str, &'static str, &'static str, &'static [&'static str], &'static [Kind]);
+
+/// Commands that write a file.
+const CALLS: [WritingCall; 19] = [
     ("plot", "plot {project} --figure cycle --catalogue {catalogue}", "svg", &["svg"], &OF_PROJECT),
     ("plot", "plot {project} --figure cycle --catalogue {catalogue}", "png", &["png"], &OF_PROJECT),
     ("report", "report {project} --catalogue {catalogue}", "out", &["pdf"], &OF_PROJECT),

@@ -10,6 +10,9 @@ use twin::{Estimate, Identification, Identified, Observed, Parameters, Stated, i
 
 const RUNS: u64 = 40;
 
+/// Number of clean runs without a doubt.
+const CLEAN: u64 = 200;
+
 /// Smallest number of forty 95 % intervals that must contain the planted value; one in 330 campaigns has fewer.
 const INSIDE_LEAST: usize = 34;
 
@@ -281,4 +284,27 @@ fn lines_of_a_transmission_with_losses_come_back_from_their_own_run() {
         let truth = 1.3 + plant.external_nm / mechanism::gravity_m_s2() * 0.04 + tables_of(CODE).flange_kgm2;
         assert!((inertia.value - truth).abs() < inertia.half_width, "{efficiency}: {inertia:?} {truth}");
     }
+}
+
+/// A doubt of a clean run is a false alarm: signs of estimates are doubted beyond four standard deviations, so that one of 3000 runs has
+/// one. The load is a flywheel with and without friction, the angles have coarse steps and coarser ones.
+#[test]
+fn clean_runs_raise_no_doubt() {
+    let tables = tables();
+    let coarser = Instrument { steps_rad: Some([6.1e-3, 6.1e-5]), ..Instrument::NOISE };
+    let mut wrong = Vec::new();
+    for seed in 0..CLEAN {
+        let mut random = Random::new(50_000 + seed);
+        let drawn = Plant::drawn("flywheel", &tables, &mut random);
+        let free = Plant { coulomb_nm: 0.0, viscous_nms: 0.0, ..drawn };
+        let plant = if seed % 2 == 0 { drawn } else { free };
+        let course = plant.run(&mut random, EACH_MS);
+        for (name, instrument) in [("noise", Instrument::NOISE), ("coarse", COARSE), ("coarser", coarser)] {
+            let result = identified("flywheel", &plant, &instrument.seen(&course, &mut random));
+            if !result.doubts.is_empty() {
+                wrong.push(format!("{seed} {name}: {:?}", result.doubts));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {CLEAN}\n{}", wrong.len(), wrong.join("\n"));
 }

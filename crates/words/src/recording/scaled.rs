@@ -62,7 +62,7 @@ pub(super) fn of_column(role: Role, unit: &str, language: Language) -> Option<St
     if written.contains(['%', '‰']) && role == Role::Torque {
         return Some(said!(language =>
             "a share of the rated torque is no torque until that is known: multiply the column by the rated torque of the recorded drive (CiA 402: object 6076h) and write the unit into the heading, for example [N m]; a column without use: columns = {{ {key} = \"none\" }}"
-            | "ein Anteil des Nennmoments ist erst dann ein Moment, wenn dieses bekannt ist: die Spalte mit dem Nennmoment des aufgezeichneten Antriebs multiplizieren (CiA 402: Objekt 6076h) und die Einheit in die Kopfzeile schreiben, zum Beispiel [N m]; ohne diese Spalte: columns = {{ {key} = \"none\" }}"
+            | "ein Anteil des Nenndrehmoments ist erst dann ein Moment, wenn dieses bekannt ist: die Spalte mit dem Nenndrehmoment des aufgezeichneten Antriebs multiplizieren (CiA 402: Objekt 6076h) und die Einheit in die Kopfzeile schreiben, zum Beispiel [N m]; ohne diese Spalte: columns = {{ {key} = \"none\" }}"
         ));
     }
     if written.contains('%') && role == Role::Speed {
