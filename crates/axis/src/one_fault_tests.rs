@@ -181,7 +181,7 @@ fn an_unknown_choice_is_one_fault() {
                 let middle = word.len() / 2;
                 [format!("{word}{first}"), rest.to_owned(), word[..middle].to_owned(), format!("{first}x{rest}")]
             });
-            let other = ["sinus", "none", "x", "cam", "linear", "spline", "continous"].map(str::to_owned);
+            let other = ["sinus", "none", "x", "cam", "linear", "spline", "continual"].map(str::to_owned);
             for written in bent.chain(other).filter(|written| !words.contains(&written.as_str())) {
                 let damaged = format!("{key} = \"{written}\"");
                 let mut all = lines.clone();
