@@ -89,7 +89,8 @@ fn sample(key: &Key) -> String {
 
 /// Returns the valid values of a key.
 fn value(key: &Key, language: Language) -> String {
-    let shown = |number: f64| unpadded(number, 7, language);
+    // The large bounds are powers of ten.
+    let shown = |number: f64| unpadded(number, if number.abs() < 1e7 { 7 } else { 1 }, language);
     let between = |low: f64, high: f64| pages::from_to(&shown(low), &shown(high), language);
     let name = |dimension: Dimension| dimension.name(language);
     match key.kind {

@@ -1230,8 +1230,8 @@ class RecordedRatio(Section):
         torque: float | None = None,
     ) -> None:
         """Args:
-            position: Turns at the place of recording per turn of the output, negative where it turns the other way; 1: recorded at the output. -10000 to 10000.
-            speed: Speed at the place of recording per speed of the output, negative where it turns the other way; 1: recorded at the output. -10000 to 10000.
+            position: Turns at the place of recording per turn of the output, negative where it turns the other way; 1: recorded at the output. -10000000000 to 10000000000.
+            speed: Speed at the place of recording per speed of the output, negative where it turns the other way; 1: recorded at the output. -10000000000 to 10000000000.
             torque: Ratio by which the recorded torque is multiplied, negative where it acts the other way; 1: recorded at the output. -10000 to 10000.
         """
         self._begin(
