@@ -265,17 +265,19 @@ impl Call<'_> {
         Unanswered::message(words::usage_text(&missing, self.language))
     }
 
-    /// Returns a new project with the values that the call states, and each change; `None` if it states none.
+    /// Returns the text of a new project with the values that the call states, and each change; `None` if it states none.
     pub(crate) fn changed(&self, text: &str) -> Result<Option<(String, Vec<String>)>, Unanswered> {
         let is_stated = self.matches.try_contains_id("set").unwrap_or(false);
+        let of_catalogue = is_stated && self.text("kind") == Some(new::CATALOGUE);
+        if of_catalogue {
+            let message = terminal::no_values_of_a_catalogue(self.language).to_owned();
+            return Err(Unanswered::option("set", (message, None)));
+        }
         let changed = changed(text, self.matches, self.language)?.map(|changed| (changed.text, changed.made));
         if is_stated && changed.is_none() {
             // A table of rows has no keys.
             let message = terminal::no_values_of_a_table(self.language).to_owned();
             return Err(Unanswered::option("set", (message, None)));
-        }
-        if let Some((text, _)) = &changed {
-            new::checked(text, self.language)?;
         }
         Ok(changed)
     }

@@ -5,8 +5,13 @@ use crate::call::{Call, named_file};
 use crate::fault::path_text;
 use crate::plot;
 use crate::preview::previewed;
+use crate::source::begun::as_single_move;
 use crate::table::{Align, TextTable, labelled};
+use crate::waiting::progress;
 use answers::FilesWritten;
+use axis::{Grant, Reach};
+use disk::{Links, ProjectFiles};
+use project::written;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{Language, Measure, Torque, format_significant};
 use questions::Candidate;
@@ -125,8 +130,42 @@ fn recorded(call: &Call<'_>, (from, out): (&Path, Option<&Path>), file: &str) ->
     new::recorded(&kind, &preview, (&named, file), language).ok_or_else(not_of_kind)
 }
 
-/// `antrieb new KIND`
-pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+/// Reads a new project as the other commands do, and states what it lacks: a recorded motion that does not return becomes a single
+/// move; returns a remark on each.
+///
+/// # Errors
+/// Every fault that another command would report, except the missing data of a recorded machine.
+fn finished(call: &Call<'_>, template: &mut Template, out: Option<&Path>) -> Result<String, Unanswered> {
+    let language = call.language;
+    let is_project = written(&template.text).is_some_and(|keys| keys.iter().any(|key| key.path.starts_with("motion")));
+    if !is_project {
+        return Ok(String::new());
+    }
+    let folder = out.and_then(Path::parent).unwrap_or(Path::new("")).to_owned();
+    let files =
+        ProjectFiles { folder, links: Links::Followed, grant: Grant { reach: Reach::Anywhere, ..Grant::default() } };
+    let is_recorded = call.path("from").is_some();
+    let checked = |template: &Template| new::checked(template, is_recorded, &files, progress(), language);
+    let mut talk = String::new();
+    let mut readiness = checked(template)?;
+    if readiness.is_open
+        && let Some(text) = as_single_move(&template.text)
+    {
+        template.text = text;
+        talk += &format!("{}\n", terminal::option_assumed(&format!("{} = true", new::SINGLE_MOVE), language));
+        readiness = checked(template)?;
+    }
+    if !readiness.missing.is_empty() {
+        talk += &format!("{}\n", terminal::still_missing(&readiness.missing.join("; "), language));
+    }
+    Ok(talk)
+}
+
+/// Returns the new project of a call with its values, and remarks.
+///
+/// # Errors
+/// Faults of the call and of the values.
+pub(crate) fn made(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<(Template, String), Unanswered> {
     let language = call.language;
     let out = call.file("out");
     let name = out.and_then(Path::file_name);
@@ -142,7 +181,15 @@ pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<Command
         let several = made.iter().filter(|made| made.contains("; "));
         talk = several.map(|made| format!("{}\n", terminal::values_set(made, language))).collect();
     }
-    let Some(out) = out else {
+    talk += &finished(call, &mut template, out)?;
+    Ok((template, talk))
+}
+
+/// `antrieb new KIND`
+pub(crate) fn template(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAnswer, Unanswered> {
+    let language = call.language;
+    let (template, mut talk) = made(call, inquiry)?;
+    let Some(out) = call.file("out") else {
         let mut answer = CommandAnswer::data(template.text);
         if let Some((recording, _)) = template.recording {
             let kind = call.text("kind").unwrap_or_default();

@@ -14,7 +14,7 @@ pub(crate) use folder::text_of_kind;
 const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
-mod argument;
+pub(crate) mod argument;
 pub(crate) mod begun;
 mod best;
 mod completed;
@@ -24,6 +24,7 @@ mod kind;
 pub(crate) mod library;
 pub(crate) mod meant;
 pub(crate) mod own;
+pub(crate) mod parsed;
 mod proposed;
 mod question;
 pub(crate) mod remedy;
@@ -33,6 +34,7 @@ pub(crate) mod spoken;
 pub(crate) mod typed;
 mod unknown;
 pub(crate) mod usage;
+pub(crate) mod verified;
 
 /// Returns the requested language: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine
 /// is not used: the same call gives the same bytes everywhere.
@@ -124,6 +126,7 @@ fn headed(command: Command, above: &str, examples: &[(&str, String)], language: 
         .mut_args(|argument| {
             let heading = if argument.is_positional() { help::arguments(language) } else { help::options(language) };
             let takes_value = argument.get_action().takes_values();
+            let argument = argument::with_choice_and_default(argument, language);
             argument.help_heading(heading).hide_default_value(takes_value).hide_possible_values(takes_value)
         })
         .arg(
@@ -186,6 +189,12 @@ pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<
         match argument {
             "--lang" => index += 2,
             "--json" => index += 1,
+            "help" if let Some(command) = spoken::helping(arguments.get(index + 1)) => {
+                if let Some(word) = arguments.get_mut(index) {
+                    *word = command.into();
+                }
+                return arguments;
+            }
             "help" => {
                 let _ = arguments.remove(index);
                 // The flag stands before the rest, because the call that needs help may be incomplete.
@@ -293,6 +302,74 @@ pub(crate) fn man(matches: &ArgMatches, language: Language) -> Result<CommandAns
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Visits every option with a value of every command.
+    fn each_option(command: &Command, path: &str, visit: &mut impl FnMut(&str, &Arg)) {
+        for option in command.get_arguments().filter(|option| !option.is_positional()) {
+            if option.get_action().takes_values() {
+                visit(path, option);
+            }
+        }
+        for below in command.get_subcommands() {
+            each_option(below, &format!("{path} {}", below.get_name()), visit);
+        }
+    }
+
+    #[test]
+    fn the_help_of_an_option_names_its_choice_its_default_and_a_value_with_its_unit() {
+        let placeholders = |language| {
+            [values::time, values::length, values::angle, values::torque, values::speed, values::quantity]
+                .map(|word| word(language))
+        };
+        for language in Language::ALL {
+            let mut whole = build(language);
+            whole.build();
+            let mut count = 0;
+            each_option(&whole, NAME, &mut |path, option| {
+                let help = option.get_help().map(ToString::to_string).unwrap_or_default();
+                let name = format!("{path} --{}", option.get_id());
+                for usual in option.get_default_values() {
+                    let usual = usual.to_string_lossy();
+                    assert!(help.contains(&*usual), "{name}: default {usual}\n{help}");
+                    count += 1;
+                }
+                let choice = option.get_possible_values();
+                if (2..=argument::CHOICE_MOST).contains(&choice.len()) {
+                    for word in choice {
+                        assert!(help.contains(word.get_name()), "{name}: {}\n{help}", word.get_name());
+                        count += 1;
+                    }
+                }
+                let value = option.get_value_names().unwrap_or_default();
+                if value.iter().any(|value| placeholders(language).contains(&&**value)) {
+                    let has_unit = help.split(['"', '(']).skip(1).any(|part| {
+                        part.starts_with(|sign: char| sign.is_ascii_digit()) && part.contains(char::is_alphabetic)
+                    });
+                    assert!(has_unit, "{name}: no value with its unit\n{help}");
+                    count += 1;
+                }
+            });
+            assert!(count > 100, "{count}");
+        }
+    }
+
+    #[test]
+    fn the_help_of_every_command_fits_a_hundred_columns() {
+        fn check(command: &mut Command, path: &str) {
+            let help = command.clone().term_width(100).render_help().to_string();
+            for line in help.lines() {
+                assert!(line.chars().count() <= 100, "{path}: {line}");
+            }
+            for below in command.get_subcommands_mut() {
+                check(below, &format!("{path} {}", below.get_name()));
+            }
+        }
+        for language in Language::ALL {
+            let mut whole = build(language);
+            whole.build();
+            check(&mut whole, NAME);
+        }
+    }
 
     /// Compares the messages of the library for rejected calls.
     #[test]

@@ -30,6 +30,8 @@ mod layout;
 mod licences;
 mod mount;
 mod moves;
+#[cfg(test)]
+mod new_tests;
 mod plot;
 mod preview;
 #[cfg(test)]
@@ -51,6 +53,7 @@ mod wiring;
 use answer::CommandAnswer;
 pub use call::{days_since_1970, named_file};
 use clap::ArgMatches;
+use command::parsed::Misread;
 pub use fault::memory::allowed_by as memory_allowed;
 use quantities::Language;
 use questions::list::Unanswered;
@@ -64,32 +67,18 @@ pub use waiting::{deadline_of, rows_line};
 #[must_use]
 pub fn run(call: Vec<OsString>) -> u8 {
     disk::refuse_large_files();
-    let is_german = command::spoken::is_german(&call);
-    let mut arguments = command::with_help_asked(call.into_iter());
-    if is_german && !command::states_language(&arguments) {
-        arguments.insert(1, "--lang=de".into());
-    }
-    let mut language = command::language_of(arguments.iter().cloned());
-    let (arguments, is_begun) = command::begun::with_command(arguments, language);
-    let as_json = command::json_of(&arguments);
-    let mut command = command::build_for(&arguments, language);
-    let (found, remark) = command::replaced::understood(arguments, is_begun, &command, language);
-    let command::meant::Understood { arguments, stray } = found;
-    // A language without its option is known only now.
-    let meant = command::language_of(arguments.iter().cloned());
-    if meant != language {
-        language = meant;
-        command = command::build_for(&arguments, language);
-    }
-    if let Some(stray) = &stray {
-        return command::usage::stray(stray, (&command, &arguments), as_json, language).write(language);
-    }
-    let matches = match command.try_get_matches_from_mut(&arguments) {
+    let command::parsed::ParsedCall { arguments, command, language, as_json, remark, matches } =
+        command::parsed::ParsedCall::of(call);
+    let keep: command::usage::Keep<'_> = &|hint| command::verified::verified_hint(hint, language);
+    let matches = match matches {
         Ok(matches) => matches,
-        Err(error) if error.use_stderr() => {
-            return command::usage::refused(&error, (&command, &arguments), as_json, language).write(language);
+        Err(Misread::Stray(stray)) => {
+            return command::usage::stray(&stray, (&command, &arguments), keep, as_json, language).write(language);
         }
-        Err(help) => return CommandAnswer::data(help.render().ansi().to_string()).write(language),
+        Err(Misread::Library(error)) if error.use_stderr() => {
+            return command::usage::refused(&error, (&command, &arguments), keep, as_json, language).write(language);
+        }
+        Err(Misread::Library(help)) => return CommandAnswer::data(help.render().ansi().to_string()).write(language),
     };
     let json = matches.get_flag("json");
     let most = match deadline(&matches, language) {
@@ -113,8 +102,11 @@ pub fn run(call: Vec<OsString>) -> u8 {
     match answer {
         Ok(answer) => answer.remarked(remark),
         Err(why) => {
-            let why = command::remedy::with_whole_calls(why, &arguments, language);
+            let why = command::remedy::with_whole_calls(why, &arguments, language, &|calls| {
+                command::verified::verified(calls, language)
+            });
             let calls = command::remedy::calls(&why, &arguments, &command, language);
+            let calls = command::verified::verified(calls, language);
             fault::unanswered(&why, json, language).with_calls(&calls, language)
         }
     }

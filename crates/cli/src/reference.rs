@@ -1,5 +1,6 @@
 //! Reference page of the commands in Markdown, from the definitions that parse the command line. Only its test uses it.
 
+use crate::command::argument::plain_help;
 use crate::command::build;
 use clap::{Arg, Command};
 use quantities::Language;
@@ -62,12 +63,10 @@ fn row(argument: &Arg, language: Language) -> String {
         _ => value.clone(),
     };
     let spelled = if takes && argument.get_long().is_some() { format!("{spelled} {value}") } else { spelled };
-    let help = argument.get_help().map(ToString::to_string).unwrap_or_default();
+    // The page lists words and default once, as code.
+    let help = plain_help(argument, language);
     let words = argument.get_possible_values();
-    let listed = words.iter().map(|word| word.get_name()).collect::<Vec<_>>().join(", ");
-    // The page lists the words once, as code.
-    let help = help.strip_suffix(&listed).and_then(|help| help.strip_suffix(": ")).unwrap_or(&help);
-    let mut parts = vec![help.to_owned()];
+    let mut parts = vec![help];
     if takes && !words.is_empty() {
         let words: Vec<String> = words.iter().map(|word| format!("`{}`", word.get_name())).collect();
         parts.push(pages::one_of(&words.join(" "), language));

@@ -9,12 +9,12 @@ use clap::ArgMatches;
 use disk::{Links, ProjectFiles};
 use project::{Written, key_at, written};
 use quantities::Language;
-use questions::list::{Reads, ReferencedText, Unanswered};
+use questions::list::{Reads, ReferencedText, Unanswered, new};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use words::file_trouble;
 
-mod begun;
+pub(crate) mod begun;
 
 /// A file that a question is about: a project, a list or a record.
 #[derive(Clone, Debug)]
@@ -69,7 +69,7 @@ impl SourceFile {
         let is_open = matches!(&read, Err(Unanswered::Text { faults, .. })
             if faults.len() == 1 && faults.iter().any(|fault| fault.id.ends_with("_not_closed")));
         let single = is_open.then(|| begun::as_single_move(&text)).flatten();
-        let assumed = format!("{} = true", begun::SINGLE_MOVE);
+        let assumed = format!("{} = true", new::SINGLE_MOVE);
         Ok(single.map_or(file, |text| of(text, vec![assumed])))
     }
 

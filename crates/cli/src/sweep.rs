@@ -60,6 +60,29 @@ pub(crate) fn sweep(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<CommandAns
     }
 }
 
+/// Reads the rows that a call states, or checks that there is a table.
+///
+/// # Errors
+/// Faults of the values, or a missing table.
+pub(crate) fn readable(call: &Call<'_>, inquiry: &Inquiry<'_>) -> Result<(), Unanswered> {
+    let language = call.language;
+    let args = sweep::Args::read(&inquiry.given)?;
+    let text = inquiry.source()?.text(language)?;
+    let stated = call.texts(VARY);
+    if stated.is_empty() {
+        let table = PathBuf::from(args.table.unwrap_or_default());
+        let missing = || words::file_trouble(&std::io::ErrorKind::NotFound.into(), language);
+        return if table.is_file() {
+            Ok(())
+        } else {
+            Err(Unanswered::File { name: path_text(&table), message: missing(), is_too_large: false })
+        };
+    }
+    let steps = usize::try_from(call.count("steps").unwrap_or(STEPS)).unwrap_or(usize::MAX);
+    let rows = vary::rows(text, args.axis.as_ref(), &stated, steps, language)?;
+    refuse_faulty_keys(call, inquiry, (text, &rows), args.axis.as_ref())
+}
+
 /// Refuses values of keys of which no row can be evaluated, though the project alone can: the first and the last row are read.
 fn refuse_faulty_keys(
     call: &Call<'_>,

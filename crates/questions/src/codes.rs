@@ -83,6 +83,21 @@ fn with_wildcards(text: &str) -> String {
 /// Length limit in bytes of a text with wildcards.
 const WORN_MOST: usize = 64;
 
+/// Fields of a code that one wildcard may stand for.
+const FIELDS_MOST: usize = 4;
+
+/// Iterates over the texts in which the first field that is a wildcard stands for several: `CHA-25A-*-B` is `CHA-25A-*-*-*-B`.
+fn with_further_fields(text: &str) -> impl Iterator<Item = String> {
+    let fields: Vec<&str> = text.split('-').collect();
+    let place = fields.iter().position(|field| *field == "*");
+    let with = move |place: usize, more: usize| {
+        let mut fields = fields.clone();
+        fields.splice(place..place, std::iter::repeat_n("*", more));
+        fields.join("-")
+    };
+    (1..FIELDS_MOST).filter_map(move |more| Some(with(place?, more)))
+}
+
 /// Reads a partial code that allows at least one code.
 ///
 /// # Errors
@@ -102,10 +117,12 @@ pub(crate) fn read_pattern_begun(text: &str, is_begun: bool, language: Language)
     // Letters that cannot be read: every code that could be meant.
     let unreadable = with_wildcards(text);
     let is_worn = unreadable.contains(['*', '?', '…']) || text.contains("...");
-    let worn = (found.is_err() && text.len() <= WORN_MOST && (is_worn || is_begun))
-        .then(|| Pattern::parse_worn(&unreadable, is_begun))
-        .flatten();
-    if let Some(worn) = worn.filter(|worn| configurator::complete(worn).next().is_some()) {
+    let is_due = found.is_err() && text.len() <= WORN_MOST && (is_worn || is_begun);
+    let readings = std::iter::once(unreadable.clone()).chain(with_further_fields(&unreadable));
+    let worn = |text: String| {
+        Pattern::parse_worn(&text, is_begun).filter(|worn| configurator::complete(worn).next().is_some())
+    };
+    if let Some(worn) = readings.filter(|_| is_due).find_map(worn) {
         return Ok(worn);
     }
     let (pattern, spans) =

@@ -194,8 +194,8 @@ texts! {
         "Seed of the encoder error within its accuracy; default: no error"
         | "Startwert der Geberabweichung innerhalb der Genauigkeit; ohne Angabe keine Abweichung";
     encoder_window =
-        "Angle range of the signals shown; default: two periods each"
-        | "Winkelbereich der gezeigten Signale; ohne Angabe je zwei Perioden";
+        "Angle range of the signals shown, such as \"2 deg\"; default: two periods each"
+        | "Winkelbereich der gezeigten Signale, etwa \"2 deg\"; ohne Angabe je zwei Perioden";
     encoder_battery_lost =
         "Battery and supply have failed at the same time (M128S)"
         | "Batterie und Versorgung sind gleichzeitig ausgefallen (M128S)";
@@ -257,7 +257,7 @@ texts! {
     catalogue_check_exit =
         "Exit code: 0 no finding, 1 implausible values, 2 faults of a file"
         | "Rückgabewert: 0 kein Befund, 1 unplausible Werte, 2 Fehler einer Datei";
-    catalogue_format = "csv (default) or json" | "csv (Vorgabe) oder json";
+    catalogue_format = "Format of the catalogue" | "Format des Katalogs";
     antrieb =
         "Engineering workbench for hollow-shaft servo actuators of the CHA series"
         | "Auslegungswerkzeug für Hohlwellen-Servoantriebe der Baureihe CHA";
@@ -321,8 +321,8 @@ texts! {
         "Project of the axis: load, supply, gains; default: an inertia without friction"
         | "Projekt der Achse: Last, Versorgung, Verstärkungen; ohne Angabe ein reibungsfreies Massenträgheitsmoment";
     drive_inertia =
-        "Moment of inertia of the load if no project is given (that of the actuator)"
-        | "Massenträgheitsmoment der Last, wenn kein Projekt angegeben ist (das des Antriebs)";
+        "Moment of inertia of the load if no project is given, such as \"0.5 kg m^2\"; default: that of the actuator"
+        | "Massenträgheitsmoment der Last, wenn kein Projekt angegeben ist, etwa \"0.5 kg m^2\"; ohne Angabe das des Antriebs";
     drive_protocol = "Communication protocol of the clients" | "Kommunikationsprotokoll der Clients";
     drive_time =
         "Time base: real time, or stepped by the client with a request or with each SYNC message by the period of 60C2h"
@@ -398,18 +398,19 @@ texts! {
         "Ordering code; default: the project's own [actuator], otherwise the best of the catalogue"
         | "Bestellbezeichnung; ohne Angabe der eigene [actuator] des Projekts, sonst der beste des Katalogs";
     plot_by =
-        "Abscissa of candidate_map: mass (default) or length"
-        | "Abszisse von candidate_map: mass (Masse, Vorgabe) oder length (Länge)";
+        "Abscissa of candidate_map" | "Abszisse von candidate_map";
     plot_without_files =
         "Without --svg and --png, the SVG is written to standard output."
         | "Ohne --svg und --png wird das SVG auf die Standardausgabe geschrieben.";
     svg = "Draw into this SVG file; - is standard output" | "In diese SVG-Datei zeichnen; - ist die Standardausgabe";
     png = "Draw into this PNG file" | "In diese PNG-Datei zeichnen";
-    theme = "light (default) or dark" | "light (hell, Vorgabe) oder dark (dunkel)";
-    width = "Width of the picture, for example \"160 mm\"" | "Breite des Bildes, zum Beispiel \"160 mm\"";
+    theme = "Colours of the picture" | "Farben des Bildes";
+    width =
+        "Width of the picture, for example \"160 mm\"; default: suited to the picture"
+        | "Breite des Bildes, zum Beispiel \"160 mm\"; ohne Angabe passend zum Bild";
     height =
-        "Height of the picture; increased if the content requires it"
-        | "Höhe des Bildes; wird vergrößert, wenn der Inhalt es erfordert";
+        "Height of the picture, for example \"100 mm\"; increased if the content requires it"
+        | "Höhe des Bildes, zum Beispiel \"100 mm\"; wird vergrößert, wenn der Inhalt es erfordert";
     compare =
         "Two to five actuators side by side, check by check"
         | "Zwei bis fünf Antriebe nebeneinander, Nachweis für Nachweis";

@@ -1,5 +1,8 @@
 //! Words by which people name what the program names otherwise, in both languages.
 
+mod choices;
+
+pub use choices::{CHOICES, choice};
 use quantities::Language;
 
 /// Other words for the commands: German ones, and those of other programs.
@@ -17,10 +20,14 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("bericht", "report"),
     ("bestellbezeichnung", "code"),
     ("bewegung", "moves"),
+    ("cable", "wiring"),
+    ("cables", "wiring"),
     ("calc", "size"),
     ("calculate", "size"),
     ("catalog", "catalogue"),
     ("chart", "plot"),
+    ("connector", "wiring"),
+    ("connectors", "wiring"),
     ("create", "new"),
     ("datasheet", "data"),
     ("datenblatt", "data"),
@@ -31,23 +38,30 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("einheiten", "units"),
     ("einstellungen", "commission"),
     ("encode", "encoder"),
+    ("erwärmung", "simulate"),
     ("excel", "export"),
     ("exportieren", "export"),
     ("geber", "encoder"),
     ("glossar", "glossary"),
     ("graph", "plot"),
     ("gui", "serve"),
+    ("heat", "simulate"),
     ("herleiten", "explain"),
     ("herleitung", "explain"),
     ("hilfe", "help"),
+    ("identification", "identify"),
+    ("identifikation", "identify"),
     ("identifizieren", "identify"),
     ("inbetriebnahme", "commission"),
     ("inertias", "inertia"),
     ("init", "new"),
+    ("kabel", "wiring"),
     ("katalog", "catalogue"),
     ("kennlinie", "curve"),
     ("kennlinien", "curve"),
     ("lager", "bearing"),
+    ("leitung", "wiring"),
+    ("leitungen", "wiring"),
     ("licenses", "licences"),
     ("lizenzen", "licences"),
     ("maintenance", "upkeep"),
@@ -61,8 +75,10 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("pinbelegung", "wiring"),
     ("pinout", "wiring"),
     ("pins", "wiring"),
+    ("plug", "wiring"),
     ("pruefen", "check"),
     ("prüfen", "check"),
+    ("recommend", "size"),
     ("run", "simulate"),
     ("select", "size"),
     ("server", "serve"),
@@ -74,6 +90,10 @@ pub const COMMANDS: &[(&str, &str)] = &[
     ("specs", "data"),
     ("stecker", "wiring"),
     ("steifigkeit", "torsion"),
+    ("temperatur", "simulate"),
+    ("temperature", "simulate"),
+    ("temperaturen", "simulate"),
+    ("temperatures", "simulate"),
     ("template", "new"),
     ("term", "glossary"),
     ("torsional-stiffness", "torsion"),
@@ -123,10 +143,14 @@ pub fn commands_meant(word: &str) -> &'static [&'static str] {
 
 /// Words of [`COMMANDS`] that are not German, or are words of both languages.
 const NOT_GERMAN: &[&str] = &[
+    "cable",
+    "cables",
     "calc",
     "calculate",
     "catalog",
     "chart",
+    "connector",
+    "connectors",
     "create",
     "datasheet",
     "definition",
@@ -135,6 +159,8 @@ const NOT_GERMAN: &[&str] = &[
     "excel",
     "graph",
     "gui",
+    "heat",
+    "identification",
     "inertias",
     "init",
     "licenses",
@@ -144,6 +170,8 @@ const NOT_GERMAN: &[&str] = &[
     "pdf",
     "pinout",
     "pins",
+    "plug",
+    "recommend",
     "run",
     "select",
     "server",
@@ -152,6 +180,8 @@ const NOT_GERMAN: &[&str] = &[
     "sizing",
     "spec",
     "specs",
+    "temperature",
+    "temperatures",
     "template",
     "term",
     "torsional-stiffness",
@@ -288,32 +318,28 @@ pub fn is_duration(word: &str) -> bool {
     ["duration", "time", "runtime", "for", "dauer", "zeit", "laufzeit"].contains(&&*word.to_lowercase())
 }
 
+/// Returns `true` if a word names the holding brake.
+#[must_use]
+pub fn is_brake(word: &str) -> bool {
+    ["brake", "brakes", "holding-brake", "bremse", "bremsen", "haltebremse"].contains(&&*word.to_lowercase())
+}
+
+/// Returns `true` if a word stands before a property: `code list with brake`.
+#[must_use]
+pub fn is_with(word: &str) -> bool {
+    ["with", "mit", "having", "a", "einer"].contains(&&*word.to_lowercase())
+}
+
 /// Words for the day of the call.
 #[must_use]
 pub fn is_today(word: &str) -> bool {
     ["today", "now", "heute", "jetzt"].contains(&&*word.to_lowercase())
 }
 
-/// Other words for values of options, each with the value.
-const VALUES: &[(&str, &str)] = &[
-    ("blackout", "power_failure"),
-    ("e-stop", "emergency_stop"),
-    ("estop", "emergency_stop"),
-    ("jam", "blocked_load"),
-    ("not-aus", "emergency_stop"),
-    ("not-halt", "emergency_stop"),
-    ("notaus", "emergency_stop"),
-    ("nothalt", "emergency_stop"),
-    ("netzausfall", "power_failure"),
-    ("power-loss", "power_failure"),
-    ("stromausfall", "power_failure"),
-];
-
-/// Returns the value of an option that another word stands for.
+/// Returns the value of an option of a simulation or of a picture that another word stands for, without its option.
 #[must_use]
 pub fn value(word: &str) -> Option<&'static str> {
-    let word = word.to_lowercase();
-    VALUES.iter().find(|(other, _)| *other == word).map(|(_, value)| *value)
+    choice("scenario", word)
 }
 
 /// Words of bodies by which people name shapes and dimensions, each with that of the program.

@@ -160,6 +160,12 @@ texts! {
     no_values_of_a_table =
         "a table of rows takes no --set; its columns are stated with --key"
         | "eine Tabelle von Zeilen nimmt kein --set; ihre Spalten werden mit --key angegeben";
+    no_values_of_a_catalogue =
+        "a catalogue file takes no --set; its products are stated in the file"
+        | "eine Katalogdatei nimmt kein --set; ihre Produkte werden in der Datei angegeben";
+    still_missing(faults) =
+        "still to be stated before a calculation: {faults}"
+        | "vor einer Berechnung noch anzugeben: {faults}";
     set_which(key, one, other) = "{key} is ambiguous: {one} or {other}" | "{key} ist mehrdeutig: {one} oder {other}";
     set_which_axis(example) = "the project has several axes: --axis NAME, or {example}" | "das Projekt hat mehrere Achsen: --axis NAME, oder {example}";
     set_unit(key) = "`{key}`: the value has no unit" | "`{key}`: der Wert hat keine Einheit";
@@ -191,6 +197,9 @@ texts! {
     best_of_pattern(part, count, code) =
         "{part} stands for {count} actuators of the ranking: the best of them, {code}"
         | "{part} steht für {count} Antriebe der Rangfolge: der beste davon, {code}";
+    nearest_of_pattern(part, count, code) =
+        "{part} stands for {count} actuators of the ranking, none of which fits: the one with the smallest excess, {code}"
+        | "{part} steht für {count} Antriebe der Rangfolge, von denen keiner geeignet ist: der mit der geringsten Überschreitung, {code}";
     option_assumed(option) = "not stated, assumed: {option}" | "nicht angegeben, angenommen: {option}";
     not_of_the_manual = "note (not from the manual)" | "Anmerkung (nicht aus der Anleitung)";
     smallest_excess_of_the_ranking(id) =

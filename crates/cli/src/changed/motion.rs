@@ -88,6 +88,29 @@ fn segments(all: &[Written], prefix: &str) -> Vec<(String, bool)> {
         .collect()
 }
 
+/// Returns the dwells of the motion of an axis.
+pub(crate) fn dwells(all: &[Written], prefix: &str) -> Vec<String> {
+    segments(all, prefix).into_iter().filter_map(|(path, is_dwell)| is_dwell.then_some(path)).collect()
+}
+
+/// Returns the first of several dwells whose times fill a cycle; `None` where one dwell states the cycle itself.
+pub(crate) fn filling_dwell(text: &str, prefix: &str, cycle: &str) -> Option<String> {
+    let first = match &dwells(&written(text)?, prefix)[..] {
+        [first, _, ..] => first.clone(),
+        _ => return None,
+    };
+    let states_no_cycle = |text: &str| {
+        written(text)
+            .is_some_and(|all| !all.iter().any(|each| each.path.starts_with(prefix) && each.path.ends_with(".cycle")))
+    };
+    match cycle_filled(text, prefix, cycle) {
+        Ok(filled) => states_no_cycle(&filled.text).then_some(first),
+        // Each row reports its own moves.
+        Err(Unfilled::TooShort { .. }) => Some(first),
+        Err(Unfilled::NoCycle) => None,
+    }
+}
+
 impl<'p> Due<'p> {
     fn of(all: &'p [Written], prefix: &'p str, meaning: MotionWord) -> Self {
         let (key, of_dwells) = match meaning {
@@ -325,14 +348,18 @@ fn cycle(
             Some(Ok((text, changes.into_iter().map(change).chain([whole]).collect())))
         }
         Err(Unfilled::TooShort { moves }) => {
-            let all = written(text)?;
-            let time = Due::of(&all, prefix, MotionWord::Moves("time")).example_time(&number);
+            let time = time_for_cycle(text, prefix, &number);
             let call = |time| typed(["--set", &format!("time={time}"), "--set", &format!("{}={number}", seen(word))]);
             let hint = time.map(|time| usage_hint(&UsageHint::Calls(vec![call(time)]), language));
             Some(Err((terminal::cycle_too_short(&seen(&number), &moves, language), hint)))
         }
         Err(Unfilled::NoCycle) => None,
     }
+}
+
+/// Returns a time of each move of an axis that leaves a fifth of a cycle to the dwells.
+pub(crate) fn time_for_cycle(text: &str, prefix: &str, cycle: &str) -> Option<String> {
+    Due::of(&written(text)?, prefix, MotionWord::Moves("time")).example_time(cycle)
 }
 
 impl Due<'_> {

@@ -7,6 +7,7 @@ use clap::{Arg, ArgAction, Command, value_parser};
 use quantities::Language;
 use questions::list::{Argument, ArgumentForm, ArgumentKind};
 use std::ffi::OsStr;
+use words::pages;
 
 /// Creates an option with a value.
 pub(super) fn text(name: &'static str, value: &'static str, help: impl IntoResettable<StyledStr>) -> Arg {
@@ -51,6 +52,48 @@ impl TypedValueParser for OneOf {
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
         Some(Box::new(self.1.iter().map(PossibleValue::new)))
     }
+}
+
+/// Largest number of words of a choice that the help of an option lists.
+pub(super) const CHOICE_MOST: usize = 12;
+
+/// Returns an argument whose help names the words of its choice and its default, as they are declared.
+pub(super) fn with_choice_and_default(argument: Arg, language: Language) -> Arg {
+    if argument.is_positional() || !argument.get_action().takes_values() {
+        return argument;
+    }
+    let mut help = argument.get_help().map(ToString::to_string).unwrap_or_default();
+    let words = words_of(&argument);
+    if (2..=CHOICE_MOST).contains(&words.len()) && !words.iter().all(|word| help.contains(word)) {
+        help = format!("{help}; {}", pages::one_of(&words.join(", "), language));
+    }
+    let usual = usual_of(&argument);
+    let is_named = words.is_empty() && help.contains(&usual);
+    if !usual.is_empty() && !is_named {
+        help = format!("{help} ({usual})");
+    }
+    argument.help(help)
+}
+
+/// Returns the words of the choice of an argument.
+fn words_of(argument: &Arg) -> Vec<String> {
+    argument.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect()
+}
+
+/// Returns the declared default of an argument; empty without one.
+fn usual_of(argument: &Arg) -> String {
+    let usual = argument.get_default_values().iter().map(|value| value.to_string_lossy().into_owned());
+    usual.collect::<Vec<_>>().join(", ")
+}
+
+/// Returns the help of an argument without the words of its choice and without its default.
+#[cfg(test)]
+pub(crate) fn plain_help(argument: &Arg, language: Language) -> String {
+    let help = argument.get_help().map(ToString::to_string).unwrap_or_default();
+    let listed = words_of(argument).join(", ");
+    let help = help.strip_suffix(&format!(" ({})", usual_of(argument))).unwrap_or(&help);
+    let choice = format!("; {}", pages::one_of(&listed, language));
+    help.strip_suffix(&choice).or_else(|| help.strip_suffix(&format!(": {listed}"))).unwrap_or(help).to_owned()
 }
 
 /// Converts an argument for the command-line library.

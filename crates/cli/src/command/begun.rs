@@ -7,7 +7,7 @@ use quantities::Language;
 use questions::list::new;
 use std::ffi::OsString;
 use std::path::Path;
-use words::spoken::language_of;
+use words::spoken::{self, language_of};
 
 /// Name of a file without its ending, beside no project.
 const USUAL_STEM: &str = "antrieb";
@@ -29,6 +29,12 @@ pub(crate) fn with_command(mut arguments: Vec<OsString>, language: Language) -> 
     }
     let words: Vec<&str> = arguments.iter().skip(place).map_while(|word| word.to_str()).collect();
     let Some((first, behind)) = words.split_first() else { return (arguments, false) };
+    if command_named(first) == Some("code")
+        && let Some(words) = with_brake(behind)
+    {
+        arguments.splice(place + 1.., words.into_iter().map(OsString::from));
+        return (arguments, true);
+    }
     let (at, added) = match command_named(first) {
         Some(command) if let Some(other) = other_command(command, behind, language) => {
             if let Some(word) = arguments.get_mut(place) {
@@ -48,20 +54,43 @@ pub(crate) fn with_command(mut arguments: Vec<OsString>, language: Language) -> 
     (arguments, true)
 }
 
+/// Pattern of the ordering codes with a holding brake.
+const WITH_BRAKE: &str = "CHA-*-B";
+
+/// Returns the words behind `code` that list the codes with a brake: `code list with brake`.
+fn with_brake(words: &[&str]) -> Option<Vec<String>> {
+    let (bare, options): (Vec<&str>, Vec<&str>) = words.iter().partition(|word| !word.starts_with('-'));
+    let rest: Vec<&str> = bare.into_iter().filter(|word| *word != "list" && !spoken::is_with(word)).collect();
+    let [word] = &rest[..] else { return None };
+    let own = ["list", WITH_BRAKE].into_iter().chain(options).map(str::to_owned);
+    spoken::is_brake(word).then(|| own.collect())
+}
+
 /// Commands about a project, each with that about a code alone which is meant where the first word is one.
 const OF_CODES: [(&str, &str); 2] = [("plot", "curve"), ("export", "data")];
 
 /// Returns the command that the words behind another one require: an actuator is checked, a code alone has a curve.
 fn other_command(command: &str, behind: &[&str], language: Language) -> Option<&'static str> {
-    let is_code = |word: &&&str| seems_code(word) && questions::list::code_list::read_pattern(word, language).is_ok();
+    // A code with an unreadable field is one too.
+    let is_readable = |word: &str| questions::list::code_list::read_pattern(word, language).is_ok();
+    let is_code = |word: &&&str| seems_code(word) && (word.contains('?') || is_readable(word));
     let bare = || behind.iter().take_while(|word| !word.starts_with('-'));
     let has_code = bare().any(|word| is_code(&word));
     let has_project = behind.iter().any(|word| has_ending(word, &[".toml"]) || *word == "-");
+    let stated = || behind.iter().enumerate().filter(|(place, word)| is_code(word) && is_value_of_code(behind, *place));
+    let is_of_several = || stated().count() > 1 || behind.iter().filter(|word| **word == "--code").count() > 1;
     match (has_code, has_project) {
+        (_, true) if ["size", "check"].contains(&command) && is_of_several() => Some("compare"),
         (true, true) if command == "size" => Some("check"),
         (true, false) => OF_CODES.iter().find(|(of, _)| *of == command).map(|(_, other)| *other),
         _ => None,
     }
+}
+
+/// Returns `true` if the word at a place stands alone or behind `--code`.
+fn is_value_of_code(words: &[&str], place: usize) -> bool {
+    let before = place.checked_sub(1).and_then(|before| words.get(before)).copied().unwrap_or_default();
+    !before.starts_with('-') || before == "--code"
 }
 
 /// Returns the command for words that begin a call.

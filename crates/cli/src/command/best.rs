@@ -15,15 +15,25 @@ pub(super) fn best_of_project(words: &[&str], language: Language) -> Option<Stri
     best_codes(path, 1, language).into_iter().next()
 }
 
-/// Returns the best of the actuators that a part of a code allows, for a project with one axis, and their number; `None` if there
-/// is none.
-pub(super) fn best_of_pattern(path: &str, pattern: &Pattern, language: Language) -> Option<(String, usize)> {
+/// The best of the actuators that a part of a code allows.
+pub(super) struct BestOfPattern {
+    pub(super) code: String,
+    /// Number of the actuators.
+    pub(super) count: usize,
+    /// `false` if none of them fits: the code is then the one with the smallest excess.
+    pub(super) fits: bool,
+}
+
+/// Returns the best of the actuators that a part of a code allows, for a project with one axis; `None` if there is none.
+pub(super) fn best_of_pattern(path: &str, pattern: &Pattern, language: Language) -> Option<BestOfPattern> {
     of_sizing(path, language, |sizing| {
         let is_it =
             |id: &&String| questions::read_code(id, language).is_ok_and(|read| pattern.matches(&read.parsed.code));
         let ids: Vec<String> = sizing.candidates.iter().map(|candidate| candidate.id.to_string()).collect();
         let found: Vec<&String> = ids.iter().filter(is_it).collect();
-        found.first().map(|code| ((*code).clone(), found.len()))
+        let code = (*found.first()?).clone();
+        let fits = sizing.fitting().iter().any(|candidate| candidate.id.to_string() == code);
+        Some(BestOfPattern { code, count: found.len(), fits })
     })
     .flatten()
 }

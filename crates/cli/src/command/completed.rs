@@ -1,11 +1,11 @@
 //! Calls that lack one word, with the one that is plainly meant: the only project of the folder, today, the neutral list of a drive,
 //! the best of the actuators that half a code names.
 
-use super::best::best_of_pattern;
+use super::best::{BestOfPattern, best_of_pattern};
 use super::folder::{has_ending, projects_in};
 use super::meant::{Called, Part};
 use super::spoken::seems_code;
-use clap::{Arg, Command};
+use clap::Command;
 use quantities::{Language, Measure, Time};
 use questions::list::ArgumentKind;
 use questions::list::upkeep::day_of_clock;
@@ -15,6 +15,9 @@ use words::{spoken, terminal};
 
 /// Hours of operation a day of a battery without a statement: a shift.
 const BATTERY_HOURS: &str = "8 h";
+
+/// Word for the duration of a run.
+const DURATION: &str = "duration";
 
 /// Days and hours above which a duration is that of an operation, not of a cycle \[s\].
 const OPERATION_LEAST_S: f64 = 3600.0;
@@ -49,15 +52,16 @@ fn with_own_values(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
     let today = || crate::call::days_since_1970().and_then(day_of_clock).map(|day| day.to_string());
     for part in called.parts(&texts)? {
         let Part::Option(option, Some(value)) = part else { continue };
-        let Some(argument) = option.get_long().and_then(|name| called.argument(name)) else { continue };
-        let own = match argument.kind {
-            ArgumentKind::Word(_) if !argument.takes(value) => spoken::value(value).map(str::to_owned),
-            ArgumentKind::Date if spoken::is_today(value) => today(),
-            _ => None,
+        let name = option.get_long().unwrap_or_default();
+        let possible = option.get_possible_values();
+        let is_possible = |word: &str| possible.iter().any(|value| value.matches(word, true));
+        let own = match called.argument(name).map(|argument| argument.kind) {
+            Some(ArgumentKind::Date) if spoken::is_today(value) => today(),
+            _ if is_possible(value) => None,
+            _ => spoken::choice(name, value).filter(|word| is_possible(word)).map(str::to_owned),
         };
         let Some(own) = own else { continue };
         for word in words.iter_mut().skip(called.begin) {
-            let name = option.get_long().unwrap_or_default();
             if word == value {
                 *word = own.clone();
             } else if *word == format!("--{name}={value}") {
@@ -77,7 +81,7 @@ pub(super) fn with_project(
 ) -> (Vec<OsString>, Option<String>) {
     let Some(called) = Called::of(&arguments, whole, language) else { return (arguments, None) };
     let is_of_project = called.command.get_positionals().any(|position| position.get_id() == "project");
-    let first_is_code = called.command.get_positionals().next().is_some_and(|position| is_code(&called, position));
+    let first_is_code = called.command.get_positionals().next().is_some_and(|position| called.is_code(position));
     let is_file = |word: &&str| has_ending(word, &[".toml"]) || *word == "-" || Path::new(word).exists();
     let first: Vec<&str> = called.first.iter().map(String::as_str).collect();
     let is_stated = arguments.iter().skip(called.begin).any(|word| {
@@ -104,11 +108,6 @@ pub(super) fn with_project(
     (arguments, Some(terminal::only_project(&project.to_string_lossy(), language)))
 }
 
-fn is_code(called: &Called<'_>, position: &Arg) -> bool {
-    let argument = called.entry.and_then(|_| called.argument(position.get_id().as_str()));
-    argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code))
-}
-
 /// Returns a call about one actuator with the best of those that a part of a code names, for the axis of its project.
 fn with_whole_code(called: &Called<'_>, arguments: &[OsString]) -> Option<Completed> {
     let language = called.language();
@@ -122,10 +121,11 @@ fn with_whole_code(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
     });
     let part = codes.find(|code| questions::read_code(code, language).is_err())?;
     let pattern = questions::list::code_list::read_pattern(part, language).ok()?;
-    let (code, count) = best_of_pattern(project, &pattern, language)?;
+    let BestOfPattern { code, count, fits } = best_of_pattern(project, &pattern, language)?;
     let words = texts.iter().map(|word| if *word == part { code.as_str() } else { word });
     let words = words.map(|word| word.replace(&format!("--code={part}"), &format!("--code={code}")));
-    let remark = terminal::best_of_pattern(&quantities::seen(part), &count, &code, language);
+    let remark = if fits { terminal::best_of_pattern } else { terminal::nearest_of_pattern };
+    let remark = remark(&quantities::seen(part), &count, &code, language);
     Some((words.map(OsString::from).collect(), Some(remark)))
 }
 
@@ -145,6 +145,18 @@ fn with_one_option(called: &Called<'_>, arguments: &[OsString]) -> Option<Comple
         Some((words, Some(remark)))
     };
     match called.entry?.command {
+        // Hours without days are those of one day.
+        "simulate" if is_given(&["hours-per-day"]) && !is_given(&["days"]) => {
+            with(&["--days", "1"], terminal::option_assumed(&"--days 1", language))
+        }
+        "simulate" if !is_given(&["days", "hours-per-day"]) => {
+            let language = called.language();
+            let word = bare.iter().find(|word| operation(DURATION, word, language).is_some())?;
+            let words = arguments.iter().filter(|other| *other != word).cloned();
+            let more = operation(DURATION, word, language)?;
+            let remark = terminal::option_assumed(&more.join(" "), language);
+            Some((words.chain(more.into_iter().map(OsString::from)).collect(), Some(remark)))
+        }
         "commission" if !is_given(&["for", "checklist", "record", "blank"]) && bare.len() == 1 => {
             with(&["--for", "plain"], terminal::option_assumed(&"--for plain", language))
         }

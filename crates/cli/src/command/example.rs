@@ -1,13 +1,14 @@
 //! Calls that work, with the words of a faulty one.
 
 use super::best::best_of_project;
-use super::folder::{project_name, projects_in};
+use super::folder::{has_ending, project_name, projects_in, recordings};
 use super::meant::{Called, Part, Stray, understood};
+use super::own::VARY;
 use super::typed::typed;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use project::Hint;
+use project::{Hint, written};
 use quantities::seen;
-use questions::list::{ArgumentKind, recognises};
+use questions::list::recognises;
 use std::ffi::OsString;
 use std::path::Path;
 use words::{Usage, UsageHint};
@@ -39,12 +40,20 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
     }
     let mut words = understood.arguments;
     let called = Called::of(&words, &whole, called.language())?;
-    let example = split(called.entry.map(|entry| entry.example).unwrap_or_default());
+    let example = match called.entry {
+        Some(entry) => split(entry.example),
+        // A command that only the command line has.
+        None => super::examples()
+            .iter()
+            .find_map(|(_, call)| call.strip_prefix(&format!("{} ", called.name)).map(split))
+            .unwrap_or_default(),
+    };
     let of_example: Vec<&str> =
         std::iter::repeat_n("", called.begin).chain(example.iter().map(String::as_str)).collect();
     let parts = called.parts(&of_example)?;
     for _ in 0..FILLED_MOST {
         let Err(error) = whole.clone().try_get_matches_from(&words) else {
+            words.extend(code_of_recorded(&words, &called).into_iter().flat_map(|code| ["--code".into(), code.into()]));
             let texts: Option<Vec<&str>> = words.iter().map(|word| word.to_str()).collect();
             // The name of the program as it is typed, not its path.
             return Some(typed(std::iter::once(super::NAME).chain(texts?.into_iter().skip(1))));
@@ -62,6 +71,10 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
         let places: Vec<usize> = called.parts(&texts)?.iter().filter_map(Part::place).collect();
         let (mut bare, behind) = (places.len(), places.last().map_or(called.begin, |last| last + 1));
         let mut before: Vec<String> = Vec::new();
+        let mut is_begun = false;
+        if missing.iter().any(|name| name.contains("--table")) && called.has(VARY) {
+            return called.with_example_range(&words);
+        }
         for name in &missing {
             let argument = called.command.get_arguments().find(|argument| argument.to_string() == *name);
             match argument.and_then(clap::Arg::get_long) {
@@ -84,6 +97,15 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
                         Part::Option(..) => None,
                     });
                     let is_project = argument.is_some_and(|argument| argument.get_id() == "project");
+                    // The only file of a call about a recording may be the project.
+                    let is_stated = is_project && texts.iter().any(|word| has_ending(word, &[".toml"]));
+                    let is_recording = is_stated || argument.is_some_and(|argument| argument.get_id() == TRACE);
+                    if is_recording {
+                        let own = recordings().into_iter().next().unwrap_or_else(|| RUN.to_owned());
+                        words.insert(called.begin, own.into());
+                        is_begun = true;
+                        break;
+                    }
                     let own = if is_project { projects_in(Path::new("")) } else { Vec::new() };
                     let own = own.iter().find_map(|path| path.to_str()).map(str::to_owned);
                     let word = own.or_else(|| word.clone().nth(bare)).or_else(|| word.clone().next_back())?;
@@ -91,6 +113,9 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
                     bare += 1;
                 }
             }
+        }
+        if is_begun {
+            continue;
         }
         if more.is_empty() && before.is_empty() {
             return None;
@@ -102,11 +127,42 @@ pub(super) fn filled(arguments: &[OsString], called: &Called<'_>) -> Option<Stri
     None
 }
 
+/// Argument that is a recorded run, and the name of one in a folder without any.
+const TRACE: &str = "trace";
+const RUN: &str = "run.csv";
+
+/// Returns the actuator of a recorded run, if neither the call nor its project states one: the best of the ranking, else that of the
+/// example.
+fn code_of_recorded(words: &[OsString], called: &Called<'_>) -> Option<String> {
+    let entry = called.entry.filter(|entry| entry.arguments.iter().any(|argument| argument.name == TRACE))?;
+    let texts: Vec<&str> = words.iter().filter_map(|word| word.to_str()).collect();
+    let is_stated = texts.iter().any(|word| word.split('=').next() == Some("--code"));
+    let has_own = |text: String| written(&text).is_some_and(|all| all.iter().any(|each| each.path == "actuator"));
+    if is_stated || called.project_text().is_some_and(has_own) {
+        return None;
+    }
+    let of_example = || split(entry.example).into_iter().skip_while(|word| word != "--code").nth(1);
+    best_of_project(&texts, called.language()).or_else(of_example)
+}
+
+/// Returns the call that simulates the recorded run of another call, where its file does not exist.
+pub(super) fn simulated_run(call: &str) -> Option<String> {
+    let words = split(call);
+    let [_, command, run, project, more @ ..] = &words[..] else { return None };
+    let is_due = command == "identify" && !Path::new(run).exists() && has_ending(project, &[".toml"]);
+    let mut code = more.iter().skip_while(|word| *word != "--code").skip(1);
+    let mut simulate = vec!["antrieb", "simulate", project];
+    if let Some(code) = code.next() {
+        simulate.extend(["--code", code]);
+    }
+    simulate.extend(["--out", run]);
+    is_due.then(|| typed(simulate))
+}
+
 /// Returns `true` if the missing argument with this text is an ordering code.
 fn named_code(called: &Called<'_>, name: &str) -> bool {
     let argument = called.command.get_arguments().find(|argument| argument.to_string() == name);
-    let argument = argument.and_then(|argument| called.argument(argument.get_id().as_str()));
-    argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code))
+    argument.is_some_and(|argument| called.is_code(argument))
 }
 
 impl Stray {

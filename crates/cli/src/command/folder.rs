@@ -42,6 +42,15 @@ pub(super) fn project_name(recording: &str) -> String {
     format!("{stem}.toml")
 }
 
+/// Returns the recordings in the working folder, sorted.
+pub(super) fn recordings() -> Vec<String> {
+    let entries = std::fs::read_dir(".").into_iter().flatten().flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    let mut found: Vec<String> = names.filter(|name| has_ending(name, &RECORDINGS)).collect();
+    found.sort();
+    found
+}
+
 /// Returns the project files in a folder, sorted.
 pub(super) fn projects_in(folder: &Path) -> Vec<PathBuf> {
     let read = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };

@@ -187,6 +187,15 @@ impl<'c> Called<'c> {
         own.or_else(|| self.entry.and_then(|_| LIST.iter().copied().find_map(named)))
     }
 
+    /// Returns `true` if an argument is an ordering code.
+    pub(super) fn is_code(&self, argument: &Arg) -> bool {
+        let name = argument.get_id().as_str();
+        match self.entry {
+            Some(_) => self.argument(name).is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code)),
+            None => name == "code",
+        }
+    }
+
     /// Returns a name for the file of an option.
     pub(super) fn file_name(&self, option: &str) -> Option<String> {
         let file = self.entry?.files().find(|file| file.option == option)?;
@@ -273,6 +282,10 @@ impl<'c> Called<'c> {
         // Several values of a key are no single one.
         if names.iter().any(|name| name == "--vary") {
             names.retain(|name| name == "--vary");
+        }
+        // The angle of the shaft, not the range that is drawn.
+        if names == ["--angle", "--window"] {
+            names.truncate(1);
         }
         // A code with a slip has no option of its own; the question names the nearest codes.
         if names.is_empty() && seems_code(word) {

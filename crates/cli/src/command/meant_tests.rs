@@ -153,7 +153,7 @@ fn words_without_an_option_are_taken_by_their_form() {
         ("antrieb battery 10", Some("antrieb battery --hours-per-day 10")),
         ("antrieb torsion 60Nm CHA-20A-100-H-C1024", Some("antrieb torsion --torque 60Nm CHA-20A-100-H-C1024")),
         ("antrieb torsion CHA-20A-100-H-C1024 60 N m", Some("antrieb torsion CHA-20A-100-H-C1024 --torque 60 N m")),
-        ("antrieb encoder CHA-25A-100-H-M512P 30deg", None),
+        ("antrieb encoder CHA-25A-100-H-M512P 30deg", Some("antrieb encoder CHA-25A-100-H-M512P --angle 30deg")),
         (
             "antrieb encoder CHA-25A-100-H-M512P angle -30deg",
             Some("antrieb encoder CHA-25A-100-H-M512P --angle -30deg"),
@@ -186,10 +186,6 @@ fn words_without_an_option_are_taken_by_their_form() {
 fn a_refusal_is_said_in_both_languages() {
     let whole = build(Language::En);
     for (call, parts) in [
-        (
-            "antrieb encoder CHA-25A-100-H-M512P 30deg",
-            ["--angle, --window", "antrieb encoder CHA-25A-100-H-M512P --angle 30deg"],
-        ),
         ("antrieb battery CHA-25A-50-H-C1024", ["antrieb battery", "antrieb battery --hours-per-day 10"]),
         ("antrieb explain a.toml termal", ["termal", "antrieb explain a.toml --check thermal"]),
         ("antrieb check a.toml --code X CHA-25A-50-H-C1024", ["--code", "antrieb check a.toml --code X"]),

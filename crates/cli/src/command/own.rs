@@ -9,7 +9,7 @@ use questions::SIGNALS;
 use questions::list::{plot, report, wiring};
 use std::net::{IpAddr, SocketAddr};
 use words::help;
-use words::help::values;
+use words::help::{library, values};
 
 /// Adds no options.
 pub(crate) fn nothing(command: Command, _: Language) -> Command {
@@ -99,6 +99,15 @@ pub(crate) fn wiring(command: Command, language: Language) -> Command {
 /// Requires one of the four options that a call is about.
 pub(crate) fn commission(command: Command, language: Language) -> Command {
     let wanted = ArgGroup::new("wanted").args(["for", "checklist", "record", "blank"]);
+    let code = values::code(language);
+    let line = |(option, value): (&str, &str)| {
+        let options = library::options_in_usage(library::LANGUAGE);
+        format!("antrieb commission {options} --{option} <{value}> <{code}>...")
+    };
+    let file = values::file(language);
+    let options = [("for", values::drive(language)), ("checklist", file), ("record", file), ("blank", file)];
+    let indent = " ".repeat(help::usage(language).chars().count() + 2);
+    let command = command.override_usage(options.map(line).join(&format!("\n{indent}")));
     command.group(wanted.multiple(true).required(true)).after_help(help::commission_exit(language))
 }
 

@@ -9,7 +9,7 @@ use super::spoken::option_meant;
 use super::typed::{number_and_unit, typed};
 use super::unknown;
 use crate::changed::{factor, keys, with_units};
-use clap::Arg;
+use clap::{Arg, Command};
 use project::{Hint, Written, nearest_name, written};
 use questions::list::new::template_kinds;
 use questions::list::{Argument, Entry, LIST};
@@ -206,6 +206,8 @@ impl Called<'_> {
                 // A command without files writes to standard output.
                 if named.is_empty() { vec![[String::new(), String::new()]] } else { named }
             }
+            // An option without a value that is near none leaves a call that works.
+            None if value.is_empty() => vec![[String::new(), String::new()]],
             _ if value.is_empty() => meant.map(|meant| [meant.to_owned(), String::new()]).into_iter().collect(),
             _ if is_number && self.has("scale") && (meant == Some("--scale") || scaled == name) => {
                 vec![["--scale".to_owned(), format!("{scaled}={value}")]]
@@ -218,6 +220,12 @@ impl Called<'_> {
             }
             _ => Vec::new(),
         };
+        let of_other = self.with_command_of_option(&name, arguments);
+        let options = match (&of_other, meant) {
+            // The call without the option remains.
+            (Some(_), _) => vec![[String::new(), String::new()]],
+            _ => options,
+        };
         let call = |option: &[String; 2]| {
             let (head, _) = arguments.split_at(place);
             let tail = arguments.get(behind..).unwrap_or_default();
@@ -225,11 +233,23 @@ impl Called<'_> {
             let whole: Vec<OsString> = head.iter().cloned().chain(option).chain(tail.iter().cloned()).collect();
             filled(&whole, self)
         };
-        let calls = options.iter().filter_map(call);
+        let calls = of_other.into_iter().chain(options.iter().filter_map(call));
         // Operation per day is that of some days.
         let lacks_days =
             |call: &String| call.contains("--hours-per-day ") && self.has("days") && !call.contains("--days");
         calls.map(|call| if lacks_days(&call) { format!("{call} --days 1") } else { call }).collect()
+    }
+
+    /// Returns the call of the only other command that has an unknown option, with all words of the call.
+    fn with_command_of_option(&self, name: &str, arguments: &[OsString]) -> Option<String> {
+        let whole = super::build(self.language());
+        let long = name.replace('_', "-");
+        let has = |command: &&Command| command.get_arguments().any(|argument| argument.get_long() == Some(&long));
+        let mut others = whole.get_subcommands().filter(has);
+        let other = others.next().filter(|_| others.next().is_none() && self.entry.is_some())?;
+        let words = [super::NAME, other.get_name()].into_iter().map(OsString::from);
+        let words: Vec<OsString> = words.chain(arguments.iter().skip(self.begin).cloned()).collect();
+        filled(&words, &Called::of(&words, &whole, self.language())?)
     }
 
     /// Returns the calls in place of one that states a value of a key and no project: with a project of the folder, else those

@@ -4,12 +4,14 @@ use super::best::best_of_project;
 use super::example::{filled, split};
 use super::folder::{RECORDINGS, axes_of, has_ending, project_name, projects_in};
 use super::meant::Called;
+use super::own::is_of_several;
 use super::replaced::{code_of, more_codes};
 use super::solid;
+use super::spoken::seems_code;
 use super::typed::{number_and_unit, typed};
 use crate::changed::motion;
 use clap::Command;
-use project::{Hint, Written, nearest_name, other_names, written};
+use project::{Hint, Kind, Written, example, key_at, nearest_name, other_names, written};
 use quantities::Language;
 use questions::Refusal;
 use questions::list::Unanswered;
@@ -24,6 +26,9 @@ const PROJECTS_MOST: usize = 3;
 pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, language: Language) -> Vec<String> {
     let Some(called) = Called::of(arguments, whole, language) else { return Vec::new() };
     let call = Call { called, arguments };
+    if let Some(swept) = call.with_several_values() {
+        return vec![swept];
+    }
     match why {
         Unanswered::File { name, is_too_large: false, .. } => call.with_other_file(name),
         Unanswered::Text { faults, .. }
@@ -39,10 +44,16 @@ pub(crate) fn calls(why: &Unanswered, arguments: &[OsString], whole: &Command, l
         {
             call.with_missing_values(text, &faults.iter().map(|fault| fault.message.clone()).collect::<Vec<_>>())
         }
+        Unanswered::Text { faults, .. } if faults.iter().all(|fault| fault.id == MISSING) && call.called.has("set") => {
+            call.with_missing_choices(&faults.iter().map(|fault| fault.message.as_str()).collect::<Vec<_>>())
+        }
         // Lengths without a unit are in millimetres, if nothing else is wrong.
         Unanswered::Text { faults, .. } if faults.iter().all(|fault| fault.id == UNIT_MISSING) => {
             let meant = solid::with_units(arguments, &call.called);
             meant.and_then(|arguments| filled(&arguments, &call.called)).into_iter().collect()
+        }
+        Unanswered::Code { .. } | Unanswered::Text { .. } if call.with_any_fields(language).is_some() => {
+            call.with_any_fields(language).into_iter().collect()
         }
         Unanswered::Refused(Refusal::NoActuator, _) => call.with_own_best(language),
         Unanswered::Option { name: "from", .. } => call.as_recording(),
@@ -67,7 +78,14 @@ const CHANGES: [&str; 3] = ["set", "vary", "scale"];
 
 /// Returns a fault whose hint names whole calls where it names options alone; of several such faults the last one names the calls
 /// that remedy all of them.
-pub(crate) fn with_whole_calls(why: Unanswered, arguments: &[OsString], language: Language) -> Unanswered {
+///
+/// `keep` selects the calls that are named.
+pub(crate) fn with_whole_calls(
+    why: Unanswered,
+    arguments: &[OsString],
+    language: Language,
+    keep: &dyn Fn(Vec<String>) -> Vec<String>,
+) -> Unanswered {
     let words: Option<Vec<String>> = arguments.iter().skip(1).map(|word| word.to_str().map(str::to_owned)).collect();
     let Some(words) = words else { return why };
     let begin = usage_hint(&UsageHint::Calls(vec![String::new()]), language);
@@ -81,7 +99,8 @@ pub(crate) fn with_whole_calls(why: Unanswered, arguments: &[OsString], language
     };
     let written = |calls: &[Vec<String>]| {
         let call = |words: &Vec<String>| typed(std::iter::once(super::NAME).chain(words.iter().map(String::as_str)));
-        usage_hint(&UsageHint::Calls(calls.iter().map(call).collect()), language)
+        let calls = keep(calls.iter().map(call).collect());
+        (!calls.is_empty()).then(|| usage_hint(&UsageHint::Calls(calls), language))
     };
     let all: Vec<Unanswered> = match why {
         Unanswered::Together(all) => all,
@@ -93,7 +112,7 @@ pub(crate) fn with_whole_calls(why: Unanswered, arguments: &[OsString], language
         let each = all.into_iter().map(|why| match (options_of(&why), why) {
             (Some(options), Unanswered::Option { name, fault: (message, hint) }) => {
                 let calls: Option<Vec<_>> = options.iter().map(|option| with_option(&words, option)).collect();
-                Unanswered::Option { name, fault: (message, calls.map(|calls| written(&calls)).or(hint)) }
+                Unanswered::Option { name, fault: (message, calls.map_or(hint, |calls| written(&calls))) }
             }
             (_, why) => why,
         });
@@ -110,7 +129,7 @@ pub(crate) fn with_whole_calls(why: Unanswered, arguments: &[OsString], language
     let last = all.len() - 1;
     let each = all.into_iter().enumerate().map(|(place, why)| match why {
         Unanswered::Option { name, fault: (message, _) } => {
-            Unanswered::Option { name, fault: (message, (place == last).then(|| written(&calls))) }
+            Unanswered::Option { name, fault: (message, if place == last { written(&calls) } else { None }) }
         }
         other => other,
     });
@@ -195,9 +214,59 @@ impl Call<'_> {
         self.arguments.iter().filter_map(|word| word.to_str()).any(|word| word.split('=').next() == Some(&begin))
     }
 
+    /// Returns the sweep over several values of a key that the call states: `--set mass=10..20kg`.
+    fn with_several_values(&self) -> Option<String> {
+        let words: Vec<&str> = self.arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
+        let project = self.called.projects.first()?.to_str()?;
+        let is_several = |word: &str| word.split_once('=').is_some_and(|(_, values)| is_of_several(values));
+        let sets: Vec<&str> = (1..words.len())
+            .filter(|place| words.get(place - 1) == Some(&"--set"))
+            .filter_map(|place| words.get(place).copied())
+            .collect();
+        if self.command() == "sweep" || !sets.iter().any(|set| is_several(set)) {
+            return None;
+        }
+        let option = |set: &&str| [if is_several(set) { "--vary" } else { "--set" }.to_owned(), (*set).to_owned()];
+        let stated: Vec<String> = sets.iter().flat_map(option).collect();
+        Some(typed([super::NAME, "sweep", project].into_iter().chain(stated.iter().map(String::as_str))))
+    }
+
     /// Returns `true` if a recording stands in place of the project.
     fn is_about_a_recording(&self) -> bool {
         self.called.first.first().is_some_and(|word| has_ending(word, &RECORDINGS)) && self.called.has("set")
+    }
+
+    /// Returns the call with `*` in place of each field of a code that is unreadable as a whole: `CHA-25A-100-H-?`; `None` if no
+    /// code is the better for it.
+    fn with_any_fields(&self, language: Language) -> Option<String> {
+        let is_unreadable = |field: &str| !field.is_empty() && field.chars().all(|sign| "?#_".contains(sign));
+        let any = |word: &str| -> String {
+            let fields: Vec<&str> =
+                word.split('-').map(|field| if is_unreadable(field) { "*" } else { field }).collect();
+            fields.join("-")
+        };
+        let mut is_changed = false;
+        let words = self.arguments.iter().map(|word| {
+            let changed = word.to_str().filter(|text| seems_code(text)).map(any).filter(|text| {
+                questions::list::code_list::read_pattern(text, language).is_ok() && *word != text.as_str()
+            });
+            is_changed |= changed.is_some();
+            changed.map_or_else(|| word.clone(), OsString::from)
+        });
+        let words: Vec<OsString> = words.collect();
+        let takes_pattern =
+            !self.called.projects.is_empty() || self.called.entry.is_some_and(|entry| entry.command().contains("code"));
+        // A question about one actuator has no use for several.
+        let listed = || {
+            let text =
+                words.iter().filter_map(|word| word.to_str()).find(|text| seems_code(text) && text.contains('*'))?;
+            Some(typed([super::NAME, "code", "list", text]))
+        };
+        match (is_changed, takes_pattern) {
+            (false, _) => None,
+            (true, true) => filled(&words, &self.called),
+            (true, false) => listed(),
+        }
     }
 
     /// Returns the call with a payload added to the mass of a load that has none apart.
@@ -219,9 +288,34 @@ impl Call<'_> {
             let (number, unit) = number_and_unit(mass.value.as_deref()?);
             let values = added(&stated, (number.parse().ok()?, unit))?;
             *words.get_mut(at)? = format!("{}={values}", mass.path);
+            // The sum replaces the mass that the call states besides.
+            let is_mass = |word: &str| {
+                word.split_once('=').is_some_and(|(key, _)| key == mass.path || key.rsplit('.').next() == Some("mass"))
+            };
+            let is_other = |place: usize| {
+                let own = |at: usize| words.get(at).map(String::as_str).unwrap_or_default();
+                place != at && own(place.saturating_sub(1)) == "--set" && is_mass(own(place))
+            };
+            let others: Vec<usize> = (1..words.len()).filter(|place| is_other(*place)).collect();
+            for place in others.into_iter().rev() {
+                words.drain(place - 1..=place);
+            }
             Some(typed(std::iter::once(super::NAME).chain(words.iter().map(String::as_str))))
         };
         call().into_iter().collect()
+    }
+
+    /// Returns the call with an example of each missing key that is a word or a number; empty if a quantity is missing.
+    fn with_missing_choices(&self, messages: &[&str]) -> Vec<String> {
+        let choice = |message: &&str| {
+            let path = message.split('`').nth(1)?;
+            let key = key_at(path).filter(|key| matches!(key.kind, Kind::OneOf(_) | Kind::Number(..)))?;
+            let line = example(key)?;
+            Some(format!("{path}={}", line.split_once(" = ")?.1.trim_matches('"')))
+        };
+        let values: Option<Vec<String>> = messages.iter().map(choice).collect();
+        let words = values.iter().flatten().flat_map(|value| ["--set", value.as_str()]);
+        values.as_ref().map(|_| self.with(&words.collect::<Vec<_>>())).unwrap_or_default()
     }
 
     /// Returns the call with an example of each value that is missing, as the template of the project has it.

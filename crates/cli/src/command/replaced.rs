@@ -2,6 +2,7 @@
 
 use super::best::{best_codes, best_of_project};
 use super::completed;
+use super::folder::is_project;
 use super::kind::kind;
 
 use super::meant::{self, Called, Part, Understood};
@@ -9,9 +10,9 @@ use super::solid;
 use super::spoken::{seems_code, twin_options};
 use super::typed::typed;
 use super::unknown;
-use clap::{Arg, Command};
+use clap::Command;
 use quantities::Language;
-use questions::list::ArgumentKind;
+use questions::list::Entry;
 use std::ffi::OsString;
 use std::path::Path;
 use words::terminal;
@@ -24,6 +25,7 @@ pub(crate) fn understood(
     language: Language,
 ) -> (Understood, Option<String>) {
     let arguments = with_one_word_for_kind(arguments, whole, language);
+    let (arguments, is_named) = with_ending_of_project(arguments, whole, language);
     let (arguments, project) = completed::with_project(arguments, whole, language);
     let arguments = with_own_options(arguments, whole, language);
     let (arguments, is_changed) = unknown::with_meaning(arguments, whole, language);
@@ -32,7 +34,7 @@ pub(crate) fn understood(
     let (arguments, remark) = with_best_code(arguments, whole, language);
     let (arguments, compared) = with_compared_codes(arguments, whole, language);
     let understood = meant::understood(arguments, whole, language);
-    let is_whole = (is_begun || is_changed || is_otherwise) && understood.stray.is_none();
+    let is_whole = (is_begun || is_named || is_changed || is_otherwise) && understood.stray.is_none();
     let call = is_whole.then(|| {
         let words = understood.arguments.iter().skip(1).filter_map(|word| word.to_str());
         terminal::call_understood(&typed(std::iter::once(super::NAME).chain(words)), language)
@@ -53,6 +55,21 @@ fn with_one_word_for_kind(mut arguments: Vec<OsString>, whole: &Command, languag
         arguments.splice(begin..begin + count, [OsString::from(kind)]);
     }
     arguments
+}
+
+/// Returns a call with the file of a project that it names without its ending, and `true` if there was one: `size lift`.
+fn with_ending_of_project(mut arguments: Vec<OsString>, whole: &Command, language: Language) -> (Vec<OsString>, bool) {
+    let file = Called::of(&arguments, whole, language).and_then(|called| {
+        let word = called.first.first().filter(|word| !word.contains(['.', '*', '?']) && !Path::new(word).exists())?;
+        let file = format!("{word}.toml");
+        let reads = |entry: &Entry| entry.command != "new" && !entry.command().contains(' ');
+        (called.entry.is_some_and(reads) && is_project(Path::new(&file))).then_some((called.begin, file))
+    });
+    let Some((place, file)) = file else { return (arguments, false) };
+    if let Some(word) = arguments.get_mut(place) {
+        *word = file.into();
+    }
+    (arguments, true)
 }
 
 /// Returns a comparison with the best actuators of the project behind the only code that it states, or in place of codes, and
@@ -108,10 +125,6 @@ fn with_best_code(
 ) -> (Vec<OsString>, Option<String>) {
     let best = || {
         let called = Called::of(&arguments, whole, language)?;
-        let is_code = |position: &Arg| {
-            let argument = called.entry.and_then(|_| called.argument(position.get_id().as_str()));
-            argument.is_some_and(|argument| matches!(argument.kind, ArgumentKind::Code))
-        };
         let texts: Vec<&str> = arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
         let parts = called.parts(&texts)?;
         let mut bare = parts.iter().filter_map(|part| match part {
@@ -120,7 +133,8 @@ fn with_best_code(
         });
         let is_stated = bare.clone().any(|(_, word)| seems_code(word) || questions::read_code(word, language).is_ok());
         let (place, project) = bare.find(|(_, word)| called.projects.iter().any(|path| path == Path::new(word)))?;
-        let is_due = called.command.get_positionals().next().is_some_and(is_code) && !is_stated;
+        let is_due =
+            called.command.get_positionals().next().is_some_and(|position| called.is_code(position)) && !is_stated;
         let code = is_due.then(|| best_of_project(&[project], language)).flatten()?;
         // The project stays where an option of the command reads it.
         let kept = called.has("project").then(|| ["--project".to_owned(), project.to_owned()]);

@@ -1,7 +1,8 @@
 //! Calls as people write them: words in any case and in both languages, a code or a check without its option.
 
 use clap::Command;
-use questions::list::LIST;
+use quantities::Language;
+use questions::list::{LIST, glossary};
 use std::ffi::OsString;
 use words::spoken::{COMMANDS, OPTIONS, TWIN_OPTIONS, language_of};
 
@@ -17,6 +18,9 @@ pub(super) fn option_meant(written: &str, command: &Command) -> Option<String> {
 pub(super) fn twin_options(written: &str) -> &'static [&'static str] {
     TWIN_OPTIONS.iter().find(|(other, _)| *other == written).map_or(&[], |(_, meant)| meant)
 }
+
+/// Options behind a command that request the version of the program.
+const VERSION: [&str; 3] = ["-v", "-V", "--version"];
 
 /// Returns an option in small letters; the options of every command by their own names.
 fn plain_option(word: &str) -> Option<String> {
@@ -59,6 +63,12 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
     if is_version && arguments.len() == 2 {
         put(&mut arguments, 1, "--version");
     }
+    // No command has a longer answer or a version of its own.
+    let is_of_version = |word: &OsString| VERSION.iter().any(|version| word == version);
+    let options = arguments.iter().skip(2).take_while(|word| *word != "--");
+    if options.clone().any(is_of_version) {
+        return vec![arguments.first().cloned().unwrap_or_default(), "--version".into()];
+    }
     let mut place = 1;
     let mut is_command_due = true;
     while let Some(mut word) = text(&arguments, place) {
@@ -93,6 +103,19 @@ pub(crate) fn with_own_words(mut arguments: Vec<OsString>) -> Vec<OsString> {
     arguments
 }
 
+/// Returns the command that explains a word which is none: a check is derived, a term is in the glossary.
+pub(super) fn helping(word: Option<&OsString>) -> Option<&'static str> {
+    let word = word?.to_str().filter(|word| !word.starts_with('-') && command_named(word).is_none())?;
+    let is_check = LIST
+        .iter()
+        .filter(|entry| entry.command == "explain")
+        .any(|entry| entry.arguments.iter().any(|argument| argument.name == "check" && argument.takes(word)));
+    if is_check {
+        return Some("explain");
+    }
+    glossary::glossary(Some(word), Language::default()).is_ok().then_some("glossary")
+}
+
 /// Returns `true` if a word looks like a code, or like one with a slip.
 pub(super) fn seems_code(word: &str) -> bool {
     let is_sign = |sign: char| sign.is_alphanumeric() || "-?*…_#.".contains(sign);
@@ -112,7 +135,6 @@ mod tests {
     use super::*;
     use crate::command::build;
     use crate::command::replaced::understood;
-    use quantities::Language;
 
     fn call(text: &str) -> Vec<String> {
         let words = std::iter::once("antrieb").chain(text.split(' ')).map(OsString::from).collect();
@@ -149,6 +171,8 @@ mod tests {
             ("explain a.toml --Nachweis thermal --sprache EN", "explain a.toml --check thermal --lang en"),
             ("report a.toml --Ausgabe x.pdf --kunde=AG", "report a.toml --out x.pdf --customer=AG"),
             ("bericht --hilfe", "report --help"),
+            ("size a.toml -v", "--version"),
+            ("check --version", "--version"),
         ] {
             assert_eq!(call(written).join(" "), meant, "{written}");
         }

@@ -1,6 +1,6 @@
 //! Calls that the command-line library rejects, as faults like all others.
 
-use super::example::filled;
+use super::example::{filled, simulated_run};
 use super::folder::projects_in;
 use super::meant::{Called, Stray};
 use super::spoken::option_meant;
@@ -18,15 +18,44 @@ use std::path::Path;
 use words::help::library;
 use words::{Usage, UsageHint, usage_hint, usage_text};
 
+/// Selection of the calls that a hint proposes; `None` if none of them remains.
+pub(crate) type Keep<'k> = &'k dyn Fn(UsageHint) -> Option<UsageHint>;
+
 /// Returns the answer to a call that cannot be parsed.
 ///
-/// `command` is the whole command line, `arguments` are those of the call.
+/// `call` is the whole command line and the arguments of the call; `keep` selects the proposed calls.
 pub(crate) fn refused(
     error: &clap::Error,
-    (command, arguments): (&Command, &[OsString]),
+    call: (&Command, &[OsString]),
+    keep: Keep<'_>,
     as_json: bool,
     language: Language,
 ) -> CommandAnswer {
+    let Refusal { usage, option, hints, kinds } = refusal(error, call, language);
+    let is_call = hints.iter().any(|hint| matches!(hint, UsageHint::Calls(_)));
+    let mut hints: Vec<UsageHint> = hints.into_iter().filter_map(keep).collect();
+    if is_call && hints.is_empty() {
+        hints.push(UsageHint::Help);
+    }
+    said((&usage, option), &hints, kinds, (as_json, language))
+}
+
+/// Returns the hints of a call that cannot be parsed, with proposed calls as they are.
+pub(super) fn hints(error: &clap::Error, call: (&Command, &[OsString]), language: Language) -> Vec<UsageHint> {
+    refusal(error, call, language).hints
+}
+
+/// Reason why a call cannot be parsed.
+struct Refusal {
+    usage: Usage,
+    /// Option of which the value is at fault.
+    option: Option<String>,
+    hints: Vec<UsageHint>,
+    /// Kinds of project files with a line each, if the kind is missing.
+    kinds: String,
+}
+
+fn refusal(error: &clap::Error, (command, arguments): (&Command, &[OsString]), language: Language) -> Refusal {
     let missing = &missing(error, command, arguments)[..];
     // Behind an unknown option every word is one too many; the option is what is wrong.
     let unknown = match error.kind() {
@@ -56,21 +85,20 @@ pub(crate) fn refused(
         }
         _ => Vec::new(),
     };
-    let calls = if calls.is_empty() { first_calls(error, arguments) } else { calls };
+    let calls = if calls.is_empty() { of_folder(first_calls(error, arguments)) } else { calls };
     if !calls.is_empty() {
-        return said((&usage_of(error), None), &[UsageHint::Calls(calls)], String::new(), (as_json, language));
+        let hints = vec![UsageHint::Calls(calls)];
+        return Refusal { usage: usage_of(error), option: None, hints, kinds: String::new() };
     }
     let hint = meant.map(|option| UsageHint::Words(Hint::DidYouMean(option))).or_else(|| hint_of(error, missing));
     let call = (error.kind() == ErrorKind::MissingRequiredArgument)
         .then(|| filled(arguments, &Called::of(arguments, command, language)?))
         .flatten();
-    let is_table_due = error.kind() == ErrorKind::MissingRequiredArgument
-        && context(error, ContextKind::InvalidArg).is_some_and(|names| names.contains("--table"));
-    let with_range =
-        is_table_due.then(|| Called::of(arguments, command, language)?.with_example_range(arguments)).flatten();
-    let call = with_range.or(call);
     // In a folder without a project, the first call creates one.
-    let calls = call.map(|call| missing_project(&usage_of(error), &call).into_iter().chain([call]).collect());
+    let calls = call.map(|call| {
+        let before = missing_project(&usage_of(error), &call).into_iter().chain(simulated_run(&call));
+        before.chain([call.clone()]).collect()
+    });
     let hints: Vec<UsageHint> = match (hint, calls) {
         (None | Some(UsageHint::Help), Some(calls)) => vec![UsageHint::Calls(calls)],
         (hint, calls) => hint.into_iter().chain(calls.map(UsageHint::Calls)).collect(),
@@ -82,7 +110,26 @@ pub(crate) fn refused(
         _ => None,
     };
     let option = option.filter(|name| !name.is_empty());
-    said((&usage_of(error), option), &hints, kinds(missing, language), (as_json, language))
+    Refusal { usage: usage_of(error), option, hints, kinds: kinds(missing, language) }
+}
+
+/// Returns examples about a project of the folder, else with one that creates their project first.
+fn of_folder(calls: Vec<String>) -> Vec<String> {
+    const PROJECT: &str = "axis.toml";
+    let own = projects_in(Path::new("")).into_iter().find_map(|path| path.to_str().map(str::to_owned));
+    let is_written = calls.iter().any(|call| call.contains("--out axis.toml"));
+    let reads = calls.iter().any(|call| call.split(' ').any(|word| word == PROJECT));
+    match own {
+        // A new project has a file of its own.
+        Some(own) => calls
+            .iter()
+            .map(|call| if call.contains("--out axis.toml") { call.clone() } else { call.replace(PROJECT, &own) })
+            .collect(),
+        None if reads && !is_written => {
+            std::iter::once(typed(["antrieb", "new", "screw", "--out", PROJECT])).chain(calls).collect()
+        }
+        None => calls,
+    }
 }
 
 /// Returns calls to begin with, for one without a command, with an unknown one, or with the first words of several: the examples of
@@ -133,11 +180,14 @@ fn missing_project(usage: &Usage, call: &str) -> Option<String> {
 pub(crate) fn stray(
     stray: &Stray,
     (command, arguments): (&Command, &[OsString]),
+    keep: Keep<'_>,
     as_json: bool,
     language: Language,
 ) -> CommandAnswer {
     let Some(called) = Called::of(arguments, command, language) else { return CommandAnswer::none() };
     let (usage, hint) = stray.fault(&called, arguments);
+    let is_call = matches!(hint, Some(UsageHint::Calls(_)));
+    let hint = hint.and_then(keep).or(is_call.then_some(UsageHint::Help));
     said((&usage, None), hint.as_slice(), String::new(), (as_json, language))
 }
 
@@ -249,7 +299,7 @@ mod tests {
         let arguments: Vec<OsString> = call.split(' ').map(OsString::from).collect();
         let mut command = build_for(&arguments, language);
         let error = command.try_get_matches_from_mut(&arguments).unwrap_err();
-        refused(&error, (&command, &arguments), as_json, language)
+        refused(&error, (&command, &arguments), &Some, as_json, language)
     }
 
     #[test]

@@ -14,9 +14,6 @@ const ENDINGS: [&str; 5] = [".csv", ".csv.gz", ".parquet", ".txt", ".log"];
 /// Kind of a project whose mechanism the recording decides.
 const KIND: &str = "recording";
 
-/// Key of a motion that does not return to its beginning.
-pub(super) const SINGLE_MOVE: &str = "axis.single_move";
-
 /// Bytes of a text file that are read to decide whether it is a project.
 const HEAD: usize = 1 << 20;
 
@@ -47,6 +44,6 @@ pub(super) fn text_of(path: &Path, language: Language) -> Result<String, Unanswe
 }
 
 /// Returns the text with its motion as a single move, which need not return to its beginning.
-pub(super) fn as_single_move(text: &str) -> Option<String> {
-    edit(text, SINGLE_MOVE, Edit::Value("true")).ok()
+pub(crate) fn as_single_move(text: &str) -> Option<String> {
+    edit(text, new::SINGLE_MOVE, Edit::Value("true")).ok()
 }

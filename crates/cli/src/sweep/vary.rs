@@ -3,7 +3,7 @@
 use crate::changed::{keys, motion, prefix};
 use crate::command::own::VARY;
 use crate::command::typed::{number_and_unit, typed};
-use project::{Heading, Written, key_at, written};
+use project::{Heading, Hint, Unfilled, Written, key_at, written};
 use quantities::{Language, seen};
 use questions::list::Unanswered;
 use questions::list::new::{Method, table};
@@ -39,7 +39,67 @@ pub(super) fn rows(
         return Err(Unanswered::combined(faults));
     }
     let rows = table(columns.iter().map(|column| column.spec.as_str()), Method::Grid, steps, 0, language);
-    Ok(with_further_keys(&rows.map_err(of_vary)?, &columns))
+    let rows = with_further_keys(&rows.map_err(of_vary)?, &columns);
+    match columns.iter().position(|column| column.is_cycle) {
+        Some(place) => {
+            let cycle = stated.get(place).map(String::as_str).unwrap_or_default();
+            with_filled_cycles((text, &prefix), &rows, (place, cycle), language).map_err(of_vary)
+        }
+        None => Ok(rows),
+    }
+}
+
+/// Returns the table with the times of the dwells that fill the cycle of each row, in place of the cycle.
+///
+/// # Errors
+/// A row whose moves take longer than its cycle.
+fn with_filled_cycles(
+    (text, prefix): (&str, &str),
+    rows: &str,
+    (place, stated): (usize, &str),
+    language: Language,
+) -> Result<String, Unanswered> {
+    let mut lines = rows.lines();
+    let head: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+    let dwells: Vec<String> = motion::dwells(&written(text).unwrap_or_default(), prefix);
+    let others = |cells: &[&str]| -> Vec<String> {
+        let other = |(at, cell): (usize, &&str)| (at != place).then(|| (*cell).to_owned());
+        cells.iter().enumerate().filter_map(other).collect()
+    };
+    let own = |path: &String| format!("{}.time [s]", path.strip_prefix(prefix).unwrap_or(path));
+    let headings = others(&head).into_iter().chain(dwells.iter().map(own));
+    let mut table = headings.collect::<Vec<_>>().join(",");
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        let of_row = |(heading, cell): (&&str, &&str)| match heading.split_once(" [") {
+            Some((path, unit)) => (format!("{prefix}{path}"), format!("{cell} {}", unit.trim_end_matches(']'))),
+            None => (format!("{prefix}{heading}"), (*cell).to_owned()),
+        };
+        let mut values: Vec<(String, String)> = head.iter().zip(&cells).map(of_row).collect();
+        let (_, cycle) = if place < values.len() { values.remove(place) } else { continue };
+        values.retain(|(path, _)| key_at(path).is_some());
+        let changed = project::edit_values(text, &values).unwrap_or_else(|_| text.to_owned());
+        let filled = project::cycle_filled(&changed, prefix, &cycle).map_err(|why| {
+            let moves = match why {
+                Unfilled::TooShort { moves } => moves,
+                Unfilled::NoCycle => String::new(),
+            };
+            let time = motion::time_for_cycle(text, prefix, &cycle);
+            let call = |time| typed(["--set", &*format!("time={time}"), &*format!("--{VARY}"), stated]);
+            let hint = time.map(|time| usage_hint(&UsageHint::Calls(vec![call(time)]), language));
+            Unanswered::option(VARY, (terminal::cycle_too_short(&seen(&cycle), &moves, language), hint))
+        })?;
+        let filled = written(&filled.text).unwrap_or_default();
+        let time = |dwell: &String| {
+            let path = format!("{dwell}.time");
+            let time = filled.iter().find(|each| each.path == path).and_then(|each| each.value.clone());
+            time.map(|time| number_and_unit(&time).0.to_owned()).unwrap_or_default()
+        };
+        table.push('\n');
+        table.push_str(&others(&cells).into_iter().chain(dwells.iter().map(time)).collect::<Vec<_>>().join(","));
+    }
+    table.push('\n');
+    Ok(table)
 }
 
 /// Returns the table with each further key of a word behind its last column, with the values of the first one.
@@ -72,6 +132,8 @@ struct Column {
     spec: String,
     /// Keys that the same word states.
     further: Vec<FurtherKey>,
+    /// The values are durations of the whole cycle, in place of those of the first dwell.
+    is_cycle: bool,
 }
 
 /// A key with the values of a column.
@@ -194,7 +256,11 @@ fn column(
             [path] => path.clone(),
             [] => {
                 let stated: Vec<&str> = all.iter().map(|each| each.path.as_str()).collect();
-                let hint = usage_hint(&UsageHint::Words(keys::nearest(all, key, &stated)), language);
+                let hint = match keys::nearest(all, key, &stated) {
+                    Hint::DidYouMean(path) if key_at(&path).is_some() => UsageHint::Calls(vec![change(&path, text)]),
+                    hint => UsageHint::Words(hint),
+                };
+                let hint = usage_hint(&hint, language);
                 return Err((terminal::set_no_key(&seen(key), language), Some(hint)));
             }
             [one, other, ..] => {
@@ -218,7 +284,7 @@ fn column(
     if let Some((path, count)) = keys::no_entry(all, &format!("{prefix}{path}")) {
         return Err((sweeps::no_entry(&seen(&path), &count, language), None));
     }
-    Ok(Column { spec: spec(&path, &values), further: Vec::new() })
+    Ok(Column { spec: spec(&path, &values), further: Vec::new(), is_cycle: false })
 }
 
 fn spec(path: &str, values: &Stated) -> String {
@@ -250,6 +316,17 @@ fn of_motion(
         ]);
         usage_hint(&UsageHint::Calls(vec![set]), language)
     };
+    if meaning == motion::MotionWord::Cycle && values.unit.is_empty() {
+        let hint = usage_hint(&UsageHint::Calls(vec![change(word, &format!("{stated} s"))]), language);
+        return Err((sweeps::vary_unit(&seen(word), language), Some(hint)));
+    }
+    if meaning == motion::MotionWord::Cycle
+        && !is_stated
+        && let Some(dwell) = motion::filling_dwell(text, prefix, &values.last(&values.unit))
+    {
+        let path = format!("{}.time", dwell.strip_prefix(prefix).unwrap_or(&dwell));
+        return Ok(Some(Column { spec: spec(&path, values), further: Vec::new(), is_cycle: true }));
+    }
     if meaning == motion::MotionWord::Cycle && !is_stated {
         return Err((sweeps::vary_no_cycle(&seen(word), language), Some(set_first())));
     }
@@ -282,5 +359,5 @@ fn of_motion(
         heading: heading(&own(path), values),
         is_opposite: is_back(other) != is_back(value),
     });
-    Ok(Some(Column { spec: spec(&own(first), values), further: further.collect() }))
+    Ok(Some(Column { spec: spec(&own(first), values), further: further.collect(), is_cycle: false }))
 }

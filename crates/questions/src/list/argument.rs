@@ -3,6 +3,7 @@
 use project::Hint;
 use quantities::Language;
 use std::borrow::Cow;
+use words::spoken::choice;
 use words::{UsageHint, Word, help, help::values, requests};
 
 /// An argument of a question.
@@ -248,7 +249,9 @@ impl Argument {
                     return Ok(Cow::Borrowed(value));
                 }
                 let spelled = |word: &&&str| joined(word) == joined(value);
-                if let Some(word) = self.word_titled(value).or_else(|| words.iter().find(spelled).copied()) {
+                let chosen = || choice(self.name, value).filter(|word| words.contains(word));
+                let own = || words.iter().find(spelled).copied();
+                if let Some(word) = self.word_titled(value).or_else(own).or_else(chosen) {
                     return Ok(Cow::Borrowed(word));
                 }
                 let hint = match (nearest_words(value, &words), self.titles) {

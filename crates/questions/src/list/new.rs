@@ -2,19 +2,25 @@
 
 use super::given::{arguments, by_id, count, flag, lines, text, word};
 use super::{
-    Answer, Argument, ArgumentForm, ArgumentKind, Entry, Gives, Inquiry, OutputFile, Reads, Unanswered, media,
+    Answer, Argument, ArgumentForm, ArgumentKind, Entry, Gives, Inquiry, OutputFile, Reads, ReferencedText, Unanswered,
+    media,
 };
 use crate::catalogue_template::{CatalogueFormat, catalogue_template};
 pub use crate::incoming::previewed;
-use crate::reading::Unread;
+use crate::progress::Progress;
 pub use crate::recorded_template::{begins_with_motion, recorded};
 use crate::sizing_use::Refusal;
 pub use crate::sweep::sample::{Method, SAMPLES_MOST, table};
 pub use crate::templates::{Template, example, plain_text, template, template_kinds};
+use axis::{Files, Grant};
 use quantities::Language;
+use std::borrow::Cow;
+use std::io::Read;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use words::help::values;
 use words::spoken::KINDS;
-use words::{catalogue_template, help, requests};
+use words::{Worded, catalogue_template, help, requests};
 
 arguments! {
     /// Arguments of `new`: kind of the file, and columns of a table.
@@ -46,7 +52,7 @@ arguments! {
 const SWEEP: &str = "sweep";
 
 /// The kind of a catalogue file.
-const CATALOGUE: &str = "catalogue";
+pub const CATALOGUE: &str = "catalogue";
 
 /// Name of a catalogue file without its ending.
 const CATALOGUE_NAME: &str = "stock";
@@ -133,20 +139,84 @@ pub fn found(inquiry: &Inquiry<'_>, file: &str) -> Result<Template, Unanswered> 
     Ok(of(&kind, file, inquiry.language).ok_or(Refusal::NoData)?)
 }
 
-/// Checks the keys and values of a new project.
+/// Identifier of the fault of a key that a project needs.
+const MISSING: &str = "missing_key";
+
+/// End of the identifiers of the faults of a motion that does not return to its beginning.
+const NOT_CLOSED: &str = "_not_closed";
+
+/// Key of a motion that does not return to its beginning.
+pub const SINGLE_MOVE: &str = "axis.single_move";
+
+/// State of a new project as a question would read it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Readiness {
+    /// Messages about the keys that the user has yet to state: those of a recorded machine.
+    pub missing: Vec<String>,
+    /// The motion does not return to its beginning.
+    pub is_open: bool,
+}
+
+/// Reads a new project as a question does, with its recording; `files` are those of its folder.
 ///
 /// # Errors
-/// Every fault, with its place in the text.
-pub fn checked(text: &str, language: Language) -> Result<(), Unanswered> {
-    let found = match project::read(text) {
-        Ok(read) => read.report.into_faults(),
-        Err(faults) => faults,
-    };
-    if found.is_empty() {
-        return Ok(());
+/// Every fault, each with its place in the text; of a project that begins with a recording of the user (`is_recorded`) not the keys
+/// that only the user knows, nor a motion that does not return.
+pub fn checked(
+    template: &Template,
+    is_recorded: bool,
+    files: &dyn Files,
+    progress: &Progress,
+    language: Language,
+) -> Result<Readiness, Unanswered> {
+    let files = Beside { recording: template.recording.as_ref(), files };
+    let bytes = Cow::Borrowed(template.text.as_bytes());
+    let source = ReferencedText { name: USUAL_NAME.to_owned(), bytes, files: &files };
+    let mut readiness = Readiness::default();
+    match source.projects(crate::embedded_catalogue(), progress, language) {
+        Ok(_) => Ok(readiness),
+        Err(Unanswered::Text { name, text, faults }) => {
+            let of_user = |fault: &Worded| fault.id != MISSING && !fault.id.ends_with(NOT_CLOSED);
+            if !is_recorded || faults.iter().any(of_user) {
+                return Err(Unanswered::Text { name, text, faults });
+            }
+            readiness.is_open = faults.iter().any(|fault| fault.id.ends_with(NOT_CLOSED));
+            readiness.missing =
+                faults.into_iter().filter(|fault| fault.id == MISSING).map(|fault| fault.message).collect();
+            Ok(readiness)
+        }
+        Err(why) => Err(why),
     }
-    let faults = found.into_iter().map(project::Diagnostic::into_other).collect();
-    Err(Unanswered::unread(Unread::Faults(faults), USUAL_NAME, text, language))
+}
+
+/// Files of the folder of a new project, with a recording that is written together with it.
+struct Beside<'t> {
+    recording: Option<&'t (String, String)>,
+    files: &'t dyn Files,
+}
+
+impl Files for Beside<'_> {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+        match self.recording {
+            Some((own, text)) if own == name => Ok(Box::new(std::io::Cursor::new(text.clone().into_bytes()))),
+            _ => self.files.open(name),
+        }
+    }
+
+    fn size(&self, name: &str) -> Option<u64> {
+        match self.recording {
+            Some((own, text)) if own == name => Some(text.len() as u64),
+            _ => self.files.size(name),
+        }
+    }
+
+    fn cancelled(&self) -> Option<Arc<AtomicBool>> {
+        self.files.cancelled()
+    }
+
+    fn grant(&self) -> Grant {
+        self.files.grant()
+    }
 }
 
 /// Returns the catalogue file for a file name, whose ending is that of the format.
