@@ -69,7 +69,7 @@ pub fn run(call: Vec<OsString>) -> u8 {
     disk::refuse_large_files();
     let command::parsed::ParsedCall { arguments, command, language, as_json, remark, matches } =
         command::parsed::ParsedCall::of(call);
-    let keep: command::usage::Keep<'_> = &|hint| command::verified::verified_hint(hint, language);
+    let keep: command::usage::Keep<'_> = &command::verified::verified_hint;
     let matches = match matches {
         Ok(matches) => matches,
         Err(Misread::Stray(stray)) => {
@@ -102,11 +102,9 @@ pub fn run(call: Vec<OsString>) -> u8 {
     match answer {
         Ok(answer) => answer.remarked(remark),
         Err(why) => {
-            let why = command::remedy::with_whole_calls(why, &arguments, language, &|calls| {
-                command::verified::verified(calls, language)
-            });
+            let why = command::remedy::with_whole_calls(why, &arguments, language, &command::verified::verified);
             let calls = command::remedy::calls(&why, &arguments, &command, language);
-            let calls = command::verified::verified(calls, language);
+            let calls = command::verified::verified(calls);
             fault::unanswered(&why, json, language).with_calls(&calls, language)
         }
     }

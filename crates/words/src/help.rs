@@ -321,8 +321,8 @@ texts! {
         "Project of the axis: load, supply, gains; default: an inertia without friction"
         | "Projekt der Achse: Last, Versorgung, Verstärkungen; ohne Angabe ein reibungsfreies Massenträgheitsmoment";
     drive_inertia =
-        "Moment of inertia of the load if no project is given, such as \"0.5 kg m^2\"; default: that of the actuator"
-        | "Massenträgheitsmoment der Last, wenn kein Projekt angegeben ist, etwa \"0.5 kg m^2\"; ohne Angabe das des Antriebs";
+        "Moment of inertia of the load if no project is given, such as \"2 kg m²\"; default: that of the actuator"
+        | "Massenträgheitsmoment der Last, wenn kein Projekt angegeben ist, etwa \"2 kg m²\"; ohne Angabe das des Antriebs";
     drive_protocol = "Communication protocol of the clients" | "Kommunikationsprotokoll der Clients";
     drive_time =
         "Time base: real time, or stepped by the client with a request or with each SYNC message by the period of 60C2h"
@@ -406,8 +406,8 @@ texts! {
     png = "Draw into this PNG file" | "In diese PNG-Datei zeichnen";
     theme = "Colours of the picture" | "Farben des Bildes";
     width =
-        "Width of the picture, for example \"160 mm\"; default: suited to the picture"
-        | "Breite des Bildes, zum Beispiel \"160 mm\"; ohne Angabe passend zum Bild";
+        "Width of the picture, for example \"160 mm\"; default: by its content"
+        | "Breite des Bildes, zum Beispiel \"160 mm\"; ohne Angabe nach dem Inhalt";
     height =
         "Height of the picture, for example \"100 mm\"; increased if the content requires it"
         | "Höhe des Bildes, zum Beispiel \"100 mm\"; wird vergrößert, wenn der Inhalt es erfordert";

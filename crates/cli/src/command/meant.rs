@@ -284,9 +284,7 @@ impl<'c> Called<'c> {
             names.retain(|name| name == "--vary");
         }
         // The angle of the shaft, not the range that is drawn.
-        if names == ["--angle", "--window"] {
-            names.truncate(1);
-        }
+        names.truncate(if names == ["--angle", "--window"] { 1 } else { names.len() });
         // A code with a slip has no option of its own; the question names the nearest codes.
         if names.is_empty() && seems_code(word) {
             let is_code = |option: &&Arg| {

@@ -18,7 +18,7 @@ const INSTEAD_MOST: usize = 4;
 
 /// Returns the proposed calls that can be answered; in place of one that cannot, those that its own refusal proposes. A call about a
 /// file that one before it writes stays as it is.
-pub(crate) fn verified(calls: Vec<String>, language: Language) -> Vec<String> {
+pub(crate) fn verified(calls: Vec<String>) -> Vec<String> {
     let mut written: Vec<String> = Vec::new();
     let mut found: Vec<String> = Vec::new();
     for call in calls {
@@ -26,17 +26,17 @@ pub(crate) fn verified(calls: Vec<String>, language: Language) -> Vec<String> {
         let reads_written = words.iter().any(|word| written.contains(word));
         let out = words.iter().skip_while(|word| !["--out", "-o"].contains(&word.as_str())).nth(1);
         written.extend(out.cloned());
-        let own = if reads_written { vec![call] } else { answerable(&call, FOLLOWED_MOST, language) };
+        let own = if reads_written { vec![call] } else { answerable(&call, FOLLOWED_MOST) };
         found.extend(own.into_iter().filter(|call| !found.contains(call)).collect::<Vec<_>>());
     }
     found
 }
 
 /// Returns a hint with the calls of it that can be answered; `None` without any.
-pub(crate) fn verified_hint(hint: UsageHint, language: Language) -> Option<UsageHint> {
+pub(crate) fn verified_hint(hint: UsageHint) -> Option<UsageHint> {
     match hint {
         UsageHint::Calls(calls) => {
-            let calls = verified(calls, language);
+            let calls = verified(calls);
             (!calls.is_empty()).then_some(UsageHint::Calls(calls))
         }
         other => Some(other),
@@ -44,22 +44,22 @@ pub(crate) fn verified_hint(hint: UsageHint, language: Language) -> Option<Usage
 }
 
 /// Returns a call that can be answered, else the calls that its refusal proposes, followed `most` times.
-fn answerable(call: &str, most: usize, language: Language) -> Vec<String> {
+fn answerable(call: &str, most: usize) -> Vec<String> {
     let words: Vec<OsString> = split(call).into_iter().map(OsString::from).collect();
-    let ParsedCall { arguments, command, language: own, matches, .. } = ParsedCall::of(words);
+    let ParsedCall { arguments, command, language, matches, .. } = ParsedCall::of(words);
     let proposed = match matches {
         Err(Misread::Library(error)) if !error.use_stderr() => return vec![call.to_owned()],
-        Err(Misread::Library(error)) => usage::hints(&error, (&command, &arguments), own),
-        Err(Misread::Stray(stray)) => Called::of(&arguments, &command, own)
+        Err(Misread::Library(error)) => usage::hints(&error, (&command, &arguments), language),
+        Err(Misread::Stray(stray)) => Called::of(&arguments, &command, language)
             .and_then(|called| stray.fault(&called, &arguments).1)
             .into_iter()
             .collect(),
-        Ok(matches) => match ask::read(&matches, own) {
+        Ok(matches) => match ask::read(&matches, language) {
             Ok(()) => return vec![call.to_owned()],
             Err(why) => {
-                let why = remedy::with_whole_calls(why, &arguments, own, &|calls| calls);
-                let calls = calls_of(&why, own);
-                vec![UsageHint::Calls([calls, remedy::calls(&why, &arguments, &command, own)].concat())]
+                let why = remedy::with_whole_calls(why, &arguments, language, &|calls| calls);
+                let calls = calls_of(&why, language);
+                vec![UsageHint::Calls([calls, remedy::calls(&why, &arguments, &command, language)].concat())]
             }
         },
     };
@@ -69,7 +69,7 @@ fn answerable(call: &str, most: usize, language: Language) -> Vec<String> {
     let calls =
         proposed.into_iter().flat_map(|hint| if let UsageHint::Calls(calls) = hint { calls } else { Vec::new() });
     let others = calls.filter(|other| other != call);
-    others.flat_map(|other| answerable(&other, most - 1, language)).take(INSTEAD_MOST).collect()
+    others.flat_map(|other| answerable(&other, most - 1)).take(INSTEAD_MOST).collect()
 }
 
 /// Returns the whole calls that the hints of faults name.

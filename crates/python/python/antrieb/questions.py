@@ -667,9 +667,9 @@ def simulate(
         signals: Signals of the trace, separated by commas; default: all.
         format: Json for the summary (default), csv or parquet for the trace, svg for a picture.
         figure: Picture: the trace, or the frequency responses of the control loops (simulation).
-        theme: Light (default) or dark.
-        width: Width of the picture, for example "160 mm".
-        height: Height of the picture; increased if the content requires it.
+        theme: Colours of the picture.
+        width: Width of the picture, for example "160 mm"; default: suited to the picture.
+        height: Height of the picture, for example "100 mm"; increased if the content requires it.
         seed: Seed of the gear and encoder errors (0).
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
@@ -1303,7 +1303,7 @@ def encoder(
         turn: Whole turns of the motor shaft before this angle. Without it `0`.
         speed: Speed of the motor shaft, such as "300 rad/s". Without it `0 1/min`.
         seed: Seed of the encoder error within its accuracy; default: no error.
-        window: Angle range of the signals shown; default: two periods each.
+        window: Angle range of the signals shown, such as "2 deg"; default: two periods each.
         battery_lost: Battery and supply have failed at the same time (M128S).
         error: The encoder reports an error (EnDat).
         decode: Decode this word (bits in the order sent) and report its errors.
@@ -1420,7 +1420,7 @@ def catalogue_export(
 
     Args:
         lang: Language of the texts: `en` or `de`.
-        format: Csv (default) or json.
+        format: Format of the catalogue.
 
     Returns:
         The record as typed objects with `format="json"`, else the file.
@@ -1757,10 +1757,10 @@ def plot(
         code: Ordering code; default: the project's own [actuator], otherwise the best of the catalogue.
         lang: Language of the texts: `en` or `de`.
         axis: Only this axis of a project with several.
-        by: Abscissa of candidate_map: mass (default) or length.
-        theme: Light (default) or dark.
-        width: Width of the picture, for example "160 mm".
-        height: Height of the picture; increased if the content requires it.
+        by: Abscissa of candidate_map.
+        theme: Colours of the picture.
+        width: Width of the picture, for example "160 mm"; default: suited to the picture.
+        height: Height of the picture, for example "100 mm"; increased if the content requires it.
         file: What a text is called in faults.
         folder: Where the recordings that a text names lie; without it the current folder.
         deadline: How long the answer may take, such as `60 s`; without it what would take long is refused.
