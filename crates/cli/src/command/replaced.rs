@@ -12,7 +12,6 @@ use super::typed::typed;
 use super::unknown;
 use clap::Command;
 use quantities::Language;
-use questions::list::Entry;
 use std::ffi::OsString;
 use std::path::Path;
 use words::terminal;
@@ -62,8 +61,10 @@ fn with_ending_of_project(mut arguments: Vec<OsString>, whole: &Command, languag
     let file = Called::of(&arguments, whole, language).and_then(|called| {
         let word = called.first.first().filter(|word| !word.contains(['.', '*', '?']) && !Path::new(word).exists())?;
         let file = format!("{word}.toml");
-        let reads = |entry: &Entry| entry.command != "new" && !entry.command().contains(' ');
-        (called.entry.is_some_and(reads) && is_project(Path::new(&file))).then_some((called.begin, file))
+        let position = called.command.get_positionals().next()?;
+        let reads = called.entry.is_some_and(|entry| !entry.command().contains(' '))
+            && (["project", "old"].contains(&position.get_id().as_str()) || called.is_code(position));
+        (reads && is_project(Path::new(&file))).then_some((called.begin, file))
     });
     let Some((place, file)) = file else { return (arguments, false) };
     if let Some(word) = arguments.get_mut(place) {
