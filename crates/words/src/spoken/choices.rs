@@ -49,7 +49,7 @@ pub const CHOICES: &[(&str, Values)] = &[
         ("demand", &["requirement", "bedarf", "anforderung"]),
         ("motion", &["cycle", "bewegung", "zyklus"]),
         ("candidates", &["ranking", "actuators", "kandidaten", "rangfolge", "antriebe"]),
-        ("checks", &["check", "nachweise", "nachweis"]),
+        ("checks", &["nachweise", "nachweis"]),
         ("course", &["trace", "time course", "verlauf", "zeitverlauf"]),
     ]),
     ("by", &[
